@@ -1,9 +1,9 @@
-"""Chroma key: footage in front of a green or blue screen over a background, by nodes of the compositor."""
+"""Chroma key: lays footage that was filmed in front of a green or blue screen over a background, by nodes of the compositor."""
 
 from ..core.declare import Feature
 from . import operators, panel, properties
 
-# Blender's own nodes do the keying: nothing here is solved.
+# Nodes of Blender's compositor compute the key: this Feature solves nothing.
 FEATURE = Feature(
     name="chroma",
     label="Chroma Key",

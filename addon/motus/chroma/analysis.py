@@ -1,4 +1,4 @@
-"""The screen of a footage: its colour, how well it keys, and what is said of that."""
+"""Measure the screen of a footage: its colour, its quality for keying, and warnings on it."""
 
 from mathutils import Color
 
@@ -8,13 +8,13 @@ from ..core.translations import tr
 from . import footage
 
 UNEVEN, COLORED, SMALL, SPILLED = 0.6, 0.12, 0.1, 0.15
-"""Numbers of a report beyond which a screen is warned of."""
+"""Thresholds of a report; a screen beyond one of them gets a warning."""
 _MARGIN = 1.25
-"""How much farther the clip levels go than the measured ones, of which there are none on an even screen: other frames differ."""
+"""Factor on the distance of the clip levels from the measured ones, since other frames differ from the measured frame."""
 
 
 def measure(image, color=None, balance=0.0, gain=1.0):
-    """(colour, report) of an image's screen, by a colour that is given or its own. Raises Refused."""
+    """Measure the screen of an image: (colour, report). The colour can be given; otherwise it is found. Raises Refused."""
     picture = footage.pixels(image)
     found = native.module.screen_color(picture) if color is None else color
     if found is None:
@@ -24,7 +24,7 @@ def measure(image, color=None, balance=0.0, gain=1.0):
 
 
 def is_keyable(color):
-    """Whether a colour is a screen's, green or blue."""
+    """Whether a colour is green or blue enough to be a screen's."""
     try:
         native.module.screen_matte(_PIXEL, color)
     except ValueError:
@@ -33,7 +33,7 @@ def is_keyable(color):
 
 
 def check_color(color):
-    """Refuse a colour that is no screen's."""
+    """Refuse a colour that is not green or blue enough to be a screen's."""
     if not is_keyable(color):
         raise Refused(tr("A screen is green or blue: this colour is {hue}").format(hue=_hue(color)))
 
@@ -42,7 +42,7 @@ _PIXEL = (((0.0, 0.0, 0.0, 1.0),),)
 
 
 def _hue(color):
-    """What a colour that is neither green nor blue is called."""
+    """Name of the hue of a colour that is neither green nor blue."""
     hue, saturation, _ = Color([min(max(part, 0.0), 1e6) for part in color]).hsv
     if saturation < 0.1:
         return tr("grey or white")
@@ -50,7 +50,10 @@ def _hue(color):
 
 
 def another_color(image, keys):
-    """The colour of a screen in what keys leave of an image; None without. keys: (colour, black, balance, gain) of each."""
+    """Colour of a screen in the part of an image that the keys leave; None if there is none.
+
+    keys: (colour, black, balance, gain) of each.
+    """
     picture = footage.pixels(image)
     for color, black, balance, gain in keys:
         picture[..., 3][native.module.screen_matte(picture, color, balance, gain) <= black + _LEFT] = 0.0
@@ -58,17 +61,17 @@ def another_color(image, keys):
 
 
 _LEFT = 0.1
-"""Mattes up to so far above a key's clip black are of its own screen."""
+"""Pixels whose matte is at most this much above a key's clip black belong to that key's screen."""
 
 
 def clip_levels(report):
-    """(black, white) that clear the screen and leave the subject opaque."""
+    """Clip levels (black, white) that make the screen transparent and leave the subject opaque."""
     black = min(_MARGIN * report["black"], 0.9)
     return black, max(1.0 - _MARGIN * (1.0 - report["white"]), black + 0.05)
 
 
 def sentences(noted):
-    """Warnings on the screen that was measured. noted: settings of the scene."""
+    """Warnings on the measured screen. noted: settings of the scene."""
     if noted.share < SMALL:
         yield tr("The screen fills only {percent} % of the picture").format(percent=f"{100.0 * noted.share:.0f}")
     if noted.luminance_spread > UNEVEN:

@@ -1,4 +1,4 @@
-"""The key in a scene's compositor: nodes around the group, between what was there and the output, and how they are taken back."""
+"""Insert the key's nodes into a scene's compositor tree, before its output, and remove them again."""
 
 import bpy
 
@@ -8,56 +8,56 @@ from ..core.translations import tr
 from . import footage, group, settings
 
 FOREGROUND, BACKGROUND, MASK, RENDER, VIEWER = "Footage", "Background", settings.MASK, "Render", "Viewer"
-"""Roles of the nodes that bring pictures and the mask in, and of the one that shows what comes out."""
+"""Roles of nodes: those that read the pictures and the mask, and the viewer of the result."""
 _KEY, _ANOTHER = "Key", "Another Key"
-"""Roles of the key whose picture is rendered, and of keys of more colours, which the footage passes through before."""
+"""Roles of key nodes: the key whose picture is rendered, and keys of more colours, which the footage passes through first."""
 
 
 def tree_of(scene):
-    """The compositor's node tree of a scene, or None. Before Blender 5 it may be switched off."""
+    """Compositor tree of a scene, or None. Before Blender 5 the tree may be switched off."""
     return scene.compositing_node_group if capabilities.has_compositing_group() else scene.node_tree
 
 
 def key_of(scene):
-    """The node of a scene's key whose picture is rendered, or None."""
+    """Node of the scene's key whose picture is rendered, or None."""
     return next(iter(keys_of(scene)), None)
 
 
 def keys_of(scene):
-    """The nodes of all keys of a scene: the one whose picture is rendered, then the others as they were added."""
+    """Nodes of all keys of a scene: the key whose picture is rendered, then the others in the order in which they were added."""
     tree = tree_of(scene)
     found = [node for node in tree.nodes if node.type == 'GROUP' and group.is_group(node.node_tree)] if tree else []
     return sorted(found, key=lambda node: node.get(group.KEY) == _ANOTHER)
 
 
 def active_key(scene):
-    """The node of the key that the panel shows, or None."""
+    """Node of the key that the panel shows, or None."""
     found = keys_of(scene)
     return found[min(max(scene.motus.chroma.active_key, 0), len(found) - 1)] if found else None
 
 
 def show(scene, view):
-    """Let a view of the scene's key come out: of the footage itself all other keys let it pass."""
+    """Show a view of the scene's key. For the view of the footage all other keys pass the footage through."""
     for node in keys_of(scene):
         is_rendered = node.get(group.KEY) != _ANOTHER
         group.show(node.node_tree, view if is_rendered or view == group.SOURCE else group.COMPOSITE)
 
 
 def node_of(scene, role):
-    """The node that was added for a role, or None."""
+    """The node of a role that was added to the scene's tree, or None."""
     tree = tree_of(scene)
     return next((node for node in tree.nodes if node.get(group.KEY) == role), None) if tree else None
 
 
 def prepared(scene, noted):
-    """The scene's tree, made where there is none. noted: settings of the scene, which remember what was made."""
+    """The scene's compositor tree, created if there is none. noted: settings of the scene, which store what was created."""
     tree = tree_of(scene)
     if tree is not None and tree.library:
         raise Refused(tr("The compositor's nodes are linked from another file"))
     if not capabilities.has_compositing_group():
         if not scene.use_nodes:
             noted.is_switched_on, noted.is_tree_made = True, tree is None or _is_as_made(scene, tree)
-            scene.use_nodes = True  # a scene without a tree gets one with the render and an output
+            scene.use_nodes = True  # Blender creates a tree with a Render Layers node and an output
         return scene.node_tree
     if tree is not None:
         return tree
@@ -70,14 +70,14 @@ def prepared(scene, noted):
 
 
 def _is_as_made(scene, tree):
-    """Whether nothing is lost with a tree: it has the scene's render and an output, as Blender makes it."""
+    """Whether a tree has nothing but the scene's render and an output, as Blender creates it."""
     kinds = sorted(node.bl_idname for node in tree.nodes)
     return kinds == ["CompositorNodeComposite", "CompositorNodeRLayers"] and all(
         node.scene == scene and node.layer == scene.view_layers[0].name for node in tree.nodes if node.type == 'R_LAYERS')
 
 
 def _show_render(scene, tree):
-    """Connect the output of a tree that was made with the scene's render."""
+    """Connect the output of a new tree with the scene's render."""
     if not any(node.type == 'R_LAYERS' for node in tree.nodes):
         node = tree.nodes.new("CompositorNodeRLayers")
         node.scene = scene
@@ -85,10 +85,13 @@ def _show_render(scene, tree):
 
 
 def insert(scene, tree, key_group, image, background, wanted, mask, noted):
-    """Add the key to a tree, before its output. background: an image, laid underneath where 'FOOTAGE' is wanted there. Gives the node."""
+    """Insert the key into a tree before its output; returns the key's node.
+
+    wanted: what lies underneath. background: image that lies underneath if wanted is 'FOOTAGE'.
+    """
     target = _target(tree)
     if noted.is_tree_made and wanted != 'RENDER':
-        # Nobody needs it, and it could not be rendered without a camera.
+        # Nothing uses the Render Layers node, and it could not be rendered without a camera.
         for node in [node for node in tree.nodes if node.type == 'R_LAYERS']:
             tree.nodes.remove(node)
     before = next((link.from_socket for link in tree.links if link.to_socket == target), None)
@@ -104,7 +107,7 @@ def insert(scene, tree, key_group, image, background, wanted, mask, noted):
         add_mask(scene, key, MASK, mask)
     node_groups.link(tree, key.outputs["Image"], target)
     if not any(node.bl_idname == "CompositorNodeViewer" for node in tree.nodes):
-        # The backdrop and the image editor show it without a render.
+        # The viewer shows the key in the backdrop and the image editor without a render.
         viewer = _mark(tree.nodes.new("CompositorNodeViewer"), VIEWER, "")
         node_groups.link(tree, key.outputs["Image"], viewer.inputs["Image"])
     _arrange(tree, key)
@@ -113,13 +116,13 @@ def insert(scene, tree, key_group, image, background, wanted, mask, noted):
 
 
 def add_mask(scene, key, name, mask):
-    """Connect a mask, or the picture of an image, with an input of a key."""
+    """Connect a mask, or the picture of an image, to an input of a key."""
     tree = tree_of(scene)
     remove_mask(scene, key, name)
     if isinstance(mask, bpy.types.Image):
         _link_image(scene, tree, name, mask, 'FIT', key.inputs[name])
     else:
-        # A node without a mask covers all in 4.3.
+        # In 4.3 a Mask node without a mask is white everywhere.
         node = _mark(tree.nodes.new("CompositorNodeMask"), name, name)
         node.mask = mask
         node_groups.link(tree, node.outputs[0], key.inputs[name])
@@ -127,7 +130,7 @@ def add_mask(scene, key, name, mask):
 
 
 def mask_of(scene, key, name):
-    """The node that a key has a mask of, for one of its inputs; None without."""
+    """Node that brings the mask of one input of a key; None without a mask."""
     socket = key.inputs.get(name)
     node = next((link.from_node for link in tree_of(scene).links if link.to_socket == socket), None)
     while node is not None and not (hasattr(node, "mask") or hasattr(node, "image")):
@@ -136,7 +139,7 @@ def mask_of(scene, key, name):
 
 
 def remove_mask(scene, key, name):
-    """Take a key's mask away, and the nodes that were added for it."""
+    """Remove the mask of one input of a key, and the nodes that were added for the mask."""
     tree = tree_of(scene)
     node, socket = mask_of(scene, key, name), key.inputs.get(name)
     for link in [link for link in tree.links if link.to_socket == socket]:
@@ -148,7 +151,7 @@ def remove_mask(scene, key, name):
 
 
 def add_key(scene, key_group):
-    """Have the footage pass through another key, before the one whose picture is rendered. Gives the node."""
+    """Add a key that the footage passes through before the key whose picture is rendered; returns its node."""
     tree, first = tree_of(scene), key_of(scene)
     count = len(keys_of(scene))
     source = next((link.from_socket for link in tree.links if link.to_socket == first.inputs["Image"]), None)
@@ -162,7 +165,7 @@ def add_key(scene, key_group):
 
 
 def remove_key(scene, key):
-    """Take one of several keys away: what passed through it goes on, and what it alone has had is removed."""
+    """Remove one of several keys with its masks, and connect its source to its targets."""
     tree = tree_of(scene)
     for name in (settings.MASK, settings.CORE_MASK):
         remove_mask(scene, key, name)
@@ -177,7 +180,7 @@ def remove_key(scene, key):
 
 
 def exchange(scene, key, key_group):
-    """Give a key's node another group: what is connected with its sockets stays, by their names."""
+    """Replace the node group of a key's node; links to sockets with the same names stay."""
     tree, old = tree_of(scene), key.node_tree
     sources = [(link.from_socket, link.to_socket.name) for link in tree.links if link.to_node == key]
     targets = [(link.from_socket.name, link.to_socket) for link in tree.links if link.from_node == key]
@@ -202,7 +205,7 @@ def underneath(scene):
 
 
 def lay_underneath(scene, wanted, noted):
-    """Lay something else underneath a scene's key. For 'FOOTAGE' the Image node has no image: it is chosen in the panel."""
+    """Replace what lies underneath a scene's key. With 'FOOTAGE' the new Image node has no image yet: the user chooses one in the panel."""
     tree, key = tree_of(scene), key_of(scene)
     if "Background" in key.inputs:
         _lay(scene, tree, key, wanted, None, noted)
@@ -210,7 +213,7 @@ def lay_underneath(scene, wanted, noted):
 
 
 def _lay(scene, tree, key, wanted, background, noted):
-    """Connect what lies underneath, and take away what has."""
+    """Connect the wanted background, and remove the nodes of the previous one."""
     target = key.inputs["Background"]
     for link in [link for link in tree.links if link.to_socket == target]:
         tree.links.remove(link)
@@ -228,7 +231,7 @@ def _lay(scene, tree, key, wanted, background, noted):
 
 
 def remove(scene, noted):
-    """Take the key's nodes away, and connect the output with what it had before."""
+    """Remove the key's nodes, and connect the output with its previous source."""
     tree = _own_tree(scene)
     groups = {node.node_tree for node in keys_of(scene)}
     if tree is not None:
@@ -248,9 +251,9 @@ def remove(scene, noted):
 
 
 def _drop_viewed():
-    """Remove the picture that Blender makes for all nodes Viewer of the file, where there are none any more.
+    """Remove the picture that Blender keeps for all Viewer nodes, if the file has no Viewer node any more.
 
-    3.4 counts one user too many for it.
+    Blender 3.4 counts one user too many for this picture.
     """
     trees = [tree for tree in map(tree_of, bpy.data.scenes) if tree is not None]
     if any(node.bl_idname == "CompositorNodeViewer" for tree in trees for node in tree.nodes):
@@ -260,7 +263,7 @@ def _drop_viewed():
 
 
 def _own_tree(scene):
-    """The tree of a scene; a copy of it, where another scene has the same one, as the copy of a scene does from Blender 5 on."""
+    """Compositor tree that only this scene uses: a copy if scenes share the tree, as copies of a scene do from Blender 5 on."""
     tree = tree_of(scene)
     if tree is not None and any(other != scene and tree_of(other) == tree for other in bpy.data.scenes):
         tree = scene.compositing_node_group = tree.copy()
@@ -268,7 +271,7 @@ def _own_tree(scene):
 
 
 def _take_back_tree(scene, tree, noted):
-    """A tree that was made for the key goes with it, unless somebody has added nodes; one that was switched off is so again."""
+    """Remove a tree that was created for the key, unless the user has added nodes; switch a tree off that was switched off before."""
     if noted.is_tree_made:
         if len(tree.nodes) > 2 or outlet(tree) is None:
             return
@@ -288,7 +291,7 @@ def _noted_source(tree, noted):
 
 
 def outlet(tree):
-    """The socket that is rendered, or None."""
+    """Input socket of the output node that is rendered, or None."""
     kind = "NodeGroupOutput" if capabilities.has_compositing_group() else "CompositorNodeComposite"
     ends = [node for node in tree.nodes if node.bl_idname == kind]
     ends.sort(key=lambda node: not getattr(node, "is_active_output", True))
@@ -297,7 +300,7 @@ def outlet(tree):
 
 
 def _target(tree):
-    """The socket that is rendered, made where there is none."""
+    """Input socket of the output node that is rendered; the socket and its node are created if they are missing."""
     found = outlet(tree)
     if found is not None:
         return found
@@ -320,7 +323,7 @@ def _mark(node, role, label):
 
 
 def show_image(scene, node, image):
-    """Let a node Image show a picture or film, at the film's own speed."""
+    """Set the image of an Image node; a film plays at its own speed."""
     node.image = image
     if image is None:
         node.frame_duration, node.frame_start, node.use_auto_refresh = footage.LAST_FRAME, 1, True
@@ -332,7 +335,7 @@ def show_image(scene, node, image):
 
 
 def _link_image(scene, tree, role, image, framing, target):
-    """A picture or film, brought to the size of the render."""
+    """Add an Image node for a picture or film, with the nodes that scale it to the size of the render."""
     node = _mark(tree.nodes.new("CompositorNodeImage"), role, role)
     source = node.outputs["Image"]
     if not capabilities.has_premultiplied_images():
@@ -355,11 +358,11 @@ _COLUMNS = {FOREGROUND: (-180.0, 200.0), f"{FOREGROUND} Alpha": (0.0, 200.0), f"
             f"{BACKGROUND} Size": (200.0, -180.0), MASK: (0.0, -560.0), f"{MASK} Alpha": (100.0, -560.0), f"{MASK} Size": (200.0, -560.0),
             settings.CORE_MASK: (0.0, -900.0), f"{settings.CORE_MASK} Alpha": (100.0, -900.0),
             f"{settings.CORE_MASK} Size": (200.0, -900.0), _KEY: (420.0, 60.0), VIEWER: (700.0, -60.0)}
-"""Where nodes stand, by their roles."""
+"""Positions of nodes relative to the key, by their roles."""
 
 
 def _arrange(tree, key):
-    """Place new nodes around a key, in its frame."""
+    """Place new nodes around a key, in the key's frame."""
     left, low = key.location.x - _COLUMNS[_KEY][0], key.location.y - _COLUMNS[_KEY][1]
     for node in tree.nodes:
         if node.get(group.KEY) in _COLUMNS and node != key and node.parent is None:

@@ -1,4 +1,4 @@
-"""Footage: films, image sequences and stills, all of them image datablocks; and their pixels, scene-linear."""
+"""Footage: films, image sequences and stills, all kept as image datablocks, and their scene-linear pixels."""
 
 import contextlib
 import os
@@ -14,14 +14,14 @@ from ..core.translations import tr
 from . import group
 
 MOST = 512
-"""Pixels across and down that are looked at, of a larger picture evenly spread ones."""
+"""Most pixels across and down that are measured; of a larger picture evenly spread pixels are taken."""
 LAST_FRAME = 1048574
-"""The greatest frame that Blender counts to."""
+"""Largest frame number in Blender."""
 _LINEAR = {"Linear", "Linear Rec.709", "scene_linear", "Non-Color", "Raw"}
 
 
 def find(name):
-    """The image of a name, of a movie clip of that name, or of the file at a path. Raises Refused."""
+    """Image of this name, image of the movie clip of this name, or image from the file at this path. Raises Refused."""
     found = bpy.data.images.get(name)
     if found is None and name in bpy.data.movieclips:
         name = bpy.data.movieclips[name].filepath
@@ -33,7 +33,7 @@ def find(name):
 
 
 def find_chosen(folder, names):
-    """The image of files that were chosen together: a sequence, if there are several that are numbered. Raises Refused."""
+    """Image from files that the user has chosen together: a sequence if several files are numbered. Raises Refused."""
     if len(names) == 1:
         return find(os.path.join(folder, names[0]))
     parts = [_numbered(name) for name in names]
@@ -42,7 +42,7 @@ def find_chosen(folder, names):
     first = os.path.join(folder, min(zip(parts, names), key=lambda one: int(one[0][1]))[1])
     found = next((image for image in bpy.data.images if image.source == 'SEQUENCE' and bpy.path.abspath(image.filepath) == first), None)
     if found is None:
-        found = _loaded(first, check_existing=False)  # a still of this file stays one
+        found = _loaded(first, check_existing=False)  # an image of this file that is a still remains a still
         found.source = 'SEQUENCE'
     return found
 
@@ -65,19 +65,19 @@ def _loaded(name, check_existing=True):
 
 
 def drop_unused():
-    """Remove images that were loaded for a key and are not used."""
+    """Remove unused images that were loaded for a key."""
     for image in [image for image in bpy.data.images if group.KEY in image and image.users == 0]:
         bpy.data.images.remove(image)
 
 
 def size(image):
-    """Width and height in pixels; 0 of what cannot be read."""
+    """Width and height of an image in pixels; 0 if the file cannot be read."""
     with _first(image) as picture:
         return tuple(picture.size) if picture else (0, 0)
 
 
 def duration(image):
-    """Frames of a film or sequence, 1 of a still."""
+    """Number of frames of a film or sequence; 1 for a still."""
     if image.source == 'SEQUENCE':
         numbers = _numbers(image)
         return numbers[-1] - numbers[0] + 1 if numbers else 1
@@ -85,9 +85,9 @@ def duration(image):
 
 
 def play(image, user, scene):
-    """Let a node or image user show footage from frame 1 of a scene on: a film at its own frame rate, a sequence picture by picture.
+    """Play footage from frame 1 of a scene on, in a node or image user: films at their own rate, sequences picture by picture.
 
-    For a picture that a sequence lacks it shows the one before: of none Blender makes a black or empty frame, and in 3.4 it hangs.
+    A picture that a sequence lacks is replaced by the previous one: Blender would make a black or empty frame, and 3.4 would hang.
     """
     path = f"{user.path_from_id()}.frame_offset"
     actions.remove(user.id_data, (path,))
@@ -106,7 +106,7 @@ def play(image, user, scene):
 
 
 def _holds(numbers):
-    """(frame, picture that is shown less the frame) where this difference changes; nothing for a sequence without a gap."""
+    """Frames at which the shown picture's number minus the frame changes: (frame, difference); empty for a sequence without gaps."""
     if not numbers or len(numbers) == numbers[-1] - numbers[0] + 1:
         return
     shown, offset, there = numbers[0], None, set(numbers)
@@ -118,11 +118,11 @@ def _holds(numbers):
 
 
 def _drive(curve, scene, film_rate, frames):
-    """Give a driver the film's frame at the scene's time, less the scene's frame.
+    """Drive a property by the film's frame at the scene's time, minus the scene's frame.
 
-    A simple expression, which Blender evaluates without Python.
+    The driver is a simple expression, which Blender evaluates without Python.
     """
-    # Blender 5 gives a new driver keys, through which its value would go.
+    # Blender 5 gives new drivers keys, which would map the driver's value.
     for key in reversed(curve.keyframe_points):
         curve.keyframe_points.remove(key)
     for modifier in reversed(curve.modifiers):
@@ -137,14 +137,14 @@ def _drive(curve, scene, film_rate, frames):
 
 
 def gap(image):
-    """(pictures that a sequence lacks, frames that show the ones before), as texts; None without a gap."""
+    """Gap of a sequence as texts: (missing pictures, frames that show the previous picture); None without a gap."""
     numbers = _numbers(image) if image.source == 'SEQUENCE' else []
     missing = sorted(set(range(numbers[0], numbers[-1] + 1)) - set(numbers)) if numbers else []
     return (_ranges(missing), _ranges([number - numbers[0] + 1 for number in missing])) if missing else None
 
 
 def _ranges(numbers, most=8):
-    """Whole numbers in their order, as "3, 7-9"; of many parts the first ones."""
+    """Text of sorted whole numbers with ranges, such as "3, 7-9", cut off after `most` ranges."""
     parts = []
     for number in numbers:
         if parts and number == parts[-1][1] + 1:
@@ -156,14 +156,14 @@ def _ranges(numbers, most=8):
 
 
 def _numbered(name):
-    """(what is before, the digits, what is behind) the last number of a file's name; None without one that Blender counts to."""
+    """Split a file's name at its last number: (before, digits, behind); None without a number that fits into Blender's frames."""
     stem, ending = os.path.splitext(name)
     found = re.fullmatch(r"(.*?)(\d+)(\D*)", stem)
     return (found[1], found[2], found[3] + ending) if found and int(found[2]) <= LAST_FRAME else None
 
 
 def _numbers(image):
-    """Of the files of a sequence, in their order: all that have the name of its first one, but for the number."""
+    """Numbers of a sequence's files, sorted: all files in the folder whose names differ from the first one's only by the number."""
     path = Path(bpy.path.abspath(image.filepath, library=image.library))
     own = _numbered(path.name)
     if own is None or not path.parent.is_dir():
@@ -174,9 +174,9 @@ def _numbers(image):
 
 @contextlib.contextmanager
 def _first(image):
-    """What has the pixels of the first frame: the image, or of a sequence a still that is there meanwhile; None without.
+    """Image with the pixels of the first frame, removed afterwards if it is a temporary still; None if there are no pixels.
 
-    A sequence has a size and pixels only while something shows a frame of it.
+    Blender knows size and pixels of a sequence only while something shows one of its frames.
     """
     if image.source != 'SEQUENCE':
         yield image
@@ -194,7 +194,7 @@ def _first(image):
 
 
 def rate(image):
-    """Frames a second of a film, or None."""
+    """Frame rate of a film, or None."""
     if image.source != 'MOVIE':
         return None
     try:
@@ -207,7 +207,7 @@ def rate(image):
 
 
 def pixels(image):
-    """(rows, columns, 4) float32 of its first frame, scene-linear, thinned out where it is large."""
+    """Scene-linear pixels of the first frame, (rows, columns, 4) float32, thinned out if the picture is large."""
     with _first(image) as picture:
         if picture is None or not all(picture.size):
             raise Refused(tr("{object} cannot be read as a picture").format(object=image.name))
@@ -224,13 +224,13 @@ def _pixels(image):
         raise Refused(tr("{object} has no colours").format(object=image.name))
     found = np.ones((*values.shape[:2], 4), np.float32)
     found[..., :values.shape[2]] = np.nan_to_num(values, posinf=0.0, neginf=0.0)
-    # Blender holds pixels of 8 bits as the file has them, and others scene-linear.
+    # Pixels of 8 bits are stored as in the file, others scene-linear.
     if not image.is_float and image.colorspace_settings.name not in _LINEAR:
         found[..., :3] = linear(found[..., :3])
     return np.clip(found, -1e6, 1e6)
 
 
 def linear(encoded):
-    """Scene-linear values of sRGB's."""
+    """Convert sRGB-encoded values to scene-linear ones."""
     encoded = np.maximum(encoded, 0.0)
     return np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)

@@ -1,7 +1,7 @@
-"""The node group that keys: source and background in, the view that is chosen and the matte out.
+"""Node group that computes a key: inputs are picture and background; outputs are the chosen view and the matte.
 
-With g the screen's channel, S the screen's colour and m(C) = C_g - mix(larger, smaller of the others), the key is
-alpha = clamp(1 - gain m(C) / m(S)), and the foreground C - (1 - alpha) S, premultiplied: what native.screen_matte computes, in nodes.
+With the screen's channel g, the screen's colour S and m(C) = C_g - mix(larger, smaller of the other channels), the key is
+alpha = clamp(1 - gain m(C) / m(S)), and the premultiplied foreground is C - (1 - alpha) S. The library's screen_matte computes the same.
 """
 
 import bpy
@@ -11,21 +11,21 @@ from . import settings
 from .sheet import Sheet
 
 KEY = "motus_chroma"
-"""Custom property of the group, of the nodes around it, and of images that were loaded for it."""
+"""Custom property that marks the group, the nodes around it, and images that were loaded for it."""
 COMPOSITE, MATTE, STATUS, SOURCE = VIEWS = 'COMPOSITE', 'MATTE', 'STATUS', 'SOURCE'
-"""Names of the nodes whose first output is a view."""
+"""Names of the nodes whose first outputs are the views."""
 _CLEAR, _OPAQUE = 0.002, 0.998
-"""Mattes beyond which a pixel counts as clear or opaque in the status."""
+"""Mattes below and above which the status view shows a pixel as transparent or opaque."""
 _CORE, _WRAP = 0.01, 0.05
-"""Shares of the picture's width: how far inside the edge the core lies, and how far light wraps around it."""
+"""Shares of the picture's width: distance of the core from the edge, and width of the light wrap."""
 _GREEN, _BLUE = 0.7152, 0.0722
 """Luminance of green and of blue (Rec. 709)."""
 _LEAST = 1e-6
-"""Least distance of two levels."""
+"""Least distance between the two clip levels."""
 
 
 def build(width):
-    """A new group for pictures of so many pixels across."""
+    """Create a group for pictures of this width in pixels."""
     group = bpy.data.node_groups.new("Chroma Key", 'CompositorNodeTree')
     group[KEY] = True
     _add_sockets(group)
@@ -48,23 +48,23 @@ def build(width):
 
 
 def is_group(tree):
-    """Whether a node tree is such a group."""
+    """Whether a node tree is a group of a chroma key."""
     return tree is not None and KEY in tree
 
 
 def is_of_older_version(tree):
-    """Whether it keys by Blender's node Keying, as groups did before they had a formula of their own."""
+    """Whether a group keys by Blender's node Keying, as groups of older versions do."""
     return any(node.bl_idname == "CompositorNodeKeying" for node in tree.nodes)
 
 
 def view(group):
-    """Which view comes out of a group; None where somebody has connected something else."""
+    """View that a group shows; None if the user has connected something else."""
     link = next((link for link in group.links if link.to_node.bl_idname == "NodeGroupOutput" and link.to_socket.name == "Image"), None)
     return link.from_node.name if link is not None and link.from_node.name in VIEWS else None
 
 
 def show(group, wanted):
-    """Let a view come out."""
+    """Connect a view with the group's output."""
     end = next((node for node in group.nodes if node.bl_idname == "NodeGroupOutput"), None)
     source = group.nodes.get(wanted)
     if end is not None and source is not None and "Image" in end.inputs:
@@ -72,7 +72,7 @@ def show(group, wanted):
 
 
 def _add_sockets(group):
-    """The order stays: keys of inputs name them by their places."""
+    """Add the group's sockets. Their order must not change: keys of inputs have the index in their data paths."""
     has_whole = capabilities.has_compositor_sockets()
     shown = [one for one in settings.OF_KEYING if has_whole or one.keyword != "grow"]
     node_groups.add_sockets(group, (
@@ -96,7 +96,7 @@ def _limit(socket, default, least, most):
 
 
 def _picture(sheet):
-    """(straight colours, these smoothed for the key, alpha that the picture has already)."""
+    """Nodes that prepare the picture: (straight colours, colours smoothed for the key, alpha of the picture)."""
     sheet.frame("Picture, Straight")
     image = sheet.kept(sheet.input("Image"))
     covered = sheet.separate("Own Alpha", image)[3]
@@ -105,7 +105,7 @@ def _picture(sheet):
 
 
 def _differences(sheet, picture):
-    """(1 for a green screen, 1 for a blue one, m of the picture, m of the screen)."""
+    """Nodes of the colour difference m: (1 for a green screen, 1 for a blue screen, m of the picture, m of the screen)."""
     sheet.frame("Screen's Channel")
     screen = sheet.separate("Screen Color", sheet.input(settings.COLOR))
     is_blue = sheet.math("Is Blue", 'GREATER_THAN', screen[2], screen[1])
@@ -120,7 +120,7 @@ def _differences(sheet, picture):
 
 
 def _channels(sheet, parts, is_green, is_blue, balance):
-    """(the screen's channel, the mixture of the two others) of a colour."""
+    """Nodes that give the screen's channel of a colour, and the mixture of the two other channels."""
     red, green, blue, _ = parts
     own = _either(sheet, "Own Channel", green, is_green, blue, is_blue)
     other = _either(sheet, "Other Channel", blue, is_green, green, is_blue)
@@ -130,12 +130,12 @@ def _channels(sheet, parts, is_green, is_blue, balance):
 
 
 def _either(sheet, label, first, is_first, second, is_second):
-    """The first value or the second."""
+    """Nodes that choose one of two values by factors that are 0 or 1."""
     return sheet.math(label, 'MULTIPLY_ADD', second, is_second, sheet.math("", 'MULTIPLY', first, is_first))
 
 
 def _key(sheet, difference, screen_difference):
-    """Alpha by the colour difference; 1 everywhere, if the colour is neither green nor blue."""
+    """Nodes of alpha by the colour difference; alpha is 1 everywhere if the screen is neither green nor blue."""
     sheet.frame("Key: 1 - Gain m(Picture) / m(Screen)")
     share = sheet.math("m / m(Screen)", 'DIVIDE', difference, screen_difference)
     is_keyable = sheet.math("Is Green or Blue", 'GREATER_THAN', screen_difference, 0.0)
@@ -149,21 +149,21 @@ def _levels(sheet, alpha):
 
 
 def _between(sheet, matte, black, white):
-    """A matte that is 0 up to one level, and 1 from another one on."""
+    """Nodes of a matte that rises from 0 at one level to 1 at another."""
     width = sheet.math("Width", 'MAXIMUM', sheet.math("White - Black", 'SUBTRACT', white, black), _LEAST)
     return sheet.math("Leveled", 'DIVIDE', sheet.math("- Black", 'SUBTRACT', matte, black), width, clamp=True)
 
 
 def _edge(sheet, matte):
     sheet.frame("Edge: Grow and Feather")
-    # Before 4.5 the node has no socket for it.
+    # Before 4.5 the node has a property instead of a socket.
     pixels = sheet.input("Grow Matte") if capabilities.has_compositor_sockets() else 0
     grown = sheet.dilate("Grow Matte", matte, pixels, settings.GROW)
     return sheet.blur("Feather", grown, sheet.input("Feather"))
 
 
 def _core(sheet, alpha, width):
-    """A matte of what lies inside, where holes are filled up to a level; 0 everywhere, if none are."""
+    """Nodes of the core matte, which fills holes inside the subject up to a level; 0 everywhere if the level is 0."""
     sheet.frame("Core: Holes Inside Are Filled")
     fill, black = sheet.input("Core Fill"), sheet.input("Clip Black")
     filled = _between(sheet, alpha, black, sheet.math("1 - Fill", 'SUBTRACT', 1.0, fill))
@@ -173,7 +173,7 @@ def _core(sheet, alpha, width):
 
 
 def _masks(sheet, edge, core):
-    """The edge's matte and the core's, with what masks keep and take."""
+    """Nodes that combine edge matte and core matte with the garbage mask and the core mask."""
     sheet.frame("Masks")
     kept = sheet.math("Edge or Core", 'MAXIMUM', edge, core)
     kept = sheet.math("Or Core Mask", 'MAXIMUM', kept, sheet.input(settings.CORE_MASK))
@@ -181,9 +181,9 @@ def _masks(sheet, edge, core):
 
 
 def _foreground(sheet, straight, alpha, inside):
-    """(picture without the screen's share, factor of it).
+    """Nodes of the foreground: (picture without the screen's share, factor on it).
 
-    Where the matte is above alpha more of the picture stays, and where it is below, what stays is scaled with it.
+    Where the matte is above alpha, more of the picture stays; where the matte is below alpha, the foreground is scaled with the matte.
     """
     sheet.frame("Foreground: Picture - (1 - Alpha) Screen")
     greater = sheet.math("Alpha or Matte", 'MAXIMUM', alpha, inside)
@@ -194,7 +194,7 @@ def _foreground(sheet, straight, alpha, inside):
 
 
 def _despill(sheet, picture, is_green, is_blue):
-    """Red, green and blue, of which the screen's is limited by the others; what is taken goes back as grey of the same luminance."""
+    """Nodes of despill: limit the screen's channel by the others, and add the light that is removed as grey of the same luminance."""
     sheet.frame("Despill")
     red, green, blue, alpha = sheet.separate("Foreground", picture)
     own, limit = _channels(sheet, (red, green, blue, alpha), is_green, is_blue, sheet.input("Despill Limit"))
@@ -210,7 +210,7 @@ def _despill(sheet, picture, is_green, is_blue):
 
 
 def _light_wrap(sheet, foreground, matte, width):
-    """The foreground with the light of the background around its edge."""
+    """Nodes that add the background's light around the foreground's edge."""
     sheet.frame("Light Wrap")
     size = min(100, max(1, round(_WRAP * width)))
     light = sheet.blur("Background's Light", sheet.input("Background"), size)
@@ -220,7 +220,7 @@ def _light_wrap(sheet, foreground, matte, width):
 
 
 def _views(sheet, foreground, matte):
-    """The nodes whose first output is a view, and the group's outputs."""
+    """Nodes whose first outputs are the views, and the group's outputs."""
     sheet.frame("Views")
     over = sheet.node("CompositorNodeAlphaOver", "Over")
     background, above = _layers(over)
@@ -233,14 +233,14 @@ def _views(sheet, foreground, matte):
 
 
 def _status(sheet, matte):
-    """Black where the picture is clear, white where it is opaque, grey between."""
+    """Nodes of the status view: black for transparent, white for opaque, grey between."""
     is_not_clear = sheet.math("Not Clear", 'GREATER_THAN', matte, _CLEAR)
     is_opaque = sheet.math("Opaque", 'GREATER_THAN', matte, _OPAQUE)
     return sheet.math("Half", 'MULTIPLY', sheet.math("Sum", 'ADD', is_not_clear, is_opaque), 0.5)
 
 
 def _layers(over):
-    """Sockets of the background and of the foreground of a node Alpha Over."""
+    """Sockets of background and foreground of an Alpha Over node."""
     if "Background" in over.inputs:
         return over.inputs["Background"], over.inputs["Foreground"]
     return over.inputs[1], over.inputs[2]

@@ -1,13 +1,16 @@
-"""Masks to draw on: a rectangle that the artist pulls into shape."""
+"""New masks that the user reshapes, beginning as rectangles."""
 
 import bpy
 
 _WIDE, _SMALL = 0.9, 0.3
-"""Sides of the rectangles, as shares of the picture's."""
+"""Sides of the rectangles, as shares of the picture's sides."""
 
 
 def new(name, size, is_outside):
-    """A mask with a rectangle for pictures of a size in pixels. is_outside: it is white around a wide rectangle, not in a small one."""
+    """Create a mask with a rectangle, for pictures of a size in pixels.
+
+    is_outside: the mask is white outside a wide rectangle; otherwise it is white inside a small one.
+    """
     mask = bpy.data.masks.new(name)
     layer = mask.layers.new()
     layer.invert = is_outside

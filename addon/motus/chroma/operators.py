@@ -1,4 +1,4 @@
-"""Operators that set a chroma key up, measure its screen again, and remove it."""
+"""Operators that set up a chroma key, measure its screen again, and remove it."""
 
 import bpy
 
@@ -34,7 +34,7 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
 
     clip: bpy.props.StringProperty(
         name="Clip", options={'SKIP_SAVE'},
-        description="The footage: name of an image or movie clip of this file, or path of a file")
+        description="Footage: name of an image or movie clip of this file, or path of a file")
     background: bpy.props.StringProperty(
         name="Background", options={'SKIP_SAVE'},
         description="Name of the clip or image, or path of the file, that is laid underneath; empty for the render")
@@ -62,7 +62,7 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         name="Plane Distance", description="Distance from the camera to the plane", default=plane.DISTANCE, min=0.001, soft_max=1000.0,
         subtype='DISTANCE')
     color: bpy.props.FloatVectorProperty(
-        name="Screen Color", description="Colour of the screen; without it the footage's own is found", subtype='COLOR', size=3,
+        name="Screen Color", description="Colour of the screen; by default it is found in the footage", subtype='COLOR', size=3,
         default=(0.05, 0.45, 0.08), min=0.0, soft_max=1.0, options={'SKIP_SAVE'})
     black: _number("black")
     white: _number("white")
@@ -140,14 +140,14 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         return footage.find(self.clip or self.filepath)
 
     def _background(self):
-        """(what is underneath, its image or None)."""
+        """(what lies underneath, its image or None) from the keywords."""
         if self.background:
             if self.is_given("underneath") and self.underneath != 'FOOTAGE':
                 raise Refused(tr("With a background, footage lies underneath"))
             return 'FOOTAGE', footage.find(self.background)
         if self.underneath == 'FOOTAGE' and not self._is_by_hand:
             raise Refused(tr("Name the clip or image that is laid underneath"))
-        return self.underneath, None  # by hand, the panel asks for the footage
+        return self.underneath, None  # the user chooses the footage in the panel
 
     def _mask(self):
         return _mask_named(self.mask) if self.mask else None
@@ -160,14 +160,14 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
 
 
 def _warn(operator, scene):
-    """Report what is wrong with the footage."""
+    """Report warnings on the footage."""
     noted = scene.motus.chroma
     for sentence in (*analysis.sentences(noted), *([noted.gap] if noted.gap else ())):
         operator.report({'WARNING'}, sentence)
 
 
 class _OnKey(Operator):
-    """Operators on the scene's key."""
+    """Mixin of operators on the scene's key."""
 
     @classmethod
     def check_offer(cls, context):
@@ -177,13 +177,13 @@ class _OnKey(Operator):
 class MOTUS_OT_chroma_key_measure(_OnKey, bpy.types.Operator):
     bl_idname = "motus.chroma_key_measure"
     bl_label = "Measure Screen"
-    bl_description = "Find the colour of the screen, and levels that clear it, from the footage again"
+    bl_description = "Find the colour of the screen, and levels that make it transparent, from the footage again"
     modes = OBJECT_MODE
     needs_native = True
     redo = (Rows(("keep_color",)),)
 
     keep_color: bpy.props.BoolProperty(
-        name="Keep Color", description="Only find levels, for the colour that was picked", default=False)
+        name="Keep Color", description="Find the levels alone, for the colour that was picked", default=False)
 
     def run(self, context):
         color = None
@@ -202,7 +202,9 @@ class MOTUS_OT_chroma_key_add(_OnKey, bpy.types.Operator):
     redo = (Rows((Row("color", when=is_given("color")),)),)
 
     color: bpy.props.FloatVectorProperty(
-        name="Screen Color", description="What is keyed; without it the next screen that is found in what the keys leave", subtype='COLOR',
+        name="Screen Color",
+        description="Colour that is keyed; by default that of the next screen that is found in the picture behind the other keys",
+        subtype='COLOR',
         size=3, default=(0.05, 0.45, 0.08), min=0.0, soft_max=1.0, options={'SKIP_SAVE'})
 
     def run(self, context):
@@ -213,7 +215,7 @@ class MOTUS_OT_chroma_key_add(_OnKey, bpy.types.Operator):
 class MOTUS_OT_chroma_key_drop(_OnKey, bpy.types.Operator):
     bl_idname = "motus.chroma_key_drop"
     bl_label = "Remove Key of a Color"
-    bl_description = "Take away the key that the panel shows; the others stay"
+    bl_description = "Remove the key that the panel shows; other keys stay"
     modes = OBJECT_MODE
 
     @classmethod
@@ -230,10 +232,10 @@ class MOTUS_OT_chroma_key_drop(_OnKey, bpy.types.Operator):
 class MOTUS_OT_chroma_key_choose(_OnKey, bpy.types.Operator):
     bl_idname = "motus.chroma_key_choose"
     bl_label = "Show Key"
-    bl_description = "Show the settings of this key"
+    bl_description = "Show the settings of this key in the panel"
     bl_options = {'INTERNAL', 'UNDO'}
 
-    index: bpy.props.IntProperty(name="Index", description="Which key, from 0", default=-1, min=-1)
+    index: bpy.props.IntProperty(name="Index", description="Index of the key, from 0", default=-1, min=-1)
 
     def run(self, context):
         context.scene.motus.chroma.active_key = max(self.index, 0)
@@ -262,11 +264,11 @@ _INPUTS = {identifier: name for identifier, name, _ in MASKS}
 class MOTUS_OT_chroma_mask_add(_OnKey, bpy.types.Operator):
     bl_idname = "motus.chroma_mask_add"
     bl_label = "Add Mask"
-    bl_description = "Give the key a mask or a picture that makes its white part clear, or keeps it opaque"
+    bl_description = "Add a mask or a picture to the key, whose white part becomes transparent or stays opaque"
     modes = OBJECT_MODE
     redo = (Rows(("kind",)),)
 
-    kind: bpy.props.EnumProperty(name="Kind", description="What the mask does", items=MASKS)
+    kind: bpy.props.EnumProperty(name="Kind", description="Effect of the mask's white part", items=MASKS)
     mask: bpy.props.StringProperty(
         name="Mask", options={'SKIP_SAVE'}, description="Name of a mask of this file; without it a new one is made, to be drawn on")
     picture: bpy.props.StringProperty(
@@ -292,11 +294,11 @@ class MOTUS_OT_chroma_mask_add(_OnKey, bpy.types.Operator):
 class MOTUS_OT_chroma_mask_remove(_OnKey, bpy.types.Operator):
     bl_idname = "motus.chroma_mask_remove"
     bl_label = "Remove Mask"
-    bl_description = "Let the key have this mask no more; the mask stays in the file"
+    bl_description = "Remove this mask from the key; the mask stays in the file"
     modes = OBJECT_MODE
     redo = (Rows(("kind",)),)
 
-    kind: bpy.props.EnumProperty(name="Kind", description="Which mask", items=MASKS)
+    kind: bpy.props.EnumProperty(name="Kind", description="Kind of the mask that is removed", items=MASKS)
 
     def run(self, context):
         compositor.remove_mask(context.scene, setup.key(context.scene), _INPUTS[self.kind])
@@ -311,7 +313,7 @@ def _mask_named(name):
 class MOTUS_OT_chroma_key_show(_OnKey, bpy.types.Operator):
     bl_idname = "motus.chroma_key_show"
     bl_label = "Show in Viewport"
-    bl_description = "Look at the key in the viewport, through the scene's camera; once more to look as before"
+    bl_description = "Show the key in the viewport, through the scene's camera; a second time restores the previous view"
     bl_options = {'UNDO'}
 
     def run(self, context):
@@ -325,7 +327,7 @@ class MOTUS_OT_chroma_key_show(_OnKey, bpy.types.Operator):
 class MOTUS_OT_chroma_key_remove(_OnKey, bpy.types.Operator):
     bl_idname = "motus.chroma_key_remove"
     bl_label = "Remove Chroma Key"
-    bl_description = "Take the key's nodes and its plane away; the compositor and the scene are what they were before"
+    bl_description = "Remove the key's nodes and its plane, and restore the compositor and the scene"
     modes = OBJECT_MODE
 
     def run(self, context):

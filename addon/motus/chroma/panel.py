@@ -9,7 +9,7 @@ from . import analysis, compositor, group, operators, scene_settings, settings, 
 
 
 def draw_main(layout, context):
-    """The keys, the view, the colour, and the levels of the matte."""
+    """Draw the keys, the view, the screen colour, and the levels of the matte."""
     noted = context.scene.motus.chroma
     key = compositor.active_key(context.scene)
     if any(group.is_of_older_version(node.node_tree) for node in compositor.keys_of(context.scene)):
@@ -29,7 +29,7 @@ def draw_main(layout, context):
 
 
 def _draw_keys(layout, context, active):
-    """A button for each key, and those that add and remove one."""
+    """Draw a button for each key, and the buttons that add and remove a key."""
     keys = compositor.keys_of(context.scene)
     row = layout.row(align=True)
     for index, node in enumerate(keys if len(keys) > 1 else ()):
@@ -44,7 +44,7 @@ def _draw_background(layout, context):
     if node is None:
         return
     noted = context.scene.motus.chroma
-    # What an older version has laid underneath only the node knows.
+    # Keys of older versions have their background in the node alone.
     holder = (noted, "background") if node.image == pointed(noted, "background") else (node, "image")
     if node.image is None:
         ui.draw_message(layout, tr("Choose the clip or image that lies underneath"), 'INFO')
@@ -52,13 +52,13 @@ def _draw_background(layout, context):
 
 
 def draw_edge(layout, context):
-    """What is done with the edge and with what lies inside it."""
+    """Draw the settings of the matte's edge and of the core."""
     key = compositor.active_key(context.scene)
     _draw_settings(ui.split(layout), key, ("grow", "feather", "core"))
 
 
 def draw_light(layout, context):
-    """What is done with the screen's light, and with the background's."""
+    """Draw the settings of despill and light wrap."""
     key = compositor.active_key(context.scene)
     column = ui.split(layout)
     _draw_settings(column, key, ("despill",))
@@ -69,7 +69,7 @@ def draw_light(layout, context):
 
 
 def draw_pictures(layout, context):
-    """The footage and the masks."""
+    """Draw the footage and the masks."""
     scene = context.scene
     key, node = compositor.active_key(scene), compositor.node_of(scene, compositor.FOREGROUND)
     if node is not None:
@@ -95,7 +95,7 @@ def _draw_mask(column, kind, name, node):
 
 
 def draw_readouts(layout, context):
-    """What was measured of the screen."""
+    """Draw what was measured of the screen."""
     noted = context.scene.motus.chroma
     ui.draw_readouts(layout, [
         ui.Readout("Screen", _percent(noted.share)), ui.Readout("Unevenness", _percent(noted.luminance_spread)),
@@ -109,7 +109,7 @@ def draw_readouts(layout, context):
 
 
 def draw_actions(layout, context):
-    """Showing it, measuring again, and removing."""
+    """Draw the buttons that show the key, measure the screen again, and remove the key."""
     column = layout.column(align=True)
     if context.space_data is not None and context.space_data.type == 'VIEW_3D':
         column.operator("motus.chroma_key_show", icon='HIDE_OFF', depress=viewing.is_shown(context))

@@ -1,4 +1,4 @@
-"""A plane before the camera that shows the footage keyed in the viewport, where it takes the place of the render's key."""
+"""Plane before the camera that shows the keyed footage in the viewport; it is not rendered."""
 
 from typing import NamedTuple
 
@@ -11,7 +11,7 @@ from . import footage, group
 
 
 class Key(NamedTuple):
-    """What of a key the plane shows."""
+    """Settings of a key that the plane shows."""
 
     color: tuple
     black: float
@@ -21,16 +21,16 @@ class Key(NamedTuple):
 
 
 DISTANCE = 10.0
-"""From the camera to the plane, where nobody says otherwise."""
+"""Default distance from the camera to the plane."""
 
 
 def add(scene, camera, image, key, distance):
-    """A plane that fills the camera's view, so far away, in the space of the camera. key: a Key."""
+    """Add a plane that fills the camera's view at a distance, as a child of the camera. key: a Key."""
     mesh = bpy.data.meshes.new("Chroma Key")
     obj = bpy.data.objects.new("Chroma Key", mesh)
     scene.collection.objects.link(obj)
     corners = [_at(corner, distance, camera.data.type) for corner in camera.data.view_frame(scene=scene)]
-    # view_frame() goes round from the upper right corner, clockwise.
+    # view_frame() gives the corners clockwise from the upper right one.
     mesh.from_pydata(corners, [], [(0, 3, 2, 1)])
     layer = mesh.uv_layers.new()
     places = {0: (1.0, 1.0), 1: (1.0, 0.0), 2: (0.0, 0.0), 3: (0.0, 1.0)}
@@ -47,7 +47,7 @@ def add(scene, camera, image, key, distance):
 
 
 def update(obj, key):
-    """Give a plane the colour and levels of another Key."""
+    """Set colour and levels of a plane to those of another Key."""
     material = next((one for one in obj.data.materials if one is not None), None) if obj.type == 'MESH' else None
     if material is not None and material.node_tree is not None:
         _set(material.node_tree, key)
@@ -75,7 +75,7 @@ def _material(scene, image, key):
     screen.name = _COLOR
     matte = _math(tree, 'MULTIPLY', _matte(tree, texture.outputs["Color"], screen.outputs[0]), texture.outputs["Alpha"])
     rest = _math(tree, 'SUBTRACT', 1.0, matte)
-    # The picture without the screen's share lights up on top of what shines through.
+    # The picture without the screen's share is added as light to what shines through.
     taken, least = (add_node("ShaderNodeMixRGB") for _ in range(2))
     taken.blend_type, least.blend_type = 'SUBTRACT', 'LIGHTEN'
     least.inputs["Fac"].default_value, least.inputs["Color2"].default_value = 1.0, (0.0, 0.0, 0.0, 1.0)
@@ -91,12 +91,12 @@ def _material(scene, image, key):
     return material
 
 
-# Names of the nodes that a colour and levels are given to.
+# Names of the nodes that hold the colour and the levels.
 _COLOR, _LEVELS, _IS_BLUE, _BALANCE, _GAIN = "Screen Color", "Levels", "Is Blue", "Balance", "Screen Gain"
 
 
 def _matte(tree, color, screen):
-    """1 - gain m(pixel) / m(screen) between the levels, as the key has it."""
+    """Nodes of the matte: 1 - gain m(pixel) / m(screen), mapped by the levels, with the formula of the key."""
     is_blue, balance, gain = (_value(tree, name) for name in (_IS_BLUE, _BALANCE, _GAIN))
     amount = _math(tree, 'DIVIDE', *(_difference(tree, one, is_blue, balance) for one in (color, screen)))
     matte = _math(tree, 'SUBTRACT', 1.0, _math(tree, 'MULTIPLY', amount, gain))
@@ -113,11 +113,11 @@ def _value(tree, name):
 
 
 def _difference(tree, color, is_blue, balance):
-    """The screen's channel less a mixture of the others."""
+    """Nodes of the colour difference m: the screen's channel minus a mixture of the other channels."""
     parts = tree.nodes.new("ShaderNodeSeparateColor")
     tree.links.new(color, parts.inputs[0])
     red, green, blue = parts.outputs[:3]
-    # is_blue exchanges the two channels.
+    # With is_blue = 1 green and blue are exchanged.
     change = _math(tree, 'MULTIPLY', _math(tree, 'SUBTRACT', blue, green), is_blue)
     own, other = _math(tree, 'ADD', green, change), _math(tree, 'SUBTRACT', blue, change)
     larger, smaller = (_math(tree, operation, red, other) for operation in ('MAXIMUM', 'MINIMUM'))
@@ -145,5 +145,5 @@ def _set(tree, key):
     for name, level in (("From Min", key.black), ("From Max", key.white)):
         nodes[_LEVELS].inputs[name].default_value = level
     for name, value in ((_BALANCE, key.balance), (_GAIN, key.gain)):
-        if name in tree.nodes:  # planes of older versions have neither
+        if name in tree.nodes:  # planes of older versions have no nodes for balance and gain
             tree.nodes[name].outputs[0].default_value = value

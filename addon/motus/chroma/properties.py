@@ -1,4 +1,4 @@
-"""Scene.motus.chroma: which view is shown, what was measured, and what the scene was before the key."""
+"""Settings of a scene's chroma key in Scene.motus.chroma: the shown view, the measured values, and the scene's previous settings."""
 
 import bpy
 
@@ -14,7 +14,7 @@ VIEWS = (
 )
 UNDERNEATH = (
     ('RENDER', "Render", "The picture that the compositor showed before the key: the render, with all that its nodes do"),
-    ('FOOTAGE', "Footage", "Another clip or image"),
+    ('FOOTAGE', "Footage", "Another clip or image lies underneath"),
     ('NOTHING', "Nothing", "The picture stays transparent"),
 )
 LIMITS = (
@@ -67,11 +67,11 @@ def _measured(name, description):
 
 
 def _before(kind, name, **more):
-    return kind(name=name, description="What the scene had before the key", options=set(), **more)
+    return kind(name=name, description="Value that the scene had before the key", options=set(), **more)
 
 
 class MOTUS_PG_chroma(bpy.types.PropertyGroup):
-    # Not kept here, but as the link in the group, which undo and other scenes share.
+    # Stored as the link in the group, which undo and copies of the scene keep right.
     view: bpy.props.EnumProperty(
         name="View", description="Picture that the compositor shows", items=VIEWS, get=_view, set=_show, options=set())
     underneath: bpy.props.EnumProperty(
@@ -83,7 +83,7 @@ class MOTUS_PG_chroma(bpy.types.PropertyGroup):
     background: bpy.props.PointerProperty(
         type=bpy.types.Image, name="Background", description="The clip or image that lies underneath", update=_play_background)
     active_key: bpy.props.IntProperty(
-        name="Key", description="Which of the keys the panel shows", min=0, options=set(), override=OVERRIDABLE)
+        name="Key", description="Index of the key that the panel shows", min=0, options=set(), override=OVERRIDABLE)
     gap: bpy.props.StringProperty(
         name="Gap", description="Pictures that are missing in sequences, and the frames in which they are", options=set())
     plane: to_object('MESH', name="Plane", description="Plane before the camera that shows the key in the viewport")

@@ -1,4 +1,4 @@
-"""What of a scene is set after the footage: size, frames, frame rate and colours; and taken back."""
+"""Set size, frames, frame rate and colour management of a scene for its footage, and restore them."""
 
 from . import footage
 
@@ -7,7 +7,7 @@ _NEUTRAL = {"view_transform": "Standard", "look": "None", "exposure": 0.0, "gamm
 
 
 def take(scene, image, noted):
-    """Note what the scene has, and give it what the image has."""
+    """Store the scene's settings, and set them for the image."""
     render, view = scene.render, scene.view_settings
     noted.is_scene_set = True
     noted.before_resolution = render.resolution_x, render.resolution_y, render.resolution_percentage
@@ -25,13 +25,13 @@ def take(scene, image, noted):
     if frames > 1:
         scene.frame_start, scene.frame_end = 1, frames
         _set_rate(render, footage.rate(image))
-    # Anything else would change the colours that the footage has.
+    # Other settings would change the colours of the footage.
     for name, value in _NEUTRAL.items():
         _assign(view, name, value)
 
 
 def restore(scene, noted):
-    """Give the scene back what was noted."""
+    """Restore the scene's settings that were stored."""
     if not noted.is_scene_set:
         return
     render, view = scene.render, scene.view_settings
@@ -42,7 +42,7 @@ def restore(scene, noted):
     _assign(view, "view_transform", noted.before_transform)
     _assign(view, "look", noted.before_look)
     if not noted.is_property_set("before_exposure"):
-        return  # set up by an older version, which left these alone
+        return  # a key of an older version, which left the view settings alone
     _assign(view, "exposure", noted.before_exposure)
     _assign(view, "gamma", noted.before_gamma)
     _assign(view, "use_curve_mapping", noted.before_curves)
@@ -50,7 +50,7 @@ def restore(scene, noted):
 
 
 def changes(scene):
-    """Labels of what changes the footage's colours on their way to the screen and into files."""
+    """Labels of the scene's settings that change the footage's colours in the viewport or in rendered files."""
     view = scene.view_settings
     return [view.bl_rna.properties[name].name for name, value in _NEUTRAL.items() if getattr(view, name, value) != value]
 
@@ -63,7 +63,7 @@ def _set_rate(render, rate):
 
 
 def _assign(view, name, value):
-    """Set what this Blender has, and an enumeration if the colour configuration has the item."""
+    """Set a view setting if this Blender has it and, for an enum, if the colour configuration has the item."""
     if not hasattr(view, name):
         return
     try:

@@ -1,22 +1,21 @@
-"""Settings of the key: where each stands in a set-up, and what scripts call it.
+"""Settings of a key: the place of each setting in the nodes, and its keyword in scripts.
 
-The settings are Blender's own properties, which are keyed, driven and saved without Motus: inputs of the node group. Before 4.5
-*Grow Matte* is a property of a node in the group, and groups of older versions have a node Keying, whose properties or inputs they are.
+The settings are inputs of the node group, so that Blender itself keys, drives and saves them. Before 4.5 *Grow Matte* is a property of a
+node in the group. Groups of older versions have a Keying node, whose properties or inputs are the settings.
 """
 
 from typing import NamedTuple
 
 GROW = "Grow"
-"""Name of the node that grows the matte, within the group."""
+"""Name of the node in the group that grows the matte."""
 _KEYING = "Key"
-"""Name of the node Keying within groups of older versions."""
+"""Name of the Keying node in groups of older versions."""
 
 
 class Setting(NamedTuple):
-    """One setting of the key.
+    """One setting of a key. keyword: in scripts.
 
-    keyword: of the operator, too. old_socket, old_property: identifier of the input of the node Keying that groups of older
-    versions have, and property of that node before 4.5.
+    old_socket, old_property: for groups of older versions, input of their Keying node, and its property before Blender 4.5.
     """
 
     keyword: str
@@ -30,7 +29,7 @@ class Setting(NamedTuple):
 
     @property
     def is_whole(self):
-        """Whether it counts pixels."""
+        """Whether the setting is a number of pixels."""
         return isinstance(self.default, int)
 
 
@@ -46,24 +45,25 @@ OF_KEYING = (
     Setting("feather", "Feather", "Pixels over which the matte's edge is made soft", 0, 0, 100, "Postprocess Blur Size", "blur_post"),
     Setting("despill", "Despill", "How much of the screen's light is taken from the subject", 1.0, 0.0, 1.0,
             "Despill Strength", "despill_factor"),
-    Setting("gain", "Screen Gain", "What the amount of screen in a pixel is multiplied by: above 1 a dark part of the screen is clear too",
+    Setting("gain", "Screen Gain", "Factor on the amount of screen in a pixel: above 1 dark parts of the screen become transparent too",
             1.0, 0.0, 10.0),
-    Setting("core", "Core Fill", "Up to how much holes in the subject are filled, well inside its edge, which stays soft; 0 fills none",
+    Setting("core", "Core Fill", "Level up to which holes well inside the subject are filled; the subject's edge stays soft, and 0 fills "
+                                 "no holes",
             0.0, 0.0, 1.0),
     Setting("limit", "Despill Limit", "What the screen's channel is limited by on the subject", 0.0, 0.0, 1.0),
-    Setting("luminance", "Keep Light", "How much of the light that despill takes away goes back as grey", 1.0, 0.0, 1.0),
+    Setting("luminance", "Keep Light", "Share of the light removed by despill that is added again as grey", 1.0, 0.0, 1.0),
 )
 BY_KEYWORD = {one.keyword: one for one in OF_KEYING}
 COLOR, MASK, CORE_MASK, WRAP = "Screen Color", "Garbage Mask", "Core Mask", "Light Wrap"
-"""Inputs that the group has in every Blender."""
+"""Names of inputs that the group has in every Blender."""
 LIMITS = {'MAXIMUM': 0.0, 'DOUBLE': 1.0 / 3.0, 'AVERAGE': 0.5}
-"""Values of the limit of despill, by their names."""
+"""Values of the despill limit, by their names."""
 
 
 def place(key, setting):
-    """(what holds the setting, name of the property there) of a set-up; None where somebody has taken it away.
+    """Place of a setting: (holder, name of the holder's property); None if the user has removed it.
 
-    key: the node in the compositor.
+    key: the key's node in the compositor.
     """
     found = _input(key.inputs, setting.label)
     if found is None and setting.keyword == "grow":
@@ -72,18 +72,18 @@ def place(key, setting):
 
 
 def place_of_input(key, name):
-    """The same of one of the inputs that the group has in every Blender."""
+    """Place of an input that the group has in every Blender: (socket, name of its property); None if the user has removed it."""
     return _input(key.inputs, name)
 
 
 def value(key, keyword):
-    """What a setting is; its default where somebody has taken it away."""
+    """Value of a setting; its default if the user has removed it."""
     found = place(key, BY_KEYWORD[keyword])
     return getattr(*found) if found else BY_KEYWORD[keyword].default
 
 
 def assign(key, setting, value):
-    """Set one, if it is there."""
+    """Set a setting to a value, if the key has the setting."""
     found = place(key, setting)
     if found is not None:
         owner, name = found
@@ -91,7 +91,7 @@ def assign(key, setting, value):
 
 
 def _of_node(key, name, property_name, identifier):
-    """The place of a setting on a node within the group."""
+    """Place of a setting on a node within the group."""
     node = key.node_tree.nodes.get(name)
     if node is None or not property_name:
         return None

@@ -1,4 +1,4 @@
-"""What setting up, measuring and removing a key consists of."""
+"""Functions that set up, measure, upgrade and remove a key, used by the operators."""
 
 import bpy
 
@@ -10,20 +10,20 @@ from . import analysis, compositor, footage, group, plane, scene_settings, setti
 
 
 def check_free(scene):
-    """Refuse a scene of another file, and one that has a key."""
+    """Refuse a linked scene, and a scene that has a key already."""
     check_own(scene)
     if compositor.key_of(scene) is not None:
         raise Refused(tr("{scene} has a chroma key already: add another color to it, or remove it first").format(scene=scene.name))
 
 
 def check_own(scene):
-    """Refuse a scene of another file."""
+    """Refuse a linked scene."""
     if scene.library or scene.override_library:
         raise Refused(tr("{scene} is linked from another file").format(scene=scene.name))
 
 
 def key(scene):
-    """The node of the scene's key that the panel shows. Raises Refused."""
+    """Node of the scene's key that the panel shows. Raises Refused if there is none."""
     check_own(scene)
     found = compositor.active_key(scene)
     if found is None:
@@ -32,13 +32,13 @@ def key(scene):
 
 
 def note(noted, report):
-    """Remember what was measured."""
+    """Store the measured values in the scene's settings."""
     for name in ("share", "luminance_spread", "chroma_spread", "spill"):
         setattr(noted, name, report[name])
 
 
 def note_gaps(scene, *images):
-    """Remember what sequences lack, as a sentence; empty without."""
+    """Store a sentence on the gaps of sequences in the scene's settings; empty if there are no gaps."""
     found = [(image, gap) for image in images if image is not None and (gap := footage.gap(image))]
     scene.motus.chroma.gap = " ".join(
         tr("{object} lacks pictures {numbers}: frames {frames} show the ones before").format(object=image.name, numbers=numbers, frames=frames)
@@ -46,13 +46,13 @@ def note_gaps(scene, *images):
 
 
 def color_of(node):
-    """The screen's colour that a key has, or None."""
+    """Screen colour of a key's node; None if the user has removed the input."""
     place = settings.place_of_input(node, settings.COLOR)
     return tuple(getattr(*place))[:3] if place else None
 
 
 def apply_measured(node, noted, found, levels):
-    """Give a key a colour and clip levels. found: (colour, report)."""
+    """Set screen colour and clip levels of a key. found: (colour, report) of analysis.measure()."""
     color, report = found
     note(noted, report)
     place = settings.place_of_input(node, settings.COLOR)
@@ -66,12 +66,12 @@ def apply_measured(node, noted, found, levels):
 
 
 def _shown(node):
-    """What the plane shows of a key."""
+    """Settings of a key's node that the plane shows."""
     return plane.Key(color_of(node), *(settings.value(node, name) for name in ("black", "white", "balance", "gain")))
 
 
 def image_of(scene):
-    """The footage of a scene's key. Raises Refused."""
+    """Footage of a scene's key. Raises Refused if it is missing."""
     source = compositor.node_of(scene, compositor.FOREGROUND)
     if source is None or source.image is None:
         raise Refused(tr("The key has lost its footage"))
@@ -79,7 +79,7 @@ def image_of(scene):
 
 
 def measure(scene, color=None):
-    """Look at the footage of a scene's key again."""
+    """Measure the footage of a scene's key again."""
     node, image = key(scene), image_of(scene)
     found = analysis.measure(image, color, settings.value(node, "balance"), settings.value(node, "gain"))
     apply_measured(node, scene.motus.chroma, found, analysis.clip_levels(found[1]))
@@ -90,7 +90,7 @@ def measure(scene, color=None):
 
 
 def add_key(scene, color=None):
-    """Key another colour of the footage as well: one that is given, or the next screen that the keys leave. Gives the node."""
+    """Add a key for another colour of the footage: the given one, or the next screen that the keys leave. Returns the node."""
     first, image = key(scene), image_of(scene)
     if color is not None:
         analysis.check_color(color)
@@ -108,7 +108,7 @@ def add_key(scene, color=None):
 
 
 def upgrade(scene):
-    """Give keys of older versions the node group of this one, with their settings, and levels that are measured for it."""
+    """Give keys of older versions the present node group with their settings, and measure the levels again."""
     for node in compositor.keys_of(scene):
         if not group.is_of_older_version(node.node_tree):
             continue
@@ -130,7 +130,7 @@ def _copied(value):
 
 
 def add_plane(scene):
-    """Show a scene's key, with the colour and levels that it has, on a plane before the scene's camera."""
+    """Show a scene's key on a new plane before the scene's camera, with the key's colour and levels."""
     check_own(scene)
     node, image = compositor.key_of(scene), image_of(scene)
     if color_of(node) is None:
@@ -142,10 +142,10 @@ def add_plane(scene):
 
 
 def remove(scene):
-    """Take all back that a key has brought."""
+    """Remove a scene's key, and restore the scene."""
     noted = scene.motus.chroma
     others = [other for other in bpy.data.scenes if other != scene]
-    # A copy of a scene shows the same plane.
+    # A copy of the scene may show the same plane.
     shown = pointed(noted, "plane")
     if shown is not None and group.KEY in shown and all(pointed(other.motus.chroma, "plane") != shown for other in others):
         datablocks.remove_objects([shown])

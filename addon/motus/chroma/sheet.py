@@ -1,10 +1,10 @@
-"""A node group as a sheet of arithmetic: labelled frames from left to right, nodes in columns, and the group's inputs in each frame."""
+"""Layout of a node group: labelled frames from left to right with nodes in columns, and one input node for each frame."""
 
 from ..core.blender import capabilities, node_groups
 
 _ROWS, _COLUMN, _ROW, _GAP = 7, 220.0, 70.0, 90.0
 MOST_BLUR = 100
-"""Pixels of the widest blur."""
+"""Largest width of a blur, in pixels."""
 
 
 class Sheet:
@@ -15,29 +15,29 @@ class Sheet:
         self._frame, self._inputs, self._count, self._left = None, None, 0, 0.0
 
     def frame(self, label):
-        """Begin a frame, to the right of what is there."""
+        """Begin a frame to the right of the present nodes."""
         self._tidy()
         self._left += _COLUMN * -(-self._count // _ROWS) + (_GAP if self._count else 0.0)
         self._frame, self._inputs, self._count = self.group.nodes.new("NodeFrame"), None, 0
         self._frame.label = label
 
     def input(self, name):
-        """The socket of one of the group's inputs, on a node of this frame."""
+        """Socket of one of the group's inputs, on the input node of the present frame."""
         if self._inputs is None:
             self._inputs = self.node("NodeGroupInput")
-            self._count += 2  # the node is higher than others
+            self._count += 2  # the input node is higher than other nodes
         return self._inputs.outputs[name]
 
     def output(self):
-        """The node of the group's outputs."""
+        """The group's output node."""
         return self.node("NodeGroupOutput")
 
     def finish(self):
-        """Hide the inputs that the last frame does not use."""
+        """Hide the unused sockets of the last frame's input node."""
         self._tidy()
 
     def node(self, kind, label="", name="", **settings):
-        """A node in the frame."""
+        """Add a node to the present frame."""
         node = node_groups.add_node(self.group, kind, label=label, **settings)
         if name:
             node.name = name
@@ -47,7 +47,7 @@ class Sheet:
         return node
 
     def math(self, label, operation, *values, clamp=False):
-        """The result of a node Math. values: sockets or numbers."""
+        """Add a Math node; returns its output. values: sockets or numbers."""
         kind = "ShaderNodeMath" if capabilities.has_shader_nodes_in_compositor() else "CompositorNodeMath"
         node = self.node(kind, label, operation=operation, use_clamp=clamp)
         node.hide = True
@@ -56,7 +56,7 @@ class Sheet:
         return node.outputs[0]
 
     def mix(self, label, blending, factor, first, second):
-        """A colour of two, by a node Mix; the alpha is the first one's."""
+        """Add a Mix node for colours; returns its output. Alpha is that of the first colour."""
         if capabilities.has_shader_nodes_in_compositor():
             node = self.node("ShaderNodeMix", label, data_type='RGBA', blend_type=blending)
         else:
@@ -68,14 +68,14 @@ class Sheet:
         return node_groups.enabled(node.outputs)
 
     def separate(self, label, color):
-        """Sockets of red, green, blue and alpha."""
+        """Sockets of red, green, blue and alpha of a colour."""
         node = self.node("CompositorNodeSeparateColor", label)
         node.hide = True
         node_groups.link(self.group, color, node.inputs[0])
         return tuple(node.outputs[name] for name in ("Red", "Green", "Blue", "Alpha"))
 
     def combine(self, label, *parts):
-        """The colour of red, green, blue and alpha."""
+        """Colour from red, green, blue and alpha."""
         node = self.node("CompositorNodeCombineColor", label)
         node.hide = True
         for socket, part in zip(node.inputs, parts):
@@ -83,7 +83,7 @@ class Sheet:
         return node.outputs[0]
 
     def blur(self, label, source, pixels):
-        """A picture or matte, blurred by a socket's or a number's pixels; by none without."""
+        """Blur a picture or matte by a number of pixels, which may be a socket; 0 leaves it as it is."""
         if pixels is None:
             node = self.node("CompositorNodeBlur", label)
         elif capabilities.has_compositor_sockets():
@@ -98,7 +98,7 @@ class Sheet:
         return node.outputs[0]
 
     def dilate(self, label, source, pixels, name=""):
-        """A matte that is grown, or shrunk by less than no pixels. pixels: a number, from 4.5 on a socket too."""
+        """Grow a matte by a number of pixels, or shrink it if the number is below 0. pixels: number; from 4.5 on a socket too."""
         node = self.node("CompositorNodeDilateErode", label, name)
         node_groups.link(self.group, source, node.inputs["Mask"])
         if capabilities.has_compositor_sockets():
@@ -108,9 +108,9 @@ class Sheet:
         return node.outputs[0]
 
     def kept(self, source):
-        """What comes out of a socket, computed once for all nodes that read it.
+        """Output of a node that caches a socket's value for all nodes that read it.
 
-        Before 4.0 Blender computes a pixel anew along every way through the nodes, but for what nodes make that look at more pixels.
+        Before 4.0 Blender computes a pixel anew along every path through the nodes, except for nodes that read several pixels.
         """
         if capabilities.computes_nodes_once():
             return source

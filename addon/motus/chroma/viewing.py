@@ -1,4 +1,4 @@
-"""The key in the viewport: by the compositor, where Blender has it there, and else on the plane before the camera."""
+"""Show the key in the viewport: by the viewport's compositor if this Blender has one, otherwise on the plane before the camera."""
 
 from ..core.blender import capabilities
 from ..core.file.pointers import pointed
@@ -9,7 +9,7 @@ _COMPOSITOR = "shading.use_compositor"
 
 
 def _values(scene):
-    """Settings of a viewport that shows the key, by their paths."""
+    """Settings of a viewport that shows the key, by their data paths."""
     found = {"shading.type": 'MATERIAL', "overlay.show_overlays": False}
     if scene.camera is not None:
         found["region_3d.view_perspective"] = 'CAMERA'
@@ -25,18 +25,18 @@ def is_shown(context):
 
 
 def show(context):
-    """Let the viewport show the key, if there is one: on a plane that is made for it, where there is no compositor."""
+    """Show the scene's key in the viewport; without a viewport compositor on a plane, which is created if there is none."""
     scene, space = context.scene, viewports.space_for(context)
     if space is None or space.region_3d is None:
         return
     plane = pointed(scene.motus.chroma, "plane")
-    is_there = plane is not None and bool(plane.users_collection)  # a pointer keeps what was deleted
+    is_there = plane is not None and bool(plane.users_collection)  # a pointer keeps an object that was deleted
     if not capabilities.has_compositor_in_viewport() and scene.camera is not None and not is_there:
         setup.add_plane(scene)
     viewports.change(space, _values(scene))
 
 
 def hide(context):
-    """Let the viewport look as it did before."""
+    """Restore the viewport's previous settings."""
     otherwise = {"shading.type": 'SOLID', "overlay.show_overlays": True, "region_3d.view_perspective": 'PERSP', _COMPOSITOR: 'DISABLED'}
     viewports.restore(viewports.space_for(context), {path: otherwise[path] for path in _values(context.scene)})

@@ -1,19 +1,19 @@
-"""Driver expressions of our functions: composed of an operator's keywords, and read back into them."""
+"""Driver expressions that call Motus functions: composed from the keywords of an operator, and parsed back into keywords."""
 
 import ast
 import re
 from dataclasses import dataclass
 
-LONGEST = 255  # characters that Blender takes
+LONGEST = 255  # most characters that Blender accepts in an expression
 
 
 @dataclass(frozen=True)
 class Function:
     """One of the functions that a driver can call.
 
-    identifier: the operator's `function`. name: in expressions. arguments: the keywords it is given, in its order, after
-    `frame`. defaults: of the last of them, which are left out where they are the same. has_start: whether frames count from
-    a start of one's own. follows: whether it follows a property (`source` and `source_index`), and has no base.
+    identifier: value of the operator's keyword `function`. name: in expressions. arguments: keywords that follow `frame`, in their order.
+    defaults: of the last arguments, which are left out of the expression if they have these values. has_start: whether the function counts
+    frames from a start frame. follows: whether the function follows a property (`source`, `source_index`), and so has no base.
     """
 
     identifier: str
@@ -50,16 +50,16 @@ BY_IDENTIFIER = {one.identifier: one for one in FUNCTIONS}
 BY_NAME = {one.name: one for one in FUNCTIONS}
 _CALL = re.compile(r"motus_\w+\(")
 _ENUMS = {"which": ('THETA1', 'THETA2', 'OMEGA1', 'OMEGA2')}
-"""Keywords that are a number in expressions."""
+"""Keywords whose enum items are numbers in expressions."""
 
 
 def names_ours(expression):
-    """Whether an expression calls one of the functions."""
+    """Whether an expression calls one of the Motus functions."""
     return any(found.group()[:-1] in BY_NAME for found in _CALL.finditer(expression))
 
 
 def compose(keywords):
-    """The expression of an operator's keywords: `base` plus `amplitude` times the function's value."""
+    """Compose the expression of an operator's keywords: `base` plus `amplitude` times the function's value."""
     function = BY_IDENTIFIER[keywords["function"]]
     if function.follows:
         numbers = ", ".join(_text(keywords[name]) for name in function.arguments)
@@ -81,12 +81,12 @@ def _number(name, value):
 
 
 def _text(value):
-    # Operators keep single precision: 0.1 and not 0.10000000149.
+    # Operators keep single precision: write 0.1, not 0.10000000149.
     return f"{value:.7g}"
 
 
 def read(expression):
-    """The keywords that compose() makes this expression of; None where it is not one of those."""
+    """Parse an expression that compose() has made into its keywords; None for any other expression."""
     try:
         tree = ast.parse(expression, mode='eval').body
     except (SyntaxError, ValueError, MemoryError, RecursionError):
@@ -128,7 +128,7 @@ def _read_follower(function, given):
 
 
 def _split(tree, operator, neutral):
-    """(number, what it is added to or multiplied with); None for the number where it is none."""
+    """Split `number + x` or `number * x` into (number, x), with None for another left side; other trees into (neutral, tree)."""
     if isinstance(tree, ast.BinOp) and isinstance(tree.op, operator):
         return _constant(tree.left), tree.right
     return neutral, tree

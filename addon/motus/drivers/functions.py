@@ -1,7 +1,7 @@
-"""Functions for driver expressions, also of files whose scripts may not run by themselves.
+"""Functions for driver expressions; they work also in files whose scripts Blender does not run by itself.
 
-A driver whose function raises is not called again, so none does: what it cannot compute is its value at rest, and the console
-says why once. `problem` tells the panel.
+Blender stops calling a driver whose function has raised. So the functions never raise: without a valid result they return the value at
+rest, and print the reason to the console once. `problem` gives the reason to the panel.
 """
 
 import logging
@@ -17,7 +17,7 @@ from ..core.measures import scene_time
 from ..core.refusals import INFINITE
 from . import history
 
-MOST_SAID = 100  # sentences in the console, of a file
+MOST_SAID = 100  # most sentences that are printed to the console for a file
 
 log = logging.getLogger(__name__)
 
@@ -25,15 +25,15 @@ _said = set()
 
 
 def seconds(frame):
-    """The time of a frame of the scene that is being evaluated."""
-    # Blender puts the depsgraph there for each driver; the expressions of users do not hand it on.
+    """Time in seconds of a frame, in the scene that is being evaluated."""
+    # Blender passes the depsgraph to each driver; users' expressions do not pass it on to the functions.
     return scene_time.seconds(bpy.app.driver_namespace["depsgraph"].scene, frame)
 
 
 def motus_pendulum(frame, theta, length, omega=0.0, gravity=9.81, damping=0.0, speed=1.0):
-    """Angle of a pendulum, radians from hanging down, which at frame 0 stood at theta with the angular velocity omega.
+    """Angle of a pendulum, in radians from hanging down, that starts at frame 0 with angle theta and angular velocity omega.
 
-    length: metres. gravity: m/s^2. damping: 1/s. speed: of time.
+    length: metres. gravity: m/s^2. damping: 1/s. speed: factor on time.
     """
     try:
         keep_state()
@@ -44,9 +44,9 @@ def motus_pendulum(frame, theta, length, omega=0.0, gravity=9.81, damping=0.0, s
 
 def motus_double_pendulum(frame, which, theta1, theta2, omega1=0.0, omega2=0.0, mass1=1.0, mass2=1.0, length1=1.0,
                           length2=1.0, gravity=9.81, damping=0.0, speed=1.0):
-    """Of a double pendulum, `which` is 0: the upper rod's angle; 1: the lower's; 2 and 3: their angular velocities.
+    """One value of a double pendulum. which: 0 upper angle, 1 lower angle, 2 upper and 3 lower angular velocity.
 
-    Both angles are radians from hanging down; at frame 0 they were theta1 and theta2. Units as motus_pendulum.
+    Angles are radians from hanging down; theta1, theta2, omega1 and omega2 are the state at frame 0. Units are those of motus_pendulum.
     """
     try:
         keep_state()
@@ -58,7 +58,10 @@ def motus_double_pendulum(frame, which, theta1, theta2, omega1=0.0, omega2=0.0, 
 
 
 def motus_ease(frame, start, end, ease_in=0.3, ease_out=0.3):
-    """From 0 at the frame `start` to 1 at the frame `end`, sped up over the fraction ease_in, slowed down over ease_out."""
+    """Ease from 0 at frame `start` to 1 at frame `end`.
+
+    ease_in, ease_out: fractions of the time in which the value speeds up and slows down.
+    """
     try:
         keep_state()
         if not end > start:
@@ -69,7 +72,7 @@ def motus_ease(frame, start, end, ease_in=0.3, ease_out=0.3):
 
 
 def motus_noise(frame, speed=1.0, seed=0):
-    """Smooth noise in [-1, 1]. speed: about how many times it goes up and down in a second."""
+    """Smooth noise in [-1, 1]. speed: approximate number of ups and downs per second."""
     try:
         keep_state()
         return native.module.noise1(seconds(frame) * speed, seed)
@@ -78,11 +81,10 @@ def motus_noise(frame, speed=1.0, seed=0):
 
 
 def motus_second_order(self, data_path, index, frame, f=1.0, zeta=0.5, r=0.0):
-    """What follows the keys of a property of the same datablock by second-order dynamics.
+    """Follow the keys of a property of the driven datablock by second-order dynamics.
 
-    f: the frequency, Hz. zeta: the damping. r: the response. index: in an array.
-
-    Also on that property itself: its keys are followed then. At rest up to the scene's first frame.
+    f: frequency, Hz. zeta: damping ratio. r: initial response. index: component of an array property. The property may be the driven one,
+    whose keys are followed then. Up to the scene's first frame the result is at rest.
     """
     try:
         keep_state()
@@ -93,14 +95,14 @@ def motus_second_order(self, data_path, index, frame, f=1.0, zeta=0.5, r=0.0):
 
 
 def _held(value):
-    """The value, which a property of Blender's has to hold."""
+    """Give back the value if a property of Blender can store it. Raises ValueError otherwise."""
     if not abs(value) < INFINITE:
         raise ValueError("the value is too large for a property")
     return value
 
 
 def _at_rest(name, error, value):
-    # What the native module says of other types is written for C++.
+    # The library's message on arguments of a wrong type names C++ types.
     sentence = f"{name}: {'an argument is no number' if isinstance(error, TypeError) else error}"
     if native.module is not None and sentence not in _said and len(_said) < MOST_SAID:
         _said.add(sentence)
@@ -123,13 +125,13 @@ def _watched():
 
 
 def register():
-    """Make the functions known, now and after every file load, which clears the namespace."""
+    """Add the functions to Blender's driver namespace now and after every file load, which clears the namespace."""
     _fill_namespace()
     handlers.add(_watched())
 
 
 def unregister():
-    """Take them back."""
+    """Remove the functions from Blender's driver namespace."""
     handlers.remove(_watched())
     for name in FUNCTIONS:
         bpy.app.driver_namespace.pop(name, None)

@@ -1,4 +1,4 @@
-"""The keys of a property, followed by second-order dynamics."""
+"""Second-order dynamics on the keys of a property, computed up to any frame."""
 
 from ..core import native, tracks
 from ..core.blender import actions
@@ -9,13 +9,13 @@ from ..core.refusals import Refused
 from ..core.translations import tr
 
 PARTS = 8
-"""Samples of a frame: between them the input is taken for linear."""
-PIECE = 1024  # frames
-MOST = 65536  # frames after the first; what comes later is the last value
+"""Samples per frame of the followed value; between samples the value is taken as linear."""
+PIECE = 1024  # frames of the shortest sampled range, which is doubled until it reaches the frame
+MOST = 65536  # most frames after the first; later frames have the last value
 
 
 def track_of(owner, data_path, index):
-    """The Track of a property of the owner's datablock. Raises Refused where it is no number."""
+    """The Track of a property of the owner's datablock. Raises Refused if the property is no number."""
     id_data = owner.id_data
     value = id_data.path_resolve(data_path)
     return tracks.property_track(
@@ -23,7 +23,7 @@ def track_of(owner, data_path, index):
 
 
 def check(id_data, data_path, index):
-    """Refuse what cannot be followed at any frame."""
+    """Refuse a property whose value is not known at every frame."""
     try:
         track = track_of(id_data, data_path, index)
     except ValueError as error:
@@ -35,7 +35,10 @@ def check(id_data, data_path, index):
 
 
 def followed(owner, data_path, index, frame, scene, numbers):
-    """The value on a frame. numbers: frequency, damping, response. Raises ValueError, Refused where nobody knows it."""
+    """The followed value on a frame.
+
+    numbers: frequency, damping, response. Raises ValueError for invalid numbers, and Refused if the property is not known at all frames.
+    """
     first, length = scene_time.first(scene), scene_time.seconds(scene, 1)
     pieces = 1
     while first + pieces * PIECE < frame and pieces * PIECE < MOST:
@@ -57,18 +60,18 @@ def _own_actions(id_data):
 
 
 def _kept(id_data, data_path, index, what):
-    """What _made() gives, kept until the keys change."""
+    """Native track that _made() returns, kept until the property's keys change."""
     stamp = tracks.keys_stamp(id_data)
     if stamp is None:
         track = track_of(id_data, data_path, index)
         return tracks.kept(track, ("second_order", what), lambda: _made(track, *what))
-    # Without a Track, which takes longer than all the rest.
+    # Compared without a Track, since making one takes longer than the rest.
     return tracks.kept_by(
         stamp, ("second_order", data_path, index, what), lambda: _made(track_of(id_data, data_path, index), *what))
 
 
 def _made(track, *what):
-    """The native Track of what follows; False where nothing animates the property."""
+    """Sample a property into a native track; False if nothing animates the property."""
     if track.is_constant:
         return False
     if not track.is_known:
@@ -77,14 +80,14 @@ def _made(track, *what):
 
 
 def _followed(track, numbers, first, pieces, length):
-    # The same samples up to any frame, however many pieces there are: whoever asks for later ones changes nothing before.
+    # Samples stand at the same times in pieces of any length, so that a later frame does not change what earlier frames gave.
     frames = first + np.arange(pieces * PIECE * PARTS + 1) / PARTS
     return native.module.Track(
         native.module.SecondOrder(*numbers), (frames - first) * length, track.values(frames))
 
 
 def present(owner, data_path, index):
-    """The property as it stands; 0 where there is none."""
+    """Present value of a property; 0 if the property does not exist."""
     try:
         value = owner.id_data.path_resolve(data_path)
         return float(value[max(index, 0)] if hasattr(value, "__len__") else value)

@@ -14,18 +14,18 @@ WHICH = (
 
 
 class DriverKeywords:
-    """Mixin of an operator: which function, and its arguments."""
+    """Mixin of operators: keywords that choose the driver function and give its arguments."""
 
     function: bpy.props.EnumProperty(
         name="Motion", description="Motion that the property is given",
         items=[(one.identifier, one.label, one.description) for one in expressions.FUNCTIONS])
     base: bpy.props.FloatProperty(
-        name="Base", description="Value that the motion is added to; the property's own where it is not given",
+        name="Base", description="Value that the motion is added to; by default the property's own value",
         options={'SKIP_SAVE'})
     amplitude: bpy.props.FloatProperty(
         name="Amplitude", description="Factor that the motion is multiplied by", default=1.0)
     start: bpy.props.FloatProperty(
-        name="Start", description="Frame at which the time begins", subtype='TIME')
+        name="Start", description="Frame at which the motion begins", subtype='TIME')
     theta: bpy.props.FloatProperty(
         name="Angle", description="Angle at the start, from hanging down", subtype='ANGLE', default=0.5)
     omega: bpy.props.FloatProperty(
@@ -57,8 +57,8 @@ class DriverKeywords:
     speed: bpy.props.FloatProperty(
         name="Speed", description="Speed of time; for noise the approximate number of ups and downs per second", default=1.0,
         soft_min=0.0, soft_max=10.0)
-    frame_start: bpy.props.FloatProperty(name="Start", description="Frame with the value 0", default=1.0)
-    frame_end: bpy.props.FloatProperty(name="End", description="Frame with the value 1", default=50.0)
+    frame_start: bpy.props.FloatProperty(name="Start", description="Frame at which the motion has the value 0", default=1.0)
+    frame_end: bpy.props.FloatProperty(name="End", description="Frame at which the motion has the value 1", default=50.0)
     ease_in: bpy.props.FloatProperty(
         name="Ease In", description="Fraction of the time in which the motion speeds up", subtype='FACTOR', default=0.3,
         min=0.0, max=1.0)
@@ -69,18 +69,18 @@ class DriverKeywords:
         name="Source", description="Data path of the property of the same datablock whose keys are followed; empty takes the "
         "driven property's own keys")
     source_index: bpy.props.IntProperty(
-        name="Source Index", description="Component of the source where it is an array", default=0, min=0)
+        name="Source Index", description="Component of the source, if the source is an array", default=0, min=0)
     frequency: bpy.props.FloatProperty(
-        name="Frequency", description="Swings per second", default=1.0, min=0.0, soft_min=0.1,
+        name="Frequency", description="Frequency, in swings per second", default=1.0, min=0.0, soft_min=0.1,
         soft_max=10.0)
     damping_ratio: bpy.props.FloatProperty(
-        name="Damping Ratio", description="0 rings for ever, 1 comes to rest without a swing", default=0.5, min=0.0,
+        name="Damping Ratio", description="Damping: 0 swings for ever, 1 comes to rest without a swing", default=0.5, min=0.0,
         soft_max=2.0)
     response: bpy.props.FloatProperty(
-        name="Response", description="0 starts slowly, 1 at once, above 1 overshoots, below 0 goes the other way first",
+        name="Response", description="Initial response: 0 starts slowly, 1 at once, above 1 overshoots, below 0 goes the other way first",
         default=0.0, soft_min=-2.0, soft_max=3.0)
     seed: bpy.props.IntProperty(
-        name="Seed", description="Another number gives another noise", default=0, min=0)
+        name="Seed", description="Seed of the noise: each number gives a different noise", default=0, min=0)
 
 
 NAMES = tuple(DriverKeywords.__annotations__)
@@ -106,9 +106,9 @@ REDO = (
         Row("base", when=lambda operator: operator.is_given("base") and not _follows(operator)),
         Row("amplitude", when=lambda operator: not _follows(operator)))),
 )
-"""What the dialog and the redo panel draw."""
+"""Rows of keywords in the dialog and in the redo panel."""
 
 
 def given(operator):
-    """All keywords by name."""
+    """Keywords of the operator with their values, by name."""
     return {name: getattr(operator, name) for name in NAMES}

@@ -1,4 +1,4 @@
-"""Entries in the menu that the right mouse button opens on a property."""
+"""Entries for motion drivers in the menu that a right click on a property opens."""
 
 import bpy
 
@@ -25,10 +25,10 @@ def _draw(menu, context):
 
 
 def register():
-    """Show them."""
+    """Add the entries to Blender's menu."""
     bpy.types.UI_MT_button_context_menu.append(_draw)
 
 
 def unregister():
-    """Hide them."""
+    """Remove the entries from Blender's menu."""
     bpy.types.UI_MT_button_context_menu.remove(_draw)

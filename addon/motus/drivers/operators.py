@@ -1,4 +1,4 @@
-"""Operators that put drivers on properties and take them off."""
+"""Operators that add motion drivers to properties and remove them."""
 
 import bpy
 
@@ -12,18 +12,18 @@ from . import expressions, history, places, preview
 from .keywords import NAMES, REDO, DriverKeywords, given
 
 WIDTH = 360
-"""Of the dialog, pixels at the interface's normal size."""
+"""Width of the dialog, in pixels at the interface's normal size."""
 
 
 class _OnProperty(datablocks.OfADatablock):
-    """Mixin: which property is meant."""
+    """Mixin of operators: keywords that name the property."""
 
     channel: bpy.props.EnumProperty(
         name="Channel", description="Property of the object that is driven, if no data path is given", items=places.CHANNELS,
         default=places.BY_PATH, options={'SKIP_SAVE'})
 
     def properties_meant(self, context):
-        """The Places that are meant. Raises Refused."""
+        """Places of the property that the keywords name. Raises Refused."""
         datablock = self.id_data(context)
         check_local(datablock)
         path, index = self.data_path, self.index
@@ -34,7 +34,7 @@ class _OnProperty(datablocks.OfADatablock):
         return places.find(datablock, path, index)
 
     def take_hovered(self, context):
-        """Note the property under the mouse in words, by which the redo panel finds it again; whether there is one."""
+        """Store the property under the mouse in the keywords, so that the redo panel finds it again; False if there is none."""
         found = None if self.data_path else hovered.find(context)
         if found is None:
             return bool(self.data_path)
@@ -54,7 +54,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
     for_scripts = ("replace", "source_index")
 
     replace: bpy.props.BoolProperty(
-        name="Replace", description="Take the place of a driver that is there", options={'SKIP_SAVE'})
+        name="Replace", description="Replace the driver that the property has", options={'SKIP_SAVE'})
 
     @classmethod
     def check_offer(cls, context):
@@ -75,7 +75,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
         return manager.invoke_props_dialog(self, width=WIDTH)
 
     def _take_up(self, context, found):
-        """Show what the property that is pointed at has: the values of a driver of ours, else its own."""
+        """Set the keywords to those of the motion driver that the property has; without such a driver to the property's own value."""
         curve = found[0].curve if self.data_path else None
         known = curve and expressions.read(curve.driver.expression)
         if curve and not known:
@@ -93,7 +93,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
             self.gravity = context.scene.gravity.length
 
     def _in_unit(self, scene):
-        """Keywords that nobody gave, in the scene's unit."""
+        """Default keywords converted to the scene's unit."""
         return units.defaults(scene, self.properties, [name for name in NAMES if not self.is_given(name)])
 
     def draw_below(self, _context):
@@ -128,7 +128,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
         return text
 
     def _for_component(self, keywords, place, number):
-        """The keywords for a component of an array: each swings about its own value, and each noise is another one."""
+        """Keywords for one component of an array: each component swings about its own value, and each noise gets a seed of its own."""
         keywords = dict(keywords)
         if not self.is_given("base"):
             known = place.curve and expressions.read(place.curve.driver.expression)
@@ -139,7 +139,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
         return keywords
 
     def _check(self):
-        """Refuse what the function itself refuses, in its words."""
+        """Refuse arguments that the driver function refuses, with the function's message."""
         try:
             preview.sample(given(self), [0.0])
         except ValueError as error:
@@ -154,7 +154,7 @@ class MOTUS_OT_driver_remove(_OnProperty, Operator, bpy.types.Operator):  # type
     bl_idname = "motus.driver_remove"
     bl_label = "Remove Motion Driver"
     bl_description = (
-        "Take motion drivers off a property, or off all properties of the object; they keep the values that they have")
+        "Remove the motion drivers of a property, or of all properties of the object; the properties keep their present values")
     for_scripts = ("channel",)
 
     @classmethod

@@ -1,4 +1,4 @@
-"""The property that a driver is put on, found by its data path, and what is there already."""
+"""Find the property that gets a motion driver by its data path, and the drivers that it has."""
 
 import re
 from dataclasses import dataclass
@@ -19,12 +19,12 @@ CHANNELS = [(BY_PATH, "By Path", "The property that the data path names")] + [
     (f"{kind}_{axis}", f"{label} {axis}", f"{label} {where} this axis of the object")
     for kind, label, where in (('LOCATION', "Location", "along"), ('ROTATION', "Rotation", "about"), ('SCALE', "Scale", "along"))
     for axis in "XYZ"]
-"""Items: what an object's motion drivers are put on where nothing is under the mouse."""
+"""Enum items: channels of an object that an operator drives if no property is under the mouse."""
 
 
 @dataclass(frozen=True)
 class Place:
-    """A number. struct: whose property it is. name: of the property, or ["its name"]. index: in an array; -1 in none."""
+    """One number that can be driven. struct: owner of the property. name: of the property, or ["name"]. index: in an array, else -1."""
 
     struct: Any
     name: str
@@ -32,28 +32,28 @@ class Place:
 
     @property
     def holder(self):
-        """The datablock with the driver."""
+        """The datablock that has the driver."""
         return self.struct.id_data
 
     @property
     def path(self):
-        """From the datablock."""
+        """Data path of the property from its datablock."""
         own = "" if self.struct == self.holder else self.struct.path_from_id()
         return own + self.name if self.name.startswith("[") or not own else f"{own}.{self.name}"
 
     @property
     def curve(self):
-        """The F-curve of the driver that is there; None without one."""
+        """F-curve of the property's driver; None if the property has no driver."""
         animation = self.holder.animation_data
         return animation and animation.drivers.find(self.path, index=max(self.index, 0))
 
     @property
     def value(self):
-        """As it stands."""
+        """Present value of the property."""
         return _at(_values(self.struct, self.name), self.index)
 
     def rest_at(self, number):
-        """Give it a value."""
+        """Set the property's value."""
         if self.index >= 0:
             _values(self.struct, self.name)[self.index] = number
         elif self.name.startswith("["):
@@ -62,14 +62,14 @@ class Place:
             setattr(self.struct, self.name, number)
 
     def evaluated(self, depsgraph):
-        """The value as it was evaluated; as it stands where the datablock was not."""
+        """The property's value on the evaluated copy of its datablock; the original value if there is no evaluated copy."""
         try:
             return _at(self.holder.evaluated_get(depsgraph).path_resolve(self.path), self.index)
         except (ValueError, TypeError, IndexError, RuntimeError):
             return self.value
 
     def add(self, expression):
-        """Drive it by the expression, in place of what drives it."""
+        """Drive the property by an expression, replacing the driver that it has."""
         if self.curve:
             self.remove()
         made = self.struct.driver_add(self.name, self.index)
@@ -82,18 +82,18 @@ class Place:
         made.driver.expression = expression
 
     def remove(self):
-        """Drive it no more."""
+        """Remove the property's driver."""
         self.struct.driver_remove(self.name, self.index)
 
 
 def label(found):
-    """What the interface calls the property of these Places: one number, or all of an array."""
+    """Interface label of a property, from its Places: one number, or all components of an array."""
     first = found[0]
     return datablocks.label_of(first.holder, first.path, first.index if len(found) == 1 else -1)
 
 
 def of_channel(obj, channel):
-    """(data path, index) of one of CHANNELS."""
+    """(data path, index) of an item of CHANNELS."""
     kind, axis = channel.split("_")
     if not isinstance(obj, bpy.types.Object):
         raise Refused(tr("Only objects and bones have a transform: give a data path"))
@@ -104,12 +104,12 @@ def of_channel(obj, channel):
 
 
 def free_channel(obj):
-    """The first of CHANNELS that has no driver, rotations before the others; FIRST where all have one."""
+    """The first item of CHANNELS without a driver, rotations first; FIRST if all channels have drivers."""
     for channel in sorted((name for name, *_ in CHANNELS if name != BY_PATH), key=lambda name: not name.startswith('ROTATION')):
         try:
             place, = find(obj, *of_channel(obj, channel))
         except Refused:
-            continue  # an object that is not turned by angles
+            continue  # quaternion and axis-angle rotations have no such channels
         if place.curve is None:
             return channel
     return FIRST
@@ -128,7 +128,7 @@ def _at(value, index):
 
 
 def find(id_data, data_path, index=-1):
-    """The Places of a property: one, or of an array one for each component where index is -1. Raises Refused."""
+    """Places of a property: one, or with index -1 one for each component of an array. Raises Refused if the property is no number."""
     path = data_path
     found = _INDEX.search(path)
     if found and index < 0:
@@ -158,12 +158,12 @@ def _unknown(id_data, data_path):
 
 
 def _size(struct, name, value):
-    """How many components a property has, 0 where it is a single number; None where it is none that can be driven."""
+    """Number of components of a property, 0 for a single number; None if the property cannot be driven."""
     if name.startswith("["):
         if isinstance(value, (int, float)):
             return 0
         return len(value) if getattr(value, "typecode", None) in {"d", "f", "i", "b"} else None
-    # Vectors have no properties of Blender's, and among its attributes are methods.
+    # Vectors have no RNA properties, and methods are among their attributes.
     rna = getattr(struct, "bl_rna", None)
     prop = rna and rna.properties.get(name)
     if prop is None or prop.type not in _NUMBERS or prop.is_readonly or not prop.is_animatable:
@@ -173,9 +173,9 @@ def _size(struct, name, value):
 
 @dataclass(frozen=True)
 class Found:
-    """A driver of our functions. path: of the property from the named datablock. index: -1 where it is no array.
+    """A driver that calls a Motus function.
 
-    holder: what has the driver, the datablock or a node tree in it.
+    holder: datablock or node tree that has the driver. path: data path of the property from the named datablock. index: component, or -1.
     """
 
     datablock: Any
@@ -185,26 +185,26 @@ class Found:
     expression: str
 
     def remove(self):
-        """Take the driver away, whether its property is there or not."""
+        """Remove the driver, also if its property no longer exists."""
         path = self.path if self.holder == self.datablock else self.path.partition(".")[2]
         drivers = self.holder.animation_data.drivers
         for curve in [curve for curve in drivers if curve.data_path == path and self.index in (-1, curve.array_index)]:
             drivers.remove(curve)
 
     def places(self):
-        """The Places that it drives. Raises Refused where the property is gone, or no number any more."""
+        """Places that the driver drives. Raises Refused if the property no longer exists or is no longer a number."""
         return find(self.datablock, self.path, self.index)
 
 
 def of_object(obj):
-    """The drivers of our functions on an object, its data, its shape keys and its materials."""
+    """Motion drivers on an object, its data, its shape keys and its materials."""
     data = obj.data
     holders = obj, data, getattr(data, "shape_keys", None), *(slot.material for slot in obj.material_slots)
     return [one for datablock in dict.fromkeys(holders) if datablock for one in on(datablock)]
 
 
 def on(datablock):
-    """The drivers of our functions on a datablock, and on the node tree in it."""
+    """Motion drivers on a datablock and on its node tree."""
     yield from _within(datablock, "")
     if getattr(datablock, "node_tree", None):
         yield from _within(datablock, "node_tree")
@@ -220,12 +220,12 @@ def _within(datablock, within):
 
 
 def there(datablock):
-    """The Places on a datablock, or on the node tree in it, that our functions drive."""
+    """Places on a datablock, or on its node tree, that motion drivers drive."""
     return [place for one in on(datablock) if not _is_gone(one) for place in one.places()]
 
 
 def gone(datablock):
-    """The drivers of our functions on a datablock, or on the node tree in it, whose property is gone, or no number any more."""
+    """Motion drivers on a datablock, or on its node tree, whose property no longer exists or is no longer a number."""
     return [one for one in on(datablock) if _is_gone(one)]
 
 

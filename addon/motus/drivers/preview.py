@@ -1,4 +1,4 @@
-"""The graph in the dialog of motus.driver_add."""
+"""Graph of the chosen motion in the dialog of motus.driver_add."""
 
 from ..core import native
 from ..core.interface import ui
@@ -11,7 +11,7 @@ COUNT = 256
 
 
 def sample(keywords, times):
-    """Values of the function, without base and amplitude, at times in seconds. Raises ValueError, naming the argument."""
+    """Values of the function without base and amplitude, at times in seconds. Raises ValueError that names the wrong argument."""
     call = getattr(native.module, _NATIVE[keywords["function"]][0])
     return _NATIVE[keywords["function"]][1](call, keywords, np.asarray(times, dtype=float))
 
@@ -46,7 +46,7 @@ _NATIVE = {
 
 
 def draw(layout, operator):
-    """The graph of some seconds, or the sentence that says why there is none."""
+    """Draw the graph of some seconds of the motion, or the sentence that says why there is no graph."""
     if not ui.draw_native_status(layout):
         return
     function = expressions.BY_IDENTIFIER[operator.function]

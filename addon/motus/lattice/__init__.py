@@ -1,9 +1,9 @@
-"""Lattice: fitted around objects or vertices, and pulled by points of what it deforms."""
+"""Lattice: fits a lattice around objects or vertices, and moves its points by pulling the deformed surface."""
 
 from ..core.declare import Feature
 from . import operators, panel, properties, pull_operator
 
-# Blender's own modifier does the deforming: nothing here is solved.
+# Blender's Lattice modifier deforms the objects: this Feature solves nothing.
 SYSTEM = Feature(
     name="lattice",
     label="Lattice",

@@ -1,4 +1,4 @@
-"""Makes a lattice around points, and the modifiers by which it deforms."""
+"""Fit a lattice around points, and add the Lattice modifiers that deform the objects."""
 
 import math
 
@@ -12,17 +12,17 @@ from ..core.translations import tr
 from . import shapes
 
 FLAT = 1e-6
-"""Share of the largest side below which a side counts as nothing."""
+"""Share of the largest side below which a side counts as flat."""
 THICKNESS = 0.1
-"""Share of the largest side that a lattice has across what is flat, so that it can be pulled out of the plane."""
+"""Extent of a lattice across a flat side, as a share of the largest side, so that its points can be pulled out of the plane."""
 ALONE = 1.0
-"""Side, in metres, of a lattice around a single point."""
+"""Side of a lattice around a single point, in metres."""
 
 
 def fit(context, objects, vertices, keywords):
-    """A lattice around objects, or around the vertices {object: indices} of theirs, that deforms them; returns it.
+    """Fit a lattice around objects, or around vertices {object: indices} of the objects, and let it deform them; returns the lattice.
 
-    keywords: those of FitKeywords. Refuses, before anything is changed, where there is nothing to go around.
+    keywords: those of FitKeywords. Raises Refused before anything is changed if there are no points.
     """
     points = _points(context, objects, vertices)
     matrix = _frame(points, objects[0], keywords)
@@ -42,7 +42,7 @@ def _points(context, objects, vertices):
     found = []
     for obj in objects:
         if obj in vertices:
-            # As modelled: the lattice comes before the modifiers that the object has.
+            # The points as modelled: the new modifier comes before the modifiers that the object has.
             points = shapes.in_world(shapes.positions(obj.data)[vertices[obj]], obj.matrix_world)
         else:
             points = shapes.world_points(obj, depsgraph)
@@ -55,7 +55,7 @@ def _points(context, objects, vertices):
 
 
 def _frame(points, leader, keywords):
-    """World matrix of a lattice whose points at rest span -0.5 to 0.5."""
+    """World matrix of a lattice whose points at rest span -0.5 to 0.5 on each axis."""
     local = np.array(leader.matrix_world.to_quaternion().to_matrix(), np.float64).T
     axes = {'LOCAL': local, 'GLOBAL': np.eye(3), 'FIT': local}[keywords["orientation"]]
     center, axes, size = native.module.box_around(points, axes, turn=keywords["orientation"] == 'FIT')
@@ -64,7 +64,7 @@ def _frame(points, leader, keywords):
     size += 2.0 * keywords["margin"] * size.max()
     matrix = Matrix((axes * size[:, None]).T.tolist()).to_4x4()
     matrix.translation = center.tolist()
-    # Blender squares the sides, in single precision, to tell them from the rotation.
+    # Blender squares the sides in single precision when it separates scale from rotation.
     if not all(0.0 < side < math.inf for side in matrix.to_scale()):
         raise Refused(tr("The lattice would be too large or too small for Blender"))
     return matrix
@@ -73,12 +73,12 @@ def _frame(points, leader, keywords):
 def _new_lattice(context, objects, matrix, keywords):
     name = f"{objects[0].name} Lattice"
     lattice = bpy.data.objects.new(name, bpy.data.lattices.new(name))
-    # Of a lattice in an object Blender keeps the extent when the resolution changes.
+    # While the lattice object exists, Blender keeps the lattice's extent if the resolution changes.
     for axis, points in zip("uvw", keywords["resolution"]):
         setattr(lattice.data, f"points_{axis}", points)
         setattr(lattice.data, f"interpolation_type_{axis}", f"KEY_{keywords['interpolation']}")
     _collection_of(context, objects[0]).objects.link(lattice)
-    # A lattice's children wait for its shape: a lattice that deforms its parent would wait for itself.
+    # Children of a lattice depend on its shape: as the child of a lattice that it deforms, the new lattice would depend on itself.
     if keywords["use_parent"] and len(objects) == 1 and objects[0].type != 'LATTICE':
         lattice.parent = objects[0]
         lattice.matrix_parent_inverse = objects[0].matrix_world.inverted()
@@ -88,7 +88,7 @@ def _new_lattice(context, objects, matrix, keywords):
 
 
 def _collection_of(context, obj):
-    """A collection of the object that shows, and that can be changed; else the scene's own."""
+    """A collection for the lattice: one of the object's that is visible and editable; otherwise the scene's own collection."""
     shown = set(context.view_layer.layer_collection.collection.children_recursive)
     for collection in obj.users_collection:
         if collection in shown and not collection.library and not collection.override_library:
@@ -97,7 +97,7 @@ def _collection_of(context, obj):
 
 
 def _free_name(name, objects):
-    """A name that no vertex group of the objects has: so the lattice's own is known by it."""
+    """A name for the lattice that no vertex group of the objects has, so that the lattice's vertex group can have that name."""
     tried, number = name, 0
     while any(tried in obj.vertex_groups for obj in objects):
         number += 1
@@ -121,12 +121,12 @@ def _deform(obj, lattice, indices, group_name):
 
 
 def move_first(obj, modifier):
-    """Put a modifier before the others, as far as Blender lets it go."""
+    """Move a modifier before the object's other modifiers, as far as Blender allows."""
     index = obj.modifiers.find(modifier.name)
     if index == 0:
         return
     if hasattr(obj.modifiers, "move"):
         obj.modifiers.move(index, 0)
         return
-    with bpy.context.temp_override(object=obj, active_object=obj):  # before 3.5
+    with bpy.context.temp_override(object=obj, active_object=obj):  # the attribute exists from Blender 3.5 on
         bpy.ops.object.modifier_move_to_index(modifier=modifier.name, index=0)

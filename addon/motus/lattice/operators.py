@@ -1,4 +1,4 @@
-"""Operators that fit a lattice, and take it off again."""
+"""Operators that fit a lattice, reset its points, and remove it."""
 
 import bpy
 
@@ -15,13 +15,14 @@ KEYWORDS = tuple(FitKeywords.__annotations__)
 class MOTUS_OT_lattice_fit(Operator, FitKeywords, bpy.types.Operator):
     bl_idname = "motus.lattice_fit"
     bl_label = "Fit Lattice"
-    bl_description = ("Lay a lattice around the selected objects, or the selected vertices in Edit Mode, and let it "
-                      "deform them; what is modelled stays untouched")
+    bl_description = (
+        "Lay a lattice around the selected objects, or the selected vertices in Edit Mode, and let it deform them; the meshes themselves "
+        "are not changed")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     objects: bpy.props.StringProperty(
         name="Objects", options={'SKIP_SAVE'},
-        description="Names of the objects with commas between, or of a collection; empty takes the selected ones")
+        description="Names of the objects with commas between, or a collection's name; empty takes the selected objects")
     vertex_group: bpy.props.StringProperty(
         name="Vertex Group", description="Deform only the vertices of the vertex group of this name",
         options={'SKIP_SAVE'})
@@ -57,7 +58,7 @@ class MOTUS_OT_lattice_fit(Operator, FitKeywords, bpy.types.Operator):
                 targets.check_grouped(obj)
         keywords = {name: getattr(self, name) for name in KEYWORDS}
         if is_editing:
-            # So that one step of undo has it all: in Edit Mode it would hold the mesh alone.
+            # Edit Mode's undo steps hold the mesh alone; the whole set-up is to be one undo step.
             bpy.ops.object.mode_set(mode='OBJECT')
         try:
             return fitting.fit(context, objects, vertices, keywords), objects
@@ -76,16 +77,16 @@ def _any(objects):
 class MOTUS_OT_lattice_remove(Operator, bpy.types.Operator):
     bl_idname = "motus.lattice_remove"
     bl_label = "Remove Lattice"
-    bl_description = "Take fitted lattices off again: the objects are as they were before, or keep the deformation"
+    bl_description = "Remove fitted lattices: the objects get their shape without a lattice back, or keep the deformation"
 
     objects: bpy.props.StringProperty(
         name="Objects", options={'SKIP_SAVE'},
-        description="Names of the objects with commas between, or of a collection; empty takes the selected ones")
+        description="Names of the objects with commas between, or a collection's name; empty takes the selected objects")
     modifier: bpy.props.StringProperty(
-        name="Modifier", description="Name of the lattice's modifier; empty takes all that Motus has added",
+        name="Modifier", description="Name of the lattice's modifier; empty takes all lattice modifiers that Motus has added",
         options={'SKIP_SAVE'})
     use_apply: bpy.props.BoolProperty(
-        name="Apply", description="Keep the deformation", options={'SKIP_SAVE'})
+        name="Apply", description="Keep the deformation when the lattice is removed", options={'SKIP_SAVE'})
 
     modes = OBJECT_MODE
     needs_native = True
@@ -108,7 +109,7 @@ class MOTUS_OT_lattice_remove(Operator, bpy.types.Operator):
 
 
 def _fitted(context, names="", modifier=""):
-    """(object, modifier) of the lattices that Motus has fitted. Raises Refused where there is none."""
+    """(object, modifier) for each fitted lattice that the keywords name. Raises Refused if there is none."""
     uses = [use for use in removal.uses_for(targets.objects_for(context, names)) if modifier in {"", use[1]}]
     if not uses:
         raise Refused(tr("Nothing here has a lattice that Motus has fitted"))
@@ -118,7 +119,7 @@ def _fitted(context, names="", modifier=""):
 class MOTUS_OT_lattice_reset(Operator, bpy.types.Operator):
     bl_idname = "motus.lattice_reset"
     bl_label = "Reset Lattice"
-    bl_description = "Put the lattice's points back to where they deform nothing"
+    bl_description = "Move the lattice's points back to rest, where they deform nothing"
 
     object: object_keyword("Name of the lattice; empty takes the active one")
     modes = OBJECT_MODE

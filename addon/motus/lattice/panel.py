@@ -6,7 +6,7 @@ from . import removal, targets
 
 
 class ObjectProperties:
-    """Mixin of panels in the object's own tab of the properties editor."""
+    """Mixin of panels in the Object tab of the properties editor."""
 
     bl_space_type = 'PROPERTIES'
     bl_region_type = 'WINDOW'
@@ -14,7 +14,7 @@ class ObjectProperties:
 
 
 def draw_main(layout, context):
-    """The lattices that deform the object, or what the lattice itself does."""
+    """Draw the lattices that deform the object, or the settings of the lattice itself."""
     obj = context.object
     if obj.type == 'LATTICE':
         _draw_lattice(layout, obj)
@@ -27,7 +27,7 @@ def _modifiers(obj):
 
 
 def draw_actions(layout, _context):
-    """Fitting one more."""
+    """Draw the button that fits another lattice."""
     layout.operator("motus.lattice_fit", icon='OUTLINER_OB_LATTICE')
 
 
@@ -44,7 +44,7 @@ def _draw_modifier(layout, obj, modifier):
     if obj.type == 'MESH':
         column.prop_search(modifier, "vertex_group", obj, "vertex_groups", text="Group")
     _draw_points(column, modifier.object.data)
-    column = box.column(align=True)  # a row would be too narrow in a narrow editor
+    column = box.column(align=True)  # as a row the buttons would be cut off in a narrow editor
     pull = column.operator("motus.lattice_pull", icon='VIEW_PAN')
     pull.object, pull.modifier = obj.name, modifier.name
     column.operator("motus.lattice_reset", icon='LOOP_BACK').object = modifier.object.name
@@ -71,7 +71,7 @@ def _draw_lattice(layout, obj):
 
 
 def _draw_points(layout, data):
-    """Resolution and interpolation."""
+    """Draw resolution and interpolation of a lattice."""
     layout.use_property_decorate = False
     for name in ("points", "interpolation_type"):
         column = layout.column(align=True)

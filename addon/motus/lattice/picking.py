@@ -1,4 +1,4 @@
-"""Which point of an object's surface lies under the mouse."""
+"""Find the point of a deformed surface that lies under the mouse."""
 
 from bpy_extras.view3d_utils import region_2d_to_origin_3d, region_2d_to_vector_3d
 from mathutils import Vector
@@ -7,11 +7,14 @@ from ..core import native
 from ..core.lazy import numpy as np
 
 NEAR = 20.0
-"""Pixels, at the interface's normal size, within which a vertex is taken where no face lies under the mouse."""
+"""Largest distance of a picked vertex from the mouse if no face lies under the mouse, in pixels at the interface's normal size."""
 
 
 def pick(shapes, region, view, mouse, near):
-    """(shape, [(vertex, share)]) under a place of the region: on the nearest face, else the nearest vertex; or None."""
+    """Pick a point of the shapes under the mouse: (shape, [(vertex, share)]), or None.
+
+    The point lies on the nearest face under the mouse; without a face it is the nearest vertex within `near` pixels.
+    """
     origin, direction = region_2d_to_origin_3d(region, view, mouse), region_2d_to_vector_3d(region, view, mouse)
     hits = []
     for shape in shapes:
@@ -27,15 +30,15 @@ def pick(shapes, region, view, mouse, near):
 
 
 def _corners(shape, vertices, place):
-    """[(vertex, barycentric coordinate)] of a place on a triangle of three vertices."""
+    """Barycentric coordinates of a place on a triangle: [(vertex, coordinate)]."""
     a, b, c = shape.after[vertices].astype(np.float64)
-    # The triangle may be a needle: the least squares are those of its plane then, or of its line.
+    # Least squares in the plane of the triangle, or on its line if the triangle is a needle.
     shares = np.linalg.lstsq(np.column_stack((b - a, c - a)), place - a, rcond=None)[0]
     return [(int(vertex), float(share)) for vertex, share in zip(vertices, (1.0 - shares.sum(), *shares))]
 
 
 def _nearest_vertex(shape, region, view, mouse):
-    """(pixels, index) of the vertex that is seen nearest to the mouse."""
+    """(distance in pixels, index) of the visible vertex that is nearest to the mouse in the region."""
     rows = np.array(view.perspective_matrix)
     clip = shape.after @ rows[:, :3].T + rows[:, 3]
     in_front = clip[:, 3] > 0.0
@@ -49,5 +52,5 @@ def _nearest_vertex(shape, region, view, mouse):
 
 
 def place_of(shape, corners):
-    """World place of a point of the deformed surface."""
+    """World position of a point of the deformed surface."""
     return Vector(sum(share * shape.after[vertex].astype(np.float64) for vertex, share in corners).tolist())

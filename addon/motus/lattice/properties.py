@@ -15,13 +15,14 @@ class MOTUS_PG_lattice(bpy.types.PropertyGroup):
 
 
 class FitKeywords:
-    """How a lattice is laid around what it deforms: the names are the keywords of scripts."""
+    """Keywords that say how a lattice is laid around objects; their names are keywords of scripts."""
 
     resolution: bpy.props.IntVectorProperty(
         name="Resolution", description="Points of the lattice along its three axes", size=3, default=(4, 4, 4), min=1,
         max=64, soft_max=16, subtype='XYZ')
     margin: bpy.props.FloatProperty(
-        name="Margin", description="Room that is left on each side, as a share of the largest side", default=0.02,
+        name="Margin",
+        description="Room between the objects and the lattice on each side, as a share of the lattice's largest side", default=0.02,
         min=0.0, soft_max=1.0, subtype='FACTOR')
     orientation: bpy.props.EnumProperty(
         name="Orientation", description="Orientation of the lattice's axes", default='LOCAL', items=(

@@ -1,4 +1,4 @@
-"""The operator that pulls a lattice by a point of what it deforms."""
+"""Operator that pulls a lattice by a point of the surface that it deforms."""
 
 import bpy
 from bpy_extras.view3d_utils import location_3d_to_region_2d
@@ -13,11 +13,11 @@ from ..core.translations import tr
 from . import picking, pulling, removal
 
 REACHED = 1e-3
-"""Share of the displacement within which the point counts as brought there."""
+"""Share of the displacement: a point that ends nearer to its goal counts as brought there."""
 
 
 def _objects(context, name=""):
-    """What is deformed by the lattice that is to be pulled."""
+    """Objects that are deformed by the lattice that the operator pulls."""
     obj = named(name) if name else context.object
     if obj is None:
         raise Refused(tr("Select an object that a lattice deforms"))
@@ -33,19 +33,19 @@ class MOTUS_OT_lattice_pull(PointDrag, Operator, bpy.types.Operator):
     bl_idname = "motus.lattice_pull"
     bl_label = "Pull Lattice"
     bl_description = (
-        "Take hold of any point of what a lattice deforms; the lattice's points follow so that it goes along")
+        "Drag any point of a surface that a lattice deforms; the lattice's points move so that the point follows the mouse")
 
     object: bpy.props.StringProperty(
         name="Object", options={'SKIP_SAVE'},
         description="Name of the object that the lattice deforms; empty takes the active one, or those of the active "
                     "lattice")
     modifier: bpy.props.StringProperty(
-        name="Modifier", description="Name of the lattice's modifier; empty takes the last one", options={'SKIP_SAVE'})
+        name="Modifier", description="Name of the lattice's modifier; empty takes the last lattice modifier", options={'SKIP_SAVE'})
     vertex: bpy.props.IntProperty(
-        name="Vertex", description="Index of the vertex that is pulled, of the object with all its modifiers",
+        name="Vertex", description="Index of the pulled vertex, on the object with all its modifiers",
         default=-1, min=-1, options={'SKIP_SAVE'})
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Place in the world whose nearest vertex is pulled, where no vertex is named",
+        name="Location", description="Place in the world; the vertex nearest to it is pulled if no vertex is given",
         size=3, subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
     displacement: bpy.props.FloatVectorProperty(
         name="Displacement", description="Displacement of the vertex, in the world", size=3, subtype='XYZ', unit='LENGTH',
@@ -135,7 +135,7 @@ class MOTUS_OT_lattice_pull(PointDrag, Operator, bpy.types.Operator):
             return None
         shape, corners = picked
         self._held = pulling.Held(context, shape, corners, self._held_vertices(shape), self.mirror)
-        # For Adjust Last Operation, which pulls the nearest vertex.
+        # Adjust Last Operation pulls a vertex: the one with the largest share of the point.
         self.object, self.vertex = shape.object.name, max(corners, key=lambda corner: corner[1])[0]
         point = picking.place_of(shape, corners)
         return point, location_3d_to_region_2d(region, view, point)

@@ -1,4 +1,4 @@
-"""A point of what a lattice deforms, held: it is pulled away, and the lattice's points follow by least squares."""
+"""Pull a lattice by a point of the surface that it deforms: the lattice's points move as little as possible (least squares)."""
 
 import contextlib
 from itertools import combinations
@@ -12,9 +12,9 @@ from . import shapes
 from .targets import check_scale
 
 ROUNDS = 6
-"""Corrections where modifiers after the lattice make more than a weighted sum of it."""
+"""Most correction steps, for modifiers after the lattice that are not linear in its points."""
 NEAR = 1e-5
-"""Share of the pull's length within which a point counts as brought there."""
+"""Share of the pull's length: a point that ends nearer to its goal counts as brought there."""
 
 
 def check_pullable(lattice):
@@ -30,7 +30,7 @@ def check_pullable(lattice):
 
 
 def modifier_of(obj, name=""):
-    """The lattice modifier of this name; without one the last that does something."""
+    """The object's Lattice modifier of this name; without a name the last one that has an effect."""
     found = [one for one in obj.modifiers if one.type == 'LATTICE' and one.object and one.object.type == 'LATTICE']
     if name:
         found = [one for one in found if one.name == name]
@@ -43,7 +43,7 @@ def modifier_of(obj, name=""):
 
 
 class Shape:
-    """An object as its lattice deforms it, and as it would be without: `after` and `before`, (v, 3) in the world."""
+    """An object's points with its lattice and without: `after` and `before`, (v, 3) in world space."""
 
     def __init__(self, context, obj, modifier):
         context.view_layer.update()
@@ -60,16 +60,16 @@ class Shape:
                              "switch them off first").format(object=obj.name, modifier=modifier.name))
 
     def triangles(self):
-        """(t, 3) int32: the faces, by the vertices' indices."""
+        """Triangles of the deformed surface, (t, 3) int32 indices of vertices."""
         with shapes.evaluated_mesh(self.object, self._context.view_layer.depsgraph) as mesh:
             return shapes.triangles(mesh)
 
     def nearest(self, place):
-        """Index of the vertex that is nearest to a place in the world."""
+        """Index of the vertex nearest to a world position."""
         return int(((self.after - np.array(place, np.float32)) ** 2).sum(axis=1).argmin())
 
     def influence(self, vertices):
-        """How much of the lattice's effect each vertex takes: the modifier's strength, and its vertex group."""
+        """Share of the lattice's effect that each vertex gets: strength of the modifier times weight of the vertex group."""
         result = np.full(len(vertices), self.modifier.strength)
         group = self.object.vertex_groups.get(self.modifier.vertex_group) if self.object.type == 'MESH' else None
         if group:
@@ -92,16 +92,17 @@ def _muted(context, modifier):
 
 
 def _weight(point, group):
-    """Weight of a vertex, or of a lattice's point, in the group of that index."""
+    """Weight of a vertex, or of a lattice point, in the vertex group of this index."""
     return next((entry.weight for entry in point.groups if entry.group == group), 0.0)
 
 
 class Held:
-    """What pull() moves: the points of a lattice, by a point of what it deforms."""
+    """A point of a deformed surface that is held by the mouse or a script; pull() moves the lattice's points."""
 
     def __init__(self, context, shape, corners, held=(), mirror=""):
-        """corners: [(vertex, share)] of the point, shares adding up to 1. held: vertices that stay.
+        """Prepare a pull.
 
+        corners: [(vertex, share)] of the held point, with shares that add up to 1. held: vertices that stay in place.
         mirror: letters of "XYZ", axes of the lattice across which the pull is repeated.
         """
         lattice = shape.modifier.object
@@ -125,7 +126,7 @@ class Held:
         if len(self._turns) * self._count > most < len(self._start):
             raise Refused(tr("At most {count} vertices can be held").format(count=most // len(self._turns) - 1))
         self.point = self._measure_in(shape.after)
-        self._is_sum = False  # of the lattice's displacements, so that nothing has to be measured
+        self._is_sum = False  # whether displacements are a weighted sum of those of the lattice's points, so that the weights need no measuring
 
     def _mirror(self, axes):
         linear = self._matrix[:3, :3]
@@ -140,7 +141,7 @@ class Held:
         self._shares, self._influence = np.tile(self._shares, images), np.tile(self._influence, images)
 
     def pull(self, displacement):
-        """Move the point so far in the world from where it was at the start; returns how far it stays away."""
+        """Move the held point by a world displacement from its start; returns the distance that remains to the goal."""
         displacement = np.array(displacement, np.float64)
         if not displacement.any():
             self.restore()
@@ -190,12 +191,12 @@ class Held:
         return sum(share * positions[vertex].astype(np.float64) for vertex, share in self._corners)
 
     def restore(self):
-        """Put the lattice's points back, to the bit."""
+        """Restore the lattice's points exactly as they were before the pull."""
         self._write(self._start)
 
 
 def _native_lattice(data, matrix):
-    """(Lattice, its middle), in the world."""
+    """Native Lattice in world space, and its middle."""
     rest = shapes.lattice_points(data, "co").astype(np.float64)
     resolution = [getattr(data, f"points_{axis}") for axis in "uvw"]
     extent = [length if count > 1 else 1.0 for length, count in zip(rest[-1] - rest[0], resolution)]
@@ -205,7 +206,7 @@ def _native_lattice(data, matrix):
 
 
 def _point_weights(lattice):
-    """Weights of the lattice's own vertex group; None where it has none."""
+    """Weights of the lattice's own vertex group; None if the lattice has no vertex group."""
     group = lattice.vertex_groups.get(lattice.data.vertex_group)
     if group is None:
         return None

@@ -1,4 +1,4 @@
-"""Takes fitted lattices off again, or makes their deformation permanent."""
+"""Remove fitted lattices, with or without keeping their deformation."""
 
 import bpy
 
@@ -7,23 +7,23 @@ from ..core.translations import tr
 from . import shapes
 
 KEEP_SHAPES = {'NORMAL_EDIT', 'UV_PROJECT', 'UV_WARP', 'WEIGHTED_NORMAL'}
-"""Types of modifiers after which a deformation may as well come before."""
+"""Types of modifiers that give the same result if the deformation is applied before them."""
 
 
 def fitted(modifier):
-    """Whether this is the modifier of a lattice that Motus has fitted."""
+    """Whether a modifier belongs to a lattice that Motus has fitted."""
     return modifier.type == 'LATTICE' and modifier.object is not None and modifier.object.motus.lattice.is_fitted
 
 
 def deformed_by(lattice):
-    """The objects that a lattice object deforms, by name."""
+    """Objects that a lattice deforms, sorted by name."""
     return sorted((obj for obj in bpy.data.objects if any(
         modifier.type == 'LATTICE' and modifier.object == lattice for modifier in obj.modifiers)),
         key=lambda obj: obj.name)
 
 
 def uses_for(objects):
-    """[(object, modifier name)] of the fitted lattices of objects; a lattice stands for those that it deforms."""
+    """(object, modifier name) for each fitted lattice of these objects; a lattice among the objects stands for what it deforms."""
     found = {}
     for obj in objects:
         own = [(obj, modifier.name) for modifier in obj.modifiers if fitted(modifier)]
@@ -35,7 +35,7 @@ def uses_for(objects):
 
 
 def check_removable(uses, is_applied):
-    """Refuse, before anything is changed, where one of the modifiers cannot go."""
+    """Refuse, before anything is changed, if one of the modifiers cannot be removed or applied."""
     for obj, name in uses:
         check_local(obj)
         if is_applied:
@@ -61,7 +61,7 @@ def _check_applicable(obj, name):
 
 
 def _check_first(obj, name, applied):
-    """Refuse where another modifier acts on the shape before: what is applied comes before all that is not."""
+    """Refuse to apply a modifier behind one that changes the shape and is not applied: an applied modifier acts before all others."""
     for other in obj.modifiers[:obj.modifiers.find(name)]:
         if other.name not in applied and other.type not in KEEP_SHAPES and (other.show_viewport or other.show_render):
             raise Refused(tr("{other} of {object} acts before {modifier}, and would act on the applied shape afterwards: apply {other} "
@@ -69,7 +69,7 @@ def _check_first(obj, name, applied):
 
 
 def remove(context, uses, is_applied):
-    """Take modifiers off, applied or not; with them the vertex groups and lattices that nothing else uses."""
+    """Remove Lattice modifiers, applying them if asked, and the vertex groups and lattices that nothing else uses."""
     lattices = {obj.modifiers[name].object: None for obj, name in uses}
     for obj, name in uses:
         modifier = obj.modifiers[name]
@@ -117,5 +117,5 @@ def _remove_lattice(context, lattice, successor):
 
 
 def reset(lattice):
-    """Put a lattice's points back to rest."""
+    """Set a lattice's points back to rest."""
     shapes.set_lattice_points(lattice.data, shapes.lattice_points(lattice.data, "co"))

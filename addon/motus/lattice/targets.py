@@ -1,4 +1,7 @@
-"""Which objects and vertices an operator works on: by name from scripts, else by selection. Refusals are sentences."""
+"""Find the objects and vertices that an operator works on: by the names that scripts give, or by selection.
+
+Errors are raised as Refused.
+"""
 
 import math
 
@@ -13,7 +16,7 @@ KINDS = {'MESH', 'CURVE', 'SURFACE', 'FONT', 'LATTICE'}
 
 
 def objects_for(context, names):
-    """Objects by names with commas between, or of the collection of this name; else what is selected, active first."""
+    """Objects by comma-separated names, or of the collection of this name; without names the selected ones, the active one first."""
     if names:
         collection = bpy.data.collections.get(names)
         if collection and names not in bpy.data.objects:
@@ -34,7 +37,7 @@ def check_fittable(obj):
 
 
 def check_scale(obj):
-    """Refuse an object that has no extent in the world along some axis."""
+    """Refuse an object without extent along some axis of the world."""
     values = [value for row in obj.matrix_world for value in row]
     lengths = math.prod(column.length for column in obj.matrix_world.to_3x3().col)
     if not all(map(math.isfinite, values)) or abs(obj.matrix_world.to_3x3().determinant()) <= 1e-9 * lengths:
@@ -42,7 +45,7 @@ def check_scale(obj):
 
 
 def check_grouped(obj):
-    """Refuse an object of which no vertex group can be made."""
+    """Refuse an object to which no vertex group can be added."""
     if obj.type != 'MESH':
         raise Refused(tr("{object} has no vertices to choose from: only meshes have vertex groups").format(
             object=obj.name))
@@ -52,7 +55,7 @@ def check_grouped(obj):
 
 
 def selected_vertices(context):
-    """{object: indices} of the vertices that are selected in Edit Mode, active object first."""
+    """Vertices that are selected in Edit Mode, {object: indices}, the active object first."""
     found = {}
     for obj in sorted(context.objects_in_mode, key=lambda one: (one != context.object, one.name)):
         obj.update_from_editmode()
@@ -66,7 +69,7 @@ def selected_vertices(context):
 
 
 def group_vertices(objects, name):
-    """{object: indices} of the vertices in the vertex group of this name."""
+    """Vertices in the vertex group of this name, {object: indices}."""
     found = {}
     for obj in objects:
         check_grouped(obj)

@@ -8,7 +8,7 @@ SYSTEM = System(
     label="Follow Path",
     settings=properties.MOTUS_PG_path,
     classes=(
-        # Groups before the group that holds them.
+        # A PropertyGroup is registered before the groups that contain it.
         properties.MOTUS_PG_path_pin, properties.MOTUS_PG_path_wagon, properties.MOTUS_PG_path,
         *operators.classes, *lists.classes, *train.classes, *bezier.classes, *edit_views.classes,
         *presets.classes, *panel.classes,

@@ -1,4 +1,4 @@
-"""New Bézier curves of any degree: the points of a poly spline, or placed objects, are the control points."""
+"""Operator that adds Bézier curves of any degree: the control points are those of a poly spline, or placed objects."""
 
 import bpy
 from mathutils import Vector
@@ -11,8 +11,8 @@ from . import targets
 from .curves import CONTROL_POLYGON_KEY, MAX_DEGREE
 
 HIGHEST_OFFERED = 32
-LENGTH = 4.0  # m, of a new curve along X
-BULGE = 1.0  # m, to either side in turn
+LENGTH = 4.0  # length of a new curve along X, m
+BULGE = 1.0  # distance of the control points from the X axis, to either side in turn, m
 
 
 class MOTUS_OT_path_new_bezier(Operator, bpy.types.Operator):
@@ -21,10 +21,12 @@ class MOTUS_OT_path_new_bezier(Operator, bpy.types.Operator):
     bl_description = "Add a curve whose points, or placed objects, are the control points of one Bézier curve"
 
     degree: bpy.props.IntProperty(
-        name="Degree", description="One less than the number of control points", default=3, min=1, max=HIGHEST_OFFERED)
+        name="Degree",
+        description="Degree of the curve: one less than the number of its control points", default=3, min=1, max=HIGHEST_OFFERED)
     objects: bpy.props.StringProperty(
-        name="Objects", description="Names with commas between, or a collection's name: their places are the control "
-        "points, and moving one moves the curve", options={'SKIP_SAVE'})
+        name="Objects",
+        description="Names of objects with commas between, or a collection's name: the objects' places are the control points, and moving "
+                    "an object moves the curve", options={'SKIP_SAVE'})
     name: bpy.props.StringProperty(name="Name", description="Name of the new curve", default="Bezier")
 
     modes = OBJECT_MODE
@@ -49,14 +51,14 @@ class MOTUS_OT_path_new_bezier(Operator, bpy.types.Operator):
 
 
 def default_points(degree):
-    """Control points spread along X, in turn to the left and to the right."""
+    """Control points of a new curve: spread along X, in turn to the left and to the right."""
     middle = range(1, degree)
     points = [Vector((LENGTH * i / degree - 0.5 * LENGTH, BULGE * (-1.0) ** i, 0.0)) for i in middle]
     return [Vector((-0.5 * LENGTH, 0.0, 0.0)), *points, Vector((0.5 * LENGTH, 0.0, 0.0))]
 
 
 def new_curve(name, points):
-    """A curve object, not linked yet, whose poly spline is the control polygon of one Bézier curve."""
+    """Make a curve object, not linked yet, whose poly spline is the control polygon of one Bézier curve."""
     data = bpy.data.curves.new(name, 'CURVE')
     data.dimensions = '3D'
     data[CONTROL_POLYGON_KEY] = True
@@ -68,7 +70,7 @@ def new_curve(name, points):
 
 
 def _hook(curve, hooks):
-    """Tie each point to an object; the curve object stands at the world's origin."""
+    """Hook each control point to an object; the curve object stands at the world's origin."""
     for index, hook in enumerate(hooks):
         modifier = curve.modifiers.new(hook.name, 'HOOK')
         modifier.object = hook

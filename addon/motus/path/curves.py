@@ -1,4 +1,4 @@
-"""Reads Blender's curves, of any kind, into native ones."""
+"""Read Blender's curves of any kind into the library's curves."""
 
 import threading
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ ALL_SPLINES = -1
 MAX_DEGREE = 64
 MAX_ORDER = 6
 CONTROL_POLYGON_KEY = "motus_bezier"
-"""Custom property of a curve: the points of each poly spline are the control points of one Bézier curve."""
+"""Custom property of a curve whose poly splines are control polygons: the points of each are the control points of one Bézier curve."""
 
 NO_SPLINES = Problem("The curve has no splines")
 NO_SUCH_SPLINE = Problem("The curve has no spline of this index")
@@ -24,8 +24,8 @@ RATIONAL = Problem("NURBS splines with different weights cannot be followed: mak
 HIGH_ORDER = Problem("NURBS splines of an order above 6 cannot be followed: lower the order")
 PROBLEMS = (NO_SPLINES, NO_SUCH_SPLINE, TOO_FEW_POINTS, TOO_MANY_POINTS, RATIONAL, HIGH_ORDER)
 
-# A second to_curve() on an object frees the first one's result, and drivers run in several threads. Within to_curve() Blender
-# may evaluate another driver in the same thread (modifiers are computed in parallel), which is then done before it returns.
+# A second to_curve() on an object frees the result of the first, and drivers run in several threads. Within to_curve() Blender
+# may evaluate another driver in the same thread (modifiers run in parallel); that driver ends before to_curve() returns.
 _temporary_curve = threading.RLock()
 
 
@@ -39,7 +39,7 @@ class Unreadable(Exception):
 
 @dataclass(frozen=True)
 class WorldCurve:
-    """A native curve in world space, and the tilt (rad) at its segments' joints, an array."""
+    """A native curve in world space, and an array of the tilt (rad) at its segments' joints."""
 
     curve: Any
     tilt: Any
@@ -53,14 +53,15 @@ def read_evaluated(curve_object, depsgraph, index):
 def read(curve_object, splines, depsgraph, index, matrix):
     """The WorldCurve of spline `index` (or ALL_SPLINES) of an evaluated curve object. Raises Unreadable.
 
-    splines: of its evaluated data; where the object has modifiers or shape keys, the deformed ones are read instead. Others
-    are read once for each evaluated copy of the data, and brought into the world once for each place of the object. In Edit Mode
-    Blender keeps a copy in which the points move, so they are read each time.
+    splines: those of its evaluated data. Of an object with modifiers or shape keys the deformed splines are read on each call. Other
+    splines are
+    read once for each evaluated copy of the data, and transformed to the world once for each matrix. In Edit Mode Blender moves the points
+    within one copy, so that they are read on each call.
     """
     data = curve_object.data
-    is_edited = data.is_editmode  # which shows one shape key alone
+    is_edited = data.is_editmode  # Edit Mode shows one shape key alone
     is_deformed = bool(curve_object.modifiers or data.shape_keys and not is_edited)
-    copy = None if is_deformed or is_edited else copies.of(splines.id_data)  # that of a hidden object is its original one
+    copy = None if is_deformed or is_edited else copies.of(splines.id_data)  # the splines of a hidden object belong to its original data
     if copy is None or copy.has_animated_splines:
         return _in_world(*_read(curve_object, splines, depsgraph, index, is_deformed), matrix)  # type: ignore[call-arg]
     local = copy.found.get(index)
@@ -74,7 +75,7 @@ def read(curve_object, splines, depsgraph, index, matrix):
 
 
 def _in_world(curve, tilt, matrix):
-    # A mirror image turns to the other side about the direction of travel.
+    # The mirror image of a tilt turns to the other side about the direction of travel.
     return WorldCurve(curve.transformed(np.array(matrix, dtype=float)), -tilt if matrix.is_negative else tilt)
 
 
@@ -94,8 +95,10 @@ def _read(curve_object, splines, depsgraph, index, is_deformed):
 
 
 def _read_shown(curve_object, splines, index, is_polygon):
-    """In Edit Mode to_curve() knows neither what is edited nor modifiers: the line that is drawn, or, of a curve with a surface, the
-    points as they are edited."""
+    """Read a curve in Edit Mode, where to_curve() leaves out edits and modifiers.
+
+    Reads the line that Blender draws; of a curve with a surface the edited points.
+    """
     try:
         with aside():
             mesh = curve_object.to_mesh()
@@ -106,7 +109,7 @@ def _read_shown(curve_object, splines, index, is_polygon):
 
 
 class _Strip(NamedTuple):
-    """A line of a mesh, as a spline of points."""
+    """A line of a mesh in the form of a spline of points."""
 
     points: Any  # (n, 3)
     use_cyclic_u: bool
@@ -114,7 +117,7 @@ class _Strip(NamedTuple):
 
 
 def _strips(mesh):
-    """The lines of a mesh without faces, whose edges join vertices in succession."""
+    """Lines of a mesh without faces, whose edges join consecutive vertices."""
     points = _vectors(mesh.vertices, "co", 3)
     edges = set(map(tuple, np.sort(_whole_pairs(mesh.edges), axis=1).tolist()))
     starts = [at for at in range(len(points)) if (at - 1, at) not in edges]
@@ -143,7 +146,7 @@ def _read_splines(splines, index, is_polygon):
 
 
 def long_splines(splines):
-    """Those that are more than a single point, which has no length: who rides all splines passes over it."""
+    """The splines with more than one point; followers of all splines skip single points, which have no length."""
     return [one for one in splines if len(one.bezier_points if one.type == 'BEZIER' else one.points) > 1]
 
 
@@ -201,11 +204,11 @@ def _vectors(points, name, size):
 
 
 def _joined(parts):
-    """One chain of several curves, with gaps between them."""
+    """Join several curves into one chain, with gaps between them."""
     degree = max(curve.degree for curve, _ in parts)
     segments = np.concatenate([
         curve.elevate(degree - curve.degree).control_points.reshape(-1, degree + 1, 3) for curve, _ in parts])
-    # A joint belongs to the segment that begins there: at a gap the tilt of the spline before is not reached.
+    # The tilt at a joint is that of the segment that begins there, so that at a gap the end tilt of the spline before is not used.
     last, last_tilt = parts[-1]
     end = last_tilt[0 if last.cyclic else -1]
     tilt = np.concatenate([*(values[:curve.segment_count] for curve, values in parts), [end]])

@@ -1,6 +1,7 @@
-"""Plain orthographic views of a path in the viewport, and back to what was there.
+"""Orthographic views of a path from the top, the front and the side, and the way back to the views that the viewport had.
 
-All at once they are Blender's own quad view; nothing is added to the file. What was there is known as long as Blender runs.
+All of them at once are Blender's own quad view; nothing is written into the file. The previous views are remembered as long as Blender
+runs.
 """
 
 import math
@@ -18,24 +19,24 @@ from ..core.refusals import Refused
 from ..core.translations import tr
 from . import targets
 
-MARGIN = 1.3  # of the curve's size
+MARGIN = 1.3  # margin around the curve, as a share of its size
 SMALLEST = 1.0  # m
-SENSOR = 72.0  # mm: Blender shows so much along the larger side of a viewport, times its distance over its lens
+SENSOR = 72.0  # mm: a view shows this length along the larger side of a viewport, times its distance over its lens
 
 VIEWS = {'TOP': Quaternion(), 'SIDE': Euler((math.pi / 2.0, 0.0, 0.0)).to_quaternion()}
-"""How each view is turned."""
+"""Rotation of each view."""
 KEPT = ("view_perspective", "view_rotation", "view_location", "view_distance", "is_orthographic_side_view", "view_perspective")
-"""What of a view is put back, in that order: a camera's view takes none of the rest."""
+"""Properties of a view that are restored, in this order: setting `view_perspective` to a camera's view overrides the others."""
 
 
 BESIDE = {'HEADER', 'TOOL_HEADER', 'TOOLS', 'UI'}
-"""Regions that may lie over the views."""
+"""Types of regions that may overlap the views."""
 LEAST_FREE = 0.25
-"""Of a view's side: with less it is fitted as if nothing lay over it."""
+"""Share of a view's side that regions must leave free; if they leave less, the curve is fitted as if nothing overlapped the view."""
 
 
 class _Box(NamedTuple):
-    """Pixels of the window."""
+    """A rectangle in pixels of the window."""
 
     left: float
     bottom: float
@@ -56,7 +57,10 @@ class _Box(NamedTuple):
 
 
 class _Before(NamedTuple):
-    """view: which edit view is shown. is_quad: whether the viewport was a quad view. kept: of its views, {name: value} each."""
+    """State of a viewport before its edit views.
+
+    view: edit view that is shown now. is_quad: whether the viewport was a quad view. kept: {name: value} for each of its previous views.
+    """
 
     view: str
     is_quad: bool
@@ -64,25 +68,26 @@ class _Before(NamedTuple):
 
 
 _before = viewports.PerViewport()
-"""The _Before of viewports with edit views."""
+"""The state before the edit views (_Before), for each viewport that shows edit views."""
 
 
 class MOTUS_OT_path_edit_views(Operator, bpy.types.Operator):
     bl_idname = "motus.path_edit_views"
     bl_label = "Path Edit Views"
-    bl_description = "Look at the path from the top, the front and the side at once, without perspective; once more to go back"
-    bl_options = {'REGISTER'}  # no undo step: nothing in the file changes
+    bl_description = (
+        "Show the path from the top, the front and the side at once, without perspective; a second time restores the previous view")
+    bl_options = {'REGISTER'}  # no undo step is made, since nothing in the file changes
 
     curve: bpy.props.StringProperty(
-        name="Curve", description="Name of the curve object; empty takes the selected one or what the active object follows",
+        name="Curve", description="Name of the curve object; empty takes the selected curve, or the curve that the active object follows",
         options={'SKIP_SAVE'})
     view: bpy.props.EnumProperty(
-        name="View", description="Which view to show", default='NEXT', options={'SKIP_SAVE'}, items=(
-            ('NEXT', "Next", "View from the top or from the side, whichever is not shown"),
+        name="View", description="Edit view that is shown", default='NEXT', options={'SKIP_SAVE'}, items=(
+            ('NEXT', "Next", "View from the side if the view from the top is shown, otherwise view from the top"),
             ('TOP', "Top", "View from above"),
             ('SIDE', "Side", "View from the side"),
-            ('ALL', "All", "Views from the top, the front and the right, beside the viewport's own"),
-            ('LEAVE', "Leave", "Go back to what the viewport showed before"),
+            ('ALL', "All", "Views from the top, the front and the right, beside the viewport's present view"),
+            ('LEAVE', "Leave", "Restore the view that the viewport had before"),
         ))
 
     redo = (Rows(("view",)),)
@@ -92,7 +97,7 @@ class MOTUS_OT_path_edit_views(Operator, bpy.types.Operator):
         targets.curve_for(context, "", *_owners(context))
 
     def invoke(self, context, _event):
-        """There and back, where nobody says which view."""
+        """Toggle between the edit views and the previous views, unless the caller has named a view."""
         if not self.is_given("view"):
             self.view = 'LEAVE' if is_on(context) else 'ALL'
         return self.execute(context)
@@ -115,12 +120,12 @@ class MOTUS_OT_path_edit_views(Operator, bpy.types.Operator):
 
 
 def is_on(context):
-    """Whether edit views are shown where the context's operator would act."""
+    """Whether the viewport that the operator would act on in this context shows edit views."""
     return any(_shown(area) for area in _areas(context))
 
 
 def draw_buttons(layout, context):
-    """The button that goes there, or back."""
+    """Draw the button that shows the edit views, or ends them."""
     if is_on(context):
         _draw_leave(layout)
     else:
@@ -128,12 +133,12 @@ def draw_buttons(layout, context):
 
 
 def register():
-    """Put the way back into the viewport's header, beside the menus: what stands at its end is cut off first."""
+    """Add the button that ends the edit views to the viewport's header, after the menus: a narrow header cuts its end off first."""
     bpy.types.VIEW3D_MT_editor_menus.append(_draw_header)
 
 
 def unregister():
-    """Let all viewports be what they were."""
+    """Restore the previous views of all viewports, and remove the button from the header."""
     handlers.take_back(_leave_all, partial(bpy.types.VIEW3D_MT_editor_menus.remove, _draw_header))
 
 
@@ -151,18 +156,18 @@ def _owners(context):
 
 
 def _areas(context):
-    """The 3D viewport that the call comes from, else all of the screen."""
+    """The 3D viewport that the operator was called from; without one all viewports of the screen."""
     if context.area and context.area.type == 'VIEW_3D':
         return [context.area]
     return [area for area in context.screen.areas if area.type == 'VIEW_3D'] if context.screen else []
 
 
 def _shown(area):
-    """Which edit view an area shows; "" for none."""
+    """Name of the edit view that an area shows; "" if the area shows none."""
     before = _before.get(area.spaces.active)
     if before is None or area.type != 'VIEW_3D':
         return ""
-    # A quad view may have been left by Blender's own key.
+    # The user may have left the quad view with Blender's own key.
     is_there = before.view != 'ALL' or bool(area.spaces.active.region_quadviews)
     return before.view if is_there else ""
 
@@ -172,7 +177,7 @@ def _other(areas):
 
 
 def _views(space):
-    """The RegionView3Ds of a viewport: one, or the four of a quad view."""
+    """The RegionView3D objects of a viewport: one, or the four of a quad view."""
     return list(space.region_quadviews) or [space.region_3d]
 
 
@@ -203,7 +208,7 @@ def _leave(window, area):
         _toggle_quad(window, area)
     for one, kept in zip(_views(space), before.kept):
         for name in KEPT:
-            if getattr(one, name) != kept[name]:  # what is set again comes out a rounding away
+            if getattr(one, name) != kept[name]:  # setting a view again changes its numbers by rounding
                 setattr(one, name, kept[name])
     area.tag_redraw()
 
@@ -220,7 +225,7 @@ def _value(view, name):
 
 
 def _boxes(area):
-    """(all that the views have of an area, what of it no header, toolbar or sidebar lies over)."""
+    """Rectangles of an area: (all that its views cover, the part of it that no header, toolbar or sidebar overlaps)."""
     views = [_Box(one.x, one.y, one.x + one.width, one.y + one.height) for one in area.regions if one.type == 'WINDOW']
     low, high = ([pick(ends) for ends in zip(*views)] for pick in (min, max))
     whole = _Box(*low[:2], *high[2:])
@@ -239,7 +244,7 @@ def _boxes(area):
 
 
 def _quarters(box):
-    """Where a quad view's views from the front, the top and the right will be: Blender lays them out later."""
+    """Rectangles that the front, top and right views of a quad view will have. Blender lays them out only after the operator has ended."""
     x, y = (box.left + box.right) / 2.0, (box.bottom + box.top) / 2.0
     return _Box(box.left, box.bottom, x, y), _Box(box.left, y, x, box.top), _Box(x, box.bottom, box.right, y)
 
@@ -251,7 +256,7 @@ def _toggle_quad(window, area):
 
 
 def _fit(space, view, corners, box, free):
-    """Let an orthographic view, which lies in a box, show all corners in what is free of it."""
+    """Fit all corners into the free part of an orthographic view. box: rectangle of the view. free: the part that no region overlaps."""
     shown = _Box(*(max(ends) for ends in zip(box[:2], free[:2])), *(min(ends) for ends in zip(box[2:], free[2:])))
     if min(shown.width / box.width, shown.height / box.height) < LEAST_FREE:
         shown = box

@@ -1,4 +1,4 @@
-"""How far behind each other objects stand that touch."""
+"""Gaps of a train whose wagons touch: distances between the origins of neighbouring objects."""
 
 from mathutils import Vector
 
@@ -6,13 +6,13 @@ from ..core.measures import axes
 from .properties import DEFAULT_GAP
 import itertools
 
-NO_LENGTH = 1e-6  # m
+NO_LENGTH = 1e-6  # shortest extent that counts, m
 
 
 def touching_gaps(train, forward_axis):
-    """Distances of the objects' origins from one to the next where each touches the one in front.
+    """Distances from each object's origin to the next one's at which each object touches the one in front.
 
-    Between what has no extent, such as lights, it is DEFAULT_GAP.
+    Objects without extent, such as lights, get DEFAULT_GAP.
     """
     extents = [_extent(obj, Vector(axes.vector(forward_axis))) for obj in train]
     gaps = [front - rear for (rear, _), (_, front) in itertools.pairwise(extents)]
@@ -20,7 +20,7 @@ def touching_gaps(train, forward_axis):
 
 
 def _extent(obj, direction):
-    """Rear and front end of the object along its own axis, from its origin, m."""
+    """Rear and front end of an object along its own axis, from its origin, in metres."""
     scale = abs(obj.matrix_world.to_scale().dot(direction))
     if obj.type == 'EMPTY':
         size = obj.empty_display_size * scale

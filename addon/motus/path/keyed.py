@@ -1,10 +1,10 @@
-"""Which keys animate a setting whose past counts; what they say of it stands in core/animation/keys.py."""
+"""Find what animates a setting whose past counts: F-curves, drivers, NLA strips. core/animation/keys.py reads the values of the keys."""
 
 from ..core.animation import channel
 
 
 def find(owner, settings, name):
-    """The F-curve of the active action that animates a setting, or None. `owner` may be evaluated."""
+    """The F-curve of the active action that animates a setting, or None. owner: original or evaluated object."""
     return channel.acting_curve(owner, _path(settings, name))
 
 
@@ -14,7 +14,7 @@ def is_driven(owner, settings, name):
 
 
 def is_in_strips(owner, settings, name):
-    """Whether NLA strips take part in the setting's value, so that only its present one is known."""
+    """Whether NLA strips take part in the setting's value, so that only its present value is known."""
     return channel.is_in_strips(owner, _path(settings, name))
 
 

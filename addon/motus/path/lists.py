@@ -1,4 +1,4 @@
-"""Operators of the lists in the panel: pins and wagons."""
+"""Operators of the lists in the Follow Path panel: pins and wagons."""
 
 import bpy
 
@@ -16,14 +16,14 @@ from .operators import follower_for
 
 
 def _pins_by(unit):
-    """A condition of the operator's rows: the pins of the active follower give this."""
+    """A condition for rows of the operator: whether the pins of the active follower are given by this unit (fraction or distance)."""
     return lambda _operator: bpy.context.object is None or bpy.context.object.motus.path.pins_by == unit
 
 
 class MOTUS_OT_path_pin_add(Operator, bpy.types.Operator):
     bl_idname = "motus.path_pin_add"
     bl_label = "Add Pin"
-    bl_description = "Be at a place of the path at a frame; without one, here and now"
+    bl_description = "Add a pin, which puts the object at a place of the path at a frame; by default at its present place and frame"
 
     object: object_keyword("Name of the object; empty takes the active one")
     frame: bpy.props.FloatProperty(name="Frame", description="Frame at which the object is at the pin's place", options={'SKIP_SAVE'})
@@ -79,7 +79,7 @@ class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):
     wagon: bpy.props.StringProperty(
         name="Wagon", description="Name of the wagon; empty takes the other selected objects", options={'SKIP_SAVE'})
     gap: bpy.props.FloatProperty(
-        name="Gap", description="Distance along the path to the one in front; 0 takes the lengths of the objects",
+        name="Gap", description="Distance along the path to the object in front; 0 takes the lengths of the objects",
         default=0.0, min=0.0, subtype='DISTANCE')
     redo = (Rows(("gap",)),)
 
@@ -96,21 +96,21 @@ class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):
         train = [(wagon, entry.gap) for entry in settings.wagons for wagon in (pointed(entry, "object"),) if wagon]
         in_front = train[-1][0] if train else obj
         gaps = [self.gap] * len(wagons) if self.gap else touching_gaps([in_front, *wagons], chosen(settings, "forward_axis"))
-        # What stops alone at the ends would have its first wagons in one heap there.
+        # Without Line Up the first wagons would stand in one place before the start.
         ends = {"extend": 'LINE_UP'} if settings.extend == 'CLAMP' and not train else {}
         setup.attach(obj, pointed(settings, "curve"), ends, train + list(zip(wagons, gaps)))
         settings.active_wagon = len(settings.wagons) - 1
 
 
 class WagonOperator(Operator):
-    """What the operators on one wagon of a train have."""
+    """Mixin of the operators that act on one wagon of a train."""
 
     object: object_keyword("Name of the leader; empty takes the active one")
     index: bpy.props.IntProperty(
         name="Index", description="Index of the wagon; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
 
     def chosen(self, context):
-        """(the leader, index of the wagon); refuses where there is none."""
+        """(leader of the train, index of the wagon). Raises Refused if there is no such wagon."""
         obj = follower_for(context, self.object)
         settings = obj.motus.path
         index = settings.active_wagon if self.index < 0 else self.index
@@ -122,7 +122,7 @@ class WagonOperator(Operator):
 class MOTUS_OT_path_wagon_remove(WagonOperator, bpy.types.Operator):
     bl_idname = "motus.path_wagon_remove"
     bl_label = "Remove Wagon"
-    bl_description = "Take a wagon out of the train; those behind keep their places"
+    bl_description = "Take a wagon out of the train; the wagons behind it keep their places"
 
     def run(self, context):
         obj, index = self.chosen(context)
@@ -135,7 +135,7 @@ class MOTUS_OT_path_wagon_remove(WagonOperator, bpy.types.Operator):
 class MOTUS_OT_path_wagon_move(WagonOperator, bpy.types.Operator):
     bl_idname = "motus.path_wagon_move"
     bl_label = "Move Wagon"
-    bl_description = "Let a wagon change places with the one in front of it or behind it; the gaps stay where they are"
+    bl_description = "Exchange a wagon with the wagon in front of it or behind it; the gaps stay where they are"
 
     direction: bpy.props.EnumProperty(
         name="Direction", description="Direction in which the item moves in the list", items=(('UP', "Up", ""), ('DOWN', "Down", "")), default='UP')
@@ -158,7 +158,7 @@ class MOTUS_OT_path_wagon_move(WagonOperator, bpy.types.Operator):
 class MOTUS_OT_path_wagons_touch(Operator, bpy.types.Operator):
     bl_idname = "motus.path_wagons_touch"
     bl_label = "Gaps from Sizes"
-    bl_description = "Set each gap so that a wagon touches the one in front"
+    bl_description = "Set each gap so that the wagon touches the object in front of it"
 
     object: object_keyword("Name of the leader; empty takes the active one")
 
@@ -175,7 +175,7 @@ class MOTUS_OT_path_wagons_touch(Operator, bpy.types.Operator):
 class MOTUS_OT_path_select_leader(Operator, bpy.types.Operator):
     bl_idname = "motus.path_select_leader"
     bl_label = "Select Leader"
-    bl_description = "Select the object whose settings drive this one"
+    bl_description = "Select the leader of the train, whose settings drive this wagon"
 
     def run(self, context):
         leader = context.object and pointed(context.object.motus.path, "leader")
@@ -210,7 +210,7 @@ def _select_alone(context, obj):
 
 
 def _remove_pins(settings, frame):
-    """Remove the pins on a frame; how many there were."""
+    """Remove the pins on a frame, and return how many there were."""
     found = [index for index, pin in enumerate(settings.pins) if pin.frame == frame]
     for index in reversed(found):
         settings.pins.remove(index)

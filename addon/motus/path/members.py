@@ -1,4 +1,4 @@
-"""Who follows: the owner of the settings and its wagons, and what of them is driven."""
+"""Objects that one set of path settings moves: the owner of the settings and the wagons of its train."""
 
 from ..core.file import libraries
 from ..core.file.choices import chosen
@@ -7,17 +7,20 @@ from ..core.lazy import numpy as np
 
 
 def channels(settings):
-    """What is driven; without an orientation the object keeps its own rotation."""
+    """Transform channels that the path sets; without an orientation the object keeps its own rotation."""
     return frozenset({"location"} if chosen(settings, "orientation") == 'NONE' else {"location", "rotation"})
 
 
 def members(owner):
-    """The owner, then the wagons that exist and have no other leader (the copy of a leader lists the first one's)."""
+    """Objects that the settings of an owner move: the owner, then its wagons.
+
+    Wagons whose leader is another object are left out: the copy of a leader lists the wagons of the first leader.
+    """
     return [owner] + [pointed(wagon, "object") for wagon in _wagons(owner)]
 
 
 def offsets(owner):
-    """Distance along the path of each member from the owner's: each is a gap behind the one before it."""
+    """Distances along the path from the owner to each member. Each wagon is one gap behind the member in front of it."""
     gaps = [wagon.gap for wagon in _wagons(owner)]
     return -np.cumsum([0.0, *gaps])
 
@@ -36,13 +39,13 @@ def index_of(leader, wagon):
 
 
 def is_wagon(obj):
-    """Whether a train has this object among its wagons. The copy of a wagon names the leader too, but is not."""
+    """Whether an object is a wagon of a train. The copy of a wagon names the leader too, but the leader does not list the copy."""
     leader = pointed(obj.motus.path, "leader")
     return leader is not None and index_of(leader, obj) >= 0
 
 
 def take_out(leader, index):
-    """Remove an entry from the list of wagons; those behind keep their places."""
+    """Remove a wagon from its leader's list; the wagons behind it keep their places."""
     wagons = leader.motus.path.wagons
     if index + 1 < len(wagons):
         wagons[index + 1].gap += wagons[index].gap

@@ -1,4 +1,4 @@
-"""Where on the way at the present frame: the settings as a native Timing."""
+"""Distance along the path at the present frame: converts the timing settings to the library's Timing."""
 
 import math
 from dataclasses import dataclass
@@ -23,15 +23,15 @@ NOT_FINITE = Problem("A setting is not a finite number")
 PROBLEMS = (NO_PINS, SAME_FRAME, DRIVEN_SPEED, SPEED_IN_STRIPS, FRACTION_IN_STRIPS, NOT_FINITE)
 
 AFTER_EASE = {'CLAMP': "rest", 'EXTRAPOLATE': "go_on", 'LOOP': "repeat", 'PING_PONG': "repeat", 'LINE_UP': "rest"}
-SHORTEST = 1e-6  # s; keys and drivers can pass the setting's own limits
-INFINITE = 3.4e38  # what Blender makes of infinity lies above
+SHORTEST = 1e-6  # shortest duration, s; keys and drivers can exceed the limits of the setting
+INFINITE = 3.4e38  # Blender stores infinity as a number above this one
 
 
 @dataclass(frozen=True)
 class Motion:
-    """The distance along the curve is timing.distance(time) + offset.
+    """Motion of a follower along the curve: the distance at the present frame is timing.distance(time) + offset.
 
-    clock: tells the time at another frame, as long as the settings are still; None if the time stays.
+    clock: function that gives the time at another frame while no setting changes; None if the time is the same on all frames.
     """
 
     timing: Any
@@ -50,9 +50,9 @@ class Motion:
 
 
 def motion(context, numbers, length, past):
-    """The Motion at the context's frame, or a blocking Problem.
+    """Compute the Motion at the context's frame; returns a blocking Problem if the settings have no meaning.
 
-    past: for how many seconds before the present time the timing has to be right, which a lag and the overlay need.
+    past: seconds before the present time for which the timing must be exact; *Lag* and the overlay look back so far.
     """
     if not all(map(is_finite, numbers.values())):
         return NOT_FINITE
@@ -135,8 +135,8 @@ def _by_hand(context, numbers, length, past):
         return Motion(native.module.Timing.constant(speed), 0.0, distance)
     first = curve.keyframe_points[0].co[0]
     now = max(first, context.frame)
-    # To beyond the present frame, which then has neighbours on both sides, and the same ones until the next whole frame;
-    # and so at the other end.
+    # The sampled range ends after the present frame, which then has neighbours on both sides; the neighbours stay the same until
+    # the next whole frame. The start of the range is treated in the same way.
     oldest = max(first, math.floor(max(first, now - past * context.fps)) - 2.0)
     frames = keys.bounds(curve, oldest, math.floor(now) + 2.0)
     timing = native.module.Timing.pins(

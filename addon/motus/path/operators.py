@@ -13,7 +13,7 @@ from .properties import KEYWORDS, NewFollowKeywords
 
 
 def follower_for(context, name=""):
-    """The follower of this name, or the active one. Raises Refused where there is none that can be changed."""
+    """The follower of this name, or the active object. Raises Refused if the object is no follower or must not be changed."""
     obj = bpy.data.objects.get(name) if name else context.object
     if obj is None or not obj.motus.path.is_active:
         raise Refused(tr("Nothing here follows a path"))
@@ -22,7 +22,10 @@ def follower_for(context, name=""):
 
 
 def for_new(context, owner, curve, keywords, is_train=False):
-    """The keywords of a NewFollowKeywords; of a new owner also those that nobody gave and the curve or the scene decides."""
+    """Keywords for a follower, from an operator with NewFollowKeywords.
+
+    A new follower also gets the keywords that nobody gave and that depend on the curve or the scene.
+    """
     settings = owner.motus.path
     if settings.is_active:
         return keywords
@@ -36,7 +39,7 @@ def for_new(context, owner, curve, keywords, is_train=False):
 
 
 def make_active(context, obj):
-    """Let the panels show what was just set up, instead of the curve."""
+    """Make the object active, so that the panels show its new set-up instead of the curve."""
     if obj.name in context.view_layer.objects:
         context.view_layer.objects.active = obj
 
@@ -49,7 +52,7 @@ class MOTUS_OT_path_follow_add(FindsValues, NewFollowKeywords, bpy.types.Operato
 
     object: object_keyword("Name of the object; empty takes the selected ones")
     curve: bpy.props.StringProperty(
-        name="Curve", description="Name of the curve object; empty takes the selected one", options={'SKIP_SAVE'})
+        name="Curve", description="Name of the curve object; empty takes the selected curve", options={'SKIP_SAVE'})
 
     modes = OBJECT_MODE
     redo = rows.ALL
@@ -118,7 +121,7 @@ class MOTUS_OT_path_follow_remove(Operator, bpy.types.Operator):
 class MOTUS_OT_path_refresh(Operator, bpy.types.Operator):
     bl_idname = "motus.path_refresh"
     bl_label = "Refresh"
-    bl_description = "Rebuild after the curve was given different data"
+    bl_description = "Rebuild Follow Path after the curve was given different data"
 
     object: object_keyword("Name of the object; empty takes the active one")
 
@@ -137,7 +140,7 @@ def _is_set_up(obj):
 
 
 def _remove(obj):
-    """Remove the follower, take the wagon out of its train or free a stray one; False where it is none of them."""
+    """Remove an object's follower set-up, uncouple a wagon, or free a stray wagon; returns False if the object is none of these."""
     settings = obj.motus.path
     if not _is_set_up(obj):
         return False

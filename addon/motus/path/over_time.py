@@ -1,4 +1,4 @@
-"""Where a follower is at any times, for systems that need its past: the solver is asked for each time."""
+"""Transforms of followers at any times, for systems that read their past: the path's solver is called for each time."""
 
 import functools
 from types import SimpleNamespace
@@ -22,12 +22,12 @@ CHOICES = ("timing", "extend", "pins_by", "orientation", "forward_axis", "up_axi
 
 
 def over_time(owner, thing, scene):
-    """System.over_time; None for what is no member of the owner, such as the copy of a wagon."""
+    """Implement System.over_time for Follow Path; None for objects that are no members of the owner, such as the copy of a wagon."""
     return OverTime(owner, thing, scene) if thing in members.members(owner) else None
 
 
 class OverTime:
-    """A follower or wagon of an owner; see core/tracks/solved.py. Both original or both evaluated."""
+    """Transforms over time of a follower or wagon (see core/tracks/solved.py). owner and thing are both original or both evaluated."""
 
     def __init__(self, owner, thing, scene):
         self._owner, self._thing, self._scene = owner, thing, scene
@@ -48,7 +48,7 @@ class OverTime:
 
     @property
     def reason(self):
-        """As Channel.reason."""
+        """Why the transforms at other times are unknown; None if they are known. Same contract as Channel.reason."""
         settings, thing = self._settings, self._thing.name
         if not self._channel("influence").is_constant or settings.influence != 1.0:
             return Reason(Reason.INFLUENCE, thing=thing, name=self._owner.name)
@@ -58,11 +58,11 @@ class OverTime:
         return next((track.reason for track in tracks if track.reason), None)
 
     def applied(self, times, matrices):
-        """See core/tracks/solved.py."""
+        """World matrices with the follower's location and rotation at `times`; called by core/tracks/solved.py."""
         return placed(np.broadcast_to(matrices, (len(times), 4, 4)), *self._poses(times))
 
     def _poses(self, times):
-        """(locations, rotations or None, whether it is driven) at times (n,)."""
+        """Solve the follower at times (n,): (locations, rotations or None, whether the path acts at each time)."""
         offsets, count = members.offsets(self._owner), len(times)
         values = np.stack([track.values(times) for track in self._numbers.values()], axis=1).tolist()
         matrices = self._curve.values(times) if self._curve else [None] * count
@@ -80,7 +80,7 @@ class OverTime:
         return locations, rotations if is_turned else None, acts
 
     def bounds(self, first, last):
-        """As Channel.bounds(): where a number or the curve bends, and at each frame."""
+        """Times between which the transforms are smooth: frames, and where a setting or the curve bends (see Channel.bounds)."""
         found = [track.bounds(first, last) for track in self._numbers.values()]
         if self._curve:
             found.append(self._curve.bounds(first, last))
@@ -88,12 +88,12 @@ class OverTime:
 
     @property
     def extent(self):
-        """As Channel.extent: nobody knows when it stands."""
+        """Time range of the motion. It is unbounded, since the frames without motion are unknown (see Channel.extent)."""
         return -np.inf, np.inf
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Hashable value that changes whenever the transforms over time change (see Channel.stamp)."""
         settings = self._settings
         return together((
             self._index, tuple(members.offsets(self._owner)), *scene_time.stamp(self._scene), settings.influence,
@@ -103,7 +103,7 @@ class OverTime:
             *((self._curve.stamp, self._shape()) if self._curve else ())))
 
     def _shape(self):
-        """Something hashable that says how the curve runs."""
+        """Hashable description of the curve's shape."""
         curve = pointed(self._settings, "curve")
         try:
             read = curves.read(curve, curve.data.splines, None, self._settings.spline, Matrix())

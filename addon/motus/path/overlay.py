@@ -1,4 +1,4 @@
-"""What the viewport shows of a path: the true curve coloured by speed, control polygon, tangents and frames."""
+"""Viewport overlay of a path: the exact curve coloured by speed, the control polygon, tangents and frames."""
 
 import math
 
@@ -14,10 +14,10 @@ from . import curves, motion, solve, targets
 STEPS_PER_SEGMENT = 48
 LARGEST_STEPS = 4096
 WHISKERS = 24
-WHISKER_SHARE = 0.025  # of the path's length
+WHISKER_SHARE = 0.025  # length of the drawn axes (whiskers), as a share of the path's length
 SPEED_SAMPLES = 400
 CURVE_WIDTH = 3.0  # pixels
-EVEN = 0.01  # of the speed; what varies by less has the curve's own colour
+EVEN = 0.01  # least relative variation of speed that is coloured; below it the curve has its own colour
 
 SLOW, MIDDLE, FAST = (0.15, 0.55, 0.95), (0.98, 0.80, 0.25), (0.95, 0.25, 0.30)
 CURVE_COLOR = (0.98, 0.80, 0.25, 0.9)
@@ -29,7 +29,7 @@ RIGHT_COLOR = (0.95, 0.30, 0.35, 0.9)
 
 
 def _batches(context, owner):
-    """Batches for a follower, a wagon, a curve that is followed or a Motus Bézier curve; none for other objects."""
+    """Drawing batches for a follower, a wagon, a followed curve or a Motus Bézier curve; none for other objects."""
     depsgraph = context.evaluated_depsgraph_get()
     leader = pointed(owner.motus.path, "leader") or owner
     if leader.motus.path.is_active and pointed(leader.motus.path, "curve"):
@@ -93,7 +93,10 @@ def _curve_batches(shown, curve, speeds):
 
 
 def _parameters(curve):
-    """(segments, steps) parameters; a segment's last one stays on it where the next begins elsewhere."""
+    """Parameters (segments, steps) at which the curve is drawn.
+
+    The last parameter of a segment still belongs to that segment, since the next segment may begin at another place.
+    """
     count = curve.segment_count
     steps = max(2, min(STEPS_PER_SEGMENT, LARGEST_STEPS // count))
     if curve.degree == 1:
@@ -103,7 +106,7 @@ def _parameters(curve):
 
 
 def _pairs(strips):
-    """Line pairs of strips (k, m, d)."""
+    """Pairs of line ends, from strips of points (k, m, d)."""
     pairs = np.stack((strips[:, :-1], strips[:, 1:]), axis=2)
     return np.ascontiguousarray(pairs.reshape(-1, strips.shape[-1]), dtype=np.float32)
 
@@ -118,7 +121,7 @@ def _speed_colors(speed, highest):
 
 
 def _speed_profile(settings, moving, length):
-    """(distances, speeds) along the path up to the end of a Motion, distances rising."""
+    """Distances and speeds along the path up to the end of a Motion, by rising distance."""
     if isinstance(moving, Problem):
         return np.array([0.0, length]), np.zeros(2)
     times = np.linspace(min(0.0, moving.time), moving.time, SPEED_SAMPLES)

@@ -1,4 +1,4 @@
-"""Settings of Follow Path: Object.motus.path."""
+"""Settings of Follow Path, in Object.motus.path, and the keywords that its operators share with them."""
 
 import bpy
 
@@ -6,8 +6,8 @@ from ..core.file.pointers import to_object
 from ..core.measures.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 
-EASE_TOLERANCE = 1e-6  # single precision: 0.7 + 0.3 is already above 1
-DEFAULT_GAP = 2.0  # m
+EASE_TOLERANCE = 1e-6  # in single precision 0.7 + 0.3 exceeds 1
+DEFAULT_GAP = 2.0  # gap between objects without extent, m
 
 TIMINGS = (
     ('DURATION', "Duration", "The whole path takes a given time"),
@@ -18,9 +18,9 @@ TIMINGS = (
 EXTENDS = (
     ('CLAMP', "Stop", "Stay at the end of the path"),
     ('EXTRAPOLATE', "Go On", "Go on along the tangent of the path's end"),
-    ('LOOP', "Loop", "Begin again at the start"),
-    ('PING_PONG', "Ping-Pong", "Go back and forth"),
-    ('LINE_UP', "Line Up", "The first stops at the ends; the others stand in line behind it, before the start if need be"),
+    ('LOOP', "Loop", "Begin again at the start of the path"),
+    ('PING_PONG', "Ping-Pong", "Go back and forth along the path"),
+    ('LINE_UP', "Line Up", "The leader of a train stops at the ends; the wagons stand in line behind it, also before the start of the path"),
 )
 ORIENTATIONS = (
     ('NONE', "None", "Keep the object's own rotation"),
@@ -53,7 +53,7 @@ def _push_ease_in(settings, context):
 
 
 def _has_too_much_ease(settings):
-    # Operators refuse such keywords instead.
+    # Settings are clamped to their limits; operators refuse such keywords instead.
     return isinstance(settings, SystemSettings) and settings.ease_in + settings.ease_out > 1.0 + EASE_TOLERANCE
 
 
@@ -70,7 +70,7 @@ def _choice(name, description, items, default, update=touch, options=frozenset()
 
 
 class FollowKeywords:
-    """What both the settings and the operators have: the names are the keywords of scripts."""
+    """Properties that the settings and the operators have in common; their names are keywords of scripts."""
 
     spline: bpy.props.IntProperty(
         name="Spline", description="Index of the curve's spline; -1 follows all of them, one after another",
@@ -94,7 +94,7 @@ class FollowKeywords:
     extend: _choice("Ends", "What happens beyond the ends of the path", EXTENDS, 'CLAMP')
     pins_by: _choice("Pins By", "What the pins give", PIN_UNITS, 'FRACTION')
 
-    orientation: _choice("Orientation", "Which way the object's up axis points", ORIENTATIONS, 'WORLD_UP', rewire)
+    orientation: _choice("Orientation", "Direction in which the object's up axis points", ORIENTATIONS, 'WORLD_UP', rewire)
     curvature_outward: bpy.props.BoolProperty(
         name="Outward", description="Up points away from the centre of the bend", default=False, update=touch,
         options=ANIMATED, override=OVERRIDABLE)
@@ -106,7 +106,7 @@ class FollowKeywords:
     lag_by: _choice("Lag By", "What the rate of the lag is proportional to", LAGS, 'ACCELERATION')
 
     bank_strength: _number(
-        "Strength", "1 is the turn that an aircraft would fly; negative leans outward", 1.0, soft_min=0.0, soft_max=3.0)
+        "Strength", "Factor on the bank: 1 is that of an aircraft, and negative leans outward", 1.0, soft_min=0.0, soft_max=3.0)
     bank_limit: _number(
         "Limit", "Largest roll; 180 degrees is no limit", 3.1415927, min=0.0, max=3.1415927, subtype='ANGLE')
     bank_smoothing: _number(
@@ -123,7 +123,10 @@ KEYWORDS = tuple(FollowKeywords.__annotations__)
 
 
 class NewFollowKeywords(FollowKeywords):
-    """What the operators have that let something follow, which see by the curve what its ends are for."""
+    """Keywords of operators that make new followers.
+
+    Without a keyword *Ends* is chosen by the curve: closed curves loop, trains line up.
+    """
 
     extend: _choice(
         "Ends", "What happens beyond the ends of the path; if it is not given, a closed path loops and a train lines up",
@@ -143,10 +146,10 @@ class MOTUS_PG_path_pin(bpy.types.PropertyGroup):
 
 
 class MOTUS_PG_path_wagon(bpy.types.PropertyGroup):
-    object: to_object(name="Object", description="Object that follows behind", update=rewire,
+    object: to_object(name="Object", description="Object that is this wagon of the train", update=rewire,
         override=OVERRIDABLE)
     gap: bpy.props.FloatProperty(
-        name="Gap", description="Distance along the path to the one in front", default=DEFAULT_GAP, subtype='DISTANCE',
+        name="Gap", description="Distance along the path to the object in front", default=DEFAULT_GAP, subtype='DISTANCE',
         options=set(), update=touch, override=OVERRIDABLE)
 
 
@@ -167,5 +170,5 @@ class MOTUS_PG_path(SystemSettings, FollowKeywords, bpy.types.PropertyGroup):
     wagons: bpy.props.CollectionProperty(type=MOTUS_PG_path_wagon, name="Wagons", override=EXTENDABLE)
     active_wagon: bpy.props.IntProperty(name="Active Wagon", options=set())
     gap_of_all: bpy.props.FloatProperty(
-        name="Gap of All", description="Distance along the path from each to the one in front, the same for all wagons",
+        name="Gap of All", description="Distance along the path from each wagon to the object in front, the same for all wagons",
         subtype='DISTANCE', options={'SKIP_SAVE'}, get=_gap_of_all, set=_set_gap_of_all)

@@ -1,4 +1,4 @@
-"""The rows of a follower's settings: in the panels, and for the keywords in the redo panel."""
+"""Rows of the follower's settings, for the panels and for the redo panels of the operators."""
 
 from ..core.interface.rows import Row, Rows, is_not, is_one_of, is_positive
 from ..core.translations import OWN_SENSE

@@ -1,4 +1,4 @@
-"""Setting followers up and taking them back: plain functions behind the operators."""
+"""Functions that set followers up and remove them, used by the operators."""
 
 from ..core import wiring
 from ..core.blender import actions
@@ -11,15 +11,15 @@ PREFIX = "motus.path."
 
 
 def system():
-    """The registered System: the package's __init__ imports this module, not the other way round."""
+    """The registered System of Follow Path. It cannot be imported at the top, since the package's __init__ imports this module."""
     return registered["path"]
 
 
 def attach(owner, curve, keywords, wagons=None):
-    """Let `owner` follow `curve`; wagons: list of (object, gap), None keeps those it has."""
+    """Let `owner` follow `curve`. keywords: settings. wagons: list of (object, gap); None keeps the present wagons."""
     settings = owner.motus.path
     if settings.is_active:
-        # Once at the end, instead of at every change of a setting.
+        # Wire once at the end, instead of after every change of a setting.
         wiring.detach(system(), owner)
     settings.curve = curve
     for name, value in keywords.items():
@@ -33,7 +33,7 @@ def attach(owner, curve, keywords, wagons=None):
 
 
 def clear(owner):
-    """Take the follower back: wiring, keys and drivers of its settings, and the settings themselves."""
+    """Remove a follower: its wiring, the keys and drivers of its settings, and the settings."""
     driven = members.members(owner)
     wiring.detach(system(), owner)
     actions.remove(owner, (PREFIX,))
@@ -42,7 +42,7 @@ def clear(owner):
 
 
 def is_stray(obj):
-    """Whether the object is driven by a train that does not list it: the copy of a wagon, or one whose leader is gone."""
+    """Whether a train drives the object without listing it: the object is the copy of a wagon, or its leader was deleted."""
     settings = obj.motus.path
     if settings.is_active or members.is_wagon(obj):
         return False
@@ -50,18 +50,18 @@ def is_stray(obj):
 
 
 def free(obj):
-    """Let a stray wagon stand at its own transform again."""
+    """Free a stray wagon, so that it stands at its own transform again."""
     wiring.release(system(), obj)
     reset(obj)
 
 
 def reset(obj):
-    """Forget the settings."""
+    """Reset an object's path settings to their defaults."""
     forget(system(), obj)
 
 
 def uncouple(leader, index):
-    """Take a wagon out of the train; those behind keep their places."""
+    """Remove a wagon from its train; the wagons behind it keep their places."""
     wagon = pointed(leader.motus.path.wagons[index], "object")
     members.take_out(leader, index)
     wiring.refresh(system(), leader)

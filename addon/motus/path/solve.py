@@ -1,4 +1,4 @@
-"""Follow Path: what its solver reads, and the one call of the native module."""
+"""Solver of Follow Path: declares its inputs and calls the library once for the whole train."""
 
 from ..core import native
 from ..core.declare import Deformed, Matrix, Problem, Setting, Splines
@@ -26,7 +26,7 @@ OUTPUTS = ("parameter", "fraction", "distance", "speed", "length")
 
 
 def solve(context, matrix, splines, deformed, **numbers):
-    """Pose of the owner and its wagons at the context's frame, in world space. Never raises for a user's error."""
+    """Compute the world-space poses of the owner and its wagons at the context's frame. Never raises for a user's error."""
     index = int(numbers["spline"])
     path = context.common.get(index)
     if path is None:
@@ -46,13 +46,13 @@ def solve(context, matrix, splines, deformed, **numbers):
         path.curve, moving.timing, time, offsets, locations=context.locations, rotations=context.rotations, **options)
     if len(mirrored):
         _turn_mirrored(context.rotations, mirrored, context.settings)
-    extend = 'clamp' if options["line_up"] else options["extend"]  # the first one's
+    extend = 'clamp' if options["line_up"] else options["extend"]  # the first member of a train that lines up stops at the ends
     _write_outputs(context.outputs, path.curve, length, moving, time, numbers["offset"], extend)
     return moving.problem
 
 
 def _path(context, matrix, splines, index):
-    """The WorldCurve to follow, or what is wrong with it."""
+    """Read the curve as a native WorldCurve; returns a Problem if it cannot be followed."""
     followed = context.target("curve")
     if matrix is None or splines is None or followed is None or followed.type != 'CURVE':
         return NO_CURVE
@@ -65,7 +65,10 @@ def _path(context, matrix, splines, index):
 
 
 def _still(context, numbers, length):
-    """What stays as long as the settings do: the Motion, keywords of follow(), the members' offsets, which are mirrored; or a Problem."""
+    """Prepare what is constant while no setting changes: (Motion, keywords of follow(), offsets of the members, mirrored members).
+
+    Returns a Problem if the settings have no meaning.
+    """
     settings = context.settings
     if chosen(settings, "forward_axis")[-1] == chosen(settings, "up_axis")[-1]:
         return AXES_NOT_ACROSS
@@ -80,7 +83,7 @@ def _still(context, numbers, length):
 
 
 def _mirrored(context):
-    """Indices of the members that their scales mirror. Who shares a solver is not mirrored."""
+    """Indices of the members whose scales mirror them. Owners that share a solver are not mirrored."""
     if context.owner is None or chosen(context.settings, "orientation") == 'NONE':
         return ()
     every = members.members(context.owner)[:len(context.rotations)]
@@ -88,9 +91,10 @@ def _mirrored(context):
 
 
 def _turn_mirrored(rotations, which, settings):
-    """Turn mirrored members by half a turn about the axis across, which brings forward and up to where they belong.
+    """Correct the rotations of mirrored members.
 
-    Of a mirrored object Blender's constraints take the rotation for that of a matrix whose axes all point the opposite way.
+    Blender's constraints write a mirrored object's rotation as if its matrix had all axes reversed. A half turn about the third axis
+    brings the forward and up axes back.
     """
     across = ({"X", "Y", "Z"} - {chosen(settings, name)[-1] for name in ("forward_axis", "up_axis")}).pop()
     half_turn = np.array(HALF_TURNS[across])
@@ -100,7 +104,7 @@ def _turn_mirrored(rotations, which, settings):
 
 
 def follow_options(settings, numbers, tilt):
-    """Keywords of native follow() for the settings."""
+    """Keywords of the library's follow() for these settings."""
     mode, extend = chosen(settings, "orientation"), chosen(settings, "extend")
     options = {
         "mode": 'minimal' if mode == 'NONE' else mode.lower(),
@@ -116,7 +120,7 @@ def follow_options(settings, numbers, tilt):
 
 
 def mode_options(settings, numbers, tilt):
-    """What the orientation mode needs beyond the curve, for native frames() and follow()."""
+    """Keywords that the orientation mode adds for the library's frames() and follow()."""
     mode = chosen(settings, "orientation")
     if mode == 'TILT':
         return {"tilt": tilt}
@@ -131,7 +135,7 @@ def mode_options(settings, numbers, tilt):
 
 
 def axis_name(identifier):
-    """'NEG_Y' as the native module writes it: '-Y'."""
+    """Name of an axis in the library: 'NEG_Y' is '-Y'."""
     return identifier.replace("POS_", "").replace("NEG_", "-")
 
 
@@ -139,14 +143,14 @@ def _write_outputs(outputs, curve, length, moving, time, offset, extend):
     gone = moving.timing.distance(time) + moving.offset + offset
     within = _within(gone, length, extend)
     on_curve = min(max(within, 0.0), length)
-    # A wheel that turns by the distance goes on turning from one lap of a loop to the next.
+    # In a loop the distance goes on rising from lap to lap, so that a wheel driven by it turns on.
     distance = gone if extend == 'loop' and length else within
     outputs[:] = (
         curve.t_at_length(on_curve), within / length if length else 0.0, distance, moving.timing.speed(time), length)
 
 
 def _within(distance, length, extend):
-    """The distance as seen on the path: stopped, wrapped or beyond its ends."""
+    """Distance along the path after *Ends* is applied: stopped at an end, wrapped, or beyond the ends."""
     if 0.0 <= distance <= length or extend == 'extrapolate' or length == 0.0:
         return distance
     if extend == 'clamp':

@@ -1,4 +1,4 @@
-"""Which objects an operator works on: by name from scripts, else by selection. Refusals are sentences."""
+"""Find the objects that an operator works on: by the names that scripts give, or by selection. Errors are raised as Refused."""
 
 import bpy
 
@@ -11,7 +11,7 @@ from .properties import EASE_TOLERANCE, KEYWORDS
 
 
 def named_list(names):
-    """Objects by names with commas between, or those of the collection of this name."""
+    """Objects by comma-separated names, or all objects of the collection of this name."""
     collection = bpy.data.collections.get(names)
     if collection and names not in bpy.data.objects:
         return sorted(collection.objects, key=lambda found: found.name)
@@ -19,7 +19,7 @@ def named_list(names):
 
 
 def curve_for(context, name, *owners):
-    """The curve by name; else the active or a selected one; else what the first owner is set to."""
+    """The curve of this name; without a name the active or selected curve, or the curve of the first owner."""
     if name:
         found = named(name)
         if found.type != 'CURVE':
@@ -34,14 +34,14 @@ def curve_for(context, name, *owners):
 
 
 def selected_followers(context):
-    """The selected objects but for curves, the active one first; else the active object."""
+    """The selected objects except curves, the active one first; without any the active object."""
     objects = sorted(context.selected_objects, key=lambda found: (found != context.object, found.name))
     return [found for found in objects if found.type != 'CURVE'] or [
         found for found in [context.object] if found and found.type != 'CURVE']
 
 
 def ends_for(curve, spline, is_train):
-    """What is best done beyond the ends of a curve's spline, -1 for all of them: an item of EXTENDS."""
+    """Default of *Ends* for a spline: an item of EXTENDS. spline: index, or -1 for all splines."""
     splines = curves.long_splines(curve.data.splines) if spline < 0 else curve.data.splines[spline:spline + 1]
     if splines and all(one.use_cyclic_u for one in splines):
         return 'LOOP'
@@ -49,14 +49,14 @@ def ends_for(curve, spline, is_train):
 
 
 def followers_of(curve):
-    """Objects that follow the curve by settings of their own, by name."""
+    """Objects with path settings that name the curve, sorted by name. Wagons are not among them."""
     users = bpy.data.user_map(subset=[curve], key_types={'OBJECT'}, value_types={'OBJECT'})
     found = [obj for obj in users.get(curve, ()) if obj.motus.path.is_active and pointed(obj.motus.path, "curve") == curve]
     return sorted(found, key=lambda obj: obj.name_full)
 
 
 def check_free(obj, curve, leader=None):
-    """Refuse an object that cannot follow the curve. `leader`: whose wagon it may be already."""
+    """Refuse an object that cannot follow the curve. leader: train that the object may be a wagon of already."""
     check_editable(obj)
     if obj == curve:
         raise Refused(tr("{object} cannot follow itself").format(object=obj.name))
@@ -70,13 +70,13 @@ def check_free(obj, curve, leader=None):
 
 
 def check_settings(obj, curve, keywords):
-    """Refuse settings that cannot work, as they would be after a change by these keywords."""
+    """Refuse settings that cannot work. The settings are checked as these keywords would change them."""
     if keywords.get("ease_in", 0.0) + keywords.get("ease_out", 0.0) > 1.0 + EASE_TOLERANCE:
         raise Refused(tr("ease_in and ease_out are together more than 1"))
     wanted = {name: keywords.get(name, getattr(obj.motus.path, name)) for name in KEYWORDS}
     if wanted["forward_axis"][-1] == wanted["up_axis"][-1]:
         raise Refused(tr(solve.AXES_NOT_ACROSS.sentence))
-    if curve.modifiers:  # these can make splines
+    if curve.modifiers:  # these types make splines
         return
     if not curve.data.splines:
         raise Refused(tr(curves.NO_SPLINES.sentence))
@@ -85,7 +85,7 @@ def check_settings(obj, curve, keywords):
 
 
 def check_editable(obj):
-    """Refuse an object whose set-up must not be changed."""
+    """Refuse an object whose path settings must not be changed, such as a linked one."""
     check_local(obj)
     check_unbaked(obj, obj.motus.path)
 
@@ -98,7 +98,7 @@ def check_uncouplable(leader, index):
 
 
 def check_wagon(obj, curve, leader=None):
-    """Refuse an object that cannot be coupled to a train."""
+    """Refuse an object that cannot become a wagon of a train."""
     check_free(obj, curve, leader)
     if obj.motus.path.is_active:
         raise Refused(tr("{object} follows a path of its own: remove that first").format(object=obj.name))

@@ -1,4 +1,4 @@
-"""The operator that couples several objects: exact gaps along the arc."""
+"""Operator that sets up a train: the wagons follow the leader at exact distances along the arc."""
 
 import bpy
 
@@ -16,16 +16,16 @@ from .properties import KEYWORDS, NewFollowKeywords
 class MOTUS_OT_path_train_add(FindsValues, NewFollowKeywords, bpy.types.Operator):
     bl_idname = "motus.path_train_add"
     bl_label = "Follow Path as a Train"
-    bl_description = "Let the selected objects follow a curve one behind the other, the active one first"
+    bl_description = "Let the selected objects follow a curve as a train, the active object first"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     objects: bpy.props.StringProperty(
-        name="Objects", description="Names with commas between, or a collection's name; empty takes the selected ones",
+        name="Objects", description="Names of objects with commas between, or a collection's name; empty takes the selected objects",
         options={'SKIP_SAVE'})
     curve: bpy.props.StringProperty(
-        name="Curve", description="Name of the curve object; empty takes the selected one", options={'SKIP_SAVE'})
+        name="Curve", description="Name of the curve object; empty takes the selected curve", options={'SKIP_SAVE'})
     gap: bpy.props.FloatProperty(
-        name="Gap", description="Distance along the path from one to the next; 0 takes the lengths of the objects",
+        name="Gap", description="Distance along the path from each object to the next; 0 takes the lengths of the objects",
         default=0.0, min=0.0, subtype='DISTANCE')
 
     modes = OBJECT_MODE

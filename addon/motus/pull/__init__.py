@@ -1,4 +1,4 @@
-"""Pick & Pull: meshes are sculpted by pulling, and pulls are kept as pins that can be animated."""
+"""Pick & Pull: sculpts meshes by pulling them, and keeps pulls as pins that can be animated."""
 
 from ..core.declare import System
 from . import grid, operators, panel, presets, properties
@@ -19,7 +19,7 @@ SYSTEM = System(
     settings=pins_properties.MOTUS_PG_pull,
     scene_settings=properties.MOTUS_PG_brush,
     classes=(
-        # Groups before those that hold them.
+        # A PropertyGroup is registered before the groups that contain it.
         *properties.classes, *pins_properties.classes,
         *operators.classes, *adjust.classes, *grid.classes, *pins_operators.classes, *pins_apply.classes,
         *pins_dragging.classes, *pins_gizmo.classes,

@@ -1,4 +1,4 @@
-"""A brush's settings as plain values, and the object's space that they are measured in."""
+"""Settings of the pull brush as plain values, and the transform between the object's space and the world."""
 
 import math
 from dataclasses import dataclass
@@ -14,12 +14,15 @@ CHOICES = ("unit", "falloff", "distance", "direction", "clamp_axis")
 FINITE = ("radius", "strength", "scale_factor", "minimum", "maximum")
 AXIS_INDEX = {'X': 0, 'Y': 1, 'Z': 2}
 SMALLEST_SCALE = 1e-12
-"""Of the largest one: an object that is flatter than that has no inverse."""
+"""Least ratio of an object's smallest scale to its largest one; a flatter object has no inverse matrix."""
 
 
 @dataclass(frozen=True)
 class Brush:
-    """See BrushKeywords in properties.py; lengths in metres of the world, or of the object where unit is LOCAL."""
+    """Values of the brush; BrushKeywords in properties.py explains them.
+
+    Lengths are metres of the world, or units of the object if unit is LOCAL.
+    """
 
     radius: float = 1.0
     unit: str = 'WORLD'
@@ -42,7 +45,7 @@ class Brush:
 
     @classmethod
     def of(cls, settings, given=None):
-        """The scene's brush, with what `given` (keyword -> value) has instead. May raise Refused."""
+        """The scene's brush, with the values of `given` (keyword -> value) in place of its own. Raises Refused."""
         values = {name: chosen(settings, name) if name in CHOICES else getattr(settings, name) for name in KEYWORDS}
         for name in ("use_pressure_strength", "use_pressure_size"):
             values[name] = getattr(settings, name)
@@ -56,7 +59,7 @@ class Brush:
         return made
 
     def check(self):
-        """Raise Refused where a number is none, or the limits exclude each other."""
+        """Raise Refused if a number is not finite or the limits exclude each other."""
         for name in FINITE:
             if not is_finite(getattr(self, name)):
                 raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
@@ -66,30 +69,30 @@ class Brush:
             raise Refused(tr("The minimum is above the maximum"))
 
     def reach_of(self, radius):
-        """The distance from the root at and beyond which nothing moves."""
+        """Distance from the root at and beyond which the pull moves nothing."""
         return math.sqrt(radius) if self.falloff == 'CLASSIC' else radius
 
     @property
     def profile(self):
-        """Keyword arguments of the native functions that say how the force fades."""
+        """Keyword arguments of the library's functions that say how the force fades with the distance."""
         curve = {"curve": np.array(self.curve, np.float32)} if self.falloff == 'CURVE' else {}
         return {"falloff": self.falloff.lower(), "scale_factor": self.scale_factor, **curve}
 
     @property
     def largest_force(self):
-        """No vertex moves by more than so many times the root's way; infinite where limits may move it further."""
+        """Largest factor between a vertex's displacement and the root's; infinite if limits may move a vertex further."""
         if self.use_minimum or self.use_maximum:
             return math.inf
         return max(map(abs, self.curve), default=1.0) if self.falloff == 'CURVE' else 1.0
 
     def mirror_bits(self):
-        """For each image of a pull, its own first: the axes that are turned round, x 1, y 2, z 4."""
+        """Axes that each mirror image of a pull reverses, as bits (x 1, y 2, z 4); the first entry is the pull itself."""
         mask = sum(1 << AXIS_INDEX[axis] for axis in self.mirror)
         return [bits for bits in range(8) if bits & ~mask == 0]
 
 
 class Space:
-    """The way between an object's space and the world."""
+    """Transform between an object's space and the world."""
 
     def __init__(self, matrix):
         self.matrix = np.array(matrix, float)
@@ -100,28 +103,28 @@ class Space:
         self.inverse = np.linalg.inv(self.linear)
 
     def metric(self, unit):
-        """3x3: the length of its product with a vector of the object is what counts as the vector's length."""
+        """3x3 matrix: the length of metric @ vector is the length of a local vector in the brush's unit."""
         return self.linear if unit == 'WORLD' else np.eye(3)
 
     def point_to_world(self, point):
-        """Of one point, or of rows of them."""
+        """World positions of a local point, or of rows of local points."""
         return np.asarray(point, float) @ self.linear.T + self.matrix[:3, 3]
 
     def point_to_local(self, point):
-        """Of one point, or of rows of them."""
+        """Local positions of a world point, or of rows of world points."""
         return (np.asarray(point, float) - self.matrix[:3, 3]) @ self.inverse.T
 
     def normal_to_world(self, normal):
-        """Unit; zero for a zero vector."""
+        """World direction of a local normal, with length 1; zero for a zero vector."""
         return unit(self.inverse.T @ np.asarray(normal, float))
 
     def is_skewed_by_mirrors(self, unit_name):
-        """Whether a mirrored way, as the object has its axes, may be of another length."""
+        """Whether mirroring a vector on the object's axes may change its length, as on a sheared object."""
         products = self.metric(unit_name).T @ self.metric(unit_name)
         return bool(np.abs(products - np.diag(np.diag(products))).max() > 1e-6 * np.diag(products).max())
 
     def limits(self, brush):
-        """(local axis, minimum, maximum) that say the same as the brush's limits; None where no local axis does."""
+        """Limits of the brush along a local axis: (axis, minimum, maximum); None if no local axis is parallel to the limits' axis."""
         low = brush.minimum if brush.use_minimum else -math.inf
         high = brush.maximum if brush.use_maximum else math.inf
         axis = AXIS_INDEX[brush.clamp_axis]
@@ -135,7 +138,7 @@ class Space:
         return along, ends[0], ends[1]
 
     def clamp(self, places, brush):
-        """Local places (m, 3) brought between the brush's limits, whatever its axis."""
+        """Move local places (m, 3) between the brush's limits, along any axis."""
         axis = AXIS_INDEX[brush.clamp_axis]
         low = brush.minimum if brush.use_minimum else -math.inf
         high = brush.maximum if brush.use_maximum else math.inf
@@ -146,6 +149,6 @@ class Space:
 
 
 def unit(vector):
-    """The vector at length 1; zero where it has none."""
+    """The vector scaled to length 1; a zero vector stays zero."""
     length = np.linalg.norm(vector)
     return vector / length if length > 0.0 and np.isfinite(length) else np.zeros(3)

@@ -1,4 +1,4 @@
-"""The user's own falloff: a Float Curve node in a hidden node group, as no property of Blender's holds a curve."""
+"""The user's falloff curve, kept in a Float Curve node of a hidden node group, since no property type holds a curve."""
 
 import bpy
 
@@ -6,14 +6,14 @@ from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 
 CURVE_SAMPLES = 32
-"""Forces of the user's curve at equal steps from the radius to the root."""
+"""Number of forces that are sampled from the curve, at equal steps from the radius to the root."""
 
 GROUP_NAME = ".Motus Falloff"
 NODE_TYPE = 'ShaderNodeFloatCurve'
 
 
 def ensure(brush):
-    """The brush's curve node; made, as the smooth falloff, where there is none. Not for draw()."""
+    """The brush's curve node, made with the smooth falloff if there is none. Must not be called from draw()."""
     found = node(brush)
     if found is not None:
         return found
@@ -28,7 +28,7 @@ def ensure(brush):
 
 
 def node(brush):
-    """The brush's curve node, for template_curve_mapping(node, "mapping"); None where there is none yet."""
+    """The brush's curve node, for template_curve_mapping(node, "mapping"); None if no curve was made yet."""
     nodes = pointed(brush, "curve_nodes")
     if nodes is None:
         return None
@@ -36,9 +36,9 @@ def node(brush):
 
 
 def samples(brush, count=CURVE_SAMPLES):
-    """Forces at equal steps from the radius to the root: float32 (count,).
+    """Forces of the curve at equal steps from the radius to the root, float32 (count,).
 
-    Smooth, as ensure() makes it, where there is no curve yet.
+    Without a curve the forces are those of the smooth falloff, which ensure() makes.
     """
     steps = np.linspace(0.0, 1.0, count)
     found = node(brush)

@@ -1,15 +1,15 @@
-"""A brush that suits the object, as long as the user has not set another one."""
+"""Default radius and strength of the brush for the size of an object."""
 
 from mathutils import Vector
 
-RADIUS_SHARE = 0.125  # of the object's longest side
-STRENGTH_SHARE = 0.03  # of the radius; a session's dabs come twenty times a second
+RADIUS_SHARE = 0.125  # radius, as a share of the object's longest side
+STRENGTH_SHARE = 0.03  # strength, as a share of the radius; a held mouse makes twenty dabs a second
 
 
 def fit(settings, obj):
-    """Set what nobody has changed of the scene's brush by the object's size in the brush's unit."""
+    """Set radius and strength of the scene's brush by an object's size, unless the user has changed them."""
     if settings.distance == 'EDGES':
-        return  # the radius counts edges
+        return  # with this distance the radius is a number of edges
     side = _longest_side(obj, settings.unit)
     if not 0.0 < side < float("inf"):
         return

@@ -1,4 +1,4 @@
-"""A flat grid of vertices, to pull landscapes from."""
+"""Operator that adds a flat grid of vertices, from which landscapes can be pulled."""
 
 import bpy
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
@@ -12,15 +12,15 @@ from .properties import is_finite
 
 MOST_VERTICES = 100_000_000
 SIZINGS = (
-    ('SPACING', "Spacing", "The distance between neighbours is given"),
-    ('SIZE', "Size", "The size of the whole is given"),
+    ('SPACING', "Spacing", "The distance between neighbouring vertices is given"),
+    ('SIZE', "Size", "The size of the whole grid is given"),
 )
 
 
 class MOTUS_OT_grid_add(Operator, AddObjectHelper, bpy.types.Operator):
     bl_idname = "motus.grid_add"
     bl_label = "Grid Mesh"
-    bl_description = "Add a flat grid of so many vertices, centred on its origin"
+    bl_description = "Add a flat grid with a given number of vertices, centred on its origin"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     width: bpy.props.IntProperty(
@@ -28,7 +28,8 @@ class MOTUS_OT_grid_add(Operator, AddObjectHelper, bpy.types.Operator):
     height: bpy.props.IntProperty(
         name="Height", description="Number of vertices along Y", default=101, min=2, soft_max=2001)
     sizing: bpy.props.EnumProperty(
-        name="Sizing", description="Number that gives the grid its size", items=SIZINGS, default='SPACING')
+        name="Sizing",
+        description="What sets the size of the grid: its whole size, or the distance between vertices", items=SIZINGS, default='SPACING')
     spacing: bpy.props.FloatProperty(
         name="Spacing", description="Distance between neighbouring vertices", default=0.1, min=1e-6, soft_max=10.0,
         subtype='DISTANCE')
@@ -66,7 +67,7 @@ class MOTUS_OT_grid_add(Operator, AddObjectHelper, bpy.types.Operator):
         object_data_add(context, mesh, operator=self)
 
     def _choose_alignment(self, context):
-        """The caller's, or else the preferences'; Blender would always take these where no rotation is given."""
+        """Use the alignment that the caller gave, or that of the preferences. Without a rotation Blender always uses the preferences'."""
         if not self.is_given("rotation"):
             if not self.properties.is_property_set("align", ghost=False):
                 self.align = context.preferences.edit.object_align
@@ -74,7 +75,7 @@ class MOTUS_OT_grid_add(Operator, AddObjectHelper, bpy.types.Operator):
 
 
 def grid_mesh(name, width, height, size, is_smooth=True, has_uv=True):
-    """A mesh datablock of width x height vertices, row by row from -X -Y, in the plane z = 0, its faces up."""
+    """Make a mesh of width x height vertices in the plane z = 0, row by row from -X -Y, with normals up."""
     mesh = bpy.data.meshes.new(name)
     steps = [np.linspace(0.0, 1.0, count) for count in (width, height)]
     fractions = np.empty((height, width, 2), np.float32)
@@ -101,14 +102,14 @@ def grid_mesh(name, width, height, size, is_smooth=True, has_uv=True):
 
 
 def _corners(width, height):
-    """int32 (faces, 4): the vertices of each face, anticlockwise from the lowest."""
+    """Vertices of each face, int32 (faces, 4), counterclockwise from the lowest one."""
     vertices = np.arange(width * height, dtype=np.int32).reshape(height, width)
     rings = vertices[:-1, :-1], vertices[:-1, 1:], vertices[1:, 1:], vertices[1:, :-1]
     return np.stack(rings, axis=-1).reshape(-1, 4)
 
 
 def _add_faces(mesh, corners, width, height):
-    """Faces and edges; Blender would take far longer to find the edges itself."""
+    """Add faces and edges to a mesh; finding the edges by Blender's mesh.update() would take far longer."""
     vertices = np.arange(width * height, dtype=np.int32).reshape(height, width)
     along = np.stack((vertices[:, :-1], vertices[:, 1:]), axis=-1).reshape(-1, 2)
     across = np.stack((vertices[:-1], vertices[1:]), axis=-1).reshape(-1, 2)
@@ -128,7 +129,7 @@ def _add_faces(mesh, corners, width, height):
 
 
 def _set(mesh, attribute, value, items, prop, array):
-    """Fill an attribute where this Blender has it, which is faster, or else the property of the items."""
+    """Fill an attribute if this Blender has it, which is faster; otherwise the property of the items."""
     found = mesh.attributes.get(attribute)
     if found is not None:
         found.data.foreach_set(value, array.ravel())

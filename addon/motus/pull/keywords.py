@@ -1,4 +1,4 @@
-"""Keywords of operators that pull: which object they mean, and which brush."""
+"""Keywords of the operators that pull: the object and the brush that they name."""
 
 from ..core.refusals import Refused, named
 from ..core.translations import tr
@@ -7,7 +7,7 @@ from .properties import KEYWORDS, is_finite
 
 
 def object_of(operator, context):
-    """The object that the operator's `object` names, or the active one. Raises Refused where there is none."""
+    """The object that the operator's keyword `object` names, or the active one. Raises Refused if there is none."""
     if not operator.object:
         if context.object is None:
             raise Refused(tr("Select a mesh"))
@@ -16,7 +16,7 @@ def object_of(operator, context):
 
 
 def brush_of(operator, context):
-    """The scene's brush with the keywords that were given. Raises Refused where they have no meaning."""
+    """The scene's brush, with the keywords that were given in place of its own values. Raises Refused for values without meaning."""
     names = [name for name in (*KEYWORDS, "curve") if operator.properties.is_property_set(name)]
     given = {name: getattr(operator, name) for name in names}
     for name in ("location", "displacement"):
@@ -26,14 +26,14 @@ def brush_of(operator, context):
 
 
 def show(operator, brush):
-    """Let the operator's keywords be those of the brush, so that Redo shows what was done and begins with it."""
+    """Set the operator's keywords to the brush, so that the redo panel shows what was done and starts from it."""
     copy(brush, operator)
     if brush.curve:
         operator.curve = brush.curve
 
 
 def copy(brush, target):
-    """Set what has BrushKeywords to a brush's values."""
+    """Copy a brush's values into an object with BrushKeywords."""
     for name in KEYWORDS:
         value = getattr(brush, name)
         setattr(target, name, set(value) if name == "mirror" else value)

@@ -1,4 +1,4 @@
-"""Pulling from a script, by keywords alone; modal.py has the mouse."""
+"""Operator motus.pick_pull, run by keywords alone; window/modal.py adds the mouse."""
 
 import bpy
 
@@ -19,24 +19,23 @@ from .window import modal
 class MOTUS_OT_pick_pull(modal.PickPullModal, Operator, BrushKeywords, bpy.types.Operator):
     bl_idname = "motus.pick_pull"
     bl_label = "Pick & Pull"
-    bl_description = "Pull the surface at a vertex; what is near follows"
+    bl_description = "Pull the surface at a vertex; the vertices near it follow"
 
     object: object_keyword("Name of the mesh object; empty takes the active one")
     vertex: bpy.props.IntProperty(
-        name="Vertex", description="Index of the vertex that is pulled; -1 takes the one nearest to the location",
+        name="Vertex", description="Index of the vertex that is pulled; -1 takes the vertex nearest to the location",
         default=-1, min=-1, options={'SKIP_SAVE'})
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Place that is pulled, in the world or in the object as Unit says", size=3,
+        name="Location", description="Place that is pulled, in the space that Unit names: of the world or of the object", size=3,
         subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
     displacement: bpy.props.FloatVectorProperty(
-        name="Displacement", description="How far the root goes, instead of a direction and a strength", size=3,
+        name="Displacement", description="Displacement of the vertex, instead of a direction and a strength", size=3,
         subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
     curve: bpy.props.FloatVectorProperty(
-        name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root; "
-                                  "without it, those of the scene's own curve",
+        name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root; empty takes the scene's curve",
         size=CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
     dabs: bpy.props.CollectionProperty(
-        type=properties.MOTUS_PG_dab, name="Dabs", description="Dabs of the stroke",
+        type=properties.MOTUS_PG_dab, name="Dabs", description="Dabs of the strokes, which Redo repeats",
         options={'HIDDEN', 'SKIP_SAVE'})
 
     redo = rows.PULL
@@ -57,11 +56,11 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, Operator, BrushKeywords, bpy.types
             self.report({'WARNING'}, object_mesh.not_seen(session.mesh.key))
 
     def start(self, context):
-        """A Session by the keywords. Raises Refused."""
+        """Start a Session with the operator's keywords. Raises Refused."""
         return start(self, context)
 
     def remember(self, context, session, with_dabs=True):
-        """Keep what a session did: for Redo, and as the last pull of the scene."""
+        """Store what a session did: in the operator for Redo, and in the scene as the last pull."""
         keywords.show(self, session.brush)
         self.object = session.object_name
         if with_dabs:
@@ -79,7 +78,7 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, Operator, BrushKeywords, bpy.types
         return session.pull(vertex, displacement)
 
     def _root(self, session):
-        """The vertex that the keywords name. Raises Refused where they name none."""
+        """Vertex that the keywords name. Raises Refused if they name none."""
         if self.vertex >= 0:
             if self.vertex >= len(session.current):
                 raise no_such_vertex(session, self.vertex)
@@ -96,12 +95,12 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, Operator, BrushKeywords, bpy.types
 
 
 def start(operator, context):
-    """A Session by an operator's keywords, where given, and else by the scene's brush. Raises Refused."""
+    """Start a Session with the keywords that were given, and the scene's brush for the others. Raises Refused."""
     return Session(context, keywords.object_of(operator, context), keywords.brush_of(operator, context))
 
 
 def replay(session, dabs):
-    """Do again what the mouse did, with the radius and strength of the brush now. Whether there was anything to do."""
+    """Repeat recorded dabs with the brush's present radius and strength; returns whether there was anything to repeat."""
     brush = session.brush
     has_acted = False
     for dab in dabs:
@@ -117,7 +116,7 @@ def replay(session, dabs):
 
 
 def keep_dabs(items, session):
-    """What replay() needs; lengths as shares of the brush's, but for drags, whose lengths are the mouse's."""
+    """Record a session's dabs for replay(), with lengths as shares of the brush's; lengths of drags are kept, since the mouse gave them."""
     items.clear()
     radius = session.brush.radius
     for dab in session.dabs:
@@ -133,7 +132,7 @@ def _length_of_dab(dab, brush):
 
 
 def keep_last(record, session):
-    """Let the scene remember the last stroke."""
+    """Record the session's last stroke in the scene."""
     pulled = session.last
     keywords.copy(pulled.brush, record)
     record.radius = pulled.dab.radius
@@ -147,13 +146,13 @@ def keep_last(record, session):
 
 
 def no_such_vertex(session, vertex):
-    """What is raised where a mesh has fewer vertices than it would need."""
+    """The Refused that says that a mesh has fewer vertices than needed."""
     return Refused(tr("{object} has no vertex {index}: it has {count}").format(
         object=session.object_name, index=vertex, count=len(session.current)))
 
 
 def toward_viewer(context):
-    """World direction to whoever looks at the 3D view that the operator runs in; None outside of one."""
+    """World direction towards the viewer of the 3D viewport that the operator runs in; None outside of a viewport."""
     view = getattr(context, "region_data", None)
     if view is None or not hasattr(view, "view_rotation"):
         return None

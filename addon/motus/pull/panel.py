@@ -1,4 +1,4 @@
-"""Panel of the brush, in the sidebar's tab."""
+"""Panel of the pull brush in the sidebar's tab."""
 
 from ..core.interface import panels, ui
 from ..core.interface.rows import Row, Rows
@@ -9,33 +9,33 @@ PRESSURE_ICON = 'STYLUS_PRESSURE'
 
 
 def draw_number(layout, brush, name, pressure):
-    """A number with the switch for the pen's pressure."""
+    """Draw a number of the brush with the switch for the pen's pressure."""
     row = layout.row(align=True)
     row.prop(brush, name)
     row.prop(brush, pressure, text="", icon=PRESSURE_ICON)
 
 
 def draw_radius(layout, brush):
-    """The radius, a length or a number of edges."""
+    """Draw the radius, which is a length or a number of edges."""
     draw_number(layout, brush, "edge_count" if brush.distance == 'EDGES' else "radius", "use_pressure_size")
 
 
 def draw_strength(layout, brush):
-    """The strength, which a drag of the cursor does not ask for."""
+    """Draw the strength, greyed out if the direction is Cursor: then the drag gives the length."""
     row = layout.row(align=True)
     row.active = brush.direction != 'CURSOR'
     draw_number(row, brush, "strength", "use_pressure_strength")
 
 
 def draw_accumulate(layout, brush):
-    """The switch, which a drag of the cursor does not ask for."""
+    """Draw the switch *Accumulate*, greyed out if the direction is Cursor."""
     row = layout.row(align=True)
     row.active = brush.direction != 'CURSOR'
     row.prop(brush, "accumulate")
 
 
 def draw_main(layout, context):
-    """What is pulled, and how."""
+    """Draw the settings of the brush, and why the active object cannot be pulled."""
     brush = context.scene.motus.pull
     problem = object_mesh.problem(context.object)
     if problem:
@@ -58,7 +58,7 @@ def draw_main(layout, context):
 
 
 def draw_actions(layout, context):
-    """The button that begins a session of pulls."""
+    """Draw the button that begins a session of pulls."""
     start = layout.row()
     start.scale_y = 1.3
     start.enabled = not object_mesh.problem(context.object)
@@ -67,7 +67,7 @@ def draw_actions(layout, context):
 
 
 def _draw_rows(*found):
-    """A part that draws these rows of the brush."""
+    """Part of the panel that draws these rows of the brush."""
     return lambda layout, context: Rows(found).draw(_split(layout), context.scene.motus.pull)
 
 
@@ -83,7 +83,7 @@ def _split(layout):
     return layout.column(align=True)
 
 
-# The brush is the scene's: no object has it in use.
+# The brush belongs to the scene, so that no object counts as its user.
 PANEL = panels.SystemPanel(
     name="pull", prefix="MOTUS_PT_pull", label="Pick & Pull", editors={"": ui.Sidebar},
     suits=lambda obj: obj.type == 'MESH',

@@ -7,7 +7,7 @@ from .properties import KEYWORDS
 OF_THE_OBJECT = {"vertex_group"}
 NAMES = (*(name for name in KEYWORDS if name not in OF_THE_OBJECT), "use_pressure_strength", "use_pressure_size")
 
-# Radius and strength suit the object: no preset sets them.
+# Radius and strength depend on the object, so that no preset sets them.
 BROUGHT = (
     Preset('SOFT', "Soft", "Rounded bumps and dents", {}),
     Preset('GRAB', "Grab", "Takes the surface along with the cursor", {"direction": 'CURSOR'}),

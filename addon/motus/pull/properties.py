@@ -1,4 +1,4 @@
-"""Settings of the pull brush: Scene.motus.pull; and what is remembered of a pull."""
+"""Settings of the pull brush in Scene.motus.pull, and the record of the last pull."""
 
 import bpy
 
@@ -8,7 +8,7 @@ from . import falloff_curve
 from .falloff_curve import CURVE_SAMPLES
 
 LARGEST = 1e18
-"""Its square is just within single precision."""
+"""Largest absolute value of settings; its square is still finite in single precision."""
 
 UNITS = (
     ('WORLD', "World Space", "Lengths and directions are those of the world, whatever the object's scale"),
@@ -20,15 +20,15 @@ FALLOFFS = (
     ('ROOT', "Root", "Steep at the rim and pointed at the root"),
     ('LINEAR', "Linear", "A cone"),
     ('SHARP', "Sharp", "A thorn with a wide foot"),
-    ('CONSTANT', "Constant", "All move alike"),
+    ('CONSTANT', "Constant", "All vertices within the radius move alike"),
     ('GAUSSIAN', "Gaussian", "A bell"),
-    ('CLASSIC', "Classic", "Compares the squared distance with the radius: reaches as far as its square root"),
-    ('CURVE', "Curve", "A curve of your own"),
+    ('CLASSIC', "Classic", "Compares the squared distance with the radius, so that the pull reaches as far as the radius' square root"),
+    ('CURVE', "Curve", "A curve that you draw"),
 )
 DISTANCES = (
-    ('STRAIGHT', "Straight", "Measured in a straight line through space"),
+    ('STRAIGHT', "Straight", "Distance in a straight line through space"),
     ('SURFACE', "Surface", "Measured along the surface, so that lips and fingers stay apart"),
-    ('EDGES', "Edges", "Measured by the number of edges, which the radius counts"),
+    ('EDGES', "Edges", "Distance as the number of edges, which the radius gives"),
 )
 DIRECTIONS = (
     ('NORMAL', "Normal", "Pull out of the surface at the root"),
@@ -36,14 +36,14 @@ DIRECTIONS = (
     ('X', "X", "Pull along the X axis"),
     ('Y', "Y", "Pull along the Y axis"),
     ('Z', "Z", "Pull along the Z axis"),
-    ('CURSOR', "Cursor", "Pull along with the cursor: the root goes as far as the drag"),
+    ('CURSOR', "Cursor", "Drag the root along with the mouse"),
 )
 AXES = (('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", ""))
 DAB_KINDS = (('PULL', "Pull", ""), ('SMOOTH', "Smooth", ""), ('DRAG', "Drag", ""))
 
 
 class BrushKeywords:
-    """What the brush, the operator and the record of a pull have: the names are the keywords of scripts."""
+    """Properties that the brush, the operator and the record of a pull have in common; their names are keywords of scripts."""
 
     radius: bpy.props.FloatProperty(
         name="Radius", description="Distance from the root that the pull reaches; a number of edges if the distance counts edges", default=1.0,
@@ -51,7 +51,7 @@ class BrushKeywords:
     unit: bpy.props.EnumProperty(
         name="Unit", description="Space in which lengths and directions are given", items=UNITS, default='WORLD', options=set())
     strength: bpy.props.FloatProperty(
-        name="Strength", description="How far one dab moves the root; negative pushes", default=0.1, soft_min=-10.0,
+        name="Strength", description="Distance by which one dab moves the root; negative pushes", default=0.1, soft_min=-10.0,
         soft_max=10.0, subtype='DISTANCE', options=set())
     falloff: bpy.props.EnumProperty(
         name="Falloff", description="How the force fades from the root to the radius", items=FALLOFFS, default='SMOOTH',
@@ -68,16 +68,16 @@ class BrushKeywords:
         name="Accumulate", description="Each pull builds on the last; otherwise each starts from the original shape",
         default=True, options=set())
     mirror: bpy.props.EnumProperty(
-        name="Mirror", description="Pull on the other side of the object too, across these of its axes", items=AXES,
+        name="Mirror", description="Pull on the other side of the object too, mirrored across these axes of the object", items=AXES,
         default=set(), options={'ENUM_FLAG'})
     use_minimum: bpy.props.BoolProperty(
         name="Use Minimum", description="Nothing is moved below a height", default=False, options=set())
     minimum: bpy.props.FloatProperty(
-        name="Minimum", description="Lowest height of what moves", default=-1.0, subtype='DISTANCE', options=set())
+        name="Minimum", description="Lowest height of moved vertices", default=-1.0, subtype='DISTANCE', options=set())
     use_maximum: bpy.props.BoolProperty(
         name="Use Maximum", description="Nothing is moved above a height", default=False, options=set())
     maximum: bpy.props.FloatProperty(
-        name="Maximum", description="Largest height of what moves", default=1.0, subtype='DISTANCE', options=set())
+        name="Maximum", description="Largest height of moved vertices", default=1.0, subtype='DISTANCE', options=set())
     clamp_axis: bpy.props.EnumProperty(
         name="Height Axis", description="Axis along which the height is measured", items=AXES, default='Z',
         options=set())
@@ -89,13 +89,13 @@ KEYWORDS = tuple(BrushKeywords.__annotations__)
 
 
 def _ensure_curve(settings):
-    # Only the brush keeps a curve; the operator has the same property.
+    # Only the brush has a curve; the operator offers the same enum item.
     if isinstance(settings, MOTUS_PG_brush) and settings.falloff == 'CURVE':
         falloff_curve.ensure(settings)
 
 
 class MOTUS_PG_pull_record(BrushKeywords, bpy.types.PropertyGroup):
-    """The last stroke, so that it can be kept as a pin."""
+    """Record of the last stroke, from which a pin can be made."""
 
     object: bpy.props.StringProperty(name="Object", description="Name of the object that was pulled", options=set())
     is_shape: bpy.props.BoolProperty(
@@ -104,9 +104,9 @@ class MOTUS_PG_pull_record(BrushKeywords, bpy.types.PropertyGroup):
     place: bpy.props.FloatVectorProperty(
         name="Place", description="Position of the root before the pull, in the object", size=3, subtype='XYZ', options=set())
     displacement: bpy.props.FloatVectorProperty(
-        name="Displacement", description="How far the root went, in the object", size=3, subtype='XYZ', options=set())
+        name="Displacement", description="Displacement of the root, in the object", size=3, subtype='XYZ', options=set())
     metric: bpy.props.FloatVectorProperty(
-        name="Metric", description="Matrix, row by row, that takes the object's vectors to those that are measured",
+        name="Metric", description="Matrix, row by row, that converts vectors of the object to vectors whose lengths are measured",
         size=9, default=(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0), options=set())
     curve: bpy.props.FloatVectorProperty(
         name="Curve", description="Forces at equal steps from the radius to the root", size=CURVE_SAMPLES,
@@ -114,15 +114,15 @@ class MOTUS_PG_pull_record(BrushKeywords, bpy.types.PropertyGroup):
 
 
 class MOTUS_PG_dab(bpy.types.PropertyGroup):
-    """One dab of a session, so that Redo can do it again."""
+    """Record of one dab of a session, so that Redo can repeat it."""
 
     kind: bpy.props.EnumProperty(name="Kind", description="Kind of change that the dab made", items=DAB_KINDS, options=set())
     vertex: bpy.props.IntProperty(name="Vertex", description="Index of the root", options=set())
     displacement: bpy.props.FloatVectorProperty(
-        name="Displacement", description="How far the root went, in the object", size=3, subtype='XYZ', options=set())
+        name="Displacement", description="Displacement of the root, in the object", size=3, subtype='XYZ', options=set())
     radius: bpy.props.FloatProperty(name="Radius", description="Distance from the root that the pull reached", options=set())
     strength: bpy.props.FloatProperty(name="Strength", description="Strength of the smoothing", options=set())
-    is_first: bpy.props.BoolProperty(name="First", description="A stroke begins with it", options=set())
+    is_first: bpy.props.BoolProperty(name="First", description="A stroke begins with this dab", options=set())
 
 
 class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
@@ -147,9 +147,9 @@ class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
 
 
 def is_finite(value):
-    """Whether a number, or each of several, is one and its square fits into single precision.
+    """Whether a number, or each of several, is finite with a square that is finite in single precision.
 
-    Blender makes the largest number it has of an infinite one.
+    Blender stores infinity as the largest number of a property.
     """
     return all(abs(one) < LARGEST for one in (value if hasattr(value, "__len__") else (value,)))
 

@@ -1,4 +1,4 @@
-"""The rows of what the brush, the operators and a pin have: the panels and the redo panel draw them."""
+"""Rows of settings of the brush, the operators and a pin, for panels and redo panels."""
 
 import bpy
 
@@ -6,7 +6,7 @@ from ..core.interface.rows import Row, Rows, is_given, is_one_of
 
 
 def _vertex_groups(settings):
-    """Where the vertex group is chosen: those of the settings' object, or of the active one for an operator."""
+    """Vertex groups to choose from: those of the settings' object, or of the active object for an operator."""
     is_pin = isinstance(settings, bpy.types.PropertyGroup) and isinstance(settings.id_data, bpy.types.Object)
     return (settings.id_data if is_pin else bpy.context.object), "vertex_groups"
 
@@ -32,7 +32,7 @@ PULL = (
          title="Direction"),
     Rows((*LIMITS, CLAMPED), title="Limits"),
 )
-"""For the operator that pulls."""
+"""Rows of the operator that pulls."""
 
 
 def _is_new(operator):
@@ -47,4 +47,4 @@ PIN = (
          title="Direction", when=_is_new),
     Rows((*LIMITS, CLAMPED), title="Limits", when=_is_new),
 )
-"""For the operator that adds a pin."""
+"""Rows of the operator that adds a pin."""

@@ -1,4 +1,4 @@
-"""Stereo camera rig: eyes of a camera by a budget of depth, and what an audience will see of it."""
+"""Stereo camera rig: sets a camera's eyes by a depth budget, and checks what an audience will see."""
 
 from ..core.blender import handlers
 from ..core.declare import System

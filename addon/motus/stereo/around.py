@@ -1,8 +1,8 @@
-"""A camera that sees all around, in stereo; and how it sees without."""
+"""Switch a camera to a stereo panorama of 360 degrees and back."""
 
 
 def begin(settings, camera):
-    """Let a camera see all around, and note how it has seen. settings: of its rig."""
+    """Make a camera render a stereo panorama, and store its previous type. settings: of its rig."""
     panorama = _panorama(camera)
     if not settings.before_type:
         settings.before_type, settings.before_spherical = camera.type, camera.stereo.use_spherical_stereo
@@ -11,7 +11,7 @@ def begin(settings, camera):
 
 
 def end(settings, camera):
-    """Let a camera see as it did before, if it sees all around."""
+    """Restore the camera's type before the panorama, if the camera renders one."""
     if not settings.before_type:
         return
     panorama = _panorama(camera)
@@ -24,7 +24,7 @@ def end(settings, camera):
 
 
 def put(holder, name, value):
-    """Set an enum to a value that was read from a file, which may say anything; tells whether it is one of its values."""
+    """Set an enum to a value that was read from a file; returns whether the enum has that item."""
     is_known = value in holder.bl_rna.properties[name].enum_items
     if is_known:
         setattr(holder, name, value)
@@ -32,5 +32,5 @@ def put(holder, name, value):
 
 
 def _panorama(camera):
-    # Cycles' own until 5.0.
+    # panorama settings belong to Cycles before 5.0
     return camera if hasattr(camera, "panorama_type") else camera.cycles

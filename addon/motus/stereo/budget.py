@@ -1,19 +1,19 @@
-"""A depth budget that suits a screen."""
+"""Depth budget for a screen: how much parallax is comfortable."""
 
 import math
 
 from ..core import native
 
 MOST = 0.01, 0.02
-"""Parallax in front of the screen and behind it, fractions of the width, which is plenty on any screen."""
+"""Parallax in front of the screen and behind it, as fractions of the width, that is large on any screen."""
 SHOWN = 1e-4
-"""What the settings show of a fraction, in percent with two decimals."""
+"""Resolution of the parallax settings, as a fraction: percent with two decimals."""
 
 
 def parallaxes(near, far, lens, screen):
-    """(in front, behind), in percent, for depths from near to far: comfortable, and not deeper than it is round.
+    """Parallax (in front, behind) in percent for depths from near to far: comfortable, and with natural depth at most.
 
-    lens: a lens.Lens. screen: keywords of the native module.
+    lens: a lens.Lens. screen: keywords of the library.
     """
     call = native.module
     limits = [min(most, limit) for most, limit in zip(MOST, call.comfortable_parallax(**screen))]

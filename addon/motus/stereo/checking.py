@@ -1,4 +1,4 @@
-"""The operator that looks through the frames for what an audience would suffer from."""
+"""Operator that searches the frames for faults that an audience would suffer from."""
 
 import bpy
 
@@ -10,17 +10,17 @@ from . import judging, results, rig, samples, screens, targets
 
 
 class _Found:
-    """What was found of one camera on the frames that it is seen on."""
+    """Faults and parallax of one camera, on the frames on which it is seen."""
 
     def __init__(self, screen):
         self.screen = screen
         self.faults = {}
-        """{kind: [(frame, how bad)]}"""
+        """Worst value of each kind of fault on each frame: {kind: [(frame, value)]}."""
         self.parallax = []
-        """An array a frame."""
+        """Parallax of the samples, one array for each frame."""
 
     def add(self, scene, camera, depsgraph, frame):
-        """Judge the present frame."""
+        """Judge the camera on the present frame."""
         eyes, lens = rig.eyes(scene, camera, depsgraph)
         if eyes is None:
             return

@@ -1,4 +1,4 @@
-"""What is wrong with a rig on one frame: numbers by kinds, and the sentences that tell them."""
+"""Judge a rig on one frame: numbers for each kind of fault, and the sentences that report them."""
 
 from typing import Any, NamedTuple
 
@@ -8,18 +8,18 @@ from ..core.lazy import numpy as np
 from ..core.translations import tr
 
 HIDDEN_PIXELS = 1.0
-"""Parallax in front of the screen at an edge that nobody sees, and vertical parallax too."""
+"""Pixels of parallax that are not noticed: in front of the screen at an edge of the image, and vertically."""
 
 
 class Seen(NamedTuple):
-    """Parallax of the samples of a frame, fractions of the width; faults: {kind: how bad}."""
+    """Judgement of one frame. parallax: of the samples, fractions of the width. faults: {kind: value of the worst place}."""
 
     parallax: Any
     faults: dict
 
 
 def judge(eyes, lens, screen, pixels, x, depths):
-    """The Seen of samples. eyes, screen: keywords of the native module. pixels: the image's width."""
+    """Judge samples of a frame; returns a Seen. eyes, screen: keywords of the library. pixels: width of the image."""
     if len(depths) == 0:
         return Seen(np.zeros(0), {'EMPTY': 0.0})
     call = native.module
@@ -36,7 +36,7 @@ def judge(eyes, lens, screen, pixels, x, depths):
 
 
 def _vertical(depth, lens, eyes):
-    """Vertical parallax of a corner at a depth; the whole width of the image where one eye is turned away from it."""
+    """Vertical parallax of the image's corner at a depth; the whole width of the image if the corner is behind an eye."""
     try:
         return native.module.vertical_parallax(depth, lens.aspect, **eyes)
     except ValueError:
@@ -44,7 +44,7 @@ def _vertical(depth, lens, eyes):
 
 
 def sentence(kind, worst, frames, screen, pixels):
-    """A fault in words. worst: of all frames. frames: as text."""
+    """Sentence on a fault. worst: value on the worst of all frames. frames: text."""
     words = {
         "percent": f"{100.0 * worst:.2g}", "pixels": f"{pixels * worst:.0f}", "width": f"{screen['width']:g}", "frames": spoken(frames)}
     return SENTENCES[kind]().format(**words)

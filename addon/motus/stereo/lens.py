@@ -1,4 +1,4 @@
-"""What of a camera's lens counts for parallax: focal length, and the part of the sensor behind the image's width."""
+"""Focal length of a camera, and the part of its sensor behind the image's width, on which parallax depends."""
 
 from typing import NamedTuple
 
@@ -8,10 +8,11 @@ ANIMATED = ("lens", "sensor_width", "sensor_height")
 
 
 class Lens(NamedTuple):
-    """focal_length, sensor_width: mm, the latter behind the image's width. aspect: of the image, its width / its height.
+    """Lens of a camera for an image.
 
-    off_axis: what a convergence distance is multiplied by, so that Blender's shift makes the images meet there: Blender divides
-    the shift by the sensor's width, also where the sensor's height is what is fitted.
+    focal_length: mm. sensor_width: mm of the sensor behind the image's width. aspect: width of the image / its height. off_axis: factor on
+    the
+    convergence distance for Blender's off-axis mode, which divides its shift by the sensor's width even if the sensor's height is fitted.
     """
 
     focal_length: float
@@ -21,8 +22,11 @@ class Lens(NamedTuple):
 
 
 def of(camera, render, frame=None):
-    """The Lens of a camera for the images of the render settings; frame: at which its keys count, else its present values."""
-    # The solver does not wait for what Blender makes of the keys.
+    """Lens of a camera for the images of these render settings.
+
+    frame: frame at which the camera's keys are read; None for the present values.
+    """
+    # The solver may run before Blender has evaluated the keys of the camera's data.
     moving = {} if frame is None else moving_numbers(camera, ANIMATED, frame)
     focal_length, width, height = (moving[name] if name in moving else getattr(camera, name) for name in ANIMATED)
     pixel_aspect = render.pixel_aspect_x / render.pixel_aspect_y

@@ -1,4 +1,4 @@
-"""The operator that measures near and far of the visible scene, over time as smooth curves that know what comes."""
+"""Operator that measures near and far of the visible scene; over several frames as smooth curves that change ahead of their cause."""
 
 import bpy
 
@@ -30,7 +30,7 @@ class MOTUS_OT_stereo_measure(OfARig, OverFrames, bpy.types.Operator):
         description="Share of the picture that does not count at either end: small things that are very near or very far",
         default=100.0 * LEFT_OUT, min=0.0, max=49.0, subtype='PERCENTAGE')
     ahead: bpy.props.IntProperty(
-        name="Look Ahead", description="Number of samples by which near and far change ahead of their cause, at least", default=12, min=0,
+        name="Look Ahead", description="Least number of samples by which near and far change ahead of their cause", default=12, min=0,
         max=10000, soft_max=100)
     redo = (*OverFrames.redo, Rows(("left_out", Row("ahead", when=is_not("range", 'CURRENT')))))
 

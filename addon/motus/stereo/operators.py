@@ -1,4 +1,4 @@
-"""Operators that add a stereo rig to a camera and take it back."""
+"""Operators that add a stereo rig to a camera, fit it to a screen, and remove it."""
 
 import bpy
 
@@ -16,10 +16,10 @@ MODES = (
     ('TOE', "Toe-In", "The eyes are turned towards each other, which moves corners up and down"),
 )
 LENGTHS = "interocular", "distance", "near", "far"
-"""Keywords whose defaults are metres."""
+"""Keywords whose defaults are lengths in metres."""
 PARALLAXES = "near_parallax", "far_parallax"
 LEFT_OUT = 0.01
-"""Share of the picture that does not count at either end, where depths are measured."""
+"""Share of the picture that is left out at either end of the measured depths."""
 
 
 class OfARig:
@@ -42,8 +42,9 @@ class MOTUS_OT_stereo_rig_add(FindsValues, StereoKeywords, bpy.types.Operator):
 
     object: object_keyword("Name of the camera; empty takes the active one, or the scene's")
     focus: bpy.props.StringProperty(
-        name="Focus", description="Name of the object that lies on the screen; empty takes the one that is selected beside the camera, "
-        "where convergence is an object's",
+        name="Focus",
+        description="Name of the object that lies on the screen; if Convergence is Object, empty takes the object that is selected beside "
+                    "the camera",
         options={'SKIP_SAVE'})
     mode: bpy.props.EnumProperty(name="Mode", description="How the images meet on the screen", items=MODES, default='OFFAXIS')
     make_camera: bpy.props.BoolProperty(
@@ -57,7 +58,7 @@ class MOTUS_OT_stereo_rig_add(FindsValues, StereoKeywords, bpy.types.Operator):
 
     def invoke(self, context, _event):
         self.make_camera = self.make_camera or (not self.object and targets.lacks_camera(context))
-        # By hand: a rig that fits what the camera sees.
+        # In the interface the rig is fitted to what the camera sees.
         if not any(self.is_given(name) for name in ("convergence", "focus", *LENGTHS, *PARALLAXES)):
             self._fit(context)
         return self.execute(context)
@@ -67,7 +68,7 @@ class MOTUS_OT_stereo_rig_add(FindsValues, StereoKeywords, bpy.types.Operator):
             camera = targets.camera_for(context, self.object)
             targets.check_free(camera)
         except Refused:
-            return  # which is reported when it is run
+            return  # the refusal is reported when the operator runs
         seen = samples.depth_range(context.scene, camera, context.evaluated_depsgraph_get(), LEFT_OUT)
         if seen:
             self.convergence = 'BUDGET'
@@ -96,7 +97,7 @@ class MOTUS_OT_stereo_rig_add(FindsValues, StereoKeywords, bpy.types.Operator):
 
     @staticmethod
     def _select(context, camera):
-        """The panel is the active object's."""
+        """Make the camera active, so that the panel shows its rig."""
         if camera.name in context.view_layer.objects:
             camera.select_set(True)
             context.view_layer.objects.active = camera
@@ -118,7 +119,7 @@ class MOTUS_OT_stereo_rig_add(FindsValues, StereoKeywords, bpy.types.Operator):
 class MOTUS_OT_stereo_fit(OfARig, Operator, bpy.types.Operator):
     bl_idname = "motus.stereo_fit"
     bl_label = "Fit to Screen"
-    bl_description = "Set the parallax of the budget to what is comfortable on this screen, and not deeper than it is round"
+    bl_description = "Set the parallax of the budget to a comfortable one for this screen, with no more depth than looks natural"
     modes = OBJECT_MODE
     needs_native = True
 
@@ -139,7 +140,7 @@ class MOTUS_OT_stereo_fit(OfARig, Operator, bpy.types.Operator):
 class MOTUS_OT_stereo_rig_remove(OfARig, Operator, bpy.types.Operator):
     bl_idname = "motus.stereo_rig_remove"
     bl_label = "Remove Stereo Rig"
-    bl_description = "Take the rig back: the camera is what it was before"
+    bl_description = "Remove the stereo rig, and restore the camera"
     modes = OBJECT_MODE
 
     def run(self, context):
@@ -151,7 +152,7 @@ class MOTUS_OT_stereo_rig_remove(OfARig, Operator, bpy.types.Operator):
 class MOTUS_OT_stereo_refresh(OfARig, Operator, bpy.types.Operator):
     bl_idname = "motus.stereo_refresh"
     bl_label = "Refresh"
-    bl_description = "Rebuild after the camera was given different lens data"
+    bl_description = "Rebuild the stereo rig after the camera was given different lens data"
     modes = OBJECT_MODE
 
     def run(self, context):

@@ -1,4 +1,4 @@
-"""The operator that sets how both images are written."""
+"""Operator that sets the format of the images of both eyes."""
 
 import bpy
 
@@ -14,7 +14,7 @@ FORMATS = (
     ('SIDEBYSIDE', "Side by Side", "Both eyes in one image, the left eye's on the left"),
     ('TOPBOTTOM', "Top-Bottom", "Both eyes in one image, one above the other"),
     ('ANAGLYPH', "Anaglyph", "Both eyes on top of each other, for red and cyan glasses"),
-    ('INTERLACE', "Interlaced", "The rows of one image, in turns"),
+    ('INTERLACE', "Interlaced", "The rows of one image belong to the left and the right eye in turns"),
 )
 
 
@@ -26,10 +26,11 @@ class MOTUS_OT_stereo_output(OfARig, Operator, bpy.types.Operator):
 
     format: bpy.props.EnumProperty(name="Format", description="How the images are written", items=FORMATS, default='SIDEBYSIDE')
     squeeze: bpy.props.BoolProperty(
-        name="Squeezed", description="Both images together are as large as one", default=False)
+        name="Squeezed", description="Squeeze both images together into the size of one", default=False)
     use_360: bpy.props.BoolProperty(
-        name="360 Degrees", description="Let the camera see all around, where the render engine can. What it sees stays, where "
-        "this is not given", default=False, options={'SKIP_SAVE'})
+        name="360 Degrees",
+        description="Make the camera a panorama of 360 degrees, if the render engine can; by default the camera's type is kept",
+        default=False, options={'SKIP_SAVE'})
 
     def invoke(self, context, _event):
         if self.is_given("format"):

@@ -1,4 +1,4 @@
-"""What the viewport shows of a rig: near, zero and far planes, the volume that is safe on the screen, and a ruler of parallax."""
+"""Viewport overlay of a rig: planes at near, screen and far, the volume that is safe on the screen, and a ruler of parallax."""
 
 from ..core import native
 from ..core.interface.overlay import Batch, Overlay, Switch
@@ -12,11 +12,11 @@ COMFORTABLE, STRAINED, DIVERGING = (0.35, 0.85, 0.45, 0.9), (0.98, 0.75, 0.25, 0
 SCALE = (0.80, 0.80, 0.80, 0.7)
 
 STEP, STEPS = 0.005, 8
-"""Parallax from one mark of the ruler to the next, and how many there are before and behind the screen."""
+"""Parallax between marks of the ruler, and number of marks in front of the screen and behind it."""
 MARKS = 0.015, 0.03
-"""Half the length of the marks of half and of whole percents, fractions of the image's width."""
+"""Half the length of the ruler's marks at half and whole percents, as fractions of the image's width."""
 MOST_RULED = 64
-"""Selected objects that are shown on the ruler."""
+"""Most selected objects that the ruler shows."""
 
 PLANES = Switch("show_stereo_planes", "Planes", "Draw the planes of the depth budget: near in red, the screen in white, far in blue")
 VOLUME = Switch("show_stereo_volume", "Safe Volume", "Draw the volume that an audience can look at without strain")
@@ -46,7 +46,7 @@ def _batches(context, owner):
     ends = [min(max(depth, camera.clip_start), camera.clip_end) for depth in safe]
     found = []
     if scene.motus.show_stereo_planes:
-        # What lies beyond the clipping planes is not seen, so that there is no end to be shown.
+        # Planes outside the clipping range are not drawn, since the camera sees nothing there.
         planes = ((near, NEAR), (eyes["convergence"], ZERO), (far, FAR))
         found += [Batch('LINE_STRIP', frame.loop(depth), color, 2.0) for depth, color in planes
                   if camera.clip_start < depth < camera.clip_end]
@@ -58,7 +58,7 @@ def _batches(context, owner):
 
 
 def _ruler(context, owner, frame, eyes, screen):
-    """Marks along the lower edge of what the camera sees, and a line from there to each selected object."""
+    """Batches of the ruler: marks along the lower edge of the image at the screen, and a line to each selected object."""
     camera, call = owner.data, native.module
     ends = camera.clip_start, camera.clip_end
     marks = [(eyes["convergence"], MARKS[1])]
@@ -83,7 +83,7 @@ def _ruler(context, owner, frame, eyes, screen):
 
 
 class _Frame:
-    """The corners of what a camera sees, at any depth."""
+    """Corners of the camera's view at any depth."""
 
     def __init__(self, scene, evaluated):
         corners = np.array(evaluated.data.view_frame(scene=scene))
@@ -94,17 +94,20 @@ class _Frame:
         return (self._corners * depth) @ self._matrix[:3, :3].T + self._matrix[:3, 3]
 
     def loop(self, depth):
-        """The edge of the image at a depth, (5, 3)."""
+        """Edge of the image at a depth, as a closed line (5, 3)."""
         return self._at(depth)[[0, 1, 2, 3, 0]].astype(np.float32)
 
     def below(self, depth, aside):
-        """A place on the lower edge of the image at a depth, so far right of its middle, a fraction of the image's width."""
+        """Place on the lower edge of the image at a depth.
+
+        aside: distance to the right of the middle, as a fraction of the image's width.
+        """
         corners = self._at(depth)
         right, left = corners[1], corners[2]
         return 0.5 * (left + right) + aside * (right - left)
 
     def sides(self, near, far):
-        """Lines between the edges at two depths, and these, (24, 3)."""
+        """Edges of the image at two depths, and the lines between them, as pairs of ends (24, 3)."""
         first, last = self._at(near), self._at(far)
         turned = [1, 2, 3, 0]
         pairs = [(first, last), (first, first[turned]), (last, last[turned])]

@@ -12,11 +12,11 @@ from .rig import system
 from .solve import depth_of
 
 MOST_RULERS = 3
-BAR = 8  # points of the graph that a column of the histogram takes
+BAR = 8  # points of the graph for each column of the histogram
 
 
 def draw_main(layout, context):
-    """What is wrong, and the eyes."""
+    """Draw what is wrong, and the settings of the eyes."""
     owner = context.object
     ui.draw_problem(layout, context, system(), owner)
     if not rig.renders_both_eyes(context.scene):
@@ -35,7 +35,7 @@ def draw_main(layout, context):
 
 
 def draw_screen(layout, context):
-    """What the audience looks at."""
+    """Draw the settings of the screen that the audience looks at."""
     settings = context.object.motus.stereo
     rows.SCREEN.draw(ui.split(layout), settings)
     if settings.convergence == 'BUDGET':
@@ -43,7 +43,7 @@ def draw_screen(layout, context):
 
 
 def draw_readouts(layout, context):
-    """The eyes as they are, parallax of what is selected, and what the last check has found."""
+    """Draw the present distances of the eyes, parallax of the selected objects, and the result of the last check."""
     owner, scene, depsgraph = context.object, context.scene, context.view_layer.depsgraph
     eyes, _ = rig.eyes(scene, owner, depsgraph)
     settings = owner.motus.stereo
@@ -56,7 +56,7 @@ def draw_readouts(layout, context):
 
 
 def _of_eyes(context, settings, eyes, screen):
-    """What the settings do not say themselves."""
+    """Read-outs of the distances of the eyes that the solver has found, if no setting shows them."""
     if settings.convergence == 'BUDGET':
         yield ui.Readout(text="Interocular", value=ui.length(context, eyes["interaxial"]))
     if math.isfinite(eyes["convergence"]):
@@ -71,7 +71,7 @@ def _of_eyes(context, settings, eyes, screen):
 
 
 def _draw_strain(layout, settings, screen):
-    """Where a budget is more than the screen's audience can look at with comfort."""
+    """Draw a warning if the depth budget is uncomfortable on the audience's screen."""
     limits = [100.0 * limit for limit in native.module.comfortable_parallax(**screen)]
     if any(mine > limit for mine, limit in zip((settings.near_parallax, settings.far_parallax), limits)):
         near, far = (f"{limit:.2f}" for limit in limits)
@@ -80,7 +80,7 @@ def _draw_strain(layout, settings, screen):
 
 
 def _rulers(context, owner, eyes):
-    """Parallax of the objects that are selected beside the camera."""
+    """Read-outs of the parallax of objects that are selected beside the camera."""
     matrix, pixels = owner.matrix_world, rig.width_in_pixels(context.scene.render)
     for obj in [obj for obj in context.selected_objects if obj != owner][:MOST_RULERS]:
         depth = depth_of(matrix, obj.matrix_world.translation)
@@ -105,7 +105,7 @@ def _draw_check(layout, owner):
 
 
 def draw_actions(layout, context):
-    """Looking, checking, output, baking, removing."""
+    """Draw the buttons for viewing, checking, output, baking and removing."""
     name = context.object.name
     column = layout.column(align=True)
     column.operator_context = 'INVOKE_DEFAULT'

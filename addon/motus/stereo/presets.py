@@ -1,4 +1,4 @@
-"""Presets of a rig's settings."""
+"""Presets of stereo rigs."""
 
 from ..core.interface import presets
 from .properties import KEYWORDS

@@ -1,4 +1,4 @@
-"""Settings of a stereo rig: Object.motus.stereo of the camera."""
+"""Settings of a stereo rig, in Object.motus.stereo of the camera."""
 
 import bpy
 
@@ -20,10 +20,12 @@ def _number(name, description, default, options=ANIMATED, **more):
 
 
 class StereoKeywords:
-    """What both the settings and the operator have: the names are the keywords of scripts."""
+    """Properties that the settings and the operator have in common; their names are keywords of scripts."""
 
     convergence: bpy.props.EnumProperty(
-        name="Convergence", description="How the distance is found at which things are neither in front of the screen nor behind it", items=CONVERGENCES,
+        name="Convergence",
+        description="What sets the convergence distance, at which things are neither in front of the screen nor behind it",
+        items=CONVERGENCES,
         default='DISTANCE', options=ANIMATED, update=touch, override=OVERRIDABLE)
     interocular: _number(
         "Interocular", "Distance between the camera's eyes, in the scene's units", 0.065, min=0.0, soft_max=1.0, subtype='DISTANCE',
@@ -44,7 +46,7 @@ class StereoKeywords:
         "Far Parallax", "Largest parallax behind the screen, in percent of the image's width", 2.0, min=0.0, max=100.0, soft_max=5.0,
         subtype='PERCENTAGE', precision=2)
     screen: bpy.props.EnumProperty(
-        name="Screen", description="Screen that the audience looks at, which warnings are about", items=screens.ITEMS,
+        name="Screen", description="Screen that the audience looks at; warnings are about this screen", items=screens.ITEMS,
         default='TELEVISION', options=set(), override=OVERRIDABLE)
     screen_width: _number(
         "Screen Width", "Width of a custom screen, in metres", 2.0, set(), min=0.01, soft_max=50.0)

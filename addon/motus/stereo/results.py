@@ -1,4 +1,4 @@
-"""What the last check of a rig has found, as long as its file is open: sentences, and how parallax is distributed."""
+"""Results of the last check of each rig, kept while the file is open: sentences, and a histogram of parallax."""
 
 from typing import Any, NamedTuple
 
@@ -6,15 +6,15 @@ from ..core.lazy import numpy as np
 
 COLUMNS = 32
 NARROWEST = 0.001
-"""Parallax from the first column to the last one at least: what is equally far is one bar."""
+"""Least range of the histogram, in parallax; equal parallax everywhere gives one column."""
 MOST = 64
 
 _found = {}
-"""Name of the camera with its library -> Result; the oldest ones are dropped."""
+"""Results by the name of the camera and its library; the oldest ones are dropped."""
 
 
 class Result(NamedTuple):
-    """lowest, highest: parallax, fractions of the width. shares: a histogram, what part of all samples lies in each column between them."""
+    """Result of a check. lowest, highest: parallax, fractions of the width. shares: part of the samples in each column of the histogram."""
 
     sentences: tuple
     lowest: float
@@ -23,7 +23,7 @@ class Result(NamedTuple):
 
 
 def keep(camera, sentences, parallax):
-    """Keep what a check has found."""
+    """Keep the result of a check."""
     values = np.concatenate(parallax) if parallax else np.zeros(0)
     lowest, highest = (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)
     wider = 0.5 * max(NARROWEST - (highest - lowest), 0.0)
@@ -35,15 +35,15 @@ def keep(camera, sentences, parallax):
 
 
 def of(camera):
-    """The Result of the last check, or None."""
+    """Result of a camera's last check, or None."""
     return _found.get(camera.name_full)
 
 
 def forget(camera):
-    """There is no check any more."""
+    """Drop the result of a camera."""
     _found.pop(camera.name_full, None)
 
 
 def forget_all():
-    """There is no check of any camera: another file may have some of the same names."""
+    """Drop all results: another file may have cameras of the same names."""
     _found.clear()

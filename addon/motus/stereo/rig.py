@@ -1,4 +1,4 @@
-"""Setting a rig up and taking it back; what of the camera it drives; and what the native module is told of it."""
+"""Set up and remove a stereo rig: the camera's properties that it drives, and the keywords that the library gets."""
 
 import math
 
@@ -14,20 +14,20 @@ from . import around, lens, results
 
 PREFIX = "motus.stereo."
 OUTPUTS = ("interocular", "convergence")
-"""What Blender's camera is given; see lens.Lens.off_axis."""
+"""Outputs of the solver that drive the camera; lens.Lens.off_axis explains the factor on the convergence."""
 MODES = {'OFFAXIS': "off_axis", 'PARALLEL': "parallel", 'TOE': "toe_in"}
 CENTRE = 'CENTER'
 ONE_EYE, BOTH_EYES = 'LEFT', 'S3D'
-"""What a viewport that looks through a camera shows in a scene with multiview."""
+"""Values of a viewport's stereo_3d_camera: one eye, or both eyes."""
 
 
 def system():
-    """The registered System: the package's __init__ imports this module, not the other way round."""
+    """The registered System of the rigs. It cannot be imported at the top, since the package's __init__ imports this module."""
     return registered["stereo"]
 
 
 def groups(owner):
-    """Both distances of the camera's eyes."""
+    """Declare the driven properties: interocular and convergence distance of the camera's data."""
     if owner.type != 'CAMERA':
         return ()
     return (Group(outputs=OUTPUTS, properties=(
@@ -37,12 +37,12 @@ def groups(owner):
 
 def has_rig(obj):
     """Whether an object is a camera with a rig."""
-    # To ask an object for its settings gives it some.
+    # Accessing obj.motus would create the settings.
     return obj.type == 'CAMERA' and obj.is_property_set("motus") and obj.motus.stereo.is_active
 
 
 def add(scene, owner, mode, focus, keywords):
-    """Give a camera a rig. keywords: settings."""
+    """Add a rig to a camera. keywords: values of settings."""
     settings, stereo = owner.motus.stereo, owner.data.stereo
     settings.before_mode, settings.before_pivot = stereo.convergence_mode, stereo.pivot
     stereo.convergence_mode, stereo.pivot = mode, CENTRE
@@ -50,12 +50,12 @@ def add(scene, owner, mode, focus, keywords):
     for name, value in keywords.items():
         setattr(settings, name, value)
     settings.focus = focus
-    results.forget(owner)  # of a deleted camera that had its name
+    results.forget(owner)  # results of a deleted camera with the same name
     wiring.attach(system(), owner)
 
 
 def remove(owner):
-    """Take a rig back: wiring, keys of its settings, what it has set in camera and scenes, and the settings themselves."""
+    """Remove a rig: its wiring, keys of its settings, its changes to camera and scenes, and its settings."""
     settings, camera = owner.motus.stereo, owner.data
     before = settings.before_mode, settings.before_pivot
     around.end(settings, camera)
@@ -70,18 +70,18 @@ def remove(owner):
 
 
 def renders_both_eyes(scene):
-    """Whether Blender renders what the eyes of a camera see."""
+    """Whether the scene renders the views of both eyes."""
     render = scene.render
     return render.use_multiview and render.views_format == 'STEREO_3D' and all(view.use for view in render.stereo_views)
 
 
 def one_eye():
-    """What is to be said where Blender does not."""
+    """Sentence for a scene that does not render both eyes."""
     return tr("The scene does not render a left and a right eye: Stereo Output lets it")
 
 
 def begin_multiview(scene):
-    """Switch multiview on in a scene without it, and note there how it has been."""
+    """Switch multiview on in a scene without it, and store its previous settings."""
     render, noted = scene.render, scene.motus.stereo
     if render.use_multiview:
         return
@@ -91,9 +91,9 @@ def begin_multiview(scene):
 
 
 def _look_through(eye, before):
-    """Let the viewports that look through a camera in one way look in another way.
+    """Replace one value of stereo_3d_camera by another in all viewports.
 
-    With multiview alone Blender would show both eyes on top of each other in every camera view, without being asked to.
+    With multiview switched on Blender would show both eyes on top of each other in every camera view.
     """
     for space in viewports.all_spaces():
         if space.stereo_3d_camera == before:
@@ -101,7 +101,7 @@ def _look_through(eye, before):
 
 
 def _give_multiview_back(scene):
-    """Switch multiview off where it was switched on for rigs, and none is left."""
+    """Switch multiview off in a scene if it was switched on for rigs and none is left."""
     noted = scene.motus.stereo
     if not noted.is_multiview_made or scene.library or any(has_rig(obj) for obj in scene.objects):
         return
@@ -113,7 +113,7 @@ def _give_multiview_back(scene):
 
 
 def eyes(scene, owner, depsgraph):
-    """Keywords of the native module for the eyes that Blender renders with, and the Lens; (None, None) of no perspective camera."""
+    """(keywords of the library for the eyes that Blender renders with, the Lens); (None, None) if the camera is not perspective."""
     camera = owner.evaluated_get(depsgraph).data
     if camera.type != 'PERSP':
         return None, None
@@ -136,15 +136,15 @@ def axis_matrix(matrix):
 
 
 def width_in_pixels(render):
-    """Of the rendered image."""
+    """Width of the rendered image, in pixels."""
     return render.resolution_x * render.resolution_percentage // 100
 
 
 def shown(scene, camera):
-    """The camera that the scene renders on its present frame if markers choose cameras; else the given one."""
+    """Camera of the present frame if markers bind cameras; otherwise the given camera."""
     return scene.camera if scene.camera and any(marker.camera for marker in scene.timeline_markers) else camera
 
 
 def all_rigs():
-    """The cameras with a rig in the file."""
+    """All cameras of the file that have a rig."""
     return [obj for obj in bpy.data.objects if has_rig(obj)]

@@ -1,4 +1,4 @@
-"""Which rows of a rig's settings matter when: for the panel, and for the redo panel of the operator that adds it."""
+"""Rows of the rig's settings, and the conditions under which they are shown, for the panel and the redo panel."""
 
 from ..core.interface.rows import Row, Rows, is_not, is_one_of
 

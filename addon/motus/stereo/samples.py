@@ -1,15 +1,15 @@
-"""Depths of the visible scene, by rays through a grid over the camera's image."""
+"""Depths of the visible scene, sampled by rays through a grid over the camera's image."""
 
 from ..core import native
 from ..core.lazy import numpy as np
 from .rig import axis_matrix
 
 COLUMNS, ROWS = 41, 23
-"""Of rays; the first and last ones lie on the edges of the image."""
+"""Columns and rows of the grid of rays; the outer ones lie on the edges of the image."""
 
 
 def take(scene, owner, depsgraph):
-    """(x, depths) of what the middle between the eyes sees: (m,) each, x a fraction of the image's width from its middle."""
+    """Samples as seen from the middle between the eyes: (x, depths), (m,) each. x: fraction of the image's width from its middle."""
     evaluated = owner.evaluated_get(depsgraph)
     camera, matrix = evaluated.data, evaluated.matrix_world
     into_camera = axis_matrix(matrix)
@@ -31,18 +31,18 @@ def take(scene, owner, depsgraph):
 
 
 def depth_range(scene, owner, depsgraph, left_out):
-    """(near, far) of what is seen, without a share of the picture at either end; None where nothing has a depth."""
+    """(near, far) of the visible scene, without a share of the picture at either end; None if no ray meets anything."""
     _, depths = take(scene, owner, depsgraph)
     return native.module.depth_range(depths, left_out, 1.0 - left_out)
 
 
 def beyond(near, far):
-    """Far, a little behind near where all that is seen is equally far."""
+    """The far depth, moved a little behind near if both are equal."""
     return max(far, near * 1.001)
 
 
 def _depth(scene, depsgraph, into_camera, start, direction, ray, camera):
-    """Of what a ray meets between the camera's clipping planes; None where that is nothing."""
+    """Depth of the first surface that a ray meets between the camera's clipping planes; None if it meets nothing."""
     slope = ray.length / -ray.z
     origin = start + direction.normalized() * (camera.clip_start * slope)
     reach = max(camera.clip_end - camera.clip_start, 0.0) * slope

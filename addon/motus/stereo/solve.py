@@ -1,4 +1,4 @@
-"""What the rig's solver reads, and the distances of the camera's eyes that it finds."""
+"""Solver of a stereo rig: declares its inputs, and computes the distances of the camera's eyes."""
 
 import math
 
@@ -20,7 +20,7 @@ PERCENT = 0.01
 
 
 def solve(context, matrix, focus):
-    """Interocular and convergence distance at the context's frame. Never raises for a user's error."""
+    """Compute interocular and convergence distance at the context's frame. Never raises for a user's error."""
     settings, camera = context.settings, context.owner.data
     if camera.type == 'PANO' and camera.stereo.use_spherical_stereo:
         return _around(context, matrix, focus)
@@ -43,7 +43,7 @@ def solve(context, matrix, focus):
 
 
 def _around(context, matrix, focus):
-    """A camera that sees all around: there is no width of which parallax would be a part, and so no budget."""
+    """Solve a panoramic camera. It has no image width that parallax could be a fraction of, and so no depth budget."""
     if context.settings.convergence == 'BUDGET':
         return NOT_PERSPECTIVE
     found = _by_distance(context.settings, matrix, focus)
@@ -54,7 +54,7 @@ def _around(context, matrix, focus):
 
 
 def _by_distance(settings, matrix, focus):
-    """(interocular, distance), or a Problem."""
+    """(interocular, convergence) distance from the settings or the focus object; a Problem if there is none."""
     if settings.convergence == 'OBJECT':
         if focus is None or matrix is None:
             return NO_FOCUS
@@ -67,7 +67,7 @@ def _by_distance(settings, matrix, focus):
 
 
 def _by_budget(settings, seen, mode):
-    """The same from near, far and the parallax that these may have."""
+    """(interocular, convergence) distance from near, far and their parallax; a Problem if they have no meaning."""
     near, far = settings.near, settings.far
     limits = PERCENT * settings.near_parallax, PERCENT * settings.far_parallax
     if not all(map(math.isfinite, (near, far, *limits))):
@@ -75,7 +75,7 @@ def _by_budget(settings, seen, mode):
     if not 0.0 < near < far:
         return BAD_RANGE
     if mode == 'PARALLEL':
-        # All is in front of the screen: near alone has a budget.
+        # Everything is in front of the screen, so that only the near limit counts.
         return (limits[0] * near * seen.sensor_width / seen.focal_length, far) if limits[0] > 0.0 else NO_BUDGET
     if not sum(limits) > 0.0:
         return NO_BUDGET

@@ -1,4 +1,4 @@
-"""Which camera an operator works on. Refusals are sentences."""
+"""Find the camera that an operator works on. Errors are raised as Refused."""
 
 import math
 
@@ -11,11 +11,11 @@ from ..core.translations import tr
 from . import rig
 
 IN_FRONT = Matrix.Translation((0.0, -10.0, 1.5)) @ Matrix.Rotation(math.radians(90.0), 4, 'X')
-"""Where a new camera stands that no viewport has a view for: it looks along +Y."""
+"""World matrix of a new camera if no viewport gives a view: before the origin, looking along +Y."""
 
 
 def camera_for(context, name):
-    """The camera of this name, or the active one, else the scene's."""
+    """The camera of this name, the active camera, or the scene's camera. Raises Refused if there is none."""
     active = context.object if context.object and context.object.type == 'CAMERA' else context.scene.camera
     found = named(name) if name else active
     if found is None:
@@ -26,12 +26,12 @@ def camera_for(context, name):
 
 
 def lacks_camera(context):
-    """Whether the scene has no camera at all."""
+    """Whether the scene has no camera."""
     return not any(obj.type == 'CAMERA' for obj in context.scene.objects)
 
 
 def new_camera(context):
-    """Give the scene a camera, where the viewport looks from; without a viewport in front of the origin."""
+    """Create a camera at the viewport's view; without a viewport before the origin."""
     camera = bpy.data.objects.new(tr("Camera"), bpy.data.cameras.new(tr("Camera")))
     context.scene.collection.objects.link(camera)
     view = context.region_data
@@ -41,7 +41,7 @@ def new_camera(context):
 
 
 def rig_for(context, name):
-    """The same of a camera that has a rig."""
+    """The camera of this name, the active camera, or the scene's camera, which must have a rig. Raises Refused if it has none."""
     found = camera_for(context, name)
     if not rig.has_rig(found):
         raise Refused(tr("{object} has no stereo rig").format(object=found.name))
@@ -49,7 +49,7 @@ def rig_for(context, name):
 
 
 def focus_for(context, camera, name):
-    """The object of this name, or the one that is selected beside a camera; None without."""
+    """The object of this name, or the object that is selected beside a camera; None if there is none."""
     if name:
         return named(name)
     others = [obj for obj in context.selected_objects if obj != camera]
@@ -57,7 +57,7 @@ def focus_for(context, camera, name):
 
 
 def check_free(camera):
-    """Refuse a camera that cannot have a rig."""
+    """Refuse a camera that cannot get a rig."""
     check_local(camera)
     check_local(camera.data)
     if camera.motus.bake.is_baked:
@@ -82,7 +82,7 @@ def check_removable(camera):
 
 
 def check_solved(context, camera):
-    """Refuse a rig that does not set the camera's eyes now."""
+    """Refuse a rig whose solver does not set the camera's eyes now."""
     check_evaluated(camera, context.view_layer)
     problem = wiring.problem(rig.system(), camera, context.view_layer.depsgraph)
     if problem and problem.blocking:

@@ -1,4 +1,4 @@
-"""The operator that lets the viewport show what both eyes of a rig see, and whether it does."""
+"""Operator that switches a viewport between the rig's anaglyph view and its previous view."""
 
 import bpy
 
@@ -10,15 +10,15 @@ from . import rig, targets
 
 _BOTH = {"region_3d.view_perspective": 'CAMERA', "stereo_3d_camera": rig.BOTH_EYES, "overlay.show_overlays": False}
 _ONE = {"region_3d.view_perspective": 'PERSP', "overlay.show_overlays": True, "stereo_3d_camera": rig.ONE_EYE}
-"""Values of a viewport, by their paths: through both eyes, and those of a viewport of which it is not known what it was."""
+"""Values of a viewport by their data paths: the first for the anaglyph view, the second if the previous values are unknown."""
 _DISPLAY = {"display_mode": 'ANAGLYPH', "anaglyph_type": 'RED_CYAN'}
-"""How a window shows both images."""
+"""Display mode of a window for the anaglyph view."""
 _displays = viewports.PerViewport()
-"""{name: value}: how the window showed both images before the viewport looked through both eyes."""
+"""Display mode of a window before the anaglyph view: {name: value} for each viewport."""
 
 
 def is_shown(context, camera):
-    """Whether the viewport looks through both eyes of a camera."""
+    """Whether a viewport shows the anaglyph view of a camera."""
     space = viewports.space_for(context)
     if space is None or space.region_3d is None or not viewports.has(space, _BOTH):
         return False
@@ -28,7 +28,7 @@ def is_shown(context, camera):
 class MOTUS_OT_stereo_view(Operator, bpy.types.Operator):
     bl_idname = "motus.stereo_view"
     bl_label = "Anaglyph View"
-    bl_description = "Look through both eyes of the camera in the viewport, with red and cyan glasses; once more to look as before"
+    bl_description = "Show the images of both eyes in the viewport, for red and cyan glasses; a second time restores the previous view"
     bl_options = {'REGISTER'}
 
     object: object_keyword("Name of the camera; empty takes the active one, or the scene's")
@@ -57,9 +57,9 @@ class MOTUS_OT_stereo_view(Operator, bpy.types.Operator):
 
 
 def _show_images(window, values):
-    """Set how a window shows both images."""
+    """Set how a window displays stereo images."""
     for name, value in values.items():
-        # Blender makes the windows anew at each assignment of the mode.
+        # Each assignment of the display mode recreates the windows.
         if getattr(window.stereo_3d_display, name) != value:
             setattr(window.stereo_3d_display, name, value)
 

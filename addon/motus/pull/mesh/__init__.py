@@ -1,1 +1,1 @@
-"""Reading and writing the mesh that is pulled, in each mode of the object."""
+"""Reads and writes the pulled mesh in each mode of the object."""

@@ -1,13 +1,13 @@
-"""A mesh's data as flat arrays, by the fastest way that this Blender has for each.
+"""Data of a mesh as flat arrays, read and written in the fastest way that this Blender has.
 
-Attributes are copied whole; the older collections of vertices, loops and key points go through RNA one by one.
+Attributes are copied as a whole; collections of vertices, loops and key points of older Blenders go item by item through RNA.
 """
 
 from ...core.lazy import numpy as np
 
 
 def positions(mesh, found=None):
-    """float32 (n, 3). found: a float32 (3 n,) array to be filled, where there is one already."""
+    """Positions of a mesh's vertices, float32 (n, 3). found: array (3 n,) that is filled and reused, or None."""
     if found is None:
         found = np.empty(3 * len(mesh.vertices), np.float32)
     attribute = mesh.attributes.get("position")
@@ -19,11 +19,14 @@ def positions(mesh, found=None):
 
 
 FEW = 8
-"""Where there are so many times as many vertices as have moved, only those are written."""
+"""If a mesh has at least this many times as many vertices as have moved, only the moved ones are written."""
 
 
 def set_positions(mesh, flat, moved=None):
-    """flat: float32 (3 n,). moved: indices of those that may differ from the mesh, in any order; all, if None."""
+    """Set the positions of a mesh's vertices.
+
+    flat: float32 (3 n,). moved: indices of vertices that may differ from the mesh, in any order; None for all.
+    """
     attribute = mesh.attributes.get("position")
     if attribute is None:
         mesh.vertices.foreach_set("co", flat)
@@ -38,24 +41,24 @@ def set_positions(mesh, flat, moved=None):
 
 
 def own_positions(mesh):
-    """The mesh's own memory, float32 (n, 3), to be written at once.
+    """Memory of the mesh's positions, float32 (n, 3), for writing at once.
 
-    None where this Blender gives no way to it, or for a mesh without vertices.
+    None if this Blender gives no access to the memory, or the mesh has no vertices.
     """
     attribute = mesh.attributes.get("position")
     if attribute is None or not len(attribute.data):
         return None
     import ctypes
     data = attribute.data
-    # foreach_set takes twice as long. The evaluated mesh and undo steps share the array with this mesh until somebody
-    # writes by Blender's own means: an item that is set to itself makes it this mesh's alone.
+    # foreach_set would take twice as long. The array is shared with the evaluated mesh and undo steps until something is written
+    # through RNA: setting one item to its own value gives this mesh its own array.
     data[0].vector = data[0].vector
     numbers = ctypes.cast(data[0].as_pointer(), ctypes.POINTER(ctypes.c_float))
     return np.ctypeslib.as_array(numbers, (len(data), 3))
 
 
 def key_positions(key):
-    """Of a shape key: float32 (n, 3)."""
+    """Positions of a shape key, float32 (n, 3)."""
     points = _key_points(key)
     found = np.empty(3 * len(points), np.float32)
     points.foreach_get("co", found)
@@ -63,7 +66,7 @@ def key_positions(key):
 
 
 def set_key_positions(key, flat):
-    """flat: float32 (3 n,)."""
+    """Set the positions of a shape key. flat: float32 (3 n,)."""
     _key_points(key).foreach_set("co", flat)
 
 
@@ -72,7 +75,7 @@ def _key_points(key):
 
 
 def triangles(mesh, visible_only=False):
-    """int32 (t, 3), as Blender triangulates the faces. visible_only: without those of hidden faces."""
+    """Triangles of Blender's triangulation, int32 (t, 3) indices of vertices. visible_only: leave out hidden faces."""
     mesh.calc_loop_triangles()
     found = np.empty(3 * len(mesh.loop_triangles), np.int32)
     mesh.loop_triangles.foreach_get("vertices", found)
@@ -86,7 +89,7 @@ def triangles(mesh, visible_only=False):
 
 
 def edges(mesh):
-    """int32 (e, 2)."""
+    """Edges of a mesh, int32 (e, 2) indices of vertices."""
     found = np.empty(2 * len(mesh.edges), np.int32)
     attribute = mesh.attributes.get(".edge_verts")
     if attribute is not None:
@@ -97,7 +100,7 @@ def edges(mesh):
 
 
 def corners(mesh):
-    """int32 (c,): the vertex of each face corner."""
+    """Vertex of each face corner, int32 (c,)."""
     found = np.empty(len(mesh.loops), np.int32)
     attribute = mesh.attributes.get(".corner_vert")
     if attribute is not None:
@@ -108,7 +111,7 @@ def corners(mesh):
 
 
 def faces_of_edges(mesh):
-    """int (e,): how many faces each edge has."""
+    """Number of faces at each edge, int (e,)."""
     used = np.empty(len(mesh.loops), np.int32)
     attribute = mesh.attributes.get(".corner_edge")
     if attribute is not None:
@@ -119,7 +122,7 @@ def faces_of_edges(mesh):
 
 
 def hidden_vertices(mesh):
-    """bool (n,); None where none is hidden."""
+    """Which vertices are hidden, bool (n,); None if none is hidden."""
     return _flags(mesh, ".hide_vert", mesh.vertices)
 
 
@@ -138,7 +141,7 @@ def _flags(mesh, name, items):
 
 
 def sculpt_mask(mesh):
-    """float32 (n,): 1 where Sculpt Mode protects a vertex; None where there is no mask."""
+    """Sculpt mask of each vertex, float32 (n,), 1 for protected vertices; None if the mesh has no mask."""
     attribute = mesh.attributes.get(".sculpt_mask")
     layers = getattr(mesh, "vertex_paint_masks", None)
     data = attribute.data if attribute is not None else layers[0].data if layers else None
@@ -150,15 +153,15 @@ def sculpt_mask(mesh):
 
 
 def group_weights(mesh, index):
-    """Weights of a vertex group, float32 (n,); 0 where a vertex is not in it."""
+    """Weights of a vertex group, float32 (n,); 0 for vertices outside the group."""
     found = (next((entry.weight for entry in vertex.groups if entry.group == index), 0.0) for vertex in mesh.vertices)
     return np.fromiter(found, np.float32, len(mesh.vertices))
 
 
 def vertex_normal(mesh, corner_vertices, places, vertex):
-    """Unit normal at a vertex, its faces weighted by their angles there as Blender does; zero where it has no face.
+    """Unit normal at a vertex, weighted by the faces' angles as Blender's own; zero for a vertex without faces.
 
-    corner_vertices: corners(mesh). places: (n, 3), which need not be those of the mesh.
+    corner_vertices: corners(mesh). places: positions (n, 3), which may differ from those of the mesh.
     """
     total = np.zeros(3)
     for corner in np.flatnonzero(corner_vertices == vertex):
@@ -176,7 +179,7 @@ def vertex_normal(mesh, corner_vertices, places, vertex):
 
 
 def _face_of_corner(mesh, corner):
-    """(first corner, number of corners) of the face: by bisection, since reading all faces would take far longer."""
+    """(first corner, number of corners) of the face of a corner, found by bisection: reading all faces would take far longer."""
     low, high = 0, len(mesh.polygons) - 1
     while low < high:
         middle = (low + high + 1) // 2

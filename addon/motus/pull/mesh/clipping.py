@@ -1,4 +1,4 @@
-"""The Mirror modifier's Clipping, as Blender's own tools keep it: what is on a mirror plane stays on it, and nothing crosses it."""
+"""Clipping of the Mirror modifier: vertices on a mirror plane stay on it, and no vertex crosses it, as with Blender's own tools."""
 
 from typing import Any, NamedTuple
 
@@ -6,10 +6,11 @@ from ...core.lazy import numpy as np
 
 
 class Planes(NamedTuple):
-    """Of one modifier: planes across these axes.
+    """Mirror planes of one modifier.
 
-    within: how near to them counts as on them. space: 4x4, from the object's space to that of the planes; None where these
-    are alike.
+    axes: axes across which it mirrors. within: largest distance of vertices that count as on a plane. space: 4x4, from the object's space
+    to
+    that of the planes; None if the spaces are equal.
     """
 
     axes: tuple
@@ -18,7 +19,7 @@ class Planes(NamedTuple):
 
 
 def planes(obj):
-    """The Planes of the modifiers of an object that clip."""
+    """The Planes of an object's Mirror modifiers that have Clipping switched on."""
     found = []
     for modifier in obj.modifiers:
         if modifier.type == 'MIRROR' and modifier.use_clip and modifier.show_viewport:
@@ -29,7 +30,7 @@ def planes(obj):
 
 
 def clip(places, before, every):
-    """Bring places (m, 3) of vertices that stood at `before` back to the planes, where these hold them; gives the places."""
+    """Move places (m, 3) of vertices that stood at `before` back to the planes that hold the vertices; returns the places."""
     for one in every:
         now, was = _moved(places, one.space), _moved(before, one.space)
         is_held = np.zeros(len(places), bool)

@@ -1,4 +1,4 @@
-"""A mesh in Edit Mode: read from the arrays that Blender fills from its edit mesh, written vertex by vertex."""
+"""Mesh in Edit Mode: read from the arrays that Blender fills from its edit mesh, and written vertex by vertex."""
 
 import bmesh
 
@@ -6,11 +6,11 @@ from ...core.lazy import numpy as np
 from .object_mesh import ObjectMesh
 
 MOST_SINGLE_NORMALS = 0.02
-"""Share of the vertices up to which their normals are computed one by one, rather than all of them."""
+"""Largest share of the vertices for which normals are computed one by one; for more of them all normals are computed."""
 
 
 class EditMesh(ObjectMesh):
-    """What is hidden, masked or keyed is read as in Object Mode; Blender itself takes relative shape keys along."""
+    """A mesh in Edit Mode. Hidden vertices, masks and keys are read as in Object Mode; relative shape keys are moved along by Blender."""
 
     writes_all = False
 
@@ -19,7 +19,7 @@ class EditMesh(ObjectMesh):
         self._moved = np.zeros(self.count, bool)
 
     def write(self, positions, moved=None):
-        """Put positions (n, 3) into the edit mesh. moved: indices of those that differ, in any order; all, if None."""
+        """Write positions (n, 3) into the edit mesh. moved: indices of vertices that differ, in any order; None for all."""
         vertices = self._edit_mesh().verts
         moved = None if moved is None else np.unique(np.asarray(moved, int))
         indices = range(self.count) if moved is None else moved.tolist()
@@ -31,19 +31,19 @@ class EditMesh(ObjectMesh):
         bmesh.update_edit_mesh(self.mesh, loop_triangles=False, destructive=False)
 
     def room(self):
-        """What is in the arrays is not in the edit mesh."""
+        """No memory to write to: Blender does not read the arrays back into its edit mesh."""
 
     def finish(self):
-        """Triangulate the faces anew, which depends on their shape."""
+        """Triangulate the faces again, since the triangulation depends on the shape."""
         if self._moved.any():
             bmesh.update_edit_mesh(self.mesh, loop_triangles=True, destructive=False)
 
     def is_deformed(self):
-        """The cage is what is seen and edited."""
+        """Always False: in Edit Mode the cage is what the user sees and edits."""
         return False
 
     def share_seen(self):
-        """Edit Mode shows the shape key that is edited."""
+        """Always 1: Edit Mode shows the edited shape key in full."""
         return 1.0
 
     def _edit_mesh(self):

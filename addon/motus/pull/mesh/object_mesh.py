@@ -1,4 +1,4 @@
-"""The mesh that is pulled, in Object, Edit and Sculpt Mode: whether it may be edited, and where its vertices are."""
+"""Mesh in Object and Sculpt Mode: whether it can be pulled, and the positions of its vertices. EditMesh in edit_mesh.py derives from it."""
 
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
@@ -9,7 +9,7 @@ MODES = ('OBJECT', 'EDIT', 'SCULPT')
 
 
 def problem(obj):
-    """A sentence in the user's language that says why the object cannot be pulled as it is; None where it can."""
+    """Sentence in the user's language that says why the object cannot be pulled; None if it can."""
     if obj is None:
         return tr("Select a mesh")
     if obj.type != 'MESH':
@@ -23,7 +23,7 @@ def problem(obj):
         return tr("Dynamic topology changes the vertices while they are pulled: switch it off first")
     if any(modifier.type == 'MULTIRES' for modifier in obj.modifiers):
         return tr("{object} has a Multiresolution modifier: apply it or remove it first").format(object=obj.name)
-    if obj.mode != 'EDIT' and len(mesh.vertices) == 0:  # to ask for any vertex un-shares their places
+    if obj.mode != 'EDIT' and len(mesh.vertices) == 0:  # Accessing a single vertex would make a copy of the shared positions.
         return tr("{object} has no vertices").format(object=obj.name)
     key = obj.active_shape_key
     if key is not None and getattr(key, "lock_shape", False):
@@ -32,7 +32,7 @@ def problem(obj):
 
 
 class ObjectMesh:
-    """A mesh in Object or Sculpt Mode. With shape keys it is the active one that is read and written."""
+    """A mesh in Object or Sculpt Mode. If it has shape keys, the active key is read and written."""
 
     def __init__(self, obj):
         self.obj = obj
@@ -43,54 +43,54 @@ class ObjectMesh:
 
     @property
     def key(self):
-        """The shape key, None without any. Raises ReferenceError where it is gone, which Blender itself would not notice."""
+        """Active shape key; None without shape keys. Raises ReferenceError if the key was removed, which Blender does not notice."""
         return None if self._key_name is None else _key_of(self.mesh, self._key_name)
 
     writes_all = True
-    """Writing all vertices takes little more time than to find out which have moved."""
+    """Whether write() writes all vertices: for meshes outside Edit Mode this is as fast as finding those that have moved."""
 
     @property
     def count(self):
-        """The number of vertices."""
+        """Number of vertices."""
         return len(self.mesh.vertices)
 
     def positions(self):
-        """float32 (n, 3), in the object's space."""
+        """Positions of the vertices in the object's space, float32 (n, 3)."""
         if self.key is None:
             return arrays.positions(self.mesh)
         return arrays.key_positions(self.key)
 
     def triangles(self, visible_only=False):
-        """int32 (t, 3), as Blender triangulates the faces. visible_only: without those of hidden faces."""
+        """Triangles of Blender's triangulation, int32 (t, 3). visible_only: leave out hidden faces."""
         return arrays.triangles(self.mesh, visible_only)
 
     def edges(self):
-        """int32 (e, 2)."""
+        """Edges, int32 (e, 2) indices of vertices."""
         return arrays.edges(self.mesh)
 
     def corners(self):
-        """int32 (c,): the vertex of each face corner."""
+        """Vertex of each face corner, int32 (c,)."""
         return arrays.corners(self.mesh)
 
     def hidden(self):
-        """bool (n,), or None where nothing is hidden."""
+        """Which vertices are hidden, bool (n,); None if none is hidden."""
         return arrays.hidden_vertices(self.mesh)
 
     def mask(self):
-        """Sculpt Mode's mask, float32 (n,); None in other modes and where there is none."""
+        """Sculpt mask, float32 (n,); None in other modes and without a mask."""
         return arrays.sculpt_mask(self.mesh) if self.obj.mode == 'SCULPT' else None
 
     def weights(self, group_name):
-        """Weights of a vertex group, float32 (n,). Raises Refused where there is no such group."""
+        """Weights of a vertex group, float32 (n,). Raises Refused if the object has no such group."""
         group = self.obj.vertex_groups.get(group_name)
         if group is None:
             raise Refused(tr("{object} has no vertex group {group}").format(object=self.obj.name, group=group_name))
         return arrays.group_weights(self.mesh, group.index)
 
     def write(self, positions, moved=None):
-        """Put positions (n, 3) into the mesh and tag it.
+        """Write positions (n, 3) into the mesh and tag it for an update.
 
-        moved: indices of those that differ, in any order; all, if None.
+        moved: indices of vertices that differ, in any order; None for all.
         """
         flat = positions.reshape(-1)
         if self.key is None:
@@ -100,22 +100,22 @@ class ObjectMesh:
         self.mesh.update()
 
     def room(self):
-        """Where all positions, float32 (n, 3), can be put at once, and then filled() be called; None where they cannot."""
+        """Memory that takes all positions at once, float32 (n, 3), before filled() is called; None if the mesh has no such memory."""
         return arrays.own_positions(self.mesh) if self.key is None else None
 
     def filled(self):
-        """What room() gave has been filled."""
+        """Tag the mesh after the memory that room() returned was filled."""
         self.mesh.update()
 
     def finish(self):
-        """Bring up to date what write() leaves for later."""
+        """Update what write() leaves for the end of a stroke."""
 
     def is_deformed(self):
-        """Whether what is seen may stand elsewhere than the vertices that are written."""
+        """Whether the vertices that the user sees may stand elsewhere than those that are written."""
         return self.key is not None or any(modifier.show_viewport for modifier in self.obj.modifiers)
 
     def evaluated_positions(self, depsgraph):
-        """float32 (n, 3) of what is seen; None where modifiers have made other vertices of these."""
+        """Positions of the vertices as they are seen, float32 (n, 3); None if modifiers change the number of vertices."""
         depsgraph.update()
         seen = self.obj.evaluated_get(depsgraph).data
         if (len(seen.vertices), len(seen.loops)) != (len(self.mesh.vertices), len(self.mesh.loops)):
@@ -123,13 +123,13 @@ class ObjectMesh:
         return arrays.positions(seen)
 
     def follows_whole(self):
-        """Whether all vertices follow, and what is written is the shape that pins are measured on."""
+        """Whether neither masks nor hidden vertices hold vertices back, and the written shape is the one that pins are measured on."""
         mask = self.mask()
         has_mask = self.hidden() is not None or (mask is not None and mask.any())
         return not has_mask and (self.key is None or self.key == self.mesh.shape_keys.reference_key)
 
     def share_seen(self):
-        """How much of what is written is seen: the value of a shape key."""
+        """Share of a written displacement that the user sees: the value of the shape key."""
         keys = self.mesh.shape_keys
         is_whole = self.key is None or self.key == keys.reference_key or not keys.use_relative
         if is_whole or self.obj.show_only_shape_key:
@@ -139,7 +139,7 @@ class ObjectMesh:
     def _write_key(self, flat):
         key, keys = self.key, self.mesh.shape_keys
         if self._key_followers is None:
-            # As Blender's own tools do: keys that are relative to this one go along, and so mean what they meant.
+            # Like Blender's own tools: keys that are relative to this one move along, and so keep their meaning.
             followers = _followers(keys, key)
             self._before = arrays.key_positions(key).reshape(-1) if followers else None
             self._key_followers = [(one.name, arrays.key_positions(one).reshape(-1)) for one in followers]
@@ -158,7 +158,7 @@ def _key_of(mesh, name):
 
 
 def _followers(keys, leader):
-    """The shape keys that are relative to `leader`, or to one of those."""
+    """Shape keys that are relative to `leader`, directly or through other keys."""
     if not keys.use_relative:
         return []
     found, names = [], {leader.name}
@@ -172,12 +172,15 @@ def _followers(keys, leader):
 
 
 def not_seen(key):
-    """The sentence on a shape key of which nothing is seen."""
+    """Sentence on a shape key without visible effect."""
     return tr("The shape key {key} is not seen, as its value is 0 or it is muted").format(key=key.name)
 
 
 def nearest(positions, place, metric, hidden=None):
-    """(index, distance) of the vertex nearest to `place`, in the space of the positions; measured by the metric."""
+    """(index, distance) of the vertex nearest to `place`.
+
+    place: in the space of the positions. metric: 3x3, which measures lengths. hidden: vertices that do not count.
+    """
     away = (positions - np.asarray(place, np.float32)) @ np.asarray(metric, np.float32).T
     squares = np.einsum("ij,ij->i", away, away)
     squares[~np.isfinite(squares)] = np.inf

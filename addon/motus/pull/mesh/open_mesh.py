@@ -1,4 +1,4 @@
-"""The mesh that is pulled, as the mode that it is in wants it."""
+"""Open the pulled mesh in the mode that its object is in."""
 
 from ...core.refusals import Refused
 from ...core.translations import tr
@@ -7,12 +7,12 @@ from .object_mesh import ObjectMesh, problem
 
 
 def open_mesh(obj):
-    """What reads and writes the object's mesh in the mode it is in. Raises Refused where meshes.problem() has a sentence."""
+    """Reader and writer of an object's mesh for the object's mode. Raises Refused if meshes.problem() gives a sentence."""
     sentence = problem(obj)
     if sentence:
         raise Refused(sentence)
     if obj.mode == 'EDIT':
-        # What has been edited so far is in Blender's edit mesh alone; this puts it into the arrays.
+        # Edits so far are in Blender's edit mesh alone; this call copies them into the mesh's arrays.
         obj.update_from_editmode()
         if len(obj.data.vertices) == 0:
             raise Refused(tr("{object} has no vertices").format(object=obj.name))

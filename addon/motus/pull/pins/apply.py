@@ -1,4 +1,4 @@
-"""Burning pins in: into the mesh, or into shape keys, whose values take over the strengths and their keys."""
+"""Apply pins to the mesh, or to shape keys whose values take over the strengths of the pins with their keys."""
 
 import bpy
 
@@ -16,13 +16,13 @@ TARGETS = (
     ('KEYS', "Shape Keys", "A shape key for each pin, whose value is keyed or driven as the strength was"),
 )
 SLIDER_LIMIT = 10.0
-"""Blender's, for the values of shape keys."""
+"""Largest absolute value that Blender allows for a shape key."""
 
 
 class MOTUS_OT_pin_apply(PinOperator, bpy.types.Operator):
     bl_idname = "motus.pin_apply"
     bl_label = "Apply Pins"
-    bl_description = "Make what the pins do a part of the mesh, and remove them"
+    bl_description = "Make the deformation by the pins a part of the mesh, and remove the pins"
 
     object: mesh_keyword()
     to: bpy.props.EnumProperty(name="To", description="Form that the pins are applied in", items=TARGETS, default='MESH')
@@ -74,7 +74,7 @@ def _check(obj, indices, to):
 
 
 def _offsets(obj, rows, influence):
-    """How far the points are moved by these pins, float32 (n, 3). Raises Refused where that cannot be told."""
+    """Displacements of the points by these pins, float32 (n, 3). Raises Refused if the displacements cannot be determined."""
     offsets = np.zeros((len(obj.data.vertices), 3), np.float32)
     done = solve.displace(obj, obj.data, rows, offsets)
     if done is None:
@@ -88,7 +88,7 @@ def _offsets(obj, rows, influence):
 
 
 def _to_mesh(obj, offsets):
-    # All keys go along, so that the mix of them does.
+    # All shape keys get the displacements, so that the shown mix of them does too.
     for key in obj.data.shape_keys.key_blocks if obj.data.shape_keys else ():
         arrays.set_key_positions(key, (arrays.key_positions(key) + offsets).reshape(-1))
     arrays.set_positions(obj.data, (arrays.positions(obj.data) + offsets).reshape(-1))
@@ -109,13 +109,13 @@ def _add_key(obj, name, offsets):
 
 
 def _set_value(key, index, obj, strength):
-    """Let a shape key's value be, and move, as the strength of a pin; returns its least and largest values."""
+    """Give a shape key's value the strength of a pin with its keys and driver; returns the least and the largest value."""
     strengths = keys.curve(obj, index, "strength")
     points = [point.co.y for point in strengths.keyframe_points] if strengths else []
     driver = keys.driver(obj, index, "strength")
     reach = (-SLIDER_LIMIT, SLIDER_LIMIT) if driver or (strengths and strengths.modifiers) else ()
     lowest, highest = min(0.0, strength, *points, *reach), max(1.0, strength, *points, *reach)
-    # A little more, for the handles of keys go beyond them.
+    # A margin, since handles of keys go beyond the keys.
     room = 0.5 * (highest - lowest) if points else 0.0
     key.slider_min, key.slider_max = max(lowest - room, -SLIDER_LIMIT), min(highest + room, SLIDER_LIMIT)
     key.value = strength

@@ -1,8 +1,8 @@
-"""How a pin finds its root again: a number that the mesh keeps at the vertex, or else the place in the mesh.
+"""Find a pin's root again: by a number that the mesh stores at the vertex, or by the place in the mesh.
 
-The number stands in an attribute of the user's mesh, which Blender carries along through edits of the topology. Where it is
-not found (a linked mesh cannot be marked), the vertex at the stored place is the root. Where that is not exactly one vertex,
-the binding is broken: the pin does nothing until somebody binds it again.
+The number is a vertex attribute of the user's mesh, which Blender keeps through changes of the topology. Without the attribute (a linked
+mesh cannot get one) the root is the vertex at the stored place. If not exactly one vertex fits, the binding is broken: the pin does
+nothing until somebody binds it again.
 """
 
 import zlib
@@ -11,20 +11,22 @@ from ...core.lazy import numpy as np
 
 ATTRIBUTE = "motus_pin"
 TOLERANCE = 1e-5
-"""Of the mesh's size: how far from the stored place a vertex may stand."""
+"""Largest distance of a vertex from the stored place, as a share of the mesh's size."""
 SHAPE = "motus_pin_shape"
-"""Attributes by this name, and numbers behind it, say how far pins that were made of strokes move each vertex."""
+"""Start of the names of attributes that store how far a pin made of a stroke moves each vertex; a number follows."""
 FIRST_ANCHOR, LAST_ANCHOR = 1 << 20, 1 << 24
-"""Blender interpolates the numbers of vertices for new ones between them, in single precision: what is halfway
-between none and one of these is none of them."""
+"""Range of the numbers.
+
+Blender interpolates them for new vertices in single precision: the mean of none and a number is below the range.
+"""
 
 OK, LOST, AMBIGUOUS = 0, 1, 2
 
 
 def root(row, positions, anchors, size):
-    """(vertex or None, OK, LOST or AMBIGUOUS) of a pin.
+    """Find the root of a pin: (vertex, OK), or (None, LOST or AMBIGUOUS).
 
-    anchors: {number: indices of the vertices that have it}; size: diagonal of the mesh's bounding box.
+    anchors: {number: indices of vertices that have it}. size: diagonal of the mesh's bounding box.
     """
     marked = anchors.get(row.anchor, ()) if row.anchor else ()
     if len(marked) == 1:
@@ -34,19 +36,19 @@ def root(row, positions, anchors, size):
     if len(near) == 1:
         return int(near[0]), OK
     if row.vertex in near:
-        return row.vertex, OK  # several stand at the very place: the one that was it before
+        return row.vertex, OK  # several vertices stand at exactly this place: take the one that was the root before
     return None, AMBIGUOUS if len(near) or len(marked) else LOST
 
 
 def diagonal(positions):
-    """Length of the diagonal of the bounding box."""
+    """Length of the diagonal of the positions' bounding box."""
     if len(positions) == 0:
         return 0.0
     return float(np.linalg.norm((positions.max(axis=0) - positions.min(axis=0)).astype(float)))
 
 
 def anchors(mesh):
-    """The numbers of a mesh's vertices, int32 (n,); None where it has none."""
+    """Numbers that pins have given the vertices of a mesh, int32 (n,); None if there are none."""
     attribute = mesh.attributes.get(ATTRIBUTE)
     if attribute is None or (attribute.data_type, attribute.domain) != ('INT', 'POINT'):
         return None
@@ -58,7 +60,7 @@ def anchors(mesh):
 
 
 def by_number(numbers):
-    """{number: indices of the vertices that have it} of anchors()."""
+    """Indices of the vertices for each number of anchors(): {number: indices}."""
     if numbers is None:
         return {}
     marked = np.flatnonzero(numbers)
@@ -69,7 +71,7 @@ def by_number(numbers):
 
 
 def mark(mesh, vertex, used):
-    """The number of a vertex, which is given one where it has none. 0: the mesh is not ours to mark.
+    """Number of a vertex, assigned if the vertex has none; 0 if the mesh must not be marked.
 
     used: numbers that pins of other roots have.
     """
@@ -77,7 +79,7 @@ def mark(mesh, vertex, used):
         return 0
     numbers = anchors(mesh)
     if numbers is None:
-        if ATTRIBUTE in mesh.attributes:  # of another kind
+        if ATTRIBUTE in mesh.attributes:  # the attribute has another type, and is not one of ours
             _remove_attribute(mesh, ATTRIBUTE)
         _new_attribute(mesh, ATTRIBUTE, 'INT')
         numbers = anchors(mesh)
@@ -93,7 +95,7 @@ def mark(mesh, vertex, used):
 
 
 def unmark(mesh, used):
-    """Take back the numbers that no pin has any more, and with the last one the attribute."""
+    """Remove numbers that no pin uses any more, and the attribute if none is left."""
     numbers = anchors(mesh)
     if numbers is None or mesh.library or mesh.override_library:
         return
@@ -106,7 +108,7 @@ def unmark(mesh, used):
 
 
 def shape(mesh, name):
-    """How far a pin that was made of a stroke moves each vertex, float32 (n, 3); None where the mesh does not say it."""
+    """Displacement of each vertex by a pin made of a stroke, float32 (n, 3); None if the mesh does not store it."""
     attribute = mesh.attributes.get(name)
     if attribute is None or (attribute.data_type, attribute.domain) != ('FLOAT_VECTOR', 'POINT'):
         return None
@@ -118,14 +120,14 @@ def shape(mesh, name):
 
 
 def keep_shape(mesh, offsets):
-    """Let the mesh keep what shape() gives; returns its name."""
+    """Store displacements in the mesh for shape(); returns the attribute's name."""
     name = _new_attribute(mesh, SHAPE, 'FLOAT_VECTOR')
     mesh.attributes[name].data.foreach_set("vector", np.ascontiguousarray(offsets, np.float32).ravel())
     return name
 
 
 def drop_shapes(mesh, used):
-    """Take back the shapes that no pin has any more. used: names of those that pins have."""
+    """Remove stored displacements that no pin uses any more. used: names of the attributes that pins name."""
     if mesh.library or mesh.override_library:
         return
     for name in [name for name in mesh.attributes.keys() if name.startswith(SHAPE) and name not in used]:
@@ -133,7 +135,7 @@ def drop_shapes(mesh, used):
 
 
 def _new_attribute(mesh, name, kind):
-    """Its name, which Blender makes another one where that name is taken; the user's active attribute stays so."""
+    """Add an attribute, and return the name that Blender gave it; the user's active attribute stays active."""
     active = mesh.attributes.active_index
     name = mesh.attributes.new(name, kind, 'POINT').name
     mesh.attributes.active_index = active

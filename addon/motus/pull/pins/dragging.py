@@ -1,4 +1,4 @@
-"""motus.pin_drag: a pin's root is taken elsewhere, by its handle in the viewport or from a script."""
+"""Operator motus.pin_drag: moves a pin's root to a place, by the pin's handle in the viewport or from a script."""
 
 import bpy
 from mathutils import Matrix, Vector
@@ -14,13 +14,13 @@ from . import binding, handles, setup, solve
 from .operators import PinOperator, index_keyword, mesh_keyword
 
 PROBE = 0.01
-"""Of the mesh's size: so far the root is moved to see where it goes."""
+"""Step by which the root is moved to measure its response, as a share of the mesh's size."""
 LEAST_VOLUME = 1e-6
-"""Of what three ways along the axes span: below it the root does not follow its pin in all directions."""
+"""Least volume that the responses to three axes span, as a share of the plain response; below it the plain response is used."""
 
 
 class Held:
-    """A pin whose root goes where pull() says. point: where it is seen now, in the world."""
+    """A pin that is dragged: pull() moves its root. point: where the root is seen at the start, in the world."""
 
     def __init__(self, context, obj, index):
         self._context, self._object, self.index = context, obj, index
@@ -39,24 +39,24 @@ class Held:
 
     @property
     def has_chosen(self):
-        """Whether another pin was the active one before."""
+        """Whether the drag has made another pin the active one."""
         return self._active != self.index
 
     def pull(self, place):
-        """Let the root be seen at a place in the world, where nothing but its own pin holds it back."""
+        """Move the pin so that its root is seen at a place in the world, as far as no other pin or modifier holds the root back."""
         if self._inverse is None:
             self._inverse = self._ways().inverted()
         self._pin.displacement = self._before + self._inverse @ (Vector(place) - self.point)
 
     def restore(self):
-        """Everything is as it was."""
+        """Restore the pin to its state before the drag."""
         self._pin.displacement = self._before
         self._object.motus.pull.active_pin = self._active
 
     def _ways(self):
-        """How the root's place in the world changes with the pin's displacement.
+        """Response of the root's world position to the pin's displacement, 3x3.
 
-        Modifiers behind, vertex groups and shape keys turn and shorten its way, so that it is tried out.
+        Later modifiers, vertex groups and shape keys turn and shorten the root's way, so that the response is measured by small steps.
         """
         if self._is_broken:
             raise Refused(tr(solve.BROKEN.sentence))
@@ -79,7 +79,7 @@ class Held:
         return self._seen()[0]
 
     def _seen(self):
-        """(Where the root is, whether the pin has lost it)."""
+        """(world position of the root as it is seen, whether the pin has lost its root)."""
         self._context.view_layer.update()
         found = handles.read(self._object, self._context.view_layer.depsgraph)
         rows = np.flatnonzero(found.indices == self.index)
@@ -91,7 +91,7 @@ class Held:
 class MOTUS_OT_pin_drag(PointDrag, PinOperator, bpy.types.Operator):
     bl_idname = "motus.pin_drag"
     bl_label = "Drag Pin"
-    bl_description = "Take the root of a pin elsewhere; a click makes the pin the active one"
+    bl_description = "Move the root of a pin; a click makes the pin the active one"
 
     object: mesh_keyword()
     index: index_keyword()

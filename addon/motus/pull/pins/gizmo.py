@@ -1,4 +1,4 @@
-"""The handles of pins in the viewport: drawn and picked all at once, by one gizmo."""
+"""Gizmo that draws and picks the handles of all pins at once."""
 
 import bpy
 
@@ -10,13 +10,13 @@ from . import handles, setup
 from .dragging import MOTUS_OT_pin_drag
 
 RADIUS = 5.0
-"""Pixels, at the interface's normal size."""
+"""Radius of a handle, in pixels at the interface's normal size."""
 ACTIVE_RADIUS = 7.0
 RIM = 1.5
 PULLING, RESTING, BROKEN = (0.95, 0.95, 1.0, 0.9), (0.6, 0.6, 0.65, 0.6), (0.95, 0.25, 0.3, 0.9)
 ACTIVE = (1.0, 0.56, 0.16, 1.0)
 LIT = 0.35
-"""Of the way to white: what is under the mouse."""
+"""Share by which the handle under the mouse is lightened towards white."""
 RIM_COLOR = (0.05, 0.05, 0.08, 0.85)
 
 
@@ -29,7 +29,7 @@ class MOTUS_GT_pins(bpy.types.Gizmo):
 
     def test_select(self, context, location):
         found = -1
-        if not hover.is_tool_active(context):  # whose strokes may begin on a handle
+        if not hover.is_tool_active(context):  # the tool's strokes may begin on a handle
             shown = handles.read(context.object, context.evaluated_depsgraph_get())
             near = handles.NEAR * context.preferences.system.ui_scale
             row = handles.pick(shown, context.region, context.region_data.perspective_matrix, location, near)
@@ -74,7 +74,7 @@ class MOTUS_GGT_pins(handle_groups.HandleGroup, bpy.types.GizmoGroup):
 
     @staticmethod
     def is_owner(obj):
-        """Whether it has pins."""
+        """Whether an object has pins."""
         return obj.type == 'MESH' and obj.motus.pull.is_active
 
 

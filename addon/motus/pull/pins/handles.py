@@ -1,4 +1,4 @@
-"""Handles of pins: where they are in the viewport, and which of them lies under the mouse."""
+"""Handles of pins: their places in the viewport, and the handle under the mouse."""
 
 from typing import Any, NamedTuple
 
@@ -7,14 +7,15 @@ from ...core.lazy import numpy as np
 from . import setup, solve, table
 
 NEAR = 11.0
-"""Pixels, at the interface's normal size: so near to a handle the mouse is on it."""
+"""Largest distance of the mouse from a handle that it points at, in pixels at the interface's normal size."""
 
 
 class Handles(NamedTuple):
-    """Those of an object's pins that have a root, one a row.
+    """Handles of the pins of an object that have a root, one for each row.
 
-    indices: of the pins. places: where the roots are seen, (n, 3) in the world. starts: where they would be without their own pin.
-    acts: whether each pin pulls now. is_broken: whether it has lost its root.
+    indices: of the pins. places: world positions at which the roots are seen, (n, 3). starts: the positions that the roots would have
+    without
+    their own pin. acts: whether each pin pulls now. is_broken: whether each pin has lost its root.
     """
 
     indices: Any
@@ -25,7 +26,7 @@ class Handles(NamedTuple):
 
 
 def read(obj, depsgraph):
-    """The Handles of a mesh object as it is evaluated."""
+    """Read the Handles of an evaluated mesh object."""
     evaluated = obj.evaluated_get(depsgraph)
     settings = evaluated.motus.pull
     pins = settings.pins
@@ -44,14 +45,14 @@ def read(obj, depsgraph):
 
 
 def share(obj, depsgraph, index):
-    """How much of a pin's displacement acts now: its strength, if it is not muted, times the influence of all pins."""
+    """Share of a pin's displacement that acts now: strength of an unmuted pin times the influence of all pins."""
     return float(_shares(obj.evaluated_get(depsgraph).motus.pull)[index, 0])
 
 
 def pick(handles, region, matrix, mouse, near):
-    """Row of the handle that is nearest to a place of the region, at most `near` pixels away; None without.
+    """Row of the handle nearest to a place of the region, within `near` pixels; None if there is none.
 
-    matrix: the view's perspective matrix.
+    matrix: perspective matrix of the view.
     """
     places, is_before = on_screen(handles.places, region, matrix)
     away = np.where(is_before, np.hypot(*(places - np.array(mouse[:2])).T), np.inf)
@@ -59,7 +60,7 @@ def pick(handles, region, matrix, mouse, near):
 
 
 def on_screen(points, region, matrix):
-    """(places in the region, pixels (n, 2); whether each point lies before the viewer) of world points."""
+    """Project world points: (pixels in the region (n, 2), whether each point lies before the viewer)."""
     matrix = np.array(matrix)
     clipped = points @ matrix[:, :3].T + matrix[:, 3]
     is_before = clipped[:, 3] > 1e-6
@@ -73,7 +74,7 @@ def _shares(settings):
 
 
 def _seen(obj, evaluated, vertices):
-    """Where vertices are seen, (m, 3) in the object; None where modifiers have made other vertices of these."""
+    """Positions in the object at which vertices are seen, (m, 3); None if modifiers change the number of vertices."""
     count = len(obj.data.vertices)
     mesh = evaluated.data
     if len(mesh.vertices) != count or not all(0 <= vertex < count for vertex in vertices):

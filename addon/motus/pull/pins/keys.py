@@ -1,4 +1,4 @@
-"""Keys and drivers of pins: they are known by the pin's place in the list, and go along when that changes."""
+"""Keys and drivers of pins. Their data paths hold the pin's index, so that they are rewritten when the list changes."""
 
 import re
 
@@ -13,13 +13,13 @@ _KEY_FIELDS = ("co", "handle_left", "handle_right", "handle_left_type", "handle_
 
 
 def reorder(owner, places, absent):
-    """Let keys, drivers, and others' drivers that read them follow their pins.
+    """Rewrite data paths of keys, drivers, and variables of other drivers after a change of the list of pins.
 
-    places: new index of each pin by its old one, without those that are removed. absent: data path that is read of these.
+    places: {old index: new index} of the pins that remain. absent: data path for variables that read a removed pin.
     """
     for player in actions.players(owner):
         if any(places.get(place) != place for place in _pins_of(actions.curves_of(player))):
-            actions.make_own(player)  # an object that shares it has pins of its own
+            actions.make_own(player)  # the copy of an object shares its action, but has its own pins
             _reorder(actions.curves_of(player), places)
     if owner.animation_data:
         _reorder(owner.animation_data.drivers, places)
@@ -46,17 +46,17 @@ def _moved(match, places):
 
 
 def _pins_of(curves):
-    """Indices of the pins that curves move."""
+    """Indices of the pins that F-curves animate."""
     return {int(match["index"]) for match in (_PATH.match(curve.data_path) for curve in curves) if match}
 
 
 def has_strips(owner, index):
-    """Whether a strip of the NLA moves a pin."""
+    """Whether an NLA strip animates a pin."""
     return any(index in _pins_of(actions.curves_of(player)) for player in actions.players(owner)[1:])
 
 
 def drop_empty(owner):
-    """Leave neither an action behind that was there for pins alone, nor animation data without anything."""
+    """Remove the object's action if it has no F-curves left, and its animation data if they are empty."""
     animation = owner.animation_data
     if animation is None or animation.nla_tracks:
         return
@@ -70,18 +70,18 @@ def drop_empty(owner):
 
 
 def curve(owner, index, name):
-    """The F-curve of one setting of a pin, or None."""
+    """F-curve of one setting of a pin, or None."""
     return actions.find(owner, f"motus.pull.pins[{index}].{name}")
 
 
 def driver(owner, index, name):
-    """The driver of one setting of a pin, or None."""
+    """Driver of one setting of a pin, or None."""
     animation = owner.animation_data
     return animation.drivers.find(f"motus.pull.pins[{index}].{name}") if animation else None
 
 
 def copy_curve(source, holder, name):
-    """Let a setting of a datablock's item be keyed like the F-curve `source`; returns the F-curve."""
+    """Copy the keys and modifiers of the F-curve `source` to a property of a datablock's item; returns the new F-curve."""
     holder.keyframe_insert(name, frame=source.keyframe_points[0].co.x if source.keyframe_points else 0.0)
     target = actions.find(holder.id_data, f"{holder.path_from_id()}.{name}")
     for point in reversed(target.keyframe_points):
@@ -98,7 +98,7 @@ def copy_curve(source, holder, name):
 
 
 def copy_driver(source, holder, name):
-    """Let a setting of a datablock's item be driven like `source`."""
+    """Copy the driver `source` to a property of a datablock's item."""
     animation = holder.id_data.animation_data or holder.id_data.animation_data_create()
     made = animation.drivers.from_existing(src_driver=source)
     made.data_path = f"{holder.path_from_id()}.{name}"
@@ -111,6 +111,6 @@ def _copy_settings(source, target):
 
 
 def is_animated(owner, path):
-    """Whether a setting of a datablock is keyed or driven."""
+    """Whether keys or a driver animate a property of a datablock."""
     animation = owner.animation_data
     return actions.find(owner, path) is not None or bool(animation and animation.drivers.find(path))

@@ -16,27 +16,27 @@ from . import setup, targets
 
 AXES = (('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", ""))
 DIRECTIONS = (
-    ('UP', "Up", "Act earlier"),
-    ('DOWN', "Down", "Act later"),
+    ('UP', "Up", "Let the pin act earlier"),
+    ('DOWN', "Down", "Let the pin act later"),
 )
 KEYWORDS = ("radius", "unit", "falloff", "scale_factor", "distance", "direction", "mirror", "use_minimum", "minimum",
             "use_maximum", "maximum", "clamp_axis", "vertex_group")
-"""Of the brush; the scene's brush has those that are not given."""
+"""Keywords of the brush that a pin has too; the scene's brush gives those that the caller leaves out."""
 
 
 def mesh_keyword():
-    """The property by which scripts name the object."""
+    """Make the string property by which scripts name the object."""
     return object_keyword("Name of the mesh object; empty takes the active one")
 
 
 def index_keyword():
-    """The property that says which pin."""
+    """Make the property that holds the index of a pin."""
     return bpy.props.IntProperty(
         name="Index", description="Index of the pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
 
 
 class PinOperator(Operator):
-    """Mixin: change(context, obj) does the work on an object that can have pins."""
+    """Mixin of operators on an object's pins: change(context, obj) does the work after the object was checked."""
 
     modes = OBJECT_MODE
 
@@ -53,7 +53,7 @@ class PinOperator(Operator):
 
 
 class PinKeywords:
-    """What of the brush a pin has too."""
+    """Keywords of the brush that a pin has too."""
 
     __annotations__ = {name: BrushKeywords.__annotations__[name] for name in KEYWORDS}
 
@@ -68,17 +68,17 @@ class MOTUS_OT_pin_add(FindsValues, PinOperator, PinKeywords, bpy.types.Operator
         name="Vertex", description="Index of the root; -1 takes the vertex that is nearest to the location", default=-1,
         min=-1, options={'SKIP_SAVE'})
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Place that is pulled, in the world or in the object as Unit says; without vertex and location the 3D cursor's",
+        name="Location",
+        description="Place that is pulled, in the space that Unit names; without vertex and location the place of the 3D cursor",
         size=3, subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
     displacement: bpy.props.FloatVectorProperty(
-        name="Displacement", description="How far the root goes, instead of the brush's direction and strength", size=3,
+        name="Displacement", description="Displacement of the root, instead of the brush's direction and strength", size=3,
         subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
     strength: bpy.props.FloatProperty(
         name="Strength", description="Share of the pin's displacement that the root moves; negative pushes", default=1.0, soft_min=-2.0,
         soft_max=2.0, options={'SKIP_SAVE'})
     curve: bpy.props.FloatVectorProperty(
-        name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root; "
-                                  "without it, those of the scene's own curve",
+        name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root; empty takes the scene's curve",
         size=CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
     name: bpy.props.StringProperty(name="Name", description="Name of the pin", options={'SKIP_SAVE'})
     from_last: bpy.props.BoolProperty(
@@ -125,7 +125,7 @@ class MOTUS_OT_pin_remove(PinOperator, bpy.types.Operator):
 class MOTUS_OT_pin_move(PinOperator, bpy.types.Operator):
     bl_idname = "motus.pin_move"
     bl_label = "Move Pin"
-    bl_description = "Let a pin act earlier or later than others, which counts where heights are limited"
+    bl_description = "Let a pin act earlier or later than others; the order matters if heights are limited"
 
     object: mesh_keyword()
     index: index_keyword()
@@ -162,7 +162,7 @@ class MOTUS_OT_pin_mirror(PinOperator, bpy.types.Operator):
 class MOTUS_OT_pin_rebind(PinOperator, bpy.types.Operator):
     bl_idname = "motus.pin_rebind"
     bl_label = "Bind Pin Again"
-    bl_description = "Give a pin that has lost its place the vertex nearest to it, or another one, as its root"
+    bl_description = "Give a pin that has lost its root a new root: the vertex nearest to the old place, or a given one"
 
     object: mesh_keyword()
     index: index_keyword()
@@ -170,7 +170,7 @@ class MOTUS_OT_pin_rebind(PinOperator, bpy.types.Operator):
         name="Vertex", description="Index of the new root; -1 takes the vertex that is nearest to the location",
         default=-1, min=-1, options={'SKIP_SAVE'})
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Position of the new root, in the object; that of the old root if it is not given", size=3,
+        name="Location", description="Position of the new root, in the object; by default the position of the old root", size=3,
         subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
 
     def change(self, context, obj):
@@ -188,7 +188,7 @@ class MOTUS_OT_pin_rebind(PinOperator, bpy.types.Operator):
 class MOTUS_OT_pin_restore(PinOperator, bpy.types.Operator):
     bl_idname = "motus.pin_restore"
     bl_label = "Restore Modifier"
-    bl_description = "Put the modifier of the pins back, in front of all others"
+    bl_description = "Restore the modifier of the pins, in front of all other modifiers"
 
     object: mesh_keyword()
 

@@ -1,4 +1,4 @@
-"""What the viewport shows of pins beside their handles: the way of each root, and in Edit Mode that they rest."""
+"""Viewport overlay of pins, in addition to the handles: the way of each root, and a note that pins rest in Edit Mode."""
 
 from ...core.declare import Problem
 from ...core.interface.overlay import Batch, Overlay

@@ -1,4 +1,4 @@
-"""The list of pins: in the sidebar's tab and among the modifiers of the object, drawn by the same functions."""
+"""List of pins, drawn by the same functions in the sidebar's tab and among the modifiers of the object."""
 
 import bpy
 
@@ -24,13 +24,13 @@ SENTENCES = {solve.LOST: LOST, solve.AMBIGUOUS: AMBIGUOUS, solve.NOT_USABLE: NOT
 
 
 def state_of(context, obj, index):
-    """How a pin is, as last evaluated: solve.OK where that is not known."""
+    """Status of a pin at the last evaluation; solve.OK if it is unknown."""
     found = wiring.output(system(), obj, f"pin{index}", context.view_layer.depsgraph)
     return int(found) if found in solve.PROBLEM_OF else solve.OK
 
 
 def draw_list(layout, context):
-    """The list and what is wrong."""
+    """Draw the list of pins, and what is wrong with them."""
     obj = context.object
     settings = obj.motus.pull
     _, _, buttons = ui.draw_list(
@@ -45,14 +45,14 @@ def draw_list(layout, context):
 
 
 def draw_add(layout, context):
-    """The buttons that make a pin."""
+    """Draw the buttons that make a pin."""
     column = layout.column(align=True)
     column.operator("motus.pin_add", icon='PINNED')
     _draw_pin_last(column, context)
 
 
 def draw_actions(layout, context):
-    """Pinning, applying and removing."""
+    """Draw the buttons that apply, bind and remove pins."""
     column = layout.column(align=True)
     _draw_pin_last(column, context)
     column.operator_menu_enum("motus.pin_apply", "to", text="Apply Pins", icon='CHECKMARK')
@@ -85,7 +85,7 @@ def _draw_problems(layout, context, obj):
 
 
 def draw_pin(layout, context):
-    """The settings of the active pin."""
+    """Draw the settings of the active pin."""
     obj = context.object
     settings = obj.motus.pull
     pin = settings.pins[settings.active_pin]
@@ -102,7 +102,7 @@ def draw_pin(layout, context):
     column.operator_menu_enum("motus.pin_mirror", "axis", icon='MOD_MIRROR')
 
 
-# The displacement's name is longer than the space for labels.
+# "Displacement" is longer than the space for labels
 _FORM = Rows((
     "strength", "radius", *rows.FORM, Row("displacement", text="Offset", text_ctxt=OWN_SENSE), *rows.EXTENT, *rows.LIMITS,
     rows.CLAMPED))
@@ -112,14 +112,14 @@ _KEEP_VERTICES = {
     'SIMPLE_DEFORM', 'SMOOTH', 'CORRECTIVE_SMOOTH', 'LAPLACIANSMOOTH', 'SURFACE_DEFORM', 'WARP', 'WAVE', 'CLOTH',
     'COLLISION', 'SOFT_BODY', 'DATA_TRANSFER', 'NORMAL_EDIT', 'WEIGHTED_NORMAL', 'UV_PROJECT', 'UV_WARP',
     'VERTEX_WEIGHT_EDIT', 'VERTEX_WEIGHT_MIX', 'VERTEX_WEIGHT_PROXIMITY'}
-"""Types of modifiers that leave the vertices what they are."""
+"""Types of modifiers that keep the number and order of the vertices."""
 
 
 class MOTUS_UL_pins(bpy.types.UIList):
     def draw_item(self, context, layout, settings, pin, _icon, _active, _name, index):
         row = layout.row(align=True)
         is_well = state_of(context, settings.id_data, index) == solve.OK
-        columns = row.split(factor=0.65, align=True)  # a narrow sidebar has room for the name all the same
+        columns = row.split(factor=0.65, align=True)  # even a narrow sidebar has room for the name
         columns.prop(pin, "name", text="", emboss=False, icon='PINNED' if is_well else 'ERROR')
         columns.prop(pin, "strength", text="", emboss=False)
         row.prop(pin, "is_muted", text="", emboss=False, icon='HIDE_ON' if pin.is_muted else 'HIDE_OFF')
@@ -131,7 +131,7 @@ def _has_active_pin(context):
 
 
 class ObjectModifiers:
-    """Mixin of panels among the modifiers of an object, in the properties editor."""
+    """Mixin of panels among the modifiers of an object in the properties editor."""
 
     bl_space_type = 'PROPERTIES'
     bl_region_type = 'WINDOW'

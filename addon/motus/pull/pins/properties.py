@@ -1,4 +1,4 @@
-"""Pins: pulls that are kept in a list on the object, and applied anew on every evaluation. Object.motus.pull."""
+"""Settings of pins in Object.motus.pull: pulls that are kept in a list, and applied on each evaluation."""
 
 import bpy
 
@@ -46,28 +46,30 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
     distance: _choice("Distance", "How the distance to the root is measured", DISTANCES, 'STRAIGHT')
     displacement: _vector("Displacement", "How far the root goes at the strength 1, in the object", 3, subtype='XYZ')
     mirror: _choice(
-        "Mirror", "Pull on the other side of the object too, across these of its axes", AXES, set(), {'ENUM_FLAG'})
+        "Mirror", "Pull on the other side of the object too, mirrored across these axes of the object", AXES, set(), {'ENUM_FLAG'})
     use_minimum: _flag("Use Minimum", "Nothing is moved below a height")
-    minimum: _number("Minimum", "Lowest height of what moves, in the object", -1.0)
+    minimum: _number("Minimum", "Lowest height of moved vertices, in the object", -1.0)
     use_maximum: _flag("Use Maximum", "Nothing is moved above a height")
-    maximum: _number("Maximum", "Largest height of what moves, in the object", 1.0)
+    maximum: _number("Maximum", "Largest height of moved vertices, in the object", 1.0)
     clamp_axis: _choice("Height Axis", "Axis along which the height is measured", AXES, 'Z')
     vertex_group: bpy.props.StringProperty(
-        name="Vertex Group", description="Vertex group whose weights tell how far each vertex moves; empty moves all vertices alike", options=set(),
+        name="Vertex Group",
+        description="Vertex group whose weights tell how far each vertex moves; empty moves all vertices alike", options=set(),
         update=touch, override=OVERRIDABLE)
     shape: bpy.props.StringProperty(
-        name="Shape", description="Name of the mesh's attribute that says how far each vertex goes, where the pin was made of "
-                                  "a stroke; empty for a pull at one root", options=set(), update=touch,
+        name="Shape",
+        description="Name of the mesh's attribute that stores the displacement of each vertex, for a pin that was made of a stroke; empty "
+                    "for a pin with a root", options=set(), update=touch,
         override=OVERRIDABLE)
     metric: _vector(
-        "Metric", "Matrix, row by row, that takes the object's vectors to those that are measured", 9,
+        "Metric", "Matrix, row by row, that converts vectors of the object to vectors whose lengths are measured", 9,
         default=UNIT_METRIC)
     place: _vector("Place", "Position of the root in the mesh", 3, subtype='XYZ')
     anchor: bpy.props.IntProperty(
-        name="Anchor", description="Number by which the mesh marks the root; 0 where it has no mark", options=set(),
+        name="Anchor", description="Number by which the mesh marks the root; 0 if the mesh has no mark", options=set(),
         override=OVERRIDABLE)
     vertex: bpy.props.IntProperty(
-        name="Vertex", description="Index of the root when it was last seen", options=set(), override=OVERRIDABLE)
+        name="Vertex", description="Index that the root had at the last evaluation", options=set(), override=OVERRIDABLE)
 
 
 class MOTUS_PG_pull(SystemSettings, bpy.types.PropertyGroup):

@@ -1,4 +1,4 @@
-"""Adding pins to an object, binding them to its mesh, and taking them away: plain functions under the operators."""
+"""Functions that add pins to an object, bind them to its mesh and remove them, used by the operators."""
 
 import bpy
 
@@ -14,7 +14,7 @@ from . import binding, keys
 
 
 def system():
-    """The system that this folder declares."""
+    """The registered System of the pins. It cannot be imported at the top, since the package's __init__ imports this module."""
     return registered["pull"]
 
 
@@ -33,7 +33,7 @@ def check(obj):
 
 
 def pin_at(obj, index):
-    """The index of a pin, where -1 is the active one. Raises Refused where there is none."""
+    """Index of a pin; -1 stands for the active one. Raises Refused if there is no such pin."""
     settings = obj.motus.pull
     found = settings.active_pin if index < 0 else index
     if not 0 <= found < len(settings.pins):
@@ -42,7 +42,7 @@ def pin_at(obj, index):
 
 
 def add(obj, vertex, name, values):
-    """A new pin at the end of the list, with the root `vertex` and these settings; returns its index."""
+    """Add a pin at the end of the list, with the root `vertex` and these settings; returns its index."""
     pin = _append(obj, name, values)
     bind(obj, pin, vertex)
     rewire(obj)
@@ -50,13 +50,13 @@ def add(obj, vertex, name, values):
 
 
 def add_shape(obj, offsets, name, values):
-    """A new pin that moves each vertex by its own offset, (n, 3) in the object."""
+    """Add a pin that moves each vertex by an offset of its own. offsets: (n, 3) in the object."""
     _append(obj, name, values | {"shape": binding.keep_shape(obj.data, offsets)})
     rewire(obj)
 
 
 def check_rooted(pin):
-    """Refuse a pin that has no root."""
+    """Refuse a pin without a root, which has been made of a stroke."""
     if pin.shape:
         raise Refused(tr("{pin} keeps the shape of a stroke and has no root").format(pin=pin.name))
 
@@ -65,7 +65,7 @@ def _append(obj, name, values):
     settings = obj.motus.pull
     pin = settings.pins.add()
     pin.name = _free_name(settings, name)
-    # All are set, so that no default is left for Blender to guess at when the list is read column by column.
+    # All settings are assigned: reading the list column by column is slow for values that were never set.
     for field in [one.identifier for one in pin.bl_rna.properties if one.is_runtime and one.identifier != "name"]:
         setattr(pin, field, values.get(field, getattr(pin, field)))
     settings.active_pin = len(settings.pins) - 1
@@ -73,7 +73,7 @@ def _append(obj, name, values):
 
 
 def bind(obj, pin, vertex):
-    """Let a vertex be the root of a pin."""
+    """Make a vertex the root of a pin."""
     others = _pins_of_mesh(obj.data, but=pin)
     elsewhere = {other.anchor for other in others if other.vertex != vertex}
     pin.vertex = vertex
@@ -83,7 +83,7 @@ def bind(obj, pin, vertex):
 
 
 def remove(obj, indices):
-    """Remove pins; with the last one all that was added to the object for them."""
+    """Remove pins; with the last pin also the modifier and all else that was added to the object for pins."""
     settings = obj.motus.pull
     if min(indices) < libraries.count_from_library(obj, "motus.pull.pins"):
         raise Refused(tr("A pin of {object} is from its library and cannot be removed here: mute it").format(object=obj.name))
@@ -101,7 +101,7 @@ def remove(obj, indices):
 
 
 def reorder(obj, index, place):
-    """Let a pin act at another place in the order."""
+    """Move a pin to another place in the order of the list."""
     settings = obj.motus.pull
     order = list(range(len(settings.pins)))
     order.insert(place, order.pop(index))
@@ -112,12 +112,12 @@ def reorder(obj, index, place):
 
 
 def rewire(obj):
-    """Wire an object for the pins it has now."""
+    """Wire an object anew for the pins that it has now."""
     entries.wire(system(), obj, "pins")
 
 
 def settle(obj):
-    """Let pins remember where their roots stand now."""
+    """Store in each pin where its root stands now."""
     if obj.mode != 'OBJECT':
         return
     from . import table
@@ -130,12 +130,12 @@ def settle(obj):
 
 
 def _follow(obj, order):
-    # A pin's number may soon be another's: who reads a pin that is gone reads what is never there, and Blender says so.
+    # Another pin may get a removed pin's index, so that drivers of the removed pin get a path that does not exist: Blender reports it.
     keys.reorder(obj, {old: new for new, old in enumerate(order)}, wiring.absent_path(system(), "removed pin"))
 
 
 def _pins_of_mesh(mesh, but=None):
-    """The pins, but for one, of all objects that have the mesh."""
+    """Pins of all objects that use the mesh, except one pin."""
     return [pin for obj in bpy.data.objects if obj.data == mesh and obj.is_property_set("motus")
             for pin in obj.motus.pull.pins if pin != but]
 

@@ -1,7 +1,7 @@
-"""What the pins of a mesh reach, kept until the mesh or the pin changes: the dear part of their evaluation.
+"""Cache of the vertices that the pins of a mesh reach, which are expensive to find.
 
-A shape is kept by the content of the mesh (positions, marks of the roots and, where distances run along it, the
-topology), which is compared on every evaluation. The results are the same with nothing kept.
+An entry is keyed by the content of the mesh (positions, numbers of the roots, and topology if distances run along the mesh), which is
+compared on every evaluation. The results do not depend on the cache.
 """
 
 import threading
@@ -14,18 +14,18 @@ from ..mesh import arrays
 from . import binding
 
 LARGEST = 32
-"""Shapes that are kept."""
+"""Most shapes in the cache."""
 MOST_VERTICES = 4_000_000
-"""That all kept shapes but the last may have together."""
+"""Most vertices of all shapes in the cache except the latest one."""
 SPARE_REACHES = 64
-"""Kept for pins that are just being changed."""
+"""Number of unused reaches that a shape keeps, for pins that are being edited."""
 
 _lock = threading.Lock()
 _shapes = OrderedDict()
 
 
 class Reached:
-    """Whom a pin reaches. reaches: (indices, distances) for each of its images, as native.pull() takes them."""
+    """Vertices that a pin reaches: (indices, distances) for each mirror image, as the library's pull() takes them."""
 
     def __init__(self, reaches):
         self.reaches = reaches
@@ -33,7 +33,7 @@ class Reached:
 
     @property
     def compact(self):
-        """(indices of all that are reached, the reaches by places in these)."""
+        """(sorted indices of all reached vertices, the reaches with places in this array instead of indices)."""
         if self._compact is None:
             rows = np.unique(np.concatenate([indices for indices, _ in self.reaches]))
             self._compact = rows, [(np.searchsorted(rows, indices), distances) for indices, distances in self.reaches]
@@ -41,7 +41,7 @@ class Reached:
 
 
 class Shape:
-    """A mesh as it was when its pins were last looked for."""
+    """Shape of a mesh for which pins were evaluated, with the vertices that each pin reaches."""
 
     def __init__(self, mesh, positions, numbers, topology):
         self.positions = positions
@@ -56,13 +56,13 @@ class Shape:
         self._found = OrderedDict()
 
     def is_of(self, positions, numbers, topology):
-        """Whether a mesh with these arrays is the same."""
+        """Whether a mesh with these arrays has this shape."""
         pairs = [(positions, self.positions), (numbers, self._numbers)]
         pairs += zip(topology or (), self._topology or ())
         return (topology is None) == (self._topology is None) and all(map(_same, *zip(*pairs)))
 
     def find(self, row):
-        """(root or None, status, Reached or None) of a pin."""
+        """Find a pin's root and reach: (root or None, status, Reached or None)."""
         if row.where not in self._found:
             root, status = binding.root(row, self.positions, self._anchors, self._size)
             self._found[row.where] = root, status, None if root is None else Reached(self._reaches(row, root))
@@ -70,7 +70,7 @@ class Shape:
         return self._found[row.where]
 
     def forget_but(self, count):
-        """Drop what pins that have changed have left, where as many as `count` are in use."""
+        """Remove reaches of pins that have changed, if more than `count` and SPARE_REACHES are kept."""
         while len(self._found) > count + SPARE_REACHES:
             self._found.popitem(last=False)
 
@@ -82,7 +82,7 @@ class Shape:
 
 
 def shape_of(mesh, rows):
-    """The Shape of an evaluated mesh for these rows of pins."""
+    """Shape from the cache for an evaluated mesh and these rows of pins; a new one if the mesh has changed."""
     positions, numbers = _positions(mesh), binding.anchors(mesh)
     topology = None
     if any(row.distance != "straight" for row in rows):
@@ -103,7 +103,7 @@ def shape_of(mesh, rows):
 
 
 def forget():
-    """Keep nothing."""
+    """Empty the cache."""
     with _lock:
         _shapes.clear()
 
@@ -113,25 +113,25 @@ def _kept_vertices():
 
 
 def _positions(mesh):
-    """float32 (n, 3), in an array that the thread uses again."""
+    """Positions of a mesh's vertices, float32 (n, 3), in an array that the thread reuses."""
     return arrays.positions(mesh, _buffer("positions", 3 * len(mesh.vertices), np.float32))
 
 
 def _topology(mesh):
-    """Arrays that differ where the faces or edges of a mesh do, of which the thread uses the memory again."""
+    """Arrays that describe the faces and edges of a mesh for comparison; valid until the thread's next call."""
     if ".corner_vert" in mesh.attributes:
         corners = _buffer("corners", len(mesh.loops), np.int32)
         mesh.attributes[".corner_vert"].data.foreach_get("value", corners)
         edges = _buffer("edges", 2 * len(mesh.edges), np.int32)
         mesh.attributes[".edge_verts"].data.foreach_get("value", edges)
         return corners, edges
-    # Before these attributes (4.0) loops and edges can only be read one by one, which takes 0.5 s a million; but they lie in
-    # one piece of memory each.
+    # Before 4.0 these attributes do not exist, and RNA reads loops and edges one by one, 0.5 s for a million. Blender keeps each
+    # collection in one block of memory, which is compared instead.
     return _memory(mesh.loops), _memory(mesh.edges)
 
 
 def _buffer(name, size, dtype):
-    # Fresh memory would have to be mapped anew on every frame, which takes longer than to fill it.
+    # Reused memory: fresh memory would have to be mapped by the system on every frame, which takes longer than filling it.
     buffers = kept("pins", dict)
     if name not in buffers or len(buffers[name]) != size:
         buffers[name] = np.empty(size, dtype)
@@ -139,7 +139,7 @@ def _buffer(name, size, dtype):
 
 
 def _memory(items):
-    """The memory of a collection, whatever Blender keeps there, as int32 words: to be looked at and not to be kept."""
+    """Memory of a collection as int32 words, whatever its items hold; only for reading, until Blender changes the collection."""
     import ctypes
     if len(items) < 2:
         return np.zeros(len(items), np.int32)
@@ -151,7 +151,7 @@ def _memory(items):
 def _same(one, other):
     if one is None or other is None:
         return one is other
-    # As bits, so that what is no number is like itself, and in long words, which takes half the time.
+    # Compared as bits, so that NaN equals NaN, and as 64-bit words, which takes half the time.
     if one.shape != other.shape:
         return False
     words = one.size // 2

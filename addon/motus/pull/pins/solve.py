@@ -1,4 +1,4 @@
-"""Pins: how far each point of the mesh is moved by all of them, one after the other."""
+"""Solver of pins: how far all pins together move each point of the mesh."""
 
 from ...core import native
 from ...core.declare import Group, Problem, Vertices
@@ -17,17 +17,17 @@ PROBLEMS = (NOT_A_MESH, NOT_FINITE_MESH, BROKEN, UNUSABLE, NO_GROUP, NO_SHAPE)
 INPUTS = (Vertices("mesh"),)
 
 UNBAKEABLE = Problem("Pins have nothing to bake, for their strengths are keyed: apply them to shape keys instead").sentence
-"""What motus.bake answers on an object with pins."""
+"""Message of motus.bake on an object with pins."""
 
 OK, LOST, AMBIGUOUS = binding.OK, binding.LOST, binding.AMBIGUOUS
 NOT_USABLE, WITHOUT_GROUP, WITHOUT_SHAPE = 3, 4, 5
-"""What the outputs say of each pin."""
+"""Status numbers of pins in the outputs."""
 PROBLEM_OF = {LOST: BROKEN, AMBIGUOUS: BROKEN, NOT_USABLE: UNUSABLE, WITHOUT_GROUP: NO_GROUP,
               WITHOUT_SHAPE: NO_SHAPE}
 
 
 def groups(owner):
-    """One group, whose outputs are how the pins are, in their order."""
+    """Declare one group of outputs: the status of each pin, in the order of the list."""
     return (Group(outputs=tuple(f"pin{index}" for index in range(len(owner.motus.pull.pins)))),)
 
 
@@ -39,16 +39,16 @@ def solve(context, mesh):
     if done is None:
         return NOT_FINITE_MESH
     states, context.wants_to_settle = done
-    known = min(len(states), len(context.outputs))  # a pin that a script has added was not wired yet
+    known = min(len(states), len(context.outputs))  # a pin that a script has added is not wired yet
     context.outputs[:known] = states[:known]
     problems = [PROBLEM_OF[state] for state in states if state != OK]
     return min(problems, key=PROBLEMS.index) if problems else None
 
 
 def displace(owner, mesh, rows, offsets):
-    """Add to the offsets (n, 3) of a mesh's points what pins do, one after the other.
+    """Add the pins' displacements to the offsets (n, 3) of a mesh's points, pin after pin.
 
-    Returns (how each pin is, whether a root stands elsewhere than the pin remembers); None: the mesh is not finite.
+    Returns (status of each pin, whether a root stands elsewhere than the pin has stored); None if the mesh is not finite.
     """
     shape = shapes.shape_of(mesh, rows)
     if not shape.is_finite:
@@ -93,7 +93,7 @@ def _apply_shape(mesh, row, offsets):
 
 
 def move(offsets, positions, row, reached, weights):
-    """Let one pin act on what those before it have left: positions + offsets, of which the offsets are changed."""
+    """Apply one pin to the points at positions + offsets, and change the offsets."""
     keywords = {"mirror": row.mirror, **row.profile}
     if row.limits is None and weights is None:
         native.module.pull(offsets, (0.0, 0.0, 0.0), row.way, row.radius, reach=reached.reaches, out=offsets, **keywords)
@@ -107,7 +107,7 @@ def move(offsets, positions, row, reached, weights):
 
 
 def _weights(mesh, group, indices):
-    """Weights of a vertex group at these vertices of an evaluated mesh."""
+    """Weights of these vertices of an evaluated mesh in a vertex group."""
     vertices = mesh.vertices
     found = (next((entry.weight for entry in vertices[index].groups if entry.group == group), 0.0)
              for index in indices.tolist())

@@ -1,4 +1,4 @@
-"""The list of pins as plain rows: read column by column, which takes a fifth of the time that one by one does."""
+"""Settings of pins as plain rows, read column by column, which takes a fifth of the time of reading pin by pin."""
 
 from typing import Any, NamedTuple
 
@@ -13,7 +13,7 @@ AXES = ('X', 'Y', 'Z')
 
 
 class Row(NamedTuple):
-    """One pin. limits: (axis, minimum or None, maximum or None), or None; mirror: letters of "xyz"."""
+    """Settings of one pin. limits: (axis, minimum or None, maximum or None), or None. mirror: letters of "xyz"."""
 
     strength: float
     is_muted: bool
@@ -34,28 +34,28 @@ class Row(NamedTuple):
 
     @property
     def way(self):
-        """How far the root goes."""
+        """Displacement of the root."""
         return tuple(self.strength * along for along in self.displacement)
 
     @property
     def reach(self):
-        """The distance from the root at and beyond which nothing moves."""
+        """Distance from the root at and beyond which nothing moves."""
         return self.radius ** 0.5 if self.falloff == "classic" else self.radius
 
     @property
     def profile(self):
-        """Keyword arguments of the native functions that say how the force fades."""
+        """Keyword arguments of the library's functions that say how the force fades with the distance."""
         curve = {"curve": np.array(self.curve, np.float32)} if self.falloff == "curve" else {}
         return {"falloff": self.falloff, "scale_factor": self.scale_factor, **curve}
 
     @property
     def where(self):
-        """All on which it depends whom the pin reaches, but for the mesh."""
+        """Values on which the reached vertices depend, apart from the mesh."""
         return self.place, self.anchor, self.vertex, self.distance, self.reach, self.metric, self.mirror
 
     @property
     def is_usable(self):
-        """Whether all its numbers are numbers that mean something."""
+        """Whether all numbers of the pin are finite and have a meaning."""
         numbers = (self.strength, self.radius, self.scale_factor, *self.displacement, *self.place, *self.metric,
                    *(self.curve or ()), *(end for end in (self.limits or ())[1:] if end is not None))
         ends = [end for end in (self.limits or ())[1:] if end is not None]
@@ -64,7 +64,7 @@ class Row(NamedTuple):
 
 
 def read(pins):
-    """Rows of a collection of pins."""
+    """Read the rows of a collection of pins."""
     count = len(pins)
     columns = {name: _floats(pins, name, size, count) for name, size in FLOATS.items()}
     columns |= {name: _column(pins, name, np.empty(count, bool)) for name in FLAGS}
@@ -83,7 +83,7 @@ def read(pins):
 
 
 def numbers(pins, name, size, dtype=None):
-    """One setting of all pins, (n, size)."""
+    """Values of one setting for all pins, (n, size)."""
     values = np.empty(len(pins) * size, dtype or np.float32)
     pins.foreach_get(name, values)
     return values.reshape(len(pins), size)

@@ -1,4 +1,4 @@
-"""Where a new pin has its root and what its settings are: from keywords, from the last pull, or from another pin."""
+"""Root and settings of a new pin: from keywords, from the last pull, or from another pin."""
 
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
@@ -14,7 +14,7 @@ AXIS_NAMES = tuple(AXIS_INDEX)
 
 
 def checked(obj, positions, vertex):
-    """The index of a vertex that can be a root."""
+    """Check that a vertex can be a root, and return its index."""
     if not 0 <= vertex < len(positions):
         raise Refused(tr("{object} has no vertex {index}: it has {count}").format(
             object=obj.name, index=vertex, count=len(positions)))
@@ -24,7 +24,7 @@ def checked(obj, positions, vertex):
 
 
 def nearest(obj, positions, place, metric):
-    """Index of the vertex that is nearest to a place in the object."""
+    """Index of the vertex nearest to a place in the object. metric: 3x3, which measures lengths."""
     if not len(positions):
         raise Refused(tr("{object} has no vertices").format(object=obj.name))
     vertex, away = object_mesh.nearest(positions, place, metric)
@@ -34,7 +34,7 @@ def nearest(obj, positions, place, metric):
 
 
 def from_keywords(operator, context, obj):
-    """(root, settings) of a pin by an operator's keywords, where given, and else by the scene's brush."""
+    """(root, settings) of a pin from the keywords that were given, and from the scene's brush for the others."""
     given = {name: getattr(operator, name) for name in (*KEYWORDS, "curve")
              if name != "strength" and hasattr(operator, name) and operator.is_given(name)}
     brush = Brush.of(context.scene.motus.pull, given)
@@ -53,7 +53,7 @@ def from_keywords(operator, context, obj):
 
 
 def settings_of(obj, brush, space):
-    """Settings of a pin like a brush; heights in the object."""
+    """Settings of a pin from a brush, with heights in the object's space."""
     if brush.vertex_group and brush.vertex_group not in obj.vertex_groups:
         raise Refused(tr("{object} has no vertex group {group}").format(object=obj.name, group=brush.vertex_group))
     found = {name: getattr(brush, name) for name in PULL_SETTINGS}
@@ -65,7 +65,7 @@ def settings_of(obj, brush, space):
 
 
 def check_record(record, obj):
-    """Refuse where the last pull is not one of this object."""
+    """Refuse if the last pull was made on another object."""
     if not record.object:
         raise Refused(tr("Nothing was pulled yet"))
     if record.object != obj.name:
@@ -73,7 +73,7 @@ def check_record(record, obj):
 
 
 def from_record(record, obj):
-    """(root, settings) of the pin that does what the last pull did, if it was one at one root."""
+    """(root, settings) of a pin that does what the last pull did, if that pull had a single root."""
     found = {name: getattr(record, name) for name in (*PULL_SETTINGS, "metric", "curve", "displacement")}
     found["mirror"] = set(record.mirror)
     limits = {name: getattr(record, name) for name in ("unit", *LIMITS)}
@@ -81,9 +81,9 @@ def from_record(record, obj):
 
 
 def take_back(shapes, obj):
-    """Give the mesh the shape before the last stroke; returns how far it moved each vertex as it is seen, float32 (n, 3).
+    """Restore the mesh before the last stroke; returns how far the stroke moved each vertex as it is seen, float32 (n, 3).
 
-    shapes: (object's name, before, after), or None. Refuses where the mesh has another shape than that after it.
+    shapes: (object's name, before, after), or None. Raises Refused if the mesh does not have the shape `after`.
     """
     mesh = open_mesh(obj)
     _, before, after = shapes if shapes and shapes[0] == obj.name else (None, None, None)
@@ -98,7 +98,7 @@ def take_back(shapes, obj):
 
 
 def mirrored(obj, pin, axis):
-    """(root, settings) of the pin on the other side of the object."""
+    """(root, settings) of the mirrored pin on the other side of the object."""
     turn = np.ones(3)
     turn[axis] = -1.0
     positions = arrays.positions(obj.data)
@@ -114,14 +114,14 @@ def mirrored(obj, pin, axis):
 
 
 def _place(operator, context, brush, space):
-    """Where the keywords say that the root is, in the object."""
+    """Place of the root in the object that the keywords name."""
     if not operator.properties.is_property_set("location"):
         return space.point_to_local(context.scene.cursor.location)
     return space.point_to_local(operator.location) if brush.unit == 'WORLD' else np.array(operator.location, float)
 
 
 def _displacement(mesh, positions, vertex, brush, space):
-    """The way of the root by the brush's direction and strength, in the object."""
+    """Displacement of the root by the brush's direction and strength, in the object."""
     if brush.direction == 'VIEW':
         raise Refused(tr("A pin has no view to pull towards: choose another direction or give a displacement"))
     if brush.direction == 'CURSOR':
@@ -138,7 +138,7 @@ def _displacement(mesh, positions, vertex, brush, space):
 
 
 def _limits(brush, space):
-    """A pin's limits, which are heights along one of the object's own axes."""
+    """Limits of a pin from the brush's limits: heights along one of the object's own axes."""
     if not (brush.use_minimum or brush.use_maximum):
         return dict.fromkeys(("use_minimum", "use_maximum"), False)
     found = space.limits(brush)

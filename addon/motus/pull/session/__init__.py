@@ -1,1 +1,1 @@
-"""A session of pulls on a mesh, without a window: what a dab reaches and moves, and what has been done."""
+"""Session of pulls on a mesh, without a window: what each dab reaches and moves, and what can be undone and repeated."""

@@ -1,4 +1,4 @@
-"""A session of pulls on one mesh: used by the operator, from scripts or by the mouse."""
+"""Session of pulls on one mesh, used by the operator both from scripts and with the mouse."""
 
 import dataclasses
 import math
@@ -20,14 +20,14 @@ from .surface import Surface
 
 
 NONE_MOVED = ()
-"""No indices."""
+"""Indices of no vertices."""
 
 
 class Hit(NamedTuple):
-    """What a ray meets, in the world; vertex: the root.
+    """Point that a ray meets, in the world. vertex: the root.
 
-    That is the vertex nearest to the point, of those that are not hidden, on the surface that was hit as far as it is seen
-    from there: it may belong to another triangle, where they are thin, but not to the far side of a wall.
+    The root is the visible vertex nearest to the point on the surface that was hit, as far as the surface is seen from there. It may belong
+    to another triangle if triangles are thin, but never to the far side of a wall.
     """
 
     point: Any
@@ -37,11 +37,11 @@ class Hit(NamedTuple):
 
 
 class Session:
-    """The mesh as it was, as it is, and what changes it. Raises Refused where the mesh cannot be edited.
+    """Session of pulls: the mesh's shape at the start and now, and the methods that change it.
 
-    accumulate on: each pull builds on the last; distances are those of the shape when the stroke began. Off: each pull
-    starts from the shape when the session began. A drag starts from the shape when its stroke began, and what is pulled
-    afterwards starts from its result, both whether or not it accumulates. Nothing here makes an undo step or a report.
+    Raises Refused if the mesh cannot be edited. With `accumulate` each pull builds on the previous one, and distances are measured on the
+    shape at the start of the stroke. Without it each pull starts from the shape at the start of the session. In both cases a drag starts
+    from the shape at the start of its stroke, and later pulls start from its result. A session makes no undo steps and no reports.
     """
 
     def __init__(self, context, obj, brush):
@@ -60,7 +60,7 @@ class Session:
         self._begin()
 
     def begin_again(self, context, obj, brush):
-        """What is there now becomes what the session began with; False where the mesh is not as the session left it."""
+        """Make the present shape the start of the session; False if the mesh is not as the session left it."""
         mesh = open_mesh(obj)
         depsgraph = context.evaluated_depsgraph_get()
         space = Space(obj.evaluated_get(depsgraph).matrix_world)
@@ -74,20 +74,20 @@ class Session:
         return True
 
     def _begin(self):
-        # These shapes are never changed in place, so that others may keep them; see _writable().
+        # These shapes are never changed in place, so that others may keep references; see _writable().
         self._original = self._base = self._start = self.current
         self._surface.start_is_current()
         self._is_fresh = True
         self._is_drag = False
         self._history = History()
         self._unwritten = []
-        self._spares = []  # shapes for sweeps to fill, in turn; see _spare()
+        self._spares = []  # unused arrays for shapes, which sweeps fill in turn; see _spare()
         self._last_moved: Any = NONE_MOVED
 
-    # --- Where it pulls ---------------------------------------------------------------------------------------------
+    # --- Roots ------------------------------------------------------------------------------------------------------
 
     def pick(self, origin, direction):
-        """What a world ray meets first: a Hit, or None."""
+        """Hit of a ray in the world; None if the ray meets nothing."""
         found = self._surface.pick(
             self.space.point_to_local(origin), self.space.inverse @ np.asarray(direction, float), self.metric, self._start,
             self._shape_of_now)
@@ -98,56 +98,59 @@ class Session:
             Vector(self.space.point_to_world(point)), Vector(self.space.normal_to_world(normal)), triangle, vertex)
 
     def nearest(self, location):
-        """(index, distance) of the visible vertex nearest to a place of the world; the distance in the brush's unit."""
+        """(index, distance in the brush's unit) of the visible vertex nearest to a place in the world."""
         return object_mesh.nearest(
             self.current, self.space.point_to_local(location), self.metric, self.mesh.hidden())
 
     def place(self, vertex):
-        """Where a vertex is in the world now."""
+        """World position of a vertex in the present shape."""
         return Vector(self.space.point_to_world(self.current[vertex]))
 
     def seen_place(self, vertex):
-        """Where a vertex is seen in the world: as modifiers and shape keys have it, where they keep the mesh's vertices."""
+        """World position at which a vertex is seen, with modifiers and shape keys if they keep the number of vertices."""
         return Vector(self.space.point_to_world(self._surface.seen_place(vertex, self._start, self._shape_of_now)))
 
     def normal(self, vertex):
-        """World normal of the surface at a vertex, as the stroke began; zero for a loose one."""
+        """World normal of the surface at a vertex, at the start of the stroke; zero for a loose vertex."""
         return Vector(self.space.normal_to_world(self._surface.normal(vertex, self._start)))
 
     def world_positions(self, indices=None):
-        """(m, 3) world positions of these vertices, or of all, as they are now."""
+        """World positions (m, 3) of these vertices, or of all, in the present shape."""
         return self.space.point_to_world(self.current if indices is None else self.current[indices])
 
     def to_world_vector(self, vector):
-        """A vector in the space that the brush's unit says, in the world."""
+        """Convert a vector from the space of the brush's unit to the world."""
         return Vector(vector if self.brush.unit == 'WORLD' else self.space.linear @ np.asarray(vector, float))
 
     def length(self, vector):
-        """The length of a world vector in the brush's unit."""
+        """Length of a world vector in the brush's unit."""
         return float(np.linalg.norm(self.metric @ (self.space.inverse @ np.asarray(vector, float))))
 
     def to_world_point(self, point):
-        """A point in the space that the brush's unit says, in the world."""
+        """Convert a point from the space of the brush's unit to the world."""
         return Vector(point if self.brush.unit == 'WORLD' else self.space.point_to_world(point))
 
     def forces(self, vertex):
-        """(indices, forces) of a pull at a vertex, without mirror images and weights: what the cursor shows."""
+        """(indices, forces) of a pull at a vertex without mirror images and weights, for drawing the cursor."""
         return self._puller.forces(vertex, self.brush, self.brush.radius, self._start)
 
     @property
     def metric(self):
-        """3x3: |metric @ v| is the length of a local vector v in the brush's unit."""
+        """3x3 matrix: |metric @ v| is the length of a local vector v in the brush's unit."""
         return self.space.metric(self.brush.unit)
 
     @property
     def reach_radius(self):
-        """The distance from the root, in the brush's unit, at and beyond which nothing moves."""
+        """Distance from the root, in the brush's unit, at and beyond which nothing moves."""
         return self.brush.reach_of(self.brush.radius)
 
-    # --- What it does -----------------------------------------------------------------------------------------------
+    # --- Changes ----------------------------------------------------------------------------------------------------
 
     def begin_stroke(self, is_drag=False):
-        """From here on distances and normals are those of the shape of now. is_drag: whether drag() makes the stroke."""
+        """Begin a stroke: distances and normals are measured on the present shape from here on.
+
+        is_drag: whether drag() makes the stroke.
+        """
         if not self._is_fresh:
             if self.brush.accumulate or self._is_drag or is_drag:
                 self._start_now()
@@ -162,7 +165,7 @@ class Session:
             self._build_on_start()
 
     def displacement(self, vertex, sign=1.0, view=None):
-        """World vector that the brush moves a root by. view: world direction to the viewer. May raise Refused."""
+        """World vector by which the brush moves a root. view: world direction to the viewer. May raise Refused."""
         brush, space = self.brush, self.space
         if brush.direction in AXIS_INDEX:
             local = np.eye(3)[AXIS_INDEX[brush.direction]]
@@ -183,9 +186,9 @@ class Session:
         return Vector(sign * brush.strength * (space.linear @ local))
 
     def pull(self, vertex, displacement, pressure=1.0, write=True):
-        """Move a vertex by a world vector and let those in reach follow; False where there is nothing to do.
+        """Pull a vertex by a world vector, and let those in reach follow; False if nothing is to be done.
 
-        write=False leaves the mesh to flush(), after more dabs.
+        write=False leaves the mesh to flush(), which can follow after several dabs.
         """
         brush = self.brush
         local = self.space.inverse @ np.asarray(displacement, float)
@@ -195,17 +198,17 @@ class Session:
         return self.repeat(Done('PULL', vertex, local, radius), write)
 
     def drag(self, vertex, displacement, write=True):
-        """Let all of this stroke be one pull of a vertex by a world vector; by a zero vector the stroke is taken back.
+        """Replace the stroke by one pull of a vertex by a world vector; a zero vector takes the stroke back.
 
-        A pen's pressure does not count, so that the vertex stays under it. False where there is nothing to do.
+        The pen's pressure has no effect, so that the vertex stays under the pen. Returns False if nothing is to be done.
         """
         local = self.space.inverse @ np.asarray(displacement, float)
         return self.repeat(Done('DRAG', vertex, local, self.brush.radius), write)
 
     def smooth(self, vertex, strength=0.5, pressure=1.0, write=True):
-        """Even the surface out around a vertex.
+        """Smooth the surface around a vertex; False if nothing is to be done.
 
-        What is pulled afterwards starts from the result, whether or not it accumulates. False where there is nothing to do.
+        Later pulls start from the result, with or without `accumulate`.
         """
         brush = self.brush
         if brush.use_pressure_strength:
@@ -214,7 +217,7 @@ class Session:
         return self.repeat(Done('SMOOTH', vertex, (0.0, 0.0, 0.0), radius, strength), write)
 
     def repeat(self, dab, write=False):
-        """Do a dab whose numbers are known: a Done, whose displacement is local. False where there is nothing to do."""
+        """Repeat a dab: a Done, whose displacement is local. Returns False if nothing is to be done."""
         if not is_finite((*dab.displacement, dab.radius)):
             raise Refused(tr("The displacement or the radius of this pull is too large"))
         dab = dab._replace(displacement=tuple(np.asarray(dab.displacement, np.float32).tolist()))
@@ -232,7 +235,7 @@ class Session:
         return True
 
     def flush(self):
-        """Write what pull(write=False) and smooth(write=False) have left."""
+        """Write the changes into the mesh that pull(write=False) and smooth(write=False) have left."""
         if not self._unwritten:
             return
         moved = None
@@ -243,7 +246,7 @@ class Session:
         self._unwritten = []
 
     def step_back(self):
-        """Undo the last stroke; False where there is none."""
+        """Undo the last stroke; False if there is none."""
         found = self._history.pop_stroke(self.current)
         if found is None:
             return False
@@ -253,29 +256,29 @@ class Session:
         return True
 
     def restore(self):
-        """Everything as it was when the session began, bit for bit."""
+        """Restore the mesh to the start of the session, bit for bit."""
         self._base = self._original
         self._is_drag = False
         self._go_to(self._original.copy())
         self._history = History()
 
     def finish(self):
-        """Leave the mesh in order; True where anything has changed. The session may begin again afterwards."""
+        """Finish the mesh; returns whether anything has changed. The session may begin again afterwards."""
         self.flush()
         self.mesh.finish()
         return self.has_changed
 
     @property
     def has_changed(self):
-        """Whether any vertex is elsewhere than when the session began."""
+        """Whether any vertex has another position than at the start of the session."""
         if self.current is self._original:
             return False
-        roots = [dab.vertex for dab in self.dabs]  # which moves most
+        roots = [dab.vertex for dab in self.dabs]  # the roots, which move most
         return not _same(self._original[roots], self.current[roots]) or not _same(self._original, self.current)
 
     @property
     def is_cancelled(self):
-        """Whether the last pull moved nothing only because its mirror images cancel each other out."""
+        """Whether the last pull moved nothing only because its mirror images cancel each other."""
         last = self.last
         if last is None or not last.brush.mirror:
             return False
@@ -283,25 +286,25 @@ class Session:
         return self._would_move(last.dab, alone) and not self._would_move(last.dab, last.brush)
 
     def shapes_of_last(self):
-        """The shapes (n, 3) before the last stroke and after it; the session leaves them as they are."""
+        """Shapes (n, 3) before and after the last stroke; the session does not change these arrays any more."""
         self._given = self.last.before, self.current
         return self._given
 
     @property
     def is_last_like_a_pin(self):
-        """Whether a pin of the same numbers does what the last stroke did: it knows one root, and no masks."""
+        """Whether a pin with the same numbers gives the shape of the last stroke. A pin has one root, and no masks."""
         last = self.last
         is_held = self._puller.has_planes or self._puller.is_clamped_in_world(last.brush)
         return last.is_alone and self.mesh.follows_whole() and not is_held
 
     @property
     def dabs(self):
-        """What has been done, in order: Done values."""
+        """Dabs of the session in order, as Done values."""
         return self._history.dabs
 
     @property
     def last(self):
-        """The last stroke, a Pulled value; None after smoothing and where there is none."""
+        """Last stroke as a Pulled value; None after smoothing and before the first stroke."""
         return self._history.last
 
     def _would_move(self, dab, brush):
@@ -319,15 +322,16 @@ class Session:
         place = tuple(self._base[dab.vertex].tolist())
         moved, room = self._pull(dab, write, is_on_top=False)
         self._history.add(dab, self.brush, place, self._base)
-        # What the dab before has moved is back in its place, which is a change too.
+        # Vertices that the previous dab has moved are back in their places, which is a change too.
         changed, self._last_moved = [moved, self._last_moved], moved
         self._changed(changed, write, room)
 
     def _pull(self, dab, write, is_on_top):
-        """Let what is current be what a dab makes of it, or of the base.
+        """Set the present shape to the result of a dab on the base, or on the present shape.
 
-        One pass over all vertices does it or the tree, whichever takes less time.
-        Returns (what has moved, or None for all, the mesh's memory where that is filled too).
+        Uses one pass over all vertices or the tree, whichever takes less time. Returns (indices of moved vertices or None for all, the
+        mesh's
+        memory if it was filled too).
         """
         numbers = dab.vertex, dab.displacement, self.brush, dab.radius
         start = self._start if is_on_top else self._base
@@ -342,7 +346,7 @@ class Session:
         source = self.current if is_on_top else self._base
         after = self._spare() if is_on_top or self._is_kept(self.current) else self.current
         if is_on_top and room is not None and not self._unwritten:
-            # It holds the shape already, and has just been through the processor.
+            # The mesh's memory holds the shape already, and is still in the processor's cache.
             moved = self._puller.sweep(room, *numbers, start, room, after)  # type: ignore[call-arg]
         else:
             moved = self._puller.sweep(source, *numbers, start, after, room)  # type: ignore[call-arg]
@@ -361,23 +365,23 @@ class Session:
 
     @property
     def _shape_of_now(self):
-        """The shape that is pulled and seen; None where that is the start."""
+        """Present shape; None if it equals the start."""
         return self.current if (self.brush.accumulate or self._is_drag) and not self._is_fresh else None
 
     def _is_kept(self, shape):
-        """Whether somebody else counts on the shape to stay as it is."""
+        """Whether others hold references to a shape, so that it must not change."""
         last = self._history.last
         kept = (self._original, self._base, self._start, *self._given, last.before if last else None)
         return any(shape is one for one in kept)
 
     def _writable(self):
-        """The current shape, to be changed in place."""
+        """Present shape, for changing in place."""
         if self._is_kept(self.current):
             self.current = self.current.copy()
         return self.current
 
     def _spare(self):
-        """Room (n, 3) for another shape: one that is no longer kept, or new."""
+        """Array (n, 3) for another shape: one that is no longer used, or a new one."""
         found = next((one for one in self._spares if one is not self.current and not self._is_kept(one)), None)
         if found is None:
             found = np.empty_like(self.current)
@@ -385,14 +389,14 @@ class Session:
         return found
 
     def _room(self, write):
-        """The mesh's own memory, where all of it is to be written now; None where it is not, or is not to be had."""
+        """Memory of the mesh, if the whole mesh is to be written now; None if not, or if the mesh gives no memory."""
         return self.mesh.room() if write else None
 
     def _changed(self, parts, write, room=None, at_most=math.inf):
-        """Let the mesh and the trees know what has moved.
+        """Record a change of the shape.
 
-        parts: lists of indices; None among them means all. room: of the mesh, which has been filled with what is current.
-        at_most: how far a vertex has moved, in the object.
+        parts: lists of indices of moved vertices; None among them stands for all. room: memory of the mesh that was filled with the present
+        shape. at_most: largest distance of a move, in the object.
         """
         self._is_fresh = False
         for moved in parts:
@@ -420,7 +424,7 @@ class Session:
         self._is_fresh = True
 
     def _build_on_start(self):
-        """What does not accumulate starts from the shape of now, which is the start."""
+        """Make the present shape the base of pulls that do not accumulate."""
         self._base = self._start
         self._last_moved = NONE_MOVED
 
@@ -428,12 +432,12 @@ class Session:
         self._start = self._base
         self._surface.start_moved(None)
         self._puller.forget()
-        # Where the shape differs from the base is not known.
+        # It is unknown which vertices differ from the base.
         self._last_moved = None
 
 
 def _refuse_strange(positions):
-    """Raise Refused where a vertex is nowhere."""
+    """Raise Refused if a vertex has a position that is not finite."""
     with np.errstate(over="ignore", invalid="ignore"):
         if np.isfinite(positions.sum()):
             return
@@ -444,5 +448,5 @@ def _refuse_strange(positions):
 
 
 def _same(one, other):
-    """Whether two shapes are equal bit for bit, NaNs included."""
+    """Whether two shapes are equal bit for bit, NaN values included."""
     return one.shape == other.shape and np.array_equal(one.view(np.uint32), other.view(np.uint32))

@@ -1,4 +1,4 @@
-"""What a session has done, stroke by stroke: to step back, to do it again, and to keep the last stroke as a pin."""
+"""History of a session, stroke by stroke: for undo, for Redo, and for making the last stroke a pin."""
 
 from typing import Any, NamedTuple
 
@@ -6,13 +6,13 @@ from ...core.lazy import numpy as np
 
 
 last_shapes: tuple[Any, ...] | None = None
-"""Of the last session that pulled anything: (object's name, shape before its last stroke, shape after it)."""
+"""Last session that changed a mesh: (object's name, shape before the last stroke, shape after it); None without one."""
 
 
 class Done(NamedTuple):
     """One dab. displacement: of the root, in the object. radius: in the brush's unit. strength: of smoothing.
 
-    A DRAG is all of its stroke: it pulls the shape that the stroke began with.
+    A dab of the kind DRAG makes up its whole stroke: it pulls the shape from the start of the stroke.
     """
 
     kind: str
@@ -24,10 +24,11 @@ class Done(NamedTuple):
 
 
 class Pulled(NamedTuple):
-    """The last stroke that pulled. dab: its only one, dabs at the same root counting as one; else the last one.
+    """The last stroke that pulled.
 
-    place: of the root before it. before: the shape (n, 3) before the stroke, which the session leaves as it is. is_alone:
-    whether the dab has done all that the stroke did.
+    dab: its only dab, where several dabs at one root count as one; otherwise its last dab. place: of the root before the stroke. before:
+    the
+    shape (n, 3) before the stroke, which the session does not change. is_alone: whether the dab has made the whole stroke.
     """
 
     dab: Done
@@ -38,7 +39,7 @@ class Pulled(NamedTuple):
 
 
 class History:
-    """Strokes, each with the shape before it."""
+    """Strokes of a session, each with the shape before it."""
 
     def __init__(self):
         self.dabs = []
@@ -49,16 +50,16 @@ class History:
 
     @property
     def has_begun(self):
-        """Whether there is a dab of the stroke that is going on."""
+        """Whether the present stroke has a dab."""
         return self._open is not None and len(self.dabs) > self._open[0]
 
     def begin_stroke(self, before, current, base):
-        """A stroke begins with the shape `before`, which `current` equals and will leave. base: for pop_stroke()."""
+        """Begin a stroke at the shape `before`, which equals `current`. base: shape that pop_stroke() returns."""
         self._close(current)
         self._open = len(self.dabs), before, base
 
     def add(self, dab, brush, place, before):
-        """A dab that has been done; see Pulled. before: the same array for all dabs that build on one another."""
+        """Add a dab that was made; Pulled explains the arguments. before: one array for all dabs that build on each other."""
         if dab.kind == 'DRAG' and self.has_begun:
             del self.dabs[-1]
         is_first = not self.has_begun
@@ -75,7 +76,7 @@ class History:
             self.last = Pulled(dab, brush, place, before, is_alone=not builds_on)
 
     def pop_stroke(self, current):
-        """(shape, base) before the last stroke that did anything, which is forgotten; None where there is none."""
+        """Remove the last stroke that changed anything; returns (shape, base) before it, or None if there is no stroke."""
         self._close(current)
         if not self._strokes:
             return None
@@ -92,7 +93,7 @@ class History:
         first, before, base = self._open
         self._open = None
         if len(self.dabs) > first:
-            # Only what differs, as there may be many strokes on a large mesh.
+            # Only vertices that differ are stored, since a large mesh may have many strokes.
             indices = np.flatnonzero((before.view(np.uint32) != current.view(np.uint32)).any(axis=1))
             self._strokes.append((first, indices, before[indices], base))
 

@@ -1,17 +1,17 @@
-"""One dab on arrays: which vertices it reaches, and the native call that moves them."""
+"""One dab on arrays: the vertices that it reaches, and the call of the library that moves them."""
 
 from ...core import native
 from ...core.lazy import numpy as np
 from ..mesh import clipping
 
 LARGE = 0.12
-"""Of the mesh's size: a straight reach from there on takes less time without the tree."""
+"""Share of the mesh's size: for a straight reach above it one pass over all vertices is faster than the tree."""
 MOST_REACHES = 64
-"""Roots whose reach is kept, for a mouse that is held still or goes to and fro."""
+"""Most roots whose reach is cached, for a mouse that rests or moves to and fro."""
 
 
 class Puller:
-    """Dabs on one mesh, whose weights are read when they are first needed."""
+    """Makes dabs on one mesh; reads the weights of its vertices when they are first needed."""
 
     def __init__(self, mesh, surface, space):
         self._surface = surface
@@ -19,21 +19,21 @@ class Puller:
         self.reopen(mesh, space)
 
     def reopen(self, mesh, space):
-        """The same mesh, opened anew: what is hidden and masked is read again, vertex groups are not."""
+        """Continue on a newly opened view of the same mesh: hidden and masked vertices are read again, vertex groups are not."""
         self._mesh, self._space = mesh, space
         self._planes = clipping.planes(mesh.obj)
         self._weights = {}
         self.forget()
 
     def forget(self):
-        """What was measured on the shape that a stroke began with holds no longer."""
+        """Drop what was measured on the shape at the start of the stroke."""
         self._reaches = {}
         self._extent = None
 
     def pull(self, current, vertex, displacement, brush, radius, start):
-        """Move `current` (n, 3) in place; distances are those of `start`. displacement: local.
+        """Pull `current` (n, 3) in place, with distances measured on `start`; returns the indices of vertices that may have moved.
 
-        Returns the indices that may have moved.
+        displacement: in the object's space.
         """
         reaches = self._reaches_of(vertex, brush, radius, start)
         moved = _together(reaches)
@@ -44,9 +44,9 @@ class Puller:
         return moved
 
     def pull_from(self, base, current, last_moved, vertex, displacement, brush, radius):
-        """Make `current` what one dab makes of `base`, from which it differs at `last_moved` (None: anywhere) so far.
+        """Set `current` to one dab on `base`; returns the indices of vertices that may differ now.
 
-        Returns the indices that may differ now.
+        last_moved: vertices at which `current` differs from `base` before; None if they are unknown.
         """
         if last_moved is None:
             np.copyto(current, base)
@@ -55,7 +55,7 @@ class Puller:
         return self.pull(current, vertex, displacement, brush, radius, base)
 
     def smooth(self, current, vertex, strength, brush, radius, start):
-        """Even `current` out in place; returns the indices that may have moved."""
+        """Smooth `current` in place; returns the indices of vertices that may have moved."""
         moved, forces = np.empty(0, np.int64), np.empty(0, np.float32)
         for indices, distances in self._reaches_of(vertex, brush, radius, start):
             both = np.union1d(moved, indices)
@@ -69,7 +69,7 @@ class Puller:
             forces = forces * weights[moved]
         before = current[moved]
         target = self._surface.neighbourhood.middles(current, moved)
-        # Forces are in [0, 1], so that a strength of 1 goes just to the middle.
+        # Forces are in [0, 1]: with a strength of 1 a vertex moves exactly to the middle of its neighbours.
         share = np.minimum(strength * forces, 1.0)[:, None]
         current[moved] += (share * (target - before)).astype(np.float32)
         self._clamp(current, moved, before, brush, always=True)
@@ -77,12 +77,12 @@ class Puller:
         return moved
 
     def forces(self, vertex, brush, radius, start):
-        """(indices, forces) of the dab's own image."""
+        """(indices, forces) of a dab without its mirror images."""
         indices, distances = self._reach(vertex, 0, brush, radius, start)
         return indices, native.module.pull_forces(distances, radius, **brush.profile)
 
     def weights(self, brush):
-        """float32 (n,), how far each vertex follows: vertex group, mask and what is hidden; None where all do."""
+        """Share of a displacement that each vertex follows, by vertex group, mask and hiding, float32 (n,); None if all follow in full."""
         if brush.vertex_group not in self._weights:
             self._weights[brush.vertex_group] = self._read_weights(brush.vertex_group)
         return self._weights[brush.vertex_group]
@@ -103,7 +103,7 @@ class Puller:
         return np.ascontiguousarray(np.multiply.reduce(factors), np.float32)
 
     def may_sweep(self, brush, radius, start):
-        """Whether sweep() does it, and takes less time than the tree that pull() asks."""
+        """Whether sweep() can make this dab, and is faster than pull() with its tree."""
         if brush.distance != 'STRAIGHT' or self._planes or self.is_clamped_in_world(brush):
             return False
         if brush.mirror and self._space.is_skewed_by_mirrors(brush.unit):
@@ -118,17 +118,17 @@ class Puller:
 
     @property
     def has_planes(self):
-        """Whether mirror planes of the object hold its vertices."""
+        """Whether mirror planes of the object hold vertices."""
         return bool(self._planes)
 
     def is_clamped_in_world(self, brush):
-        """Whether the brush's limits are along none of the object's axes."""
+        """Whether the brush's limits are along an axis of the world that no axis of the object is parallel to."""
         return (brush.use_minimum or brush.use_maximum) and self._space.limits(brush) is None
 
     def sweep(self, shape, vertex, displacement, brush, radius, start, out, copy=None):
-        """Let `out`, and the copy, be what one pass over all vertices makes of a shape; distances are those of `start`.
+        """Set `out`, and `copy` if given, to a dab on `shape`, by one pass over all vertices; distances are measured on `start`.
 
-        Returns the indices that have moved; None for all, for a mesh that is written as a whole.
+        Returns the indices of moved vertices; None stands for all, for a mesh that is written as a whole.
         """
         self._native_pull(shape, vertex, displacement, brush, radius, out, copy=copy,
                           shape=None if start is shape else start)
@@ -150,7 +150,7 @@ class Puller:
         return [self._reach(vertex, bits, brush, radius, start) for bits in brush.mirror_bits()]
 
     def _reach(self, vertex, bits, brush, radius, start):
-        """(indices, distances) of what is in reach of a root, or of its mirror image."""
+        """(indices, distances) of the vertices in reach of a root, or of its mirror image."""
         key = vertex, bits, radius, brush.falloff, brush.distance, brush.unit
         if key not in self._reaches:
             if len(self._reaches) >= MOST_REACHES:
@@ -162,13 +162,13 @@ class Puller:
                 root = start[vertex] * signs
                 if brush.distance != 'STRAIGHT':
                     root = picker.nearest(root)
-            # The mirrored metric, so that the images are alike on a sheared object too.
+            # With the mirrored metric the images are alike on a sheared object too.
             metric = self._space.metric(brush.unit) * signs
             self._reaches[key] = picker.reach(root, brush.reach_of(radius), brush.distance.lower(), metric)
         return self._reaches[key]
 
     def _clamp(self, current, moved, before, brush, always=False):
-        """What the native function cannot: limits along an axis of the world that is none of the object's."""
+        """Apply limits along an axis of the world that no axis of the object is parallel to; the library's function cannot."""
         if not (brush.use_minimum or brush.use_maximum) or not (always or self.is_clamped_in_world(brush)):
             return
         changed = moved[(current[moved] != before).any(axis=1)]
@@ -180,7 +180,7 @@ class Puller:
 
 
 def _together(reaches):
-    """The vertices of several reaches, ascending."""
+    """Vertices of several reaches, in ascending order."""
     found = reaches[0][0]
     for indices, _ in reaches[1:]:
         found = np.union1d(found, indices)

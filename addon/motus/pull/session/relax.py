@@ -1,10 +1,10 @@
-"""Smoothing: vertices go towards the middle of their neighbours, and those of a border stay on it."""
+"""Smoothing: moves vertices towards the middle of their neighbours, and vertices of a border along the border."""
 
 from ...core.lazy import numpy as np
 
 
 class Neighbourhood:
-    """The edges of a mesh. edges: (e, 2). face_counts: how many faces each has."""
+    """Edges of a mesh, for finding neighbours. edges: (e, 2). face_counts: number of faces at each edge."""
 
     def __init__(self, edges, face_counts):
         self._edges = edges
@@ -12,7 +12,7 @@ class Neighbourhood:
         self._has_border = bool(self._is_border.any())
 
     def middles(self, positions, indices):
-        """(m, 3): the middle of the neighbours of each vertex; the vertex itself where it has none."""
+        """Middle of the neighbours of each vertex, (m, 3); a vertex without neighbours gives its own position."""
         slots = np.full(len(positions), -1, np.int32)
         slots[indices] = np.arange(len(indices), dtype=np.int32)
         near = np.flatnonzero((slots[self._edges] >= 0).any(axis=1))

@@ -1,4 +1,4 @@
-"""What a session asks of the mesh's surface: what a ray meets, what is near, and which way it faces."""
+"""Surface of the pulled mesh: which point a ray meets, which vertices are near, and the normals."""
 
 import math
 from functools import cached_property
@@ -12,9 +12,9 @@ from .trees import MOST_PARTS, Tree
 
 
 class Surface:
-    """Two shapes of one mesh: `start`, which distances are measured on, and the one that is seen.
+    """Two shapes of one mesh: `start`, on which distances are measured, and the visible shape.
 
-    The seen one is what modifiers and shape keys make of the mesh where they keep its vertices; else the mesh itself.
+    The visible shape is the evaluated mesh if modifiers and shape keys keep the number of vertices; otherwise it is the mesh itself.
     """
 
     def __init__(self, mesh):
@@ -26,17 +26,17 @@ class Surface:
 
     @cached_property
     def triangles(self):
-        """int32 (t, 3); without hidden faces in the modes that do not show them."""
+        """Triangles, int32 (t, 3), without hidden faces in the modes that do not show these."""
         return self._mesh.triangles(visible_only=self._mesh.obj.mode != 'OBJECT')
 
     @cached_property
     def edges(self):
-        """int32 (e, 2)."""
+        """Edges, int32 (e, 2) indices of vertices."""
         return self._mesh.edges()
 
     @cached_property
     def neighbourhood(self):
-        """Who is next to whom, for smoothing."""
+        """Neighbours of each vertex, for smoothing."""
         return Neighbourhood(self.edges, arrays.faces_of_edges(self._mesh.mesh))
 
     @cached_property
@@ -48,19 +48,19 @@ class Surface:
         return self._mesh.hidden()
 
     def reopen(self, mesh):
-        """The same mesh, read anew by others' means: what is hidden is asked again."""
+        """Continue on a newly opened view of the same mesh; re-reads which vertices are hidden."""
         self._mesh = mesh
         self.__dict__.pop("_hidden", None)
         self._is_deformed, self._seen = mesh.is_deformed(), None
 
     def normal(self, vertex, shape):
-        """Unit normal of a shape (n, 3) of the mesh at a vertex; zero for a loose one."""
+        """Unit normal at a vertex of a shape (n, 3) of the mesh; zero for a loose vertex."""
         return arrays.vertex_normal(self._mesh.mesh, self._corners, shape, vertex)
 
     def pick(self, origin, direction, metric, start, current):
-        """What a ray in the object's space meets: (triangle, point, its normal there, the root) or None; see Hit.
+        """Intersect a ray in the object's space: (triangle, point, normal at the point, root) or None. See Hit.
 
-        current: the shape that is pulled and seen; None where that is the start.
+        current: the present shape; None if it equals the start.
         """
         shape = self._seen_shape(start if current is None else current)
         is_start = current is None and not self._is_deformed
@@ -73,20 +73,20 @@ class Surface:
         return triangle, point, np.cross(places[1] - places[0], places[2] - places[0]), vertex
 
     def seen_place(self, vertex, start, current):
-        """Where a vertex is seen, in the object's space; start, current: as for pick()."""
+        """Position in the object's space at which a vertex is seen; start and current as for pick()."""
         return self._seen_shape(start if current is None else current)[vertex]
 
     def picker(self, start):
-        """The native Picker over the start."""
+        """The library's Picker over the start shape."""
         return self._start_tree.picker(start, self.triangles, self.edges)
 
     @property
     def has_picker(self):
-        """Whether picker() needs not be built first."""
+        """Whether picker() can answer without building a tree first."""
         return self._start_tree.is_built
 
     def moved(self, indices, at_most=math.inf):
-        """Vertices of the current shape are elsewhere now; None means any. at_most: how far they have moved."""
+        """Record that vertices of the present shape have moved; None stands for any vertices. at_most: largest distance of a move."""
         self._seen_tree.moved(indices, math.inf if self._is_deformed else at_most)
         if indices is None or len(self._moved_since_start) > MOST_PARTS:
             self._moved_since_start = [None]
@@ -95,11 +95,11 @@ class Surface:
         self._seen = None
 
     def start_moved(self, indices):
-        """Vertices of the start are elsewhere now; None means any."""
+        """Record that vertices of the start shape have moved; None stands for any vertices."""
         self._start_tree.moved(indices)
 
     def start_is_current(self):
-        """The start is now what is current."""
+        """Record that the start shape was replaced by the present shape."""
         for indices in self._moved_since_start:
             self._start_tree.moved(indices)
         self._moved_since_start = []
@@ -108,7 +108,7 @@ class Surface:
         if not self._is_deformed:
             return shape
         if self._seen is None:
-            # Of the present view layer: the one that the mesh was read in may be gone, and its graph with it.
+            # The present view layer's: the view layer in which the mesh was read may have been removed with its depsgraph.
             found = self._mesh.evaluated_positions(bpy.context.evaluated_depsgraph_get())
             if found is None:
                 self._is_deformed = False

@@ -1,4 +1,4 @@
-"""A picking tree that follows the vertices it is over."""
+"""Picking tree that is kept up to date as its vertices move."""
 
 import math
 from typing import Any
@@ -7,28 +7,28 @@ from ...core import native
 from ...core.lazy import numpy as np
 
 MOST_PARTS = 256
-"""Lists of moved vertices that are kept until the tree is asked; more than that cost more than a whole refit."""
+"""Most lists of moved vertices that are collected before a query; more of them would cost more than a whole refit."""
 LOOSE = 0.03
-"""Of the mesh's size: while nothing has moved further since the last refit, a ray finds its way by the boxes as they are."""
+"""Share of the mesh's size: while no vertex has moved further since the last refit, rays use the boxes of the tree without a refit."""
 ROUNDING = 1e-4
-"""Of the largest coordinate: more than what rounding adds to the ways of MOST_PARTS dabs."""
+"""Share of the largest coordinate, above the rounding errors of MOST_PARTS dabs."""
 
 
 class Tree:
-    """A native Picker that is built when it is first asked, and refitted where vertices have moved since."""
+    """A Picker of the library that is built at the first query, and refitted where vertices have moved since."""
 
     def __init__(self):
         self._picker = None
         self._moved: list[Any] | None = []
-        self._drift = 0.0  # no vertex has moved further since the last refit
+        self._drift = 0.0  # no vertex has moved further than this since the last refit
 
     @property
     def is_built(self):
-        """Whether asking it costs no more than what has moved."""
+        """Whether a query needs at most a refit."""
         return self._picker is not None
 
     def moved(self, indices, at_most=math.inf):
-        """These vertices are elsewhere now; None means any of them. at_most: how far they have moved."""
+        """Record that vertices have moved; None stands for any vertices. at_most: largest distance of a move."""
         if self._picker is None:
             return
         self._drift += at_most
@@ -40,7 +40,7 @@ class Tree:
                 self._moved = None
 
     def picker(self, positions, triangles, edges):
-        """The Picker over these positions, which differ from those of the last call only as moved() told."""
+        """The Picker over these positions. moved() must have been called for all positions that differ from the last call."""
         if self._picker is None:
             self._picker = native.module.Picker(positions, triangles, edges=edges)
             self._size = float(np.ptp(positions, axis=0).max(initial=0.0))
@@ -54,7 +54,7 @@ class Tree:
         return self._picker
 
     def pick(self, positions, triangles, edges, *ray):
-        """What Picker.pick gives for these positions; for a few short ways the tree is not refitted.
+        """Result of Picker.pick for these positions; after a few short moves the tree is not refitted.
 
         ray: origin, direction, metric, and which vertices are hidden.
         """

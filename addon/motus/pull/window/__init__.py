@@ -1,1 +1,1 @@
-"""Pulling with the mouse: the tool, its cursor and keys, and what the viewport shows meanwhile."""
+"""Pulling with the mouse: the tool with its cursor and keys, and what the viewport shows during a session."""

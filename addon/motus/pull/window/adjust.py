@@ -1,4 +1,4 @@
-"""motus.pull_adjust: radius and strength by the mouse for the resting tool, as F and Shift F do it for brushes."""
+"""Operator motus.pull_adjust: changes radius or strength by the mouse, as F and Shift F do for Blender's brushes."""
 
 import bpy
 
@@ -9,7 +9,7 @@ from . import hover
 from .adjusting import MOVES, notched
 from .pulling import Pulling
 
-NUMBERS = (('RADIUS', "Radius", "Distance from the root that the brush reaches"), ('STRENGTH', "Strength", "How far one dab moves the root"))
+NUMBERS = (('RADIUS', "Radius", "Distance from the root that the brush reaches"), ('STRENGTH', "Strength", "Distance by which one dab moves the root"))
 
 
 class MOTUS_OT_pull_adjust(bpy.types.Operator):
@@ -21,7 +21,7 @@ class MOTUS_OT_pull_adjust(bpy.types.Operator):
     number: bpy.props.EnumProperty(
         name="Number", description="Number that is changed", items=NUMBERS, default='RADIUS', options={'SKIP_SAVE'})
     steps: bpy.props.IntProperty(
-        name="Steps", description="Steps up or down; 0 lets the mouse decide", default=0,
+        name="Steps", description="Steps by which the number goes up or down; 0 lets the mouse change it", default=0,
         options={'SKIP_SAVE'})
 
     def execute(self, context):
@@ -40,7 +40,7 @@ class MOTUS_OT_pull_adjust(bpy.types.Operator):
         if not hover.is_tool_active(context):
             return {'CANCELLED', 'PASS_THROUGH'}
         try:
-            # The key is the tool's now, whatever is under it: Blender's own would change the mesh.
+            # The tool claims the key wherever the mouse is: Blender's own operator on this key would change the mesh.
             session = hover.session(context) or hover.read_now(context)
             session.brush = Brush.of(context.scene.motus.pull)
         except Refused as refusal:
@@ -63,7 +63,7 @@ class MOTUS_OT_pull_adjust(bpy.types.Operator):
         return {'PASS_THROUGH'} if event.type in MOVES else {'RUNNING_MODAL'}
 
     def cancel(self, context):
-        """It is over; the number is what it is."""
+        """End the operator; the number keeps its value."""
         self._pulling.close(context)
 
 

@@ -1,4 +1,4 @@
-"""Radius or strength by the mouse, as the F key does for Blender's brushes: drag or type, click to keep it."""
+"""Change of radius or strength by dragging the mouse or typing a number; a click confirms."""
 
 from ...core.interface.dragging.number_entry import CONFIRMING, NumberEntry
 from . import status
@@ -6,18 +6,18 @@ from . import status
 MOVES = {'MOUSEMOVE', 'INBETWEEN_MOUSEMOVE'}
 FINE = 0.1
 STRENGTH_SHARE = 0.25
-"""Of the mouse's way: so far a dab then moves the root."""
+"""Displacement by one dab at the dragged strength, as a share of the mouse's way."""
 EDGE_PIXELS = 20.0
-"""Mouse's way for one edge more."""
+"""Pixels of the mouse's way for one more edge."""
 LEAST = 1e-4
 NOTCH = 1.1
-"""Factor for one step of a bracket key."""
+"""Factor for one press of a bracket key."""
 MOST_NOTCHES = 2000
-"""So many take the least number to the largest."""
+"""Most presses of a bracket key in one call: enough to go from the least value to the largest."""
 
 
 def notched(brush, name, notches):
-    """The number after so many steps of a bracket key, downward for less than 0."""
+    """Value of a number after some presses of a bracket key; notches below 0 make it smaller."""
     now = getattr(brush, name)
     if name == status.RADIUS and brush.distance == 'EDGES':
         return max(round(now) + notches, 1.0)
@@ -26,7 +26,7 @@ def notched(brush, name, notches):
 
 
 def typed(context, brush, name, number):
-    """A typed number, which is in the scene's unit, as the brush has it."""
+    """Convert a typed number from the scene's unit to the brush's."""
     if name == status.RADIUS and brush.distance == 'EDGES':
         return max(round(number), 1.0)
     number /= context.scene.unit_settings.scale_length
@@ -34,9 +34,9 @@ def typed(context, brush, name, number):
 
 
 class Adjustment:
-    """A drag of the mouse that changes one number.
+    """Change of one number by a drag of the mouse.
 
-    pixels: how many a length of 1 is where the brush lies. hit: where it lies, or None.
+    pixels: number of pixels for a length of 1 at the brush. hit: place of the brush on the surface, or None.
     """
 
     def __init__(self, name, brush, x, pixels, view, hit):
@@ -48,7 +48,7 @@ class Adjustment:
         self._pixels = max(pixels, 1e-6)
 
     def drag(self, x, is_fine):
-        """The mouse has moved; gives the number."""
+        """Value of the number after the mouse has moved to x."""
         way = (x - self._x) * (FINE if is_fine else 1.0)
         self._x = x
         if self._counts_edges:
@@ -61,7 +61,7 @@ class Adjustment:
         return self._value
 
     def handle(self, context, brush, event):
-        """What an event means: ('SET', number), ('KEEP', None), ('CANCEL', number before), or (None, None)."""
+        """Meaning of an event: ('SET', number), ('KEEP', None), ('CANCEL', number before), or (None, None)."""
         if event.type in MOVES and not self.entry.is_open:
             return 'SET', self.drag(event.mouse_x, event.shift)
         if event.value != 'PRESS':

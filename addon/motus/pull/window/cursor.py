@@ -27,14 +27,14 @@ DOWN = (0.28, 0.62, 1.0)
 SMOOTHING = (0.45, 0.85, 0.4)
 AXIS_COLORS = ((0.96, 0.2, 0.32), (0.53, 0.84, 0.01), (0.16, 0.56, 1.0))
 AXIS_LENGTH = 4.0
-"""Of the reach, from the root to either side."""
+"""Length of the drawn axis from the root to either side, as a multiple of the reach."""
 SHADE = 0.4
-"""Opacity where the force is 1."""
+"""Opacity of the shading where the force is 1."""
 MOST_DOTS = 6000
 DOT_SIZE = 5.0
 LEAST_DOT_SIZE = 2.0
 DOTS_APART = 2.0
-"""Dots are so many times their size apart at least, on the average: the surface shows between them."""
+"""Least mean distance between dots, as a multiple of their size, so that the surface stays visible between them."""
 DOT_OPACITY = 0.85
 WAITING_SIZE = 6.0
 
@@ -70,7 +70,7 @@ def _stop():
 
 @persistent
 def _renew(*_arguments):
-    # Blender forgets the cursors of add-ons when it opens a file.
+    # Blender drops the cursors of add-ons when it opens a file.
     _stop()
     _start()
 
@@ -84,7 +84,7 @@ def _draw(place):
     except (ReferenceError, Refused):
         hover.drop()
     except Exception as error:
-        # Drawn with every movement of the mouse: said once.
+        # The cursor is drawn at every movement of the mouse, so that the error is printed once.
         if repr(error) not in _failed:
             _failed.add(repr(error))
             log.exception("Motus: the cursor could not be drawn")
@@ -161,7 +161,7 @@ def _displacement(session, hit, sign, view):
     try:
         return np.array(session.displacement(hit.vertex, sign, view.toward_viewer()))
     except Refused:
-        return np.zeros(3)  # the stroke says why, or the cursor leads it
+        return np.zeros(3)  # the stroke says why nothing can be pulled, or the drag gives the direction
 
 
 def _draw_disc(view, matrix, shape, color):
@@ -172,7 +172,7 @@ def _draw_disc(view, matrix, shape, color):
 
 
 def _draw_dots(view, session, hit, color, size):
-    """The vertices that move, as far as the eye can tell them apart. size: of the unit of dots, pixels."""
+    """Draw the vertices that a dab moves, thinned out where they are dense. size: pixels of a dot's unit."""
     indices, forces = session.forces(hit.vertex)
     step = len(indices) // MOST_DOTS + 1
     places = drawing.to_window(
@@ -181,7 +181,7 @@ def _draw_dots(view, session, hit, color, size):
         return
     forces = forces[::step]
     step, size = cursor_shape.thinned(places, LEAST_DOT_SIZE * size, DOT_SIZE * size, DOTS_APART)
-    # Even where the force is faint a vertex that moves can be told from one that stays.
+    # The opacity of a moving vertex is not below this, so that it differs from vertices that stay.
     drawing.dots(places[::step], _shades(0.2 + 0.8 * forces[::step], color, DOT_OPACITY), size)
 
 

@@ -1,15 +1,15 @@
-"""A stroke of dabs along the mouse's way, and by the clock where the mouse rests."""
+"""A stroke of dabs along the mouse's way, and by a timer while the mouse rests."""
 
 import time
 
 from . import strokes
 
 SMOOTHING = 0.5
-"""Share of the way to the neighbours' mean that one dab of smoothing goes."""
+"""Share of the way to the mean of the neighbours that one dab of smoothing moves a vertex."""
 
 
 class Dabbing:
-    """sign: -1 pulls down. is_smooth: the dabs smooth."""
+    """A stroke of dabs. sign: -1 pulls down. is_smooth: the dabs smooth instead of pulling."""
 
     def __init__(self, context, session, view, sign, is_smooth):
         self.hit = None
@@ -22,40 +22,40 @@ class Dabbing:
         self._ticked = time.monotonic()
 
     def move(self, event):
-        """The mouse is pressed, or has moved."""
+        """Handle the press of the mouse, or a movement of it."""
         found = self._way.move(event.mouse_x, event.mouse_y)
         self.hit = self._way.found
-        # Where nothing accumulates only the last place counts: the shape follows the mouse, however short its way.
+        # Without `accumulate` only the last place counts: the shape follows the mouse even on ways shorter than the spacing.
         if not self._session.brush.accumulate and not self._is_smooth:
             found = [self.hit] if self.hit else []
         self._dabs(found, event)
 
     def tick(self, event):
-        """The clock ticks."""
+        """Handle a timer event."""
         now = time.monotonic()
         if now - self._ticked < 0.8 / strokes.RATE:
-            return  # somebody else's clock
+            return  # the timer of another operator
         self._ticked = now
         if self._session.brush.accumulate or self._is_smooth:
             self._dabs(self._way.wait(), event)
 
     def key(self, _context, _event):
-        """A key is pressed, which means nothing to dabs."""
+        """Ignore a key: dabs have no keys."""
 
     def is_confirmed_by(self, _event):
-        """Whether an event ends the stroke, apart from the button."""
+        """Whether an event other than the button's release ends the stroke."""
         return False
 
     def is_cancelled_by(self, _event):
-        """Whether an event takes this stroke back, and no other one of the session."""
+        """Whether an event takes this stroke back, but not earlier ones of the session."""
         return False
 
     def cursor(self, session, view, place):
-        """(what the cursor lies on, how far the root goes there or None where the brush says it)."""
+        """(what the cursor lies on, displacement of the root there, or None for the brush's own)."""
         return session.pick(*view.ray(*place)), None
 
     def end(self):
-        """The stroke is over."""
+        """End the stroke."""
         self._manager.event_timer_remove(self._timer)
 
     def _dabs(self, found, event):
@@ -78,5 +78,5 @@ class Dabbing:
     def _pixels(self, hit):
         brush = self._session.brush
         if brush.distance == 'EDGES':
-            return 0.0  # a number of edges has no length
+            return 0.0  # the radius is a number of edges and has no length
         return self._view.pixels_for(hit.point, brush.radius)

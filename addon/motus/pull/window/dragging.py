@@ -1,4 +1,4 @@
-"""A stroke that takes the root along with the mouse, as Blender's own transforms move what is selected."""
+"""A stroke that drags the root with the mouse, as Blender's transform operators move the selection."""
 
 from mathutils import Vector
 
@@ -7,7 +7,7 @@ from ..brush import AXIS_INDEX
 
 
 class Dragging(Travel):
-    """The root goes as the mouse does; axes and lengths are of the world or of the object, as the brush's unit says."""
+    """A drag of the root with the mouse; axes and lengths are those of the world or of the object, as the brush's unit says."""
 
     def __init__(self, session, view, event):
         super().__init__(view)
@@ -21,44 +21,44 @@ class Dragging(Travel):
         self.begin(event, root)
 
     def move(self, event):
-        """The mouse is pressed, or has moved."""
+        """Handle the press of the mouse, or a movement of it."""
         if self.hit is not None:
             self.follow(event)
             self._pull()
 
     def tick(self, _event):
-        """The clock ticks, which means nothing to a drag."""
+        """Ignore a timer event."""
 
     def key(self, context, event):
-        """A key is pressed: an axis, or a part of a number."""
+        """Handle a key: an axis, or a part of a number."""
         if self.hit is not None and self.take_key(context, event):
             self._pull()
 
     def is_cancelled_by(self, event):
-        """Whether an event takes this drag back, and no other stroke of the session."""
+        """Whether an event takes this drag back, but not earlier strokes of the session."""
         return event.value == 'PRESS' and event.type in {'ESC', 'RIGHTMOUSE'} - {self._button}
 
     def cancel(self):
-        """The shape is what it was at the press."""
+        """Restore the shape at the press of the mouse."""
         if self.hit is not None:
             self._session.drag(self.hit.vertex, (0.0, 0.0, 0.0))
 
     def cursor(self, _session, _view, _place):
-        """(what the cursor lies on, how far the root goes there)."""
+        """(what the cursor lies on, displacement of the root there)."""
         return self.hit, self.displacement
 
     def axis_line(self, length):
-        """World ends of a line along the axis through where the root was; None without an axis."""
+        """World ends of a line along the axis through the root's start; None if no axis is chosen."""
         if self.axis is None or self.hit is None:
             return None
         along = length * self.axis_vector().normalized()
         return self.point - along, self.point + along
 
     def end(self):
-        """The stroke is over."""
+        """End the stroke."""
 
     def axis_vector(self):
-        """World vector along the axis; its length in the brush's unit is 1."""
+        """World vector along the chosen axis, of length 1 in the brush's unit."""
         unit = Vector()
         unit[AXIS_INDEX[self.axis]] = 1.0  # type: ignore[index]
         return self._session.to_world_vector(unit)

@@ -1,6 +1,6 @@
-"""The mesh under the resting tool, read once: for the cursor, and for the stroke that begins next.
+"""Session for the mesh under the resting tool: read once, for the cursor and for the next stroke.
 
-What is kept is dropped as soon as anything else than a stroke changes the object, so that nothing of it can be stale.
+The session is dropped as soon as anything except a stroke changes the object, so that it is never stale.
 """
 
 import bpy
@@ -17,19 +17,19 @@ from . import stage
 TOOL = "motus.pick_pull"
 MODES = {'OBJECT', 'EDIT_MESH', 'SCULPT'}
 MOST_IN_EDIT_MODE = 200000
-"""Vertices: to read more out of Blender's edit mesh would be felt when the mouse only passes."""
+"""Most vertices of a mesh in Edit Mode that is read while the mouse only moves over it; a larger edit mesh would cause a delay."""
 
 _kept = {}
 _wanted = {}
 
 
 def register():
-    """Watch for changes."""
+    """Add the handlers that notice changes of the object."""
     handlers.add(_watchers())
 
 
 def unregister():
-    """Forget all, and watch no more."""
+    """Drop the session, and remove the handlers."""
     handlers.remove(_watchers())
     if bpy.app.timers.is_registered(_read):
         bpy.app.timers.unregister(_read)
@@ -42,7 +42,7 @@ def is_tool_active(context):
 
 
 def session(context):
-    """What is kept for the active object; None where the tool is not active, or it is still to be read."""
+    """Kept session of the active object; None if the tool is not active, or the object is not read yet."""
     if not is_tool_active(context) or context.object is None:
         drop()
         return None
@@ -50,7 +50,7 @@ def session(context):
     if _kept and _kept.get("key") != key:
         drop()
     if not _kept and _wanted.get("key") != key and not _is_large(context.object):
-        # Not read within drawing, where Blender must not be asked to change anything.
+        # The object is read by a timer, since drawing must not change data.
         _wanted.update(key=key, object=context.object.name, scene=context.scene.name)
         if not bpy.app.timers.is_registered(_read):
             bpy.app.timers.register(_read, first_interval=0.0)
@@ -58,7 +58,7 @@ def session(context):
 
 
 def read_now(context):
-    """The session of the active object, read at once where it was not; for what the user has asked for. Raises Refused."""
+    """Session of the active object, read now if there is none; for actions of the user. Raises Refused."""
     fitting.fit(context.scene.motus.pull, context.object)
     made = Session(context, context.object, Brush.of(context.scene.motus.pull))
     keep(context, made)
@@ -66,7 +66,7 @@ def read_now(context):
 
 
 def take(context):
-    """The kept session for a stroke that begins now, or None. Raises Refused."""
+    """Take the kept session for a stroke that begins now; None if there is none. Raises Refused."""
     if _kept.get("key") != _key(context.object):
         return None
     found = _kept.pop("session")
@@ -75,15 +75,15 @@ def take(context):
 
 
 def keep(context, done):
-    """Keep the session of a stroke that is over."""
-    # Its change is evaluated before, so that what comes later is somebody else's.
+    """Keep the session of a finished stroke for the next one."""
+    # The stroke's own change is evaluated first: all later updates are by others.
     context.view_layer.update()
     drop()
     _kept.update(key=_key(context.object), session=done, object=context.object.name, data=context.object.data.name)
 
 
 def drop():
-    """Forget what is kept."""
+    """Drop the kept session."""
     _kept.clear()
     _wanted.clear()
 
@@ -97,7 +97,7 @@ def _is_large(obj):
 
 
 def _read():
-    """A timer, once: reads the object that the cursor asked for."""
+    """Timer function, called once: reads the object that the cursor has asked for."""
     wanted = dict(_wanted)
     obj, scene = bpy.data.objects.get(wanted.get("object", "")), bpy.data.scenes.get(wanted.get("scene", ""))
     if obj is None or scene is None or stage.current() is not None or _key(obj) != wanted["key"]:
@@ -107,7 +107,7 @@ def _read():
     try:
         made = Session(bpy.context, obj, Brush.of(scene.motus.pull))
     except Refused:
-        return  # the wish stays, so that it is not tried with every movement
+        return  # the request is kept, so that reading is not tried again at each movement of the mouse
     drop()
     _kept.update(key=wanted["key"], session=made, object=obj.name, data=obj.data.name)
     viewports.redraw()

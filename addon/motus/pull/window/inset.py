@@ -16,18 +16,18 @@ log = logging.getLogger(__name__)
 classes = ()
 
 SHARE = 0.3
-"""Of the viewport's width."""
+"""Width of the inset, as a share of the viewport's width."""
 ASPECT = 1.5
 MARGIN = 12.0
 FRAME = (0.9, 0.9, 0.9, 0.8)
 TURN = math.radians(90.0)
-"""About the vertical, from the view that is worked in."""
+"""Turn of the inset's view about the vertical, from the viewport's view."""
 RISE = math.radians(25.0)
-"""Above the horizon; more where the work is seen from straight above or below."""
+"""Elevation of the inset's view above the horizon; larger if the viewport looks from straight above or below."""
 LENS = 2.4
-"""Half the picture's height lies so many times nearer than the eye."""
+"""Focal length in units of half the picture's height."""
 BORDER = 1.1
-"""The work takes so much less than the picture."""
+"""Margin around the work, as a factor on its size in the picture."""
 SMALLEST = 96
 SIDES = {'UI', 'TOOLS'}
 SHELVES = {'ASSET_SHELF', 'ASSET_SHELF_HEADER'}
@@ -38,14 +38,14 @@ _failed = set()
 
 
 def start():
-    """Draw from now on; does nothing the second time. Called while the cursor is drawn, where a mark for redrawing is lost."""
+    """Start drawing the inset. Called while the cursor is drawn, when tagging the viewport for a redraw has no effect."""
     if not _handle:
         _handle.append(bpy.types.SpaceView3D.draw_handler_add(_draw, (), 'WINDOW', 'POST_PIXEL'))
         bpy.app.timers.register(viewports.redraw)
 
 
 def stop():
-    """Draw no more."""
+    """Stop drawing the inset."""
     while _handle:
         bpy.types.SpaceView3D.draw_handler_remove(_handle.pop(), 'WINDOW')
     for buffer in _buffers.values():
@@ -55,9 +55,9 @@ def stop():
 
 
 def rectangle(region, others=()):
-    """(x, y, width, height) of the inset in a region, pixels; None where there is no room.
+    """Rectangle (x, y, width, height) of the inset in a region, pixels; None if there is no room.
 
-    others: regions of the same area; sidebars and shelves that lie over the region are kept clear of.
+    others: regions of the same area; the inset keeps clear of sidebars and shelves that overlap the region.
     """
     left, right, bottom = _free(region, others)
     width = int((right - left) * SHARE)
@@ -68,7 +68,7 @@ def rectangle(region, others=()):
 
 
 def _free(region, others):
-    """Left, right and bottom edge of what nothing lies over."""
+    """Left, right and bottom edge of the part of a region that nothing overlaps."""
     left, right, bottom = 0, region.width, 0
     for other in others:
         x, y = other.x - region.x, other.y - region.y
@@ -86,10 +86,10 @@ def _free(region, others):
 
 
 def camera(view_rotation, corners, aspect):
-    """View and projection matrix from another side, as near as has all the corners of a box in the picture, in the world."""
+    """View and projection matrix of the inset: from another side, as near as possible with all corners of a box in the picture."""
     backward = view_rotation @ Vector((0.0, 0.0, 1.0))
     right = view_rotation @ Vector((1.0, 0.0, 0.0))
-    # Round the vertical from the screen's right, which a view from above has too.
+    # Turned from the screen's right axis, which is horizontal in a view from above too.
     azimuth = math.atan2(right.y, right.x) - math.pi / 2.0 + TURN
     is_level = abs(backward.z) < 0.9
     rise = RISE if is_level else 1.4 * RISE
@@ -123,7 +123,7 @@ def _draw():
     try:
         _draw_view(context, place)
     except Exception as error:
-        # A graphics card may refuse; said once, and the work goes on without an inset.
+        # The graphics driver may refuse; the error is printed once, and the session goes on without an inset.
         if repr(error) not in _failed:
             _failed.add(repr(error))
             log.exception("Motus: the inset view could not be drawn")
@@ -141,7 +141,7 @@ def _draw_view(context, place):
     buffer.draw_view3d(
         context.scene, context.view_layer, context.space_data, context.region, *matrices,
         do_color_management=capabilities.has_textures_in_display_colors())
-    # Making a buffer leaves the window bound, which Blender overwrites with the viewport.
+    # Creating a buffer leaves the window's frame buffer bound; Blender then draws the viewport over the inset.
     with viewport.bind():  # type: ignore[func-returns-value]
         gpu.state.depth_mask_set(False)
         gpu.state.blend_set('NONE')
@@ -154,13 +154,13 @@ def _draw_view(context, place):
 
 
 def _buffer(width, height):
-    """The picture's buffer; one for each size, and few sizes."""
+    """Buffer of the picture, cached for each size; only few sizes occur."""
     import gpu
 
     if (width, height) not in _buffers:
         if len(_buffers) >= 4:
             _buffers.pop(next(iter(_buffers))).free()
         _buffers[width, height] = gpu.types.GPUOffScreen(width, height)
-        # What is drawn after a buffer was made in the midst of drawing is not seen.
+        # A buffer that was created while Blender draws shows nothing in that redraw.
         bpy.app.timers.register(viewports.redraw)
     return _buffers[width, height]

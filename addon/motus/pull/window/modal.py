@@ -1,4 +1,4 @@
-"""The part of motus.pick_pull that runs in the window: a session from the menu, or one stroke of the tool."""
+"""Window part of motus.pick_pull: a session from the menu, or one stroke of the tool."""
 
 import bpy
 
@@ -13,21 +13,21 @@ from .adjusting import MOVES
 from .pulling import Pulling
 
 GIVEN_PLACE = ("location", "vertex", "dabs")
-"""Whoever says where wants no mouse."""
+"""Keywords that give a place, so that the operator runs without the mouse."""
 
 VIEWING = {
     'MIDDLEMOUSE', 'WHEELUPMOUSE', 'WHEELDOWNMOUSE', 'TRACKPADPAN', 'TRACKPADZOOM', 'MOUSEROTATE', 'MOUSESMARTZOOM', 'HOME',
     'ACCENT_GRAVE', 'NUMPAD_PLUS', 'NUMPAD_MINUS', 'NUMPAD_PERIOD', *(f'NUMPAD_{digit}' for digit in range(10))}
-"""Keys that turn or zoom the view or go to another: the same as under the resting tool."""
+"""Events that change the view, which work as without the operator."""
 ALWAYS_PASSED = {'TIMER', 'TIMER0', 'TIMER1', 'TIMER2', 'TIMER_REPORT', 'TIMERREGION', 'WINDOW_DEACTIVATE', 'NONE'}
 BUTTONS = {'LEFTMOUSE': 1.0, 'RIGHTMOUSE': -1.0}
 
 
 class PickPullModal:
-    """invoke(), modal() and cancel() of motus.pick_pull; execute(), start() and remember() are the operator's."""
+    """Mixin with invoke(), modal() and cancel() of motus.pick_pull, which has execute(), start() and remember()."""
 
     is_stroke: bpy.props.BoolProperty(
-        name="Stroke", description="One stroke of the mouse, as the tool's keys do it", default=False,
+        name="Stroke", description="Make one stroke of the mouse, as with the tool's keys", default=False,
         options={'HIDDEN', 'SKIP_SAVE'})
     is_down: bpy.props.BoolProperty(
         name="Down", description="The stroke pulls down", default=False, options={'HIDDEN', 'SKIP_SAVE'})
@@ -48,7 +48,7 @@ class PickPullModal:
         if self.is_stroke and not self._press(context, view, event):
             self._pulling.close(context)
             self._keep(context)
-            # Beside the mesh the press is meant for what lies there; in Sculpt Mode that would be a brush.
+            # A press beside the mesh is passed on to what lies there, except in Sculpt Mode, where Blender would use a brush.
             return {'CANCELLED'} if context.mode == 'SCULPT' else {'PASS_THROUGH', 'CANCELLED'}
         self._pulling.show(context)
         context.window_manager.modal_handler_add(self)
@@ -62,7 +62,7 @@ class PickPullModal:
             self._pulling.release(context)
             return self._finish(context) if self.is_stroke else {'RUNNING_MODAL'}
         except ReferenceError:
-            # A script has removed the object meanwhile.
+            # A script has removed the object during the session.
             self._pulling.close(context)
             hover.drop()
             self.report({'ERROR'}, tr("The object that was pulled is gone"))
@@ -72,13 +72,13 @@ class PickPullModal:
             raise
 
     def cancel(self, context):
-        """Blender, or the user, ends it: everything is as it was."""
+        """Cancel the session, by Blender or by the user: the mesh is as it was at the start."""
         self._pulling.close(context)
         self._pulling.session.restore()
         self._keep(context)
 
     def _press(self, context, view, event):
-        """The first press of a stroke; False where there is nothing to pull."""
+        """Handle the first press of a stroke; False if there is nothing to pull under the mouse."""
         try:
             return self._pulling.press(context, view, event, -1.0 if self.is_down else 1.0, self.is_smooth)
         except Refused as refusal:
@@ -119,10 +119,10 @@ class PickPullModal:
         return self._held(context, event)
 
     def _held(self, context, event):
-        """An event while a button is held."""
+        """Handle an event while a button is held."""
         if event.type in MOVES:
             self._pulling.move(context, event)
-            return {'PASS_THROUGH'}  # for the cursor
+            return {'PASS_THROUGH'}  # for drawing the cursor
         if event.type == 'TIMER':
             self._pulling.tick(event)
             return {'PASS_THROUGH'}
@@ -155,7 +155,7 @@ class PickPullModal:
         return self._command(context, event)
 
     def _number_key(self, context, event):
-        """A key while a number is typed; False where it ends the number and means something else."""
+        """Handle a key while a number is typed; False if the key ends the number and has another meaning."""
         pulling = self._pulling
         if event.value == 'PRESS':
             if pulling.type_strength(context, event.type):
@@ -165,13 +165,13 @@ class PickPullModal:
         return event.type in CONFIRMING or event.type == 'ESC'
 
     def _command(self, context, event):
-        """An event while no button is held."""
+        """Handle an event while no button is held."""
         pulling = self._pulling
         view = pulling.view_under(event)
         if _turns_view(context, event):
             return {'PASS_THROUGH'}
         if view is None or event.value != 'PRESS':
-            # Nothing else of the interface: what is changed there would come between the session and its undo step.
+            # Other parts of the interface get no events: changes there would come between the session and its undo step.
             return {'RUNNING_MODAL'}
         if event.type in BUTTONS:
             sign = BUTTONS[event.type] * (-1.0 if event.ctrl else 1.0)
@@ -198,7 +198,7 @@ class PickPullModal:
 
 
 def why_cancelled(session):
-    """A sentence, where the mirror is why nothing has moved; else None."""
+    """Sentence that says that the mirror images have cancelled the pull; None if the pull moved nothing for another reason."""
     if not session.is_cancelled:
         return None
     return tr("Nothing moved: on the mirror plane this pull and its mirror image cancel each other out. Choose another "
@@ -206,7 +206,7 @@ def why_cancelled(session):
 
 
 def _turns_view(context, event):
-    """Whether an event is meant for the view."""
+    """Whether an event changes the view."""
     if event.type in VIEWING or event.type.startswith('NDOF_'):
         return True
     emulates = context.preferences.inputs.use_mouse_emulate_3_button
@@ -214,7 +214,7 @@ def _turns_view(context, event):
 
 
 def _selects(context, event):
-    """Whether the right button, which pulls down, is the one that this user selects with."""
+    """Whether the right button, which pulls down, selects in this user's keymap."""
     if event.type != 'RIGHTMOUSE':
         return False
     keys = context.window_manager.keyconfigs.active.preferences

@@ -1,4 +1,4 @@
-"""A session in the window: what mouse and keys do to the mesh and to the brush."""
+"""A session in the window: applies events of mouse and keyboard to the mesh and to the brush."""
 
 from ...core.interface.dragging.number_entry import NumberEntry
 from ...core.interface.view import viewports
@@ -10,7 +10,7 @@ from .dragging import Dragging
 
 
 class Pulling:
-    """A dab.Session with the mouse's state. given: keywords of the operator, which go before the scene's brush."""
+    """A dab.Session with the state of the mouse. given: keywords of the operator, which take precedence over the scene's brush."""
 
     def __init__(self, context, session, given):
         self.session = session
@@ -26,43 +26,43 @@ class Pulling:
 
     @property
     def brush(self):
-        """The brush as it stands."""
+        """The brush with its present values."""
         return self.session.brush
 
     @property
     def is_stroking(self):
-        """Whether a button is held."""
+        """Whether a mouse button is held."""
         return self.stroke is not None
 
     @property
     def is_dragging(self):
-        """Whether the root goes along with the mouse."""
+        """Whether a stroke drags the root with the mouse."""
         return isinstance(self.stroke, Dragging)
 
     # --- The brush ------------------------------------------------------------------------------------------------
 
     def set(self, context, name, value):
-        """Change one of the brush's settings, for this session and for the scene."""
+        """Set a value of the brush, for this session and for the scene."""
         self._given.pop(name, None)
         setattr(self.settings, name, value)
         self.session.brush = Brush.of(self.settings, self._given)
         self.show(context)
 
     def cycle(self, context, name):
-        """Go on to the next item of an enum setting."""
+        """Switch an enum of the brush to its next item."""
         items = [item.identifier for item in self.settings.bl_rna.properties[name].enum_items]
         self.set(context, name, items[(items.index(getattr(self.brush, name)) + 1) % len(items)])
 
     def toggle_mirror(self, context, axis):
-        """Switch the mirror about an axis on or off."""
+        """Switch the mirror across an axis on or off."""
         self.set(context, "mirror", set(self.brush.mirror) ^ {axis})
 
     def step(self, context, name, up):
-        """One step up or down for radius or strength."""
+        """Raise or lower radius or strength by one step."""
         self.set(context, name, notched(self.brush, name, 1 if up else -1))
 
     def type_strength(self, context, kind):
-        """A key for the number that is typed; False where it is none."""
+        """Handle a key for the number that is typed; False if the key does not belong to a number."""
         if not self.entry.key(kind):
             return False
         if self.entry.value is not None:
@@ -71,14 +71,14 @@ class Pulling:
         return True
 
     def adjust(self, context, name, view, event):
-        """Let the mouse change radius or strength from here on."""
+        """Begin to change radius or strength by the mouse."""
         hit = self.session.pick(*view.ray(event.mouse_x, event.mouse_y))
         place = hit.point if hit else view.data.view_location
         self.adjustment = Adjustment(name, self.brush, event.mouse_x, view.pixels_for(place, 1.0), view, hit)
         self.show(context)
 
     def handle_adjustment(self, context, event):
-        """An event while the mouse changes a number."""
+        """Handle an event while the mouse changes radius or strength."""
         meaning, value = self.adjustment.handle(context, self.brush, event)
         name = self.adjustment.name
         if meaning in {'KEEP', 'CANCEL'}:
@@ -90,7 +90,7 @@ class Pulling:
     # --- Strokes --------------------------------------------------------------------------------------------------
 
     def press(self, context, view, event, sign, is_smooth):
-        """A button is pressed over the viewport: a stroke begins. Gives whether it is on the mesh."""
+        """Begin a stroke by the press of a button in the viewport; returns whether the mouse is on the mesh."""
         self.button, self.sign, self.is_smooth = event.type, sign, is_smooth
         if self.brush.direction == 'CURSOR' and not is_smooth:
             self.stroke = Dragging(self.session, view, event)
@@ -100,32 +100,32 @@ class Pulling:
         return self.stroke.hit is not None
 
     def move(self, context, event):
-        """The mouse has moved while a button is held."""
+        """Handle a movement of the mouse while a button is held."""
         self.stroke.move(event)
         self._show_stroke(context)
 
     def tick(self, event):
-        """The clock ticks while a button is held."""
+        """Handle a timer event while a button is held."""
         self.stroke.tick(event)
         self._redraw()
 
     def key(self, context, event):
-        """A key is pressed while a button is held."""
+        """Handle a key while a button is held."""
         self.stroke.key(context, event)
         self._show_stroke(context)
 
     def is_ended_by(self, event):
-        """Whether an event ends the stroke, which stays."""
+        """Whether an event ends the stroke and keeps its result."""
         is_let_go = event.type == self.button and event.value == 'RELEASE'
         return is_let_go or self.stroke.is_confirmed_by(event)
 
     def release(self, context):
-        """The stroke is over."""
+        """End the stroke."""
         self._end_stroke()
         self.show(context)
 
     def cancel_stroke(self, context):
-        """The stroke is over, and its drag taken back."""
+        """End the stroke; a drag is taken back."""
         self.stroke.cancel()
         self.release(context)
 
@@ -135,7 +135,7 @@ class Pulling:
             self.show(context)
 
     def _show_stroke(self, context):
-        # Of dabs the headers tell nothing that would change.
+        # Texts in the headers depend on drags, but not on dabs.
         if self.is_dragging:
             self.show(context)
         else:
@@ -146,10 +146,10 @@ class Pulling:
             self.stroke.end()
         self.stroke = self.button = None
 
-    # --- What is seen ---------------------------------------------------------------------------------------------
+    # --- Display --------------------------------------------------------------------------------------------------
 
     def show(self, context):
-        """Put the state into the headers of the viewports, and draw anew."""
+        """Show the state in the headers of the viewports, and redraw these."""
         adjusted, entry = None, None
         if self.adjustment is not None:
             adjusted, entry = self.adjustment.name, self.adjustment.entry
@@ -172,7 +172,7 @@ class Pulling:
         return status.GRABBING_KEYS if self.brush.direction == 'CURSOR' else status.SESSION_KEYS
 
     def close(self, context):
-        """Nothing is shown any more, and no clock ticks."""
+        """Remove the texts from the headers, and the timer."""
         self._end_stroke()
         stage.leave(self)
         for area in self._viewports():

@@ -1,24 +1,24 @@
-"""What is being pulled in the window now, for those who draw it: one thing at a time, or nothing."""
+"""The session that runs in the window now, for the modules that draw it: one or none."""
 
 _on = []
 
 
 def enter(pulling):
-    """This one is on, in place of whatever was."""
+    """Make a session the running one, in place of the previous one."""
     _on[:] = [pulling]
 
 
 def leave(pulling):
-    """This one is over."""
+    """Remove a session that has ended."""
     if pulling in _on:
         _on.remove(pulling)
 
 
 def clear():
-    """Whatever was on is over: its file is closed, or the add-on goes."""
+    """Remove any session: the file is closed, or the add-on is disabled."""
     _on.clear()
 
 
 def current():
-    """What is on, or None."""
+    """The running session, or None."""
     return _on[0] if _on else None

@@ -1,4 +1,4 @@
-"""The texts that tell what the brush does and which keys there are."""
+"""Texts in the header and the status bar: the state of the brush, and the keys of the tool."""
 
 import bpy
 
@@ -17,12 +17,12 @@ def length(context, value):
 
 
 def label(text):
-    """A label of the interface in the user's language."""
+    """Translate a label of the interface into the user's language."""
     return bpy.app.translations.pgettext_iface(text)
 
 
 def value(context, brush, name):
-    """One of the brush's two numbers, as it is shown."""
+    """Text of one of the brush's two numbers."""
     number = getattr(brush, name)
     if name == RADIUS and brush.distance == 'EDGES':
         return tr("{count} edges").format(count=round(number))
@@ -30,28 +30,28 @@ def value(context, brush, name):
 
 
 def pair(context, brush, name, entry: NumberEntry | None = None):
-    """A number with its label; what is being typed in place of the number."""
+    """Text of a number with its label. entry: characters that the user is typing instead of the number."""
     shown = f"{entry.text}|" if entry is not None and entry.is_open else value(context, brush, name)
     return f"{label(LABELS[name])} {shown}"
 
 
 def item_label(settings, brush, name):
-    """Label of the item that the brush has of an enum setting."""
+    """Label of the item that an enum of the brush has."""
     return label(settings.bl_rna.properties[name].enum_items[getattr(brush, name)].name)
 
 
 def numbers(brush, adjusted=None):
-    """The names of the brush's numbers that count, and of the one that is being typed or dragged."""
+    """Names of the brush's numbers that are shown. adjusted: number that is being typed or dragged, or None."""
     return (RADIUS,) if brush.direction == 'CURSOR' and adjusted != STRENGTH else (RADIUS, STRENGTH)
 
 
 def drag_header(context, settings, session, drag):
-    """The line in the viewport's header during a drag: how far the root goes, and along which axis."""
+    """Text for the viewport's header during a drag: length and axis of the displacement."""
     return drag.header(context, item_label(settings, session.brush, "unit"), length)
 
 
 def header(context, settings, brush, entry, adjusted):
-    """The line in the viewport's header. adjusted: the number that is being typed or dragged, or None."""
+    """Text for the viewport's header. adjusted: number that is being typed or dragged, or None."""
     parts = [pair(context, brush, name, entry if adjusted == name else None) for name in numbers(brush, adjusted)]
     parts += [item_label(settings, brush, name) for name in ("falloff", "distance", "direction")]
     if brush.accumulate and brush.direction != 'CURSOR':
@@ -62,7 +62,7 @@ def header(context, settings, brush, entry, adjusted):
 
 
 class Key:
-    """What keys do, and the icons of them that the status bar shows."""
+    """What a group of keys does, with the icons that the status bar shows for them."""
 
     def __init__(self, text, *icons):
         self.text, self.icons = text, icons
@@ -85,7 +85,7 @@ ADJUSTING_KEYS = (Key("Confirm", 'MOUSE_LMB'), Key("Cancel", 'MOUSE_RMB', 'EVENT
 
 
 def drawn(keys):
-    """What the status bar calls to draw icons of keys with what they do."""
+    """Function for the status bar that draws the icons of keys with what they do."""
     known = bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items
     shown = [([icon for icon in key.icons if icon in known], key.text) for key in keys]
 

@@ -1,27 +1,27 @@
-"""Where along the mouse's way the dabs of a stroke fall, and how strong a pen makes them. Without Blender's data."""
+"""Distribution of dabs along the mouse's way, and pressure of the pen; independent of Blender's data."""
 
 import math
 from typing import Any
 
 SPACING = 0.1
-"""Of the radius: from one dab to the next."""
+"""Distance between dabs, as a share of the radius."""
 NEAREST = 2.0
-"""Pixels from one dab to the next, at least."""
+"""Least distance between dabs, in pixels."""
 MOST = 32
-"""Dabs for one movement of the mouse; a longer way has them further apart."""
+"""Most dabs for one movement of the mouse; on a longer way the dabs are further apart."""
 RATE = 20.0
-"""Dabs a second while the mouse is held still."""
+"""Dabs per second while the mouse is held still."""
 
 
 def pressure(event):
-    """How hard a pen is pressed, 0 to 1; 1 for a mouse, which has no pressure."""
+    """Pressure of a pen, 0 to 1; 1 for a mouse."""
     return min(max(event.pressure, 0.0), 1.0) if event.is_tablet else 1.0
 
 
 def shares(length, left, spacing):
-    """Shares, 0 to 1, of a way of some length at which dabs are due, and how far it is to the next one from its end.
+    """Shares (0 to 1) of a way at which dabs are due, and the distance from its end to the next dab.
 
-    left: how far it was to the next dab when the way began. spacing: > 0.
+    length: of the way. left: distance from the start of the way to the next dab. spacing: distance between dabs, > 0.
     """
     if length <= 0.0 or length < left:
         return [], left - length
@@ -29,14 +29,14 @@ def shares(length, left, spacing):
     if count > MOST:
         return [(index + 1) / MOST for index in range(MOST)], spacing
     places = [left + index * spacing for index in range(count)]
-    # Rounding must not lead past the end.
+    # Rounding must not give a share above 1.
     return [min(place / length, 1.0) for place in places], spacing - (length - places[-1])
 
 
 class Way:
-    """The mouse's way during one stroke, in pixels: the height of what is pulled up is no way.
+    """Way of the mouse during one stroke, in pixels; heights of the pulled surface do not count.
 
-    find(x, y): what lies under a place of the screen, or None. radius_of(found): the radius there, pixels.
+    find(x, y): what lies under a place of the screen, or None. radius_of(found): radius there in pixels.
     """
 
     def __init__(self, find, radius_of):
@@ -48,11 +48,11 @@ class Way:
 
     @property
     def found(self):
-        """What was under the mouse when it moved last."""
+        """What was under the mouse at its last movement."""
         return self._found
 
     def move(self, x, y):
-        """The mouse is pressed, or has moved, to there; gives what dabs are done at, in order."""
+        """Record the press of the mouse, or a movement of it; returns what was found at the places of dabs, in order."""
         found = self._find(x, y)
         if found is None or self._found is None:
             return self._cross_border(x, y, found)
@@ -63,12 +63,12 @@ class Way:
         return [one for one in between if one is not None]
 
     def wait(self):
-        """A tick of the clock; gives what is done at where there was no dab since the last one."""
+        """Record a timer event; returns what lies under the mouse, if no dab was made since the last event."""
         was_idle, self._is_idle = self._is_idle, True
         return [self._found] if was_idle and self._found is not None else []
 
     def _cross_border(self, x, y, found):
-        """The mouse has come onto the surface, or left it, or is still beside it."""
+        """Handle a mouse that has entered the surface, has left it, or stays beside it."""
         self._place, self._found = (x, y), found
         if found is None:
             return []

@@ -1,4 +1,4 @@
-"""Pick & Pull in the toolbar of Object, Edit and Sculpt Mode."""
+"""The tool Pick & Pull in the toolbars of Object, Edit and Sculpt Mode."""
 
 from pathlib import Path
 
@@ -59,13 +59,13 @@ TOOLS = (ObjectTool, EditTool, SculptTool)
 
 
 def register():
-    """Put the tool into the toolbars, and get its cursor ready."""
+    """Add the tool to the toolbars, and its cursor."""
     toolbar.register(TOOLS, keymap.TOOL_KEYMAP)
     hover.register()
     cursor.register()
 
 
 def unregister():
-    """Take the tool back."""
+    """Remove the tool and its cursor."""
     handlers.take_back(stage.clear, inset.stop, cursor.unregister, hover.unregister)
     toolbar.unregister(TOOLS)

@@ -22,19 +22,17 @@ INTERFACE = {
     "X, Y or Z locks an axis, Shift is precise, a number sets the length; Esc or the right button cancels":
         "X, Y o Z fija un eje, Mayús da precisión, un número da la longitud; Esc o el botón derecho cancela",
     "Aircraft": "Avión",
-    "Even speed, and the bank that its curves ask for":
-        "Velocidad constante y el alabeo que piden sus curvas",
+    "Even speed, and the bank that an aircraft needs in its curves": "Velocidad constante y el alabeo que piden sus curvas",
     "Bird": "Pájaro",
     "Leans gently, and its body trails behind the turn": "Se inclina un poco y su cuerpo gira con retraso",
     "Car": "Coche",
     "Starts and stops gently, upright": "Arranca y para con suavidad, derecho",
     "Roller Coaster": "Montaña rusa",
-    "Up points to the middle of each bend, loops included":
-        "Arriba apunta al centro de cada curva, también en los rizos",
+    "Up points to the middle of each bend, also in loopings": "Arriba apunta al centro de cada curva, también en los rizos",
     "Camera Move": "Movimiento de cámara",
     "Soft at both ends, never rolling": "Suave en ambos extremos, sin girar sobre sí",
     "Bead on a String": "Cuenta en un hilo",
-    "Turned as little as possible along the way": "Gira lo menos posible por el camino",
+    "Turned as little as possible along the path": "Gira lo menos posible por el camino",
     "Preset": "Preajuste",
     "Preset that gives the settings their values": "Preajuste que da sus valores a los ajustes",
     "Give the settings the values of a preset that comes with Motus":
@@ -75,6 +73,8 @@ INTERFACE = {
     "NURBS splines of an order above 6 cannot be followed: lower the order":
         "No se pueden seguir splines NURBS de orden superior a 6: reduce el orden",
     "Native module {found}": "Módulo nativo {found}",
+    "While Influence is 1, keys and drivers of what the path sets have no effect: animate a child of this object":
+        "Mientras Influencia sea 1, las claves y los controladores de lo que fija la trayectoria no tienen efecto: anima un hijo de este objeto",
     "Winter Flight": "Vuelo de invierno",
     "Eight systems at once: a pilot walks through the snow, throws an aeroplane and steers it, while lanterns swing and a spider comes to see":
         "Ocho sistemas a la vez: un piloto camina por la nieve, lanza un avión y lo dirige, mientras oscilan unos "
@@ -228,17 +228,17 @@ INTERFACE = {
     "What happens beyond the ends of the path; if it is not given, a closed path loops and a train lines up":
         "Qué ocurre más allá de los extremos de la trayectoria; si no se indica, una trayectoria cerrada es un bucle y un tren se pone en fila",
     "Line Up": "En fila",
-    "The first stops at the ends; the others stand in line behind it, before the start if need be":
+    "The leader of a train stops at the ends; the wagons stand in line behind it, also before the start of the path":
         "El primero para en los extremos; los demás están en fila detrás de él, antes del inicio si hace falta",
     "Gap of All": "Separación de todos",
-    "Distance along the path from each to the one in front, the same for all wagons":
+    "Distance along the path from each wagon to the object in front, the same for all wagons":
         "Distancia en la trayectoria de cada uno al que va delante, igual para todos los vagones",
-    "Distance along the path to the one in front; 0 takes the lengths of the objects":
+    "Distance along the path to the object in front; 0 takes the lengths of the objects":
         "Distancia en la trayectoria al que va delante; 0 toma las longitudes de los objetos",
-    "Let a wagon change places with the one in front of it or behind it; the gaps stay where they are":
+    "Exchange a wagon with the wagon in front of it or behind it; the gaps stay where they are":
         "Cambiar un vagón de lugar con el de delante o el de detrás; las separaciones se quedan donde están",
     "The wagon is at the end of the train already": "El vagón ya está en el extremo del tren",
-    "Set each gap so that a wagon touches the one in front": "Ajustar cada separación para que el vagón toque al de delante",
+    "Set each gap so that the wagon touches the object in front of it": "Ajustar cada separación para que el vagón toque al de delante",
     "Select an object that follows this curve": "Seleccionar un objeto que sigue esta curva",
     "Name of the follower; empty takes the first one of the active curve":
         "Nombre del seguidor; vacío toma el primero de la curva activa",
@@ -252,13 +252,13 @@ INTERFACE = {
     "Go On": "Seguir recto",
     "Go on along the tangent of the path's end": "Continuar por la tangente del extremo de la trayectoria",
     "Loop": "Bucle",
-    "Begin again at the start": "Volver a empezar desde el principio",
+    "Begin again at the start of the path": "Volver a empezar desde el principio",
     "Ping-Pong": "Ida y vuelta",
-    "Go back and forth": "Ir y volver",
+    "Go back and forth along the path": "Ir y volver",
 
     # Follow Path: orientation
     "Orientation": "Orientación",
-    "Which way the object's up axis points": "Hacia dónde apunta el eje vertical del objeto",
+    "Direction in which the object's up axis points": "Dirección en la que apunta el eje superior del objeto",
     "None": "Ninguna",
     "Keep the object's own rotation": "Conservar la rotación propia del objeto",
     "World Up": "Vertical del mundo",
@@ -278,8 +278,8 @@ INTERFACE = {
     "Up": "Arriba",
     "Axis of the object that points up": "Eje del objeto que apunta hacia arriba",
     "Strength": "Intensidad",
-    "1 is the turn that an aircraft would fly; negative leans outward":
-        "1 es el viraje que haría un avión; negativa inclina hacia fuera",
+    "Factor on the bank: 1 is that of an aircraft, and negative leans outward":
+        "Factor del alabeo: 1 es el de un avión, y negativo inclina hacia fuera",
     "Limit": "Límite",
     "Largest roll; 180 degrees is no limit": "Alabeo máximo; 180 grados equivale a no limitar",
     "Smoothing": "Suavizado",
@@ -310,8 +310,8 @@ INTERFACE = {
     "Frame at which the object is at the pin's place": "Fotograma en el que el objeto está en el lugar del ancla",
     "Active Pin": "Ancla activa",
     "Add a pin: a frame and the place to be at": "Agregar un ancla: un fotograma y el lugar donde estar",
-    "Be at a place of the path at a frame; without one, here and now":
-        "Estar en un lugar de la trayectoria en un fotograma; sin indicarlos, aquí y ahora",
+    "Add a pin, which puts the object at a place of the path at a frame; by default at its present place and frame":
+        "Agregar un alfiler, que pone el objeto en un lugar de la trayectoria en un fotograma; por defecto, en su lugar y fotograma actuales",
     "Remove a pin of the path": "Quitar un ancla de la trayectoria",
     "Index of the pin; -1 is the active one": "Índice del ancla; -1 es la activa",
     "There is no such pin": "No existe esa ancla",
@@ -322,16 +322,18 @@ INTERFACE = {
     "Wagon": "Vagón",
     "Wagons": "Vagones",
     "Active Wagon": "Vagón activo",
-    "Object that follows behind": "Objeto que sigue detrás",
+    "Object that is this wagon of the train": "Objeto que es este vagón del tren",
     "Gap": "Separación",
-    "Distance along the path to the one in front": "Distancia a lo largo de la trayectoria hasta el de delante",
-    "Distance along the path from one to the next; 0 takes the lengths of the objects":
+    "Distance along the path to the object in front": "Distancia a lo largo de la trayectoria hasta el de delante",
+    "Distance along the path from each object to the next; 0 takes the lengths of the objects":
         "Distancia a lo largo de la trayectoria de uno al siguiente; 0 toma la longitud de los objetos",
     "Couple the other selected objects to the end of the train":
         "Enganchar los demás objetos seleccionados al final del tren",
-    "Take a wagon out of the train; those behind keep their places":
+    "Take a wagon out of the train; the wagons behind it keep their places":
         "Sacar un vagón del tren; los de detrás conservan su lugar",
     "Select the object whose settings drive this one": "Seleccionar el objeto cuyos ajustes mueven este",
+    "Select the leader of the train, whose settings drive this wagon":
+        "Seleccionar el guía del tren, cuyos ajustes controlan este vagón",
     "Name of the leader; empty takes the active one": "Nombre del guía; vacío toma el activo",
     "Name of the wagon; empty takes the other selected objects":
         "Nombre del vagón; vacío toma los demás objetos seleccionados",
@@ -346,45 +348,45 @@ INTERFACE = {
 
     # Follow Path: operators
     "Let the selected objects follow a curve": "Hacer que los objetos seleccionados sigan una curva",
-    "Let the selected objects follow a curve one behind the other, the active one first":
+    "Let the selected objects follow a curve as a train, the active object first":
         "Hacer que los objetos seleccionados sigan una curva uno tras otro, el activo primero",
     "Remove Follow Path, so that the objects stand at their own transforms again":
         "Quitar Seguir trayectoria, de modo que los objetos vuelven a sus propias transformaciones",
-    "Rebuild after the curve was given different data": "Reconstruir después de dar otros datos a la curva",
+    "Rebuild Follow Path after the curve was given different data": "Reconstruir después de dar otros datos a la curva",
     "Add a curve whose points, or placed objects, are the control points of one Bézier curve":
         "Agregar una curva cuyos puntos, u objetos colocados, son los puntos de control de una sola curva Bézier",
     "Degree": "Grado",
-    "One less than the number of control points": "Uno menos que el número de puntos de control",
+    "Degree of the curve: one less than the number of its control points": "Uno menos que el número de puntos de control",
     "Name": "Nombre",
     "Name of the new curve": "Nombre de la curva nueva",
     "Name of the object; empty takes the active one": "Nombre del objeto; vacío toma el activo",
     "Name of the object; empty takes the selected ones": "Nombre del objeto; vacío toma los seleccionados",
-    "Name of the curve object; empty takes the selected one": "Nombre del objeto curva; vacío toma el seleccionado",
-    "Name of the curve object; empty takes the selected one or what the active object follows":
+    "Name of the curve object; empty takes the selected curve": "Nombre del objeto curva; vacío toma el seleccionado",
+    "Name of the curve object; empty takes the selected curve, or the curve that the active object follows":
         "Nombre del objeto curva; vacío toma el seleccionado o la que sigue el objeto activo",
     "Objects": "Objetos",
-    "Names with commas between, or a collection's name; empty takes the selected ones":
+    "Names of objects with commas between, or a collection's name; empty takes the selected objects":
         "Nombres separados por comas, o el nombre de una colección; vacío toma los seleccionados",
-    "Names with commas between, or a collection's name: their places are the control points, and moving one moves the curve":
-        "Nombres separados por comas, o el nombre de una colección: sus posiciones son los puntos de control, y mover uno "
-        "mueve la curva",
-    "Look at the path from the top, the front and the side at once, without perspective; once more to go back":
-        "Mira la trayectoria desde arriba, de frente y de lado a la vez, sin perspectiva; otra vez para volver",
-    "Views from the top, the front and the right, beside the viewport's own":
+    "Names of objects with commas between, or a collection's name: the objects' places are the control points, and moving an object moves the curve":
+        "Nombres separados por comas, o el nombre de una colección: sus posiciones son los puntos de control, y mover uno mueve la curva",
+    "Show the path from the top, the front and the side at once, without perspective; a second time restores the previous view":
+        "Mostrar la trayectoria desde arriba, de frente y de lado a la vez, sin perspectiva; la segunda vez restaura la vista anterior",
+    "Views from the top, the front and the right, beside the viewport's present view":
         "Vistas desde arriba, de frente y desde la derecha, junto a la propia de la ventana",
     "Blender runs without a window: choose a single view": "Blender se ejecuta sin ventana: elige una sola vista",
     "Edit Views of {curve}": "Vistas de edición de {curve}",
     "View": "Vista",
-    "Which view to show": "Qué vista se muestra",
+    "Edit view that is shown": "Vista de edición que se muestra",
     "The system to show": "El sistema que se muestra",
     "Next": "Siguiente",
-    "View from the top or from the side, whichever is not shown": "Vista desde arriba o de lado, la que no se muestra",
+    "View from the side if the view from the top is shown, otherwise view from the top":
+        "Vista de lado si se muestra la de arriba; si no, vista desde arriba",
     "Top": "Arriba",
     "View from above": "Vista desde arriba",
     "Side": "Lado",
     "View from the side": "Vista de lado",
     "Leave": "Salir",
-    "Go back to what the viewport showed before": "Volver a lo que la ventana mostraba antes",
+    "Restore the view that the viewport had before": "Restaurar la vista que tenía la ventana antes",
     "Index": "Índice",
     "Follow Path Presets": "Preajustes de seguir trayectoria",
     "Keep these settings as a preset, or remove it": "Guardar estos ajustes como preajuste, o quitarlo",

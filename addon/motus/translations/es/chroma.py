@@ -15,13 +15,14 @@ INTERFACE = {
     "Gap": "Hueco",
     "Give keys of older versions the present node group, with their settings, and find its levels":
         "Da a los cromas de versiones anteriores el grupo de nodos actual, con sus ajustes, y busca sus niveles",
-    "Give the key a mask or a picture that makes its white part clear, or keeps it opaque":
+    "Add a mask or a picture to the key, whose white part becomes transparent or stays opaque":
         "Da al croma una máscara o una imagen cuya parte blanca queda transparente, o se conserva opaca",
-    "How much of the light that despill takes away goes back as grey": "Cuánta de la luz que se quita con el reflejo vuelve como gris",
+    "Share of the light removed by despill that is added again as grey":
+        "Cuánta de la luz que se quita con el reflejo vuelve como gris",
     "Index": "Índice",
     "Keep Light": "Conservar luz",
     "Kind": "Tipo",
-    "Let the key have this mask no more; the mask stays in the file": "El croma deja de tener esta máscara, que se queda en el archivo",
+    "Remove this mask from the key; the mask stays in the file": "El croma deja de tener esta máscara, que se queda en el archivo",
     "Light": "Luz",
     "Make another colour of the footage transparent too, by a key with settings and masks of its own":
         "Vuelve transparente otro color más de la filmación, con un croma que tiene ajustes y máscaras propios",
@@ -39,8 +40,8 @@ INTERFACE = {
     "Pictures that are missing in sequences, and the frames in which they are":
         "Imágenes que faltan en las secuencias, y los fotogramas en los que faltan",
     "Screen Gain": "Ganancia de pantalla",
-    "Show the settings of this key": "Muestra los ajustes de este croma",
-    "Take away the key that the panel shows; the others stay": "Quita el croma que muestra el panel; los demás se quedan",
+    "Show the settings of this key in the panel": "Muestra los ajustes de este croma",
+    "Remove the key that the panel shows; other keys stay": "Quita el croma que muestra el panel; los demás se quedan",
     "The average of the two other channels in which the larger counts twice":
         "La media de los otros dos canales, en la que el mayor cuenta dos veces",
     "The average of the two other channels, which takes most away": "La media de los otros dos canales, que es lo que más quita",
@@ -52,21 +53,21 @@ INTERFACE = {
     "The scene's color management changes the footage's colours: {names}":
         "La gestión de color de la escena cambia los colores de la filmación: {names}",
     "This key is of an older version, and goes on as it was": "Este croma es de una versión anterior, y sigue como era",
-    "Up to how much holes in the subject are filled, well inside its edge, which stays soft; 0 fills none":
+    "Level up to which holes well inside the subject are filled; the subject's edge stays soft, and 0 fills no holes":
         "Hasta cuánto se rellenan los huecos del sujeto, bien adentro de su borde, que queda suave; 0 no rellena ninguno",
-    "What is keyed; without it the next screen that is found in what the keys leave":
+    "Colour that is keyed; by default that of the next screen that is found in the picture behind the other keys":
         "Lo que se recorta; sin él, la siguiente pantalla que se encuentra en lo que dejan los cromas",
-    "What the amount of screen in a pixel is multiplied by: above 1 a dark part of the screen is clear too":
+    "Factor on the amount of screen in a pixel: above 1 dark parts of the screen become transparent too":
         "Por cuánto se multiplica la parte de pantalla de un píxel: por encima de 1 también queda transparente una zona oscura de la pantalla",
-    "What the mask does": "Lo que hace la máscara",
+    "Effect of the mask's white part": "Lo que hace la máscara",
     "What the screen's channel is limited by on the subject": "Lo que limita el canal de la pantalla en el sujeto",
     "Where all is clear: stands, lamps and what lies beyond the screen":
         "Donde todo es transparente: soportes, focos y lo que queda fuera de la pantalla",
     "Where all is opaque: what has the screen's colour within the subject":
         "Donde todo es opaco: lo que tiene el color de la pantalla dentro del sujeto",
-    "Which key, from 0": "Qué croma, desde 0",
-    "Which mask": "Qué máscara",
-    "Which of the keys the panel shows": "Cuál de los cromas muestra el panel",
+    "Index of the key, from 0": "Qué croma, desde 0",
+    "Kind of the mask that is removed": "Qué máscara",
+    "Index of the key that the panel shows": "Cuál de los cromas muestra el panel",
     "White Balance Before": "Balance de blancos anterior",
     "grey or white": "gris o blanco",
     "magenta": "magenta",
@@ -78,9 +79,9 @@ INTERFACE = {
         "{scene} ya tiene un croma: agrégale otro color, o quítalo primero",
     "Choose one file, or the pictures of one numbered sequence": "Elige un archivo, o las imágenes de una secuencia numerada",
     "Choose the clip or image that lies underneath": "Elige el clip o la imagen que queda debajo",
-    "Look at the key in the viewport, through the scene's camera; once more to look as before":
+    "Show the key in the viewport, through the scene's camera; a second time restores the previous view":
         "Mira el croma en la vista, por la cámara de la escena; otra vez para mirar como antes",
-    "Another clip or image": "Otro clip u otra imagen",
+    "Another clip or image lies underneath": "Otro clip u otra imagen",
     "Background": "Fondo",
     "Balance": "Equilibrio",
     "Black what is clear, white what is opaque, and all between in grey":
@@ -91,13 +92,12 @@ INTERFACE = {
     "Clip Black": "Recortar negro",
     "Clip White": "Recortar blanco",
     "Color Noise": "Ruido de color",
-    "Colour of the screen; without it the footage's own is found":
-        "Color de la pantalla; sin él se busca el de la propia filmación",
+    "Colour of the screen; by default it is found in the footage": "Color de la pantalla; sin él se busca el de la propia filmación",
     "Composite": "Composición",
     "Despill": "Quitar reflejo",
     "Feather": "Suavizar borde",
     "File": "Archivo",
-    "Find the colour of the screen, and levels that clear it, from the footage again":
+    "Find the colour of the screen, and levels that make it transparent, from the footage again":
         "Vuelve a buscar en la filmación el color de la pantalla y los niveles que la despejan",
     "Footage": "Filmación",
     "Frame Rate Base Before": "Base de fotogramas por segundo anterior",
@@ -129,7 +129,7 @@ INTERFACE = {
     "Name the clip or image that is laid underneath": "Nombra el clip o la imagen que se pone debajo",
     "Node Before": "Nodo anterior",
     "Nothing": "Nada",
-    "Only find levels, for the colour that was picked": "Solo busca los niveles, para el color elegido",
+    "Find the levels alone, for the colour that was picked": "Solo busca los niveles, para el color elegido",
     "Path of the footage, as the file browser gives it": "Ruta de la filmación, tal como la da el explorador de archivos",
     "Pixel Aspect Before": "Proporción de píxel anterior",
     "Pixels by which the matte grows; below 0 it is choked": "Píxeles que crece el mate; por debajo de 0 se encoge",
@@ -156,14 +156,14 @@ INTERFACE = {
     "Spread of the screen's chromaticity": "Dispersión de la cromaticidad de la pantalla",
     "Spread of the screen's luminance, over its median": "Dispersión de la luminancia de la pantalla, entre su mediana",
     "Status": "Estado",
-    "Take the key's nodes and its plane away; the compositor and the scene are what they were before":
+    "Remove the key's nodes and its plane, and restore the compositor and the scene":
         "Quita los nodos del croma y su plano; el compositor y la escena quedan como estaban",
     "The compositor's nodes are linked from another file": "Los nodos del compositor están vinculados desde otro archivo",
     "Nodes Switched On": "Nodos activados",
     "The compositor was switched on for the key": "El compositor se activó para el croma",
     "The compositor's nodes were made for the key": "Los nodos del compositor se hicieron para el croma",
     "The footage as it is": "La filmación tal como es",
-    "The footage: name of an image or movie clip of this file, or path of a file":
+    "Footage: name of an image or movie clip of this file, or path of a file":
         "La filmación: nombre de una imagen o un clip de película de este archivo, o ruta de un archivo",
     "The key has lost its footage": "El croma ha perdido su filmación",
     "The picture stays transparent": "La imagen queda transparente",
@@ -192,7 +192,7 @@ INTERFACE = {
     "The picture that the compositor showed before the key: the render, with all that its nodes do":
         "La imagen que el compositor mostraba antes del croma: el procesamiento, con todo lo que hacen sus nodos",
     "Picture that the compositor shows": "Imagen que muestra el compositor",
-    "What the scene had before the key": "Lo que la escena tenía antes del croma",
+    "Value that the scene had before the key": "Lo que la escena tenía antes del croma",
     "Which of the two other channels the screen's channel is compared with: 0 the larger, 1 the smaller":
         "Con cuál de los otros dos canales se compara el de la pantalla: 0 con el mayor, 1 con el menor",
     "Keyed Pilot": "Piloto con croma",

@@ -3,7 +3,7 @@
 INTERFACE = {
     "Motion Drivers": "Controladores de movimiento",
     "Let a property swing, ease or wander by itself": "Hace que una propiedad oscile, avance suavemente o divague por sí sola",
-    "Take motion drivers off a property, or off all properties of the object; they keep the values that they have":
+    "Remove the motion drivers of a property, or of all properties of the object; the properties keep their present values":
         "Quita los controladores de movimiento de una propiedad, o de todas las del objeto; conservan los valores que tienen",
     "Channel": "Canal",
     "Property of the object that is driven, if no data path is given":
@@ -31,19 +31,19 @@ INTERFACE = {
     "Data path of the property of the same datablock whose keys are followed; empty takes the driven property's own keys":
         "Ruta de datos de la propiedad del mismo bloque cuyas claves se siguen; vacío toma las claves de la propia propiedad",
     "Source Index": "Índice del origen",
-    "Component of the source where it is an array": "Componente del origen si es una lista",
+    "Component of the source, if the source is an array": "Componente del origen si es una lista",
     "Frequency": "Frecuencia",
-    "Swings per second": "Con qué rapidez reacciona, en oscilaciones por segundo",
+    "Frequency, in swings per second": "Con qué rapidez reacciona, en oscilaciones por segundo",
     "Damping Ratio": "Razón de amortiguación",
-    "0 rings for ever, 1 comes to rest without a swing": "0 oscila para siempre, 1 llega al reposo sin oscilar",
+    "Damping: 0 swings for ever, 1 comes to rest without a swing": "0 oscila para siempre, 1 llega al reposo sin oscilar",
     "Response": "Respuesta",
-    "0 starts slowly, 1 at once, above 1 overshoots, below 0 goes the other way first":
+    "Initial response: 0 starts slowly, 1 at once, above 1 overshoots, below 0 goes the other way first":
         "0 empieza despacio, 1 enseguida, por encima de 1 se pasa, por debajo de 0 va primero al revés",
     "The expression has {count} characters, of which a driver takes {most}: shorten the names":
         "La expresión tiene {count} caracteres y un controlador admite {most}: acorta los nombres",
     "{path} has no keys that could be followed": "{path} no tiene claves que se puedan seguir",
     "Replace": "Reemplazar",
-    "Take the place of a driver that is there": "Ocupa el lugar de un controlador que ya esté ahí",
+    "Replace the driver that the property has": "Ocupa el lugar de un controlador que ya esté ahí",
     "Motion": "Movimiento",
     "Angle": "Ángulo",
     "Noise": "Ruido",
@@ -58,11 +58,11 @@ INTERFACE = {
     "Go from 0 to 1 with a soft start and a soft stop": "Va de 0 a 1 con un comienzo suave y un final suave",
     "Wander smoothly between -1 and 1": "Divaga suavemente entre -1 y 1",
     "Base": "Base",
-    "Value that the motion is added to; the property's own where it is not given":
+    "Value that the motion is added to; by default the property's own value":
         "Valor al que se suma el movimiento; si no se indica, el de la propia propiedad",
     "Amplitude": "Amplitud",
     "Factor that the motion is multiplied by": "Factor por el que se multiplica el movimiento",
-    "Frame at which the time begins": "Fotograma en el que empieza el tiempo",
+    "Frame at which the motion begins": "Fotograma en el que empieza el tiempo",
     "Angle at the start, from hanging down": "Ángulo al comienzo, medido desde la posición colgada",
     "Push": "Empujón",
     "Angular velocity at the start, per second": "Velocidad angular al comienzo, por segundo",
@@ -100,12 +100,12 @@ INTERFACE = {
     "Rate at which velocity is lost, in 1/s; 0 swings for ever": "Ritmo al que se pierde la velocidad, en 1/s; con 0 oscila para siempre",
     "Speed of time; for noise the approximate number of ups and downs per second":
         "Velocidad del tiempo; en el ruido, número aproximado de subidas y bajadas por segundo",
-    "Frame with the value 0": "Fotograma con el valor 0",
-    "Frame with the value 1": "Fotograma con el valor 1",
+    "Frame at which the motion has the value 0": "Fotograma con el valor 0",
+    "Frame at which the motion has the value 1": "Fotograma con el valor 1",
     "Fraction of the time in which the motion speeds up": "Fracción del tiempo en la que el movimiento acelera",
     "Fraction of the time in which the motion slows down": "Fracción del tiempo en la que el movimiento frena",
     "Seed": "Semilla",
-    "Another number gives another noise": "Otro número da otro ruido",
+    "Seed of the noise: each number gives a different noise": "Otro número da otro ruido",
     "{property} is now driven by {function}": "{property} se controla ahora con {function}",
     "{path} has a driver already": "{path} ya tiene un controlador",
     "{path} has no motion driver": "{path} no tiene controlador de movimiento",

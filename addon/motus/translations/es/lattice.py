@@ -19,45 +19,41 @@ INTERFACE = {
     "Held": "Retenidos",
     "Displacement of the vertex, in the world": "Desplazamiento del vértice, en el mundo",
     "The lattice is turned so that it becomes smallest": "La jaula se gira de modo que quede más pequeña",
-    "Index of the vertex that is pulled, of the object with all its modifiers":
+    "Index of the pulled vertex, on the object with all its modifiers":
         "Índice del vértice del que se tira, del objeto con todos sus modificadores",
     "Indices, with commas between, of vertices that stay where they are":
         "Índices, separados por comas, de los vértices que se quedan donde están",
-    "Keep the deformation": "Conserva la deformación",
+    "Keep the deformation when the lattice is removed": "Conserva la deformación",
     "Lattice": "Jaula",
-    "Lay a lattice around the selected objects, or the selected vertices in Edit Mode, and let it deform "
-    "them; what is modelled stays untouched":
-        "Pone una jaula alrededor de los objetos seleccionados, o de los vértices seleccionados en el modo "
-        "Edición, y deja que los deforme; lo modelado queda intacto",
+    "Lay a lattice around the selected objects, or the selected vertices in Edit Mode, and let it deform them; the meshes themselves are not changed":
+        "Pone una jaula alrededor de los objetos seleccionados, o de los vértices seleccionados en el modo Edición, y deja que los deforme; lo modelado queda intacto",
     "Leave Edit Mode of {object} first": "Sal antes del modo Edición de {object}",
     "Margin": "Margen",
     "Modifier": "Modificador",
     "Motus Lattice": "Jaula de Motus",
     "Motus has made this lattice, and removes it with its last modifier":
         "Motus ha hecho esta jaula, y la quita con su último modificador",
-    "Name of the lattice's modifier; empty takes all that Motus has added":
+    "Name of the lattice's modifier; empty takes all lattice modifiers that Motus has added":
         "Nombre del modificador de la jaula; vacío toma todos los que Motus ha agregado",
-    "Name of the lattice's modifier; empty takes the last one":
-        "Nombre del modificador de la jaula; vacío toma el último",
+    "Name of the lattice's modifier; empty takes the last lattice modifier": "Nombre del modificador de la jaula; vacío toma el último",
     "Name of the lattice; empty takes the active one": "Nombre de la jaula; vacío toma la activa",
     "Name of the object that the lattice deforms; empty takes the active one, or those of the active lattice":
         "Nombre del objeto que la jaula deforma; vacío toma el activo, o los de la jaula activa",
-    "Names of the objects with commas between, or of a collection; empty takes the selected ones":
+    "Names of the objects with commas between, or a collection's name; empty takes the selected objects":
         "Nombres de los objetos separados por comas, o de una colección; vacío toma los seleccionados",
     "Nothing here has a lattice that Motus has fitted": "Nada aquí tiene una jaula que Motus haya ajustado",
     "Other modifiers give {object} another number of vertices when {modifier} deforms it: switch them off first":
         "Otros modificadores dan a {object} otro número de vértices cuando {modifier} lo deforma: desactívalos antes",
-    "Place in the world whose nearest vertex is pulled, where no vertex is named":
+    "Place in the world; the vertex nearest to it is pulled if no vertex is given":
         "Lugar del mundo de cuyo vértice más cercano se tira, si no se nombra un vértice",
     "Points of the lattice along its three axes": "Puntos de la jaula en sus tres ejes",
     "Press the left mouse button on the surface and drag it; X, Y, Z: mirror ({axes}); Esc or the right "
     "button cancels":
         "Pulsa el botón izquierdo sobre la superficie y arrástrala; X, Y, Z: simetría ({axes}); Esc o el "
         "botón derecho cancela",
-    "Put the lattice's points back to where they deform nothing":
-        "Devuelve los puntos de la jaula a donde no deforman nada",
+    "Move the lattice's points back to rest, where they deform nothing": "Devuelve los puntos de la jaula a donde no deforman nada",
     "Resolution": "Resolución",
-    "Room that is left on each side, as a share of the largest side":
+    "Room between the objects and the lattice on each side, as a share of the lattice's largest side":
         "Espacio que queda a cada lado, como parte del lado mayor",
     "Say how far: displacement is missing": "Di cuánto: falta displacement",
     "Say where: vertex or location is missing": "Di dónde: falta vertex o location",
@@ -71,9 +67,9 @@ INTERFACE = {
     "A smooth shape through the points": "Una forma suave por los puntos",
     "The smoothest shape, near the points, not through them": "La forma más suave, cerca de los puntos, no por ellos",
     "Straight lines from point to point": "Líneas rectas de punto a punto",
-    "Take fitted lattices off again: the objects are as they were before, or keep the deformation":
+    "Remove fitted lattices: the objects get their shape without a lattice back, or keep the deformation":
         "Quita las jaulas ajustadas: los objetos quedan como estaban, o conservan la deformación",
-    "Take hold of any point of what a lattice deforms; the lattice's points follow so that it goes along":
+    "Drag any point of a surface that a lattice deforms; the lattice's points move so that the point follows the mouse":
         "Agarra cualquier punto de lo que una jaula deforma; los puntos de la jaula siguen para que vaya con el ratón",
     "The modifier {modifier} of {object} is switched off in the viewport":
         "El modificador {modifier} de {object} está desactivado en la vista",

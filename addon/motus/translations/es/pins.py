@@ -4,7 +4,7 @@ INTERFACE = {
     "Pin": "Ancla",
     "Pins rest in Edit Mode: the mesh is shown without them":
         "Las anclas descansan en el modo Edición: la malla se muestra sin ellas",
-    "Take the root of a pin elsewhere; a click makes the pin the active one":
+    "Move the root of a pin; a click makes the pin the active one":
         "Lleva la raíz de un ancla a otro lugar; un clic hace del ancla la activa",
     "Place in the world that the root is dragged to": "Lugar del mundo al que se arrastra la raíz",
     "Press the left mouse button on the handle of a pin and drag it; Esc or the right button cancels":
@@ -18,13 +18,12 @@ INTERFACE = {
         "Parte del desplazamiento del ancla que se mueve la raíz; negativa empuja",
     "Switch the pin off": "Desactiva el ancla",
     "How far the root goes at the strength 1, in the object": "Cuánto se mueve la raíz con fuerza 1, en el objeto",
-    "Lowest height of what moves, in the object": "Altura mínima de lo que se mueve, en el objeto",
-    "Largest height of what moves, in the object": "Altura máxima de lo que se mueve, en el objeto",
+    "Lowest height of moved vertices, in the object": "Altura mínima de lo que se mueve, en el objeto",
+    "Largest height of moved vertices, in the object": "Altura máxima de lo que se mueve, en el objeto",
     "Position of the root in the mesh": "Posición de la raíz en la malla",
     "Anchor": "Marca",
-    "Number by which the mesh marks the root; 0 where it has no mark":
-        "Número con que la malla marca la raíz; 0 donde no hay marca",
-    "Index of the root when it was last seen": "Índice de la raíz cuando se vio por última vez",
+    "Number by which the mesh marks the root; 0 if the mesh has no mark": "Número con que la malla marca la raíz; 0 donde no hay marca",
+    "Index that the root had at the last evaluation": "Índice de la raíz cuando se vio por última vez",
     "How much all pins together move the mesh": "Cuánto mueven la malla todas las anclas juntas",
     "Pins move the points of a mesh, and this is none": "Las anclas mueven los puntos de una malla, y esto no lo es",
     "The mesh has a vertex whose position is not a finite number":
@@ -47,10 +46,8 @@ INTERFACE = {
         "Varios vértices pueden ser la raíz de esta ancla: fíjala a uno de ellos",
     "A setting of this pin is not a usable number": "Un ajuste de esta ancla no es un número utilizable",
     "Shape": "Forma",
-    "Name of the mesh's attribute that says how far each vertex goes, where the pin was made of a stroke; empty for a pull at "
-    "one root":
-        "Nombre del atributo de la malla que dice cuánto se desplaza cada vértice, si el ancla se hizo de un trazo; vacío para un "
-        "tirón de una sola raíz",
+    "Name of the mesh's attribute that stores the displacement of each vertex, for a pin that was made of a stroke; empty for a pin with a root":
+        "Nombre del atributo de la malla que dice cuánto se desplaza cada vértice, si el ancla se hizo de un trazo; vacío para un tirón de una sola raíz",
     "The stroke did more than a pull at one root: a pin of it keeps the shape":
         "El trazo hizo más que un tirón de una sola raíz: un ancla de él guarda la forma",
     "The shape of some pins is gone from the mesh, so that they do nothing":
@@ -65,9 +62,9 @@ INTERFACE = {
         "Agrega un ancla: un tirón en la lista del objeto, que puede tener claves, silenciarse y quitarse",
     "Index of the root; -1 takes the vertex that is nearest to the location":
         "Índice de la raíz; -1 toma el vértice más cercano a la ubicación",
-    "Place that is pulled, in the world or in the object as Unit says; without vertex and location the 3D cursor's":
+    "Place that is pulled, in the space that Unit names; without vertex and location the place of the 3D cursor":
         "Lugar del que se tira, en el mundo o en el objeto según Unidades; sin vértice ni posición, el del cursor 3D",
-    "How far the root goes, instead of the brush's direction and strength":
+    "Displacement of the root, instead of the brush's direction and strength":
         "Cuánto se mueve la raíz, en lugar de la dirección y la fuerza del pincel",
     "From Last Pull": "Del último tirón",
     "Turn the last pull, or all of the last stroke, into a pin: the mesh goes back to what it was before":
@@ -77,23 +74,23 @@ INTERFACE = {
         "La malla ha cambiado desde el último tirón, así que no se puede deshacer en ella",
     "Remove a pin, and what it did to the mesh": "Quita un ancla, y lo que le hacía a la malla",
     "Remove all pins": "Quita todas las anclas",
-    "Let a pin act earlier or later than others, which counts where heights are limited":
+    "Let a pin act earlier or later than others; the order matters if heights are limited":
         "Hace que un ancla actúe antes o después que otras, lo que cuenta donde las alturas están limitadas",
-    "Act earlier": "Actuar antes",
-    "Act later": "Actuar después",
+    "Let the pin act earlier": "Actuar antes",
+    "Let the pin act later": "Actuar después",
     "Direction in which the item moves in the list": "Sentido en el que el elemento se mueve en la lista",
     "New index of the pin, instead of a direction": "Nuevo índice del ancla, en lugar de un sentido",
     "The pin is at the end of the list already": "El ancla ya está al final de la lista",
     "Add a pin like this one on the other side of the object, with a strength of its own":
         "Agrega un ancla como esta al otro lado del objeto, con una fuerza propia",
     "Axis of the object across which the pin is mirrored": "Eje del objeto a través del que se refleja el ancla",
-    "Give a pin that has lost its place the vertex nearest to it, or another one, as its root":
+    "Give a pin that has lost its root a new root: the vertex nearest to the old place, or a given one":
         "Da a un ancla que ha perdido su lugar el vértice más cercano, u otro, como raíz",
     "Index of the new root; -1 takes the vertex that is nearest to the location":
         "Índice de la nueva raíz; -1 toma el vértice más cercano a la ubicación",
-    "Position of the new root, in the object; that of the old root if it is not given":
+    "Position of the new root, in the object; by default the position of the old root":
         "Posición de la nueva raíz, en el objeto; la de la antigua si no se indica",
-    "Put the modifier of the pins back, in front of all others":
+    "Restore the modifier of the pins, in front of all other modifiers":
         "Vuelve a poner el modificador de las anclas, delante de todos los demás",
     "{object} has no pins": "{object} no tiene anclas",
     "{object} is overridden and has modifiers of the library, before which pins cannot come":
@@ -106,7 +103,7 @@ INTERFACE = {
         "Un ancla no tiene cursor con el que ir: elige otra dirección o da un desplazamiento",
     "The object is turned, and a pin's limits are along its own axes: choose Local as the unit":
         "El objeto está girado, y los límites de un ancla van por sus propios ejes: elige Local como unidad",
-    "Make what the pins do a part of the mesh, and remove them":
+    "Make the deformation by the pins a part of the mesh, and remove the pins":
         "Hace que lo que hacen las anclas sea parte de la malla, y las quita",
     "Form that the pins are applied in": "Forma en la que se aplican las anclas",
     "Mesh": "Malla",

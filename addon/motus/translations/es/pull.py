@@ -15,14 +15,14 @@ INTERFACE = {
     "Pick & Pull": "Coger y tirar",
     "A bell": "Una campana",
     "A cone": "Un cono",
-    "A curve of your own": "Una curva propia",
+    "A curve that you draw": "Una curva propia",
     "A half sphere": "Media esfera",
-    "A stroke begins with it": "Con él empieza un trazo",
+    "A stroke begins with this dab": "Con él empieza un trazo",
     "A thorn with a wide foot": "Una espina de pie ancho",
     "Accumulate": "Acumular",
-    "Add a flat grid of so many vertices, centred on its origin":
+    "Add a flat grid with a given number of vertices, centred on its origin":
         "Agregar una cuadrícula plana de tantos vértices, centrada en su origen",
-    "All move alike": "Todos se mueven igual",
+    "All vertices within the radius move alike": "Todos se mueven igual",
     "Pull along the X axis": "Tirar a lo largo del eje X",
     "Pull along the Y axis": "Tirar a lo largo del eje Y",
     "Pull along the Z axis": "Tirar a lo largo del eje Z",
@@ -30,7 +30,7 @@ INTERFACE = {
         "Medida por la superficie, de modo que labios y dedos sigan separados",
     "Axis along which the height is measured": "Eje a lo largo del cual se mide la altura",
     "Classic": "Clásico",
-    "Compares the squared distance with the radius: reaches as far as its square root":
+    "Compares the squared distance with the radius, so that the pull reaches as far as the radius' square root":
         "Compara la distancia al cuadrado con el radio: llega hasta su raíz cuadrada",
     "Constant": "Constante",
     "Curve Nodes": "Nodos de la curva",
@@ -46,9 +46,8 @@ INTERFACE = {
     "Falloff": "Decaimiento",
     "First": "Primero",
     "Forces at equal steps from the radius to the root": "Fuerzas a pasos iguales desde el radio hasta la raíz",
-    "Forces of the falloff Curve at equal steps from the radius to the root; without it, those of the scene's own curve":
-        "Fuerzas del decaimiento Curva a pasos iguales desde el radio hasta la raíz; sin ella, las de la curva propia de la "
-        "escena",
+    "Forces of the falloff Curve at equal steps from the radius to the root; empty takes the scene's curve":
+        "Fuerzas del decaimiento Curva a pasos iguales desde el radio hasta la raíz; sin ella, las de la curva propia de la escena",
     "Gaussian": "Gaussiano",
     "Go to Object, Edit or Sculpt Mode first": "Pasa antes al modo Objeto, Edición o Esculpido",
     "Height": "Altura",
@@ -57,24 +56,24 @@ INTERFACE = {
     "Distance from the root that the pull reaches; a number of edges if the distance counts edges":
         "Distancia desde la raíz a la que llega el tirón; un número de aristas si la distancia cuenta aristas",
     "Distance from the root that the pull reached": "Distancia desde la raíz a la que llegó el tirón",
-    "How far one dab moves the root; negative pushes": "Cuánto mueve un toque la raíz; si es negativo, empuja",
-    "How far the root goes, instead of a direction and a strength":
-        "Cuánto se mueve la raíz, en vez de una dirección y una fuerza",
-    "How far the root went, in the object": "Cuánto se movió la raíz, en el objeto",
+    "Distance by which one dab moves the root; negative pushes": "Cuánto mueve un toque la raíz; si es negativo, empuja",
+    "Displacement of the vertex, instead of a direction and a strength":
+        "Desplazamiento del vértice, en lugar de una dirección y una intensidad",
+    "Displacement of the root, in the object": "Cuánto se movió la raíz, en el objeto",
     "Strength of the smoothing": "Fuerza del suavizado",
     "How the distance to the root is measured": "Cómo se mide la distancia a la raíz",
     "How the force fades from the root to the radius": "Cómo decae la fuerza desde la raíz hasta el radio",
     "Number of edges from the root that the pull reaches": "Número de aristas desde la raíz a las que llega el tirón",
-    "Measured in a straight line through space": "Medida en línea recta por el espacio",
+    "Distance in a straight line through space": "Medida en línea recta por el espacio",
     "Index of the root": "Índice de la raíz",
-    "Index of the vertex that is pulled; -1 takes the one nearest to the location":
+    "Index of the vertex that is pulled; -1 takes the vertex nearest to the location":
         "Índice del vértice del que se tira; -1 toma el más cercano a la posición",
     "Inset View": "Vista insertada",
     "Zoom": "Zum",
     "Vertex group whose weights tell how far each vertex moves; empty moves all vertices alike":
         "Grupo de vértices cuyas influencias dicen cuánto se mueve cada vértice; vacío los mueve todos por igual",
     "Kind": "Clase",
-    "Largest height of what moves": "Altura máxima de lo que se mueve",
+    "Largest height of moved vertices": "Altura máxima de lo que se mueve",
     "Last Pull": "Último tirón",
     "Lay the whole grid over the unit square of a UV map":
         "Extender toda la cuadrícula sobre el cuadrado unidad de un mapa UV",
@@ -82,10 +81,10 @@ INTERFACE = {
     "Lengths and directions are those of the object": "Las longitudes y direcciones son las del objeto",
     "Lengths and directions are those of the world, whatever the object's scale":
         "Las longitudes y direcciones son las del mundo, sea cual sea la escala del objeto",
-    "Lowest height of what moves": "Altura mínima de lo que se mueve",
+    "Lowest height of moved vertices": "Altura mínima de lo que se mueve",
     "Local": "Local",
     "Local Space": "Local",
-    "Matrix, row by row, that takes the object's vectors to those that are measured":
+    "Matrix, row by row, that converts vectors of the object to vectors whose lengths are measured":
         "Matriz, fila por fila, que lleva los vectores del objeto a los que se miden",
     "Maximum": "Máximo",
     "Metric": "Métrica",
@@ -109,9 +108,9 @@ INTERFACE = {
     "Pull out of the surface at the root": "Tirar hacia fuera de la superficie en la raíz",
     "Place": "Lugar",
     "Pull": "Tirar",
-    "Pull on the other side of the object too, across these of its axes":
+    "Pull on the other side of the object too, mirrored across these axes of the object":
         "Tirar también del otro lado del objeto, a través de estos de sus ejes",
-    "Pull the surface at a vertex; what is near follows": "Tirar de la superficie por un vértice; lo cercano lo sigue",
+    "Pull the surface at a vertex; the vertices near it follow": "Tirar de la superficie por un vértice; lo cercano lo sigue",
     "Radius": "Radio",
     "Root": "Raíz",
     "Rounded at the root and at the rim": "Redondeado en la raíz y en el borde",
@@ -132,11 +131,11 @@ INTERFACE = {
     "Straight": "Recta",
     "Strength Pressure": "Presión en la fuerza",
     "Surface": "Superficie",
-    "The distance between neighbours is given": "Se da la distancia entre vecinos",
+    "The distance between neighbouring vertices is given": "Se da la distancia entre vecinos",
     "The mesh of {object} is linked from another file: make it local first":
         "La malla de {object} está vinculada desde otro archivo: hazla local antes",
     "The minimum is above the maximum": "El mínimo está por encima del máximo",
-    "Measured by the number of edges, which the radius counts": "Medida por el número de aristas, que el radio cuenta",
+    "Distance as the number of edges, which the radius gives": "Medida por el número de aristas, que el radio cuenta",
     "The object is scaled to nothing along an axis: change its scale first":
         "El objeto está escalado a cero en un eje: cambia antes su escala",
     "The pen's pressure sets the radius": "La presión del lápiz ajusta el radio",
@@ -144,7 +143,7 @@ INTERFACE = {
     "The shape key {key} is locked": "La forma clave {key} está bloqueada",
     "The shape key {key} is not seen, as its value is 0 or it is muted":
         "La forma clave {key} no se ve, porque su valor es 0 o está silenciada",
-    "The size of the whole is given": "Se da el tamaño del conjunto",
+    "The size of the whole grid is given": "Se da el tamaño del conjunto",
     "There is no view to pull towards: choose another direction":
         "No hay una vista hacia la que tirar: elige otra dirección",
     "There is no cursor to go along with: choose another direction or give a displacement":
@@ -164,11 +163,12 @@ INTERFACE = {
     "Vertex {index} is at no place: its coordinates are not finite":
         "El vértice {index} no está en ningún lugar: sus coordenadas no son finitas",
     "Vertex {index} is hidden": "El vértice {index} está oculto",
-    "Number that gives the grid its size": "Número que da a la cuadrícula su tamaño",
+    "What sets the size of the grid: its whole size, or the distance between vertices":
+        "Qué fija el tamaño de la cuadrícula: el tamaño total o la distancia entre vértices",
     "Kind of change that the dab made": "Clase de cambio que hizo el toque",
-    "Dabs of the stroke": "Toques del trazo",
+    "Dabs of the strokes, which Redo repeats": "Toques del trazo",
     "Last pull, which a pin can be made of": "Último tirón, del que se puede hacer un ancla",
-    "Place that is pulled, in the world or in the object as Unit says":
+    "Place that is pulled, in the space that Unit names: of the world or of the object":
         "Lugar del que se tira, en el mundo o en el objeto según Unidades",
     "Position of the root before the pull, in the object": "Posición de la raíz antes del tirón, en el objeto",
     "Direction of the pull": "Dirección del tirón",
@@ -183,8 +183,7 @@ INTERFACE = {
     "{object} has no vertices": "{object} no tiene vértices",
     "{object} is not a mesh": "{object} no es una malla",
     "Stroke": "Trazo",
-    "One stroke of the mouse, as the tool's keys do it":
-        "Un trazo del ratón, como lo hacen las teclas de la herramienta",
+    "Make one stroke of the mouse, as with the tool's keys": "Un trazo del ratón, como lo hacen las teclas de la herramienta",
     "Down": "Abajo",
     "Fitted Radius": "Radio ajustado",
     "Fitted Strength": "Fuerza ajustada",
@@ -196,9 +195,9 @@ INTERFACE = {
     "Number": "Número",
     "Number that is changed": "Número que se cambia",
     "Steps": "Pasos",
-    "Steps up or down; 0 lets the mouse decide": "Pasos hacia arriba o hacia abajo; con 0 decide el ratón",
+    "Steps by which the number goes up or down; 0 lets the mouse change it": "Pasos hacia arriba o hacia abajo; con 0 decide el ratón",
     "Distance from the root that the brush reaches": "Distancia desde la raíz a la que llega el pincel",
-    "How far one dab moves the root": "Cuánto mueve la raíz un toque",
+    "Distance by which one dab moves the root": "Cuánto mueve la raíz un toque",
     "Change the brush's radius or strength by the mouse or by typing a number":
         "Cambia el radio o la fuerza del pincel con el ratón o escribiendo un número",
     "{count} edges": "{count} aristas",
@@ -214,8 +213,7 @@ INTERFACE = {
         "con Ctrl; Mayús suaviza.\nF y Mayús F cambian el radio y la fuerza. Con la dirección Cursor, al arrastrar la "
         "superficie va con él",
     "Cursor": "Cursor",
-    "Pull along with the cursor: the root goes as far as the drag":
-        "Tirar junto con el cursor: la raíz avanza lo que se arrastra",
+    "Drag the root along with the mouse": "Arrastrar la raíz con el ratón",
     "Drag": "Arrastre",
     "Grab": "Agarrar",
     "Takes the surface along with the cursor": "Lleva la superficie junto con el cursor",

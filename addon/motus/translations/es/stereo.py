@@ -4,9 +4,9 @@ INTERFACE = {
     "Make a camera at the viewport's view if the scene has none": "Crea una cámara donde mira la vista 3D si la escena no tiene ninguna",
     "New Camera": "Cámara nueva",
     "Both eyes are written as: {format}": "Ambos ojos se escriben así: {format}",
-    "Look through both eyes of the camera in the viewport, with red and cyan glasses; once more to look as before":
+    "Show the images of both eyes in the viewport, for red and cyan glasses; a second time restores the previous view":
         "Mira por ambos ojos de la cámara en la vista, con gafas rojas y cian; otra vez para mirar como antes",
-    "Set the parallax of the budget to what is comfortable on this screen, and not deeper than it is round":
+    "Set the parallax of the budget to a comfortable one for this screen, with no more depth than looks natural":
         "Fija el paralaje del presupuesto en lo que es cómodo en esta pantalla, y no más profundo que redondo",
     "The budget strains the eyes: on this screen {near} % in front and {far} % behind are comfortable":
         "El presupuesto cansa la vista: en esta pantalla son cómodos {near} % delante y {far} % detrás",
@@ -29,9 +29,9 @@ INTERFACE = {
         "Distancia entre los ojos de la cámara, en las unidades de la escena",
     "Both eyes in one image, the left eye's on the left": "Ambos ojos en una imagen, el izquierdo a la izquierda",
     "Both eyes in one image, one above the other": "Ambos ojos en una imagen, uno sobre el otro",
-    "Both images together are as large as one": "Las dos imágenes juntas miden lo que una",
+    "Squeeze both images together into the size of one": "Las dos imágenes juntas miden lo que una",
     "Both eyes on top of each other, for red and cyan glasses": "Ambos ojos superpuestos, para gafas rojas y cian",
-    "Number of samples by which near and far change ahead of their cause, at least":
+    "Least number of samples by which near and far change ahead of their cause":
         "Número de muestras en que cerca y lejos cambian antes de su causa, como mínimo",
     "Choose the object that lies on the screen": "Elige el objeto que queda en la pantalla",
     "Cinema": "Cine",
@@ -75,7 +75,7 @@ INTERFACE = {
     "Is too far in front of a {width} m screen by {percent} % in {frames}":
         "Queda demasiado delante de una pantalla de {width} m por {percent} % en {frames}",
     "Left Out": "Excluido",
-    "Let the camera see all around, where the render engine can. What it sees stays, where this is not given":
+    "Make the camera a panorama of 360 degrees, if the render engine can; by default the camera's type is kept":
         "Deja que la cámara vea todo alrededor, si el motor de procesamiento puede. Si no se indica, sigue viendo lo mismo",
     "Look Ahead": "Anticipación",
     "Look for the frames on which the audience's eyes would have to turn apart, or something is cut off in one of them. If markers "
@@ -86,7 +86,7 @@ INTERFACE = {
     "Multiview Made": "Multivista activada",
     "Name of the camera; empty takes the active one, or the scene's":
         "Nombre de la cámara; vacío toma la activa, o la de la escena",
-    "Name of the object that lies on the screen; empty takes the one that is selected beside the camera, where convergence is an object's":
+    "Name of the object that lies on the screen; if Convergence is Object, empty takes the object that is selected beside the camera":
         "Nombre del objeto que queda en la pantalla; vacío toma el seleccionado además de la cámara, si la convergencia es de un objeto",
     "Near": "Cerca",
     "Near Parallax": "Paralaje cercano",
@@ -136,7 +136,7 @@ INTERFACE = {
     "An aeroplane between columns at several depths, filmed by a stereo camera that looks after it":
         "Un avión entre columnas a varias profundidades, filmado por una cámara estéreo que lo sigue con la mirada",
     "Stereo Presets": "Preajustes de estéreo",
-    "Take the rig back: the camera is what it was before": "Retira el montaje: la cámara es la que era antes",
+    "Remove the stereo rig, and restore the camera": "Retira el montaje: la cámara es la que era antes",
     "Television": "Televisor",
     "The camera sees nothing that has a depth": "La cámara no ve nada que tenga profundidad",
     "The camera sees nothing that has a depth in {frames}":
@@ -158,7 +158,7 @@ INTERFACE = {
     "A rig has switched multiview on in the scene": "Un montaje activó la multivista en la escena",
     "The rig needs a perspective camera: with this one the camera's own values count":
         "El montaje necesita una cámara en perspectiva: con esta cuentan los valores de la propia cámara",
-    "The rows of one image, in turns": "Las filas de una imagen, por turnos",
+    "The rows of one image belong to the left and the right eye in turns": "Las filas de una imagen, por turnos",
     "The window is violated on the left edge by {percent} % in {frames}":
         "La ventana se viola en el borde izquierdo por {percent} % en {frames}",
     "The window is violated on the right edge by {percent} % in {frames}":
@@ -170,18 +170,19 @@ INTERFACE = {
         "Tipo que la cámara tenía antes de hacerla ver todo alrededor",
     "Draw the volume that an audience can look at without strain":
         "Dibujar el volumen que un público puede mirar sin esfuerzo",
-    "How the distance is found at which things are neither in front of the screen nor behind it":
+    "What sets the convergence distance, at which things are neither in front of the screen nor behind it":
         "Cómo se halla la distancia a la que las cosas no quedan ni delante ni detrás de la pantalla",
     "Object that lies on the screen, if Convergence is Object":
         "Objeto que queda en la pantalla, si Convergencia es Objeto",
     "The object that shall lie on the screen is at the camera or behind it":
         "El objeto que debe quedar en la pantalla está en la cámara o detrás de ella",
-    "Screen that the audience looks at, which warnings are about":
+    "Screen that the audience looks at; warnings are about this screen":
         "Pantalla que mira el público, a la que se refieren los avisos",
     "The screen is where an object is along the camera's axis":
         "La pantalla está donde está un objeto según el eje de la cámara",
     "Custom width and viewing distance": "Ancho y distancia de visión personalizados",
-    "Rebuild after the camera was given different lens data": "Reconstruir después de dar a la cámara otros datos de lente",
+    "Rebuild the stereo rig after the camera was given different lens data":
+        "Reconstruir después de dar a la cámara otros datos de lente",
     "{object} has a stereo rig": "{object} tiene un montaje estéreo",
     "{object} has a stereo rig: remove that first": "{object} tiene un montaje estéreo: quítalo antes",
     "{object} has its lens in common with {other}, which has a stereo rig":
