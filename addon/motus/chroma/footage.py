@@ -219,11 +219,11 @@ def _pixels(image):
     values = np.empty(len(image.pixels), np.float32)
     image.pixels.foreach_get(values)
     step = max(1, -(-max(width, height) // MOST))
-    values = values.reshape(height, width, -1)[::step, ::step]
-    if values.shape[2] < 3:
+    values = values.reshape(height, width, -1)[::step, ::step]  # type: ignore[assignment]
+    if values.shape[2] < 3:  # type: ignore[misc]
         raise Refused(tr("{object} has no colours").format(object=image.name))
     found = np.ones((*values.shape[:2], 4), np.float32)
-    found[..., :values.shape[2]] = np.nan_to_num(values, posinf=0.0, neginf=0.0)
+    found[..., :values.shape[2]] = np.nan_to_num(values, posinf=0.0, neginf=0.0)  # type: ignore[misc]
     # Pixels of 8 bits are stored as in the file, others scene-linear.
     if not image.is_float and image.colorspace_settings.name not in _LINEAR:
         found[..., :3] = linear(found[..., :3])

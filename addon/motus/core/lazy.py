@@ -1,18 +1,24 @@
 """NumPy, imported where it is first used: that takes longer than enabling the whole add-on."""
 
+from __future__ import annotations
+
 import importlib
+from typing import TYPE_CHECKING, Any
 
 
 class _Lazy:
     """Stands for a module until one of its names is asked for, and passes that on."""
 
-    def __init__(self, name):
+    def __init__(self, name: str) -> None:
         self._name = name
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         value = getattr(importlib.import_module(self._name), name)
         setattr(self, name, value)  # found without this detour from now on
         return value
 
 
-numpy = _Lazy("numpy")
+if TYPE_CHECKING:
+    import numpy as numpy
+else:
+    numpy = _Lazy("numpy")

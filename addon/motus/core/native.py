@@ -1,10 +1,12 @@
 """The one place that imports the native module: `module` (None where it is unusable) and `status` (why, for the user)."""
 
+from __future__ import annotations
+
 import importlib.machinery
 import re
 import sys
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from .translations import tr
 
@@ -22,21 +24,21 @@ class Status(NamedTuple):
 
     code: str
     template: str
-    values: dict = {}
+    values: dict[str, str] = {}
 
     @property
-    def sentence(self):
+    def sentence(self) -> str:
         """One sentence in the user's language."""
         return tr(self.template).format(**self.values)
 
 
-def addon_version():
+def addon_version() -> str:
     """The version in the manifest, which both kinds of zip contain."""
     manifest = (PACKAGE_FOLDER / "blender_manifest.toml").read_text(encoding="utf-8")
-    return re.search(r'^version\s*=\s*"([^"]+)"', manifest, re.MULTILINE).group(1)
+    return re.findall(r'^version\s*=\s*"([^"]+)"', manifest, re.MULTILINE)[0]
 
 
-def _import_failure(error):
+def _import_failure(error: str) -> Status:
     """Status of a failed import, told apart by the files that lie beside the add-on."""
     this_python = f"{sys.version_info.major}.{sys.version_info.minor}"
     files = sorted(path.name for path in PACKAGE_FOLDER.glob("motus_native.*") if path.suffix in {".so", ".pyd"})
@@ -52,9 +54,9 @@ def _import_failure(error):
                               "and report this line if that does not help", {"error": error})
 
 
-def _load():
+def _load() -> tuple[Any, Status]:
     try:
-        from .. import motus_native
+        from .. import motus_native  # type: ignore[attr-defined]
     except (ImportError, OSError) as error:
         return None, _import_failure(str(error))
     found, wanted = motus_native.__version__, addon_version()

@@ -1,5 +1,10 @@
 """What operators refuse, whichever system is theirs: a sentence says why."""
 
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any, NoReturn
+
 import bpy
 
 from .translations import tr
@@ -12,7 +17,7 @@ class Refused(Exception):
     """What was asked cannot be done; the sentence says why."""
 
 
-def named(name):
+def named(name: str) -> bpy.types.Object:
     """The object of this name."""
     found = bpy.data.objects.get(name)
     if found is None:
@@ -20,7 +25,7 @@ def named(name):
     return found
 
 
-def named_collection(name):
+def named_collection(name: str) -> bpy.types.Collection:
     """The collection of this name."""
     found = bpy.data.collections.get(name)
     if found is None:
@@ -28,9 +33,9 @@ def named_collection(name):
     return found
 
 
-def named_mesh(name):
+def named_mesh(name: str) -> Any:
     """The mesh object of this name, which has faces."""
-    found = named(name)
+    found: Any = named(name)
     if found.type != 'MESH':
         raise Refused(tr("{object} is no mesh").format(object=found.name))
     if not found.data.polygons and not found.modifiers:
@@ -38,26 +43,26 @@ def named_mesh(name):
     return found
 
 
-def check_bone(rig, name):
+def check_bone(rig: bpy.types.Object, name: str) -> None:
     """Refuse a bone that the rig has not."""
     if rig.pose is None or name not in rig.pose.bones:
         raise Refused(tr("{object} has no bone {bone}").format(object=rig.name, bone=name))
 
 
-def check_local(obj):
+def check_local(obj: bpy.types.Object) -> None:
     """Refuse an object that is another file's."""
     if obj.library:
         raise Refused(
             tr("{object} is linked from another file: make a library override of it first").format(object=obj.name))
 
 
-def check_unbaked(owner, settings):
+def check_unbaked(owner: Any, settings: Any) -> None:
     """Refuse an owner whose set-up must not be changed. settings: of the system."""
     if settings.is_baked or owner.motus.bake.is_baked:
         raise Refused(tr("{object} is baked: unbake it first").format(object=owner.name))
 
 
-def check_finite(operator, names):
+def check_finite(operator: Any, names: Iterable[str]) -> None:
     """Refuse keywords that were given something that is no number."""
     for name in names:
         value = getattr(operator, name)
@@ -66,20 +71,20 @@ def check_finite(operator, names):
             raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
 
 
-def check_no_tweak_mode(obj):
+def check_no_tweak_mode(obj: bpy.types.Object) -> None:
     """Refuse an object whose actions Blender does not let be exchanged, and whose keys would go into a strip of the NLA."""
     if obj.animation_data and obj.animation_data.use_tweak_mode:
         raise Refused(tr("{object} is in the tweak mode of the NLA editor: leave it first").format(object=obj.name))
 
 
-def check_evaluated(obj, view_layer):
+def check_evaluated(obj: bpy.types.Object, view_layer: bpy.types.ViewLayer) -> None:
     """Refuse an object that Blender does not evaluate: of what it does over time nothing is known."""
     view_layer.update()
     if not obj.evaluated_get(view_layer.depsgraph).is_evaluated:
         _refuse_hidden(obj)
 
 
-def check_posed(rig, view_layer):
+def check_posed(rig: Any, view_layer: Any) -> None:
     """The same for a rig's bones, and refuse one that shows its rest pose."""
     check_evaluated(rig, view_layer)
     # Of a hidden rig Blender evaluates those bones that something visible needs, and lists it nowhere.
@@ -90,5 +95,5 @@ def check_posed(rig, view_layer):
         raise Refused(tr("{object} is in Rest Position: switch to Pose Position first").format(object=rig.name))
 
 
-def _refuse_hidden(obj):
+def _refuse_hidden(obj: bpy.types.Object) -> NoReturn:
     raise Refused(tr("{object} is not evaluated: show it in the viewport first").format(object=obj.name))

@@ -163,7 +163,7 @@ def _mirrored(scales):
     turned = (signs < 0.0).any(axis=1)
     found = np.zeros((len(scales), 4))
     found[~turned, 0] = 1.0
-    found[:, 1:] = np.where(turned[:, None] & (signs > 0.0), 1.0, 0.0)
+    found[:, 1:] = np.where(turned[:, None] & (signs > 0.0), 1.0, 0.0)  # type: ignore[index]
     return found
 
 

@@ -138,7 +138,7 @@ class Held:
         images = len(self._turns)
         self._places = np.concatenate([(self._places - self._middle) @ turn.T + self._middle for turn in self._turns])
         self._pulls = [pull + image * self._count for image in range(images) for pull in self._pulls]
-        self._shares, self._influence = np.tile(self._shares, images), np.tile(self._influence, images)
+        self._shares, self._influence = np.tile(self._shares, images), np.tile(self._influence, images)  # type: ignore[assignment]
 
     def pull(self, displacement):
         """Move the held point by a world displacement from its start; returns the distance that remains to the goal."""
@@ -157,7 +157,7 @@ class Held:
             distance = float(np.linalg.norm(left))
             if best is not None and distance >= 0.9 * best[0]:
                 break
-            self._is_sum = best is None and distance <= self._left + NEAR * np.linalg.norm(displacement)
+            self._is_sum = best is None and distance <= self._left + NEAR * np.linalg.norm(displacement)  # type: ignore[assignment]
             best = distance, points
             if distance <= self._left + NEAR * np.linalg.norm(displacement):
                 break

@@ -1,5 +1,7 @@
 """Why something over time is not known ahead, in a sentence for the artist."""
 
+from __future__ import annotations
+
 from ..translations import tr
 
 
@@ -8,11 +10,11 @@ class Reason:
 
     CONSTRAINED, DRIVEN, SOLVED_BONE, PHYSICS, VERTICES, ALONG_CURVE, STRIPS, MODE, INFLUENCE, GEOMETRY, LOOP = range(11)
 
-    def __init__(self, kind, **names):
+    def __init__(self, kind: int, **names: str) -> None:
         self.kind, self._names = kind, names
 
     @property
-    def sentence(self):
+    def sentence(self) -> str:
         """In the user's language."""
         return _SENTENCES[self.kind]().format(**self._names)
 

@@ -1,22 +1,28 @@
 """F-curves of a datablock, the same in every Blender: plain actions up to 4.3, slotted ones since."""
 
+from __future__ import annotations
+
 import re
+from collections.abc import Callable, Container, Iterable, Iterator
+from typing import Any
 
 import bpy
 
 from . import capabilities
 
+Curves = Any
+"""A collection of F-curves, which versions have under different types; or an empty tuple."""
 OWN_CHANNEL = re.compile(
     r'pose\.bones\[(?:"(?P<bone>(?:[^"\\]|\\.)*)"|\d+)\]\.(?:location|rotation_\w+|scale)$')
 """Matches data paths of a bone's own transform. "bone" is its name, escaped; None where the path has its number."""
 
 
-def fcurves(id_data):
+def fcurves(id_data: Any) -> Curves:
     """The F-curves that animate a datablock; an empty tuple where there are none."""
     return curves_of(id_data.animation_data)
 
 
-def curves_of(player):
+def curves_of(player: Any) -> Curves:
     """The same of what plays an action: animation data or a strip of the NLA; or None."""
     action = player and player.action
     if not action:
@@ -27,7 +33,7 @@ def curves_of(player):
     return bag.fcurves if bag else ()
 
 
-def curves_for_object(action, slot="", bones=()):
+def curves_for_object(action: Any, slot: str = "", bones: Container[str] = ()) -> Curves:
     """The F-curves that an action has for an object.
 
     slot: identifier of one of its slots; "" takes the first one that animates one of these bones, else the first one of an object.
@@ -40,23 +46,23 @@ def curves_for_object(action, slot="", bones=()):
     return best.fcurves if best else ()
 
 
-def animates(curves, bones):
+def animates(curves: Curves, bones: Container[str]) -> bool:
     """Whether one of the F-curves animates the own transform of one of these bones."""
     return any(bone_of(curve) in bones for curve in curves)
 
 
-def bone_of(curve):
+def bone_of(curve: bpy.types.FCurve) -> str | None:
     """Name of the bone whose own transform an F-curve animates; None for any other F-curve."""
     match = OWN_CHANNEL.match(curve.data_path)
     return bpy.utils.unescape_identifier(match["bone"]) if match and match["bone"] is not None else None
 
 
-def slots_for_objects(action):
+def slots_for_objects(action: Any) -> list[Any]:
     """The slots of an action that can animate an object."""
     return [slot for slot in action.slots if slot.target_id_type in {'OBJECT', 'UNSPECIFIED'}]
 
 
-def players(id_data):
+def players(id_data: Any) -> list[Any]:
     """All that plays an action for a datablock: its animation data, and the strips of its NLA. Images, for one, have none."""
     animation = getattr(id_data, "animation_data", None)
     if animation is None:
@@ -64,7 +70,7 @@ def players(id_data):
     return [animation, *(strip for track in animation.nla_tracks for strip in track.strips if strip.action)]
 
 
-def make_own(player):
+def make_own(player: Any) -> None:
     """Let nobody else play the action of animation data or of a strip: a copy where it is shared or linked."""
     action = player.action
     if not _is_linked(action) and action.users - action.use_fake_user <= 1:
@@ -76,39 +82,39 @@ def make_own(player):
         player.action_slot = player.action.slots.get(slot)
 
 
-def make_local(id_data):
+def make_local(id_data: Any) -> None:
     """Let a datablock play a copy of its action where that one is linked, and so cannot be keyed."""
     animation = id_data.animation_data
     if animation and animation.action and _is_linked(animation.action):
         make_own(animation)
 
 
-def _is_linked(action):
+def _is_linked(action: bpy.types.Action) -> bool:
     """Whether its keys are a library's, which it overrides at most."""
     return bool(action.library or action.override_library)
 
 
-def all_fcurves(action):
+def all_fcurves(action: Any) -> Iterable[Curves]:
     """The F-curves of an action, of all its slots, as an iterable of collections."""
     if not capabilities.has_slotted_actions():
         return (action.fcurves,)
     return (bag.fcurves for layer in action.layers for strip in layer.strips for bag in strip.channelbags)
 
 
-def find(id_data, data_path, index=0):
+def find(id_data: Any, data_path: str, index: int = 0) -> bpy.types.FCurve | None:
     """The F-curve of one property, or None."""
     curves = fcurves(id_data)
     return curves.find(data_path, index=index) if curves else None
 
 
-def slot_identifier(id_data):
+def slot_identifier(id_data: Any) -> str:
     """Which slot of its action animates the datablock; "" where it has none or actions have no slots."""
     animation = id_data.animation_data
     slot = animation.action_slot if animation and capabilities.has_slotted_actions() else None
     return slot.identifier if slot else ""
 
 
-def assign(id_data, action, slot=""):
+def assign(id_data: Any, action: Any, slot: str = "") -> None:
     """Let an action, by the slot of this identifier, animate the datablock; None takes it off."""
     animation = id_data.animation_data or id_data.animation_data_create()
     animation.action = action
@@ -116,7 +122,7 @@ def assign(id_data, action, slot=""):
         animation.action_slot = action.slots.get(slot)
 
 
-def assign_copy(id_data, name):
+def assign_copy(id_data: Any, name: str) -> Any:
     """Let a copy of its action, without the slots of others, animate the datablock; a new one where it has none.
 
     Returns what holds the F-curves (`fcurves`) and their groups (`groups`).
@@ -136,7 +142,7 @@ def assign_copy(id_data, name):
     return _ensure_channelbag(action, animation.action_slot)
 
 
-def own_curves(id_data, is_meant):
+def own_curves(id_data: Any, is_meant: Callable[[str], bool]) -> Iterator[Curves]:
     """Yields, of each action that is played for it, the F-curves, if is_meant(data path) holds for any.
 
     Where others play the action too, or it is linked, it plays a copy from then on; but not in the tweak mode of the NLA, in
@@ -149,7 +155,7 @@ def own_curves(id_data, is_meant):
             yield curves_of(player)
 
 
-def remove(id_data, prefixes):
+def remove(id_data: Any, prefixes: str | tuple[str, ...]) -> None:
     """Remove keys and drivers of what has a data path with one of these beginnings, and what is then empty.
 
     Of strips of the NLA the keys alone.
@@ -169,14 +175,14 @@ def remove(id_data, prefixes):
         id_data.animation_data_clear()
 
 
-def new_fcurve(bag, data_path, index, group):
+def new_fcurve(bag: Any, data_path: str, index: int, group: str) -> bpy.types.FCurve:
     """A new F-curve in what assign_copy() returned, listed under `group` in the animation editors."""
     curve = bag.fcurves.new(data_path, index=index)
     curve.group = bag.groups.get(group) or bag.groups.new(group)
     return curve
 
 
-def _channelbag(action, slot):
+def _channelbag(action: Any, slot: Any) -> Any:
     for layer in action.layers:
         for strip in layer.strips:
             bag = strip.channelbag(slot)
@@ -185,7 +191,7 @@ def _channelbag(action, slot):
     return None
 
 
-def _ensure_channelbag(action, slot):
+def _ensure_channelbag(action: Any, slot: Any) -> Any:
     layer = action.layers[0] if action.layers else action.layers.new("Layer")
     strip = layer.strips[0] if layer.strips else layer.strips.new(type='KEYFRAME')
     return strip.channelbag(slot, ensure=True)

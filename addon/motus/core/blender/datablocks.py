@@ -1,6 +1,7 @@
 """How operators name a datablock of any type, and one of its properties."""
 
 import re
+from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 import bpy
@@ -24,7 +25,7 @@ class OfADatablock:
         name="Index", description="Index of a number in an array property; -1 for a property that is no array, or all",
         default=-1, min=-1, options={'SKIP_SAVE'})
 
-    def id_data(self, context):
+    def id_data(self, context: Any) -> Any:
         """The datablock that is named."""
         if not self.datablock:
             if context.object is None:
@@ -48,12 +49,12 @@ class Named(NamedTuple):
     bone: str
 
     @classmethod
-    def of(cls, thing):
+    def of(cls, thing: Any) -> "Named":
         """That of an Object or PoseBone."""
         return cls(thing.id_data, thing.name if isinstance(thing, bpy.types.PoseBone) else "")
 
     @property
-    def thing(self):
+    def thing(self) -> Any:
         """The Object or PoseBone. Raises ReferenceError where it is gone."""
         if not self.bone:
             return self.object
@@ -63,12 +64,13 @@ class Named(NamedTuple):
         return found
 
 
-def _collections():
+def _collections() -> list[Any]:
     """The file's collections of datablocks, each of one type: one of all of them (5.2) is not among them."""
-    return [prop for prop in bpy.data.bl_rna.properties if prop.type == 'COLLECTION' and prop.fixed_type.identifier != 'ID']
+    properties: Any = bpy.data.bl_rna.properties
+    return [prop for prop in properties if prop.type == 'COLLECTION' and prop.fixed_type.identifier != 'ID']
 
 
-def everything():
+def everything() -> Iterator[Any]:
     """All datablocks of the file, and the node trees that lie within others."""
     for collection in _collections():
         for datablock in getattr(bpy.data, collection.identifier):
@@ -78,7 +80,7 @@ def everything():
                 yield tree
 
 
-def collection_of(datablock):
+def collection_of(datablock: Any) -> str:
     """Name of the file's collection that a datablock stands in."""
     for prop in _collections():
         if isinstance(datablock, getattr(bpy.types, prop.fixed_type.identifier)):
@@ -91,14 +93,14 @@ _ID_TYPES = {
     "PARTICLESETTINGS": 'PARTICLE'}
 
 
-def id_type(datablock):
+def id_type(datablock: Any) -> str:
     """Its type, as targets of drivers' variables name it."""
     kind = next(one for one in type(datablock).__mro__ if one.__base__ is bpy.types.ID)
     name = kind.__name__.upper()
     return _ID_TYPES.get(name, name)
 
 
-def named_by(datablock, path):
+def named_by(datablock: Any, path: str) -> tuple[Any, str]:
     """A datablock that can be found by its name, and the path from there: node trees lie within others."""
     if not isinstance(datablock, bpy.types.NodeTree) or not datablock.is_embedded_data:
         return datablock, path
@@ -109,7 +111,7 @@ def named_by(datablock, path):
     return datablock, path
 
 
-def label_of(id_data, data_path, index=-1):
+def label_of(id_data: Any, data_path: str, index: int = -1) -> str:
     """What the interface calls a property, in the user's language; the data path where it has no name.
 
     index: in an array, -1 for a property that is none.
@@ -142,7 +144,7 @@ _AXES = {
     'ACCELERATION': "XYZ", 'QUATERNION': "WXYZ", 'AXISANGLE': "WXYZ", 'COLOR': "RGBA", 'COLOR_GAMMA': "RGBA"}
 
 
-def remove_objects(objects):
+def remove_objects(objects: Iterable[bpy.types.Object]) -> None:
     """Remove objects, with those of their data and materials that nothing else uses; other children stay where they stand."""
     objects = list(dict.fromkeys(objects))
     for child in [child for obj in objects for child in obj.children if child not in objects]:

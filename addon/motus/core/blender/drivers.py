@@ -1,11 +1,16 @@
 """Drivers: made, found and removed in one place."""
 
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
+
 import bpy
 
 from . import actions
 
 
-def add(owner, path, expression, variables, index=None, use_self=False):
+def add(owner: Any, path: str, expression: str, variables: dict[str, Any], index: int | None = None, use_self: bool = False) -> None:
     """Drive one property by `expression` over `variables` (name -> Variable)."""
     driver = _new(owner, path, index, variables)
     driver.type = 'SCRIPTED'
@@ -13,12 +18,12 @@ def add(owner, path, expression, variables, index=None, use_self=False):
     driver.expression = expression
 
 
-def copy_value(owner, path, source=None, index=None, name=""):
+def copy_value(owner: Any, path: str, source: Any = None, index: int | None = None, name: str = "") -> None:
     """Let one property have the value of another, or 0, without Python. name: of the variable, which only expressions need."""
     _new(owner, path, index, {name: source} if source else {}).type = 'SUM'
 
 
-def _new(owner, path, index, variables):
+def _new(owner: Any, path: str, index: int | None, variables: dict[str, Any]) -> bpy.types.Driver:
     """variables: as in add(); "" leaves the name to Blender."""
     curve = owner.driver_add(path) if index is None else owner.driver_add(path, index)
     # Blender maps a driver's value through its curve, in 5.x by two keys at 0 and 1, and there snaps values that are within
@@ -46,12 +51,12 @@ def _new(owner, path, index, variables):
     return driver
 
 
-def remove_under(id_data, prefix):
+def remove_under(id_data: Any, prefix: str) -> None:
     """Remove every driver of the datablock whose path begins with `prefix`."""
     remove_where(id_data, lambda path: path.startswith(prefix))
 
 
-def remove_where(id_data, is_meant):
+def remove_where(id_data: Any, is_meant: Callable[[str], bool]) -> None:
     """Remove every driver of the datablock for whose path is_meant(path) is true."""
     animation = id_data.animation_data
     if animation is None:
@@ -60,21 +65,21 @@ def remove_where(id_data, is_meant):
         animation.drivers.remove(curve)
 
 
-def drop_empty_animation(id_data):
+def drop_empty_animation(id_data: Any) -> None:
     """Leave no empty animation data behind, so that a removed system leaves nothing."""
     animation = id_data.animation_data
     if animation and not animation.action and not animation.drivers and not animation.nla_tracks:
         id_data.animation_data_clear()
 
 
-def driven_bones(obj):
+def driven_bones(obj: Any) -> set[str]:
     """Names of the bones that have a driver on their own location, rotation or scale."""
     animation = obj.animation_data
     matches = (actions.OWN_CHANNEL.match(curve.data_path) for curve in (animation.drivers if animation else ()))
     return {bpy.utils.unescape_identifier(match["bone"]) for match in matches if match and match["bone"]}
 
 
-def targets_on(read):
+def targets_on(read: set[Any]) -> Iterator[tuple[Any, Any, Any, int]]:
     """(datablock, driver, variable, index of the target) of all that drivers in the file read of a set of datablocks."""
     for holder, curve in _drivers_of(set().union(*bpy.data.user_map(subset=read).values())):
         for variable in curve.driver.variables:
@@ -83,11 +88,11 @@ def targets_on(read):
                     yield holder, curve, variable, index
 
 
-def _drivers_of(users):
+def _drivers_of(users: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
     """(datablock, driver) of datablocks and of their own node trees, if they may be written."""
     for user in users:
         for holder in (user, getattr(user, "node_tree", None)):
             animation = getattr(holder, "animation_data", None)
-            if animation and not holder.library:
+            if holder and animation and not holder.library:
                 for curve in animation.drivers:
                     yield holder, curve

@@ -1,7 +1,11 @@
 """Going to frames, and back to how everything stood before."""
 
+from __future__ import annotations
+
 import math
+from collections.abc import Container, Iterable
 from contextlib import suppress
+from typing import Any
 
 import bpy
 
@@ -9,9 +13,9 @@ from ..translations import tr
 from . import actions
 
 
-def ranges(frames, step):
+def ranges(frames: Iterable[float], step: float) -> str:
     """Frames as text: those that follow one another by a step make a range."""
-    runs = []
+    runs: list[list[float]] = []
     for frame in frames:
         if runs and abs(frame - runs[-1][1] - step) < 1e-6:
             runs[-1][1] = frame
@@ -20,13 +24,13 @@ def ranges(frames, step):
     return ", ".join(as_text(first) if first == last else f"{as_text(first)}-{as_text(last)}" for first, last in runs)
 
 
-def spoken(text):
+def spoken(text: str) -> str:
     """The text of ranges() in a sentence, in the user's language."""
     is_one = "," not in text and "-" not in text[1:]
     return (tr("frame {frames}") if is_one else tr("frames {frames}")).format(frames=text)
 
 
-def as_text(frame):
+def as_text(frame: float) -> str:
     """A frame to a thousandth, without an exponent."""
     return f"{round(frame, 3):.12g}"
 
@@ -34,13 +38,13 @@ def as_text(frame):
 class Kept:
     """The frame, the scene's camera, and what animated properties of some objects stand at, keyed or not."""
 
-    def __init__(self, scene, objects=()):
+    def __init__(self, scene: Any, objects: Iterable[Any] = ()) -> None:
         self._scene = scene
         self._frame = scene.frame_current, scene.frame_subframe
         self._camera = scene.camera
         self._values = {(obj, path): value for obj in objects for path, value in _animated(obj).items()}
 
-    def restore(self, written=()):
+    def restore(self, written: Container[tuple[Any, str]] = ()) -> None:
         """Go back to the frame, and to values that were changed there without a key.
 
         written: (object, path) of what has new keys, which count instead.
@@ -58,7 +62,7 @@ class Kept:
                     assign(obj, path, kept)
 
 
-def _animated(obj):
+def _animated(obj: Any) -> dict[str, Any]:
     """{data path: value} of what F-curves of the object animate, as far as it is there."""
     found = {}
     for path in {curve.data_path for curve in actions.fcurves(obj)}:
@@ -70,7 +74,7 @@ def _animated(obj):
     return found
 
 
-def assign(obj, path, value):
+def assign(obj: Any, path: str, value: Any) -> None:
     """Set the property at a data path."""
     if path.endswith('"]'):
         holder, _, key = path[:-2].rpartition('["')
@@ -81,13 +85,13 @@ def assign(obj, path, value):
         setattr(obj.path_resolve(holder) if holder else obj, name, value)
 
 
-def go_to(scene, frame):
+def go_to(scene: bpy.types.Scene, frame: float) -> None:
     """Evaluate a frame, which may be a fraction."""
     whole = math.floor(frame)
     scene.frame_set(whole, subframe=frame - whole)
 
 
-def depsgraph_of(scene, layer):
+def depsgraph_of(scene: bpy.types.Scene, layer: str) -> bpy.types.Depsgraph:
     """The depsgraph of a view layer of a scene, by its name: a reference to one that a script removes would be to freed memory.
 
     Raises ReferenceError.

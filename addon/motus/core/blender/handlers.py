@@ -1,20 +1,27 @@
 """Registers handlers and takes back whatever was registered, whatever other scripts have done to it meanwhile."""
 
+from __future__ import annotations
+
 import logging
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 import bpy
 from bpy.app.handlers import persistent
 
+Pair = tuple[Any, Callable[..., Any]]
+"""A list of handlers, and a function for it."""
+
 log = logging.getLogger(__name__)
 
 
-def add(pairs):
+def add(pairs: Iterable[Pair]) -> None:
     """pairs: (list of handlers, function)."""
     for functions, function in pairs:
         functions.append(function)
 
 
-def remove(pairs):
+def remove(pairs: Sequence[Pair]) -> None:
     """Take back what add() did, last first. A script may have cleared the list."""
     for functions, function in reversed(pairs):
         if function in functions:
@@ -24,24 +31,24 @@ def remove(pairs):
 class Forgetting:
     """Has something forgotten that belongs to the file: when another one is opened, and when the add-on goes. One of a system's `extras`."""
 
-    def __init__(self, forget):
+    def __init__(self, forget: Callable[[], None]) -> None:
         @persistent
-        def loaded(*_):
+        def loaded(*_: Any) -> None:
             forget()
 
         self._forget, self._pairs = forget, ((bpy.app.handlers.load_post, loaded),)
 
-    def register(self):
+    def register(self) -> None:
         """Forget with each file from now on."""
         add(self._pairs)
 
-    def unregister(self):
+    def unregister(self) -> None:
         """Forget for the last time."""
         remove(self._pairs)
         self._forget()
 
 
-def take_back(*steps):
+def take_back(*steps: Callable[[], Any]) -> None:
     """Call each step. One that fails because its thing is gone already does not keep the others from being called."""
     for step in steps:
         try:

@@ -4,6 +4,10 @@ A helper stands in no collection: neither the viewport nor the outliner shows it
 pickers leave such names out unless somebody types the dot.
 """
 
+from __future__ import annotations
+
+from typing import Any
+
 import bpy
 
 KEY = "motus_helper"
@@ -14,7 +18,7 @@ _OLD_NAMES = "Motus Order ", "Motus Colliders"
 # Those of versions that had no KEY: custom properties of the object, with the value of KEY; of its mesh; beginnings of names.
 
 
-def make(name, data=None, is_hidden=True):
+def make(name: str, data: Any = None, is_hidden: bool = True) -> Any:
     """A new helper. data: its datablock, which is named along with it."""
     if data is not None:
         data.name = f".{name}"
@@ -23,24 +27,25 @@ def make(name, data=None, is_hidden=True):
     return helper
 
 
-def _mark(helper, is_hidden):
+def _mark(helper: Any, is_hidden: bool) -> None:
     helper[KEY] = int(is_hidden)
     helper.hide_viewport = helper.hide_render = is_hidden
 
 
-def is_helper(obj):
+def is_helper(obj: Any) -> bool:
     """Whether an object is a helper."""
     return KEY in obj
 
 
-def put_away():
+def put_away() -> None:
     """Take helpers out of the collections into which Blender puts what it appends or pastes along with what needs it.
 
     A hidden helper that nothing needs is removed. A shape that nothing needs is a copy that *Make Instances Real* has made: it
     becomes an object of the artist's.
     """
-    standing = {}
-    helpers = {obj for obj in bpy.data.objects if KEY in obj and not obj.library}
+    standing: dict[Any, list[Any]] = {}
+    objects: Any = bpy.data.objects
+    helpers = {obj for obj in objects if KEY in obj and not obj.library}
     for collection in (*bpy.data.collections, *(scene.collection for scene in bpy.data.scenes)) if helpers else ():
         if not collection.library:
             for helper in helpers.intersection(collection.objects.values()):
@@ -56,15 +61,16 @@ def put_away():
             _give_away(helper)
 
 
-def _give_away(shape):
+def _give_away(shape: Any) -> None:
     for key in (KEY, *_OLD_KEYS):
         shape.pop(key, None)
     shape.name = shape.name.lstrip(".")
 
 
-def adopt_old():
+def adopt_old() -> list[Any]:
     """Mark and name helpers of this file that older versions have made; returns them."""
-    found = {obj: hidden for obj in bpy.data.objects if not obj.library and KEY not in obj
+    objects: Any = bpy.data.objects
+    found = {obj: hidden for obj in objects if not obj.library and KEY not in obj
              for hidden in [_is_hidden_of_old(obj)] if hidden is not None}
     for obj, is_hidden in found.items():
         _mark(obj, is_hidden)
@@ -74,7 +80,7 @@ def adopt_old():
     return list(found)
 
 
-def _is_hidden_of_old(obj):
+def _is_hidden_of_old(obj: Any) -> bool | None:
     """What KEY is to say of a helper that an older version has made; None of any other object."""
     of_key = next((hidden for key, hidden in _OLD_KEYS.items() if key in obj), None)
     if of_key is not None:

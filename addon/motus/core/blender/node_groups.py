@@ -1,11 +1,16 @@
 """Node groups, and the modifiers that have them, in every Blender."""
 
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
 import bpy
 
 from . import capabilities
 
 
-def add_sockets(group, sockets):
+def add_sockets(group: Any, sockets: Iterable[tuple[str, str, str]]) -> None:
     """Give a new group sockets: (name, 'INPUT' or 'OUTPUT', type) each."""
     for name, way, kind in sockets:
         if capabilities.has_tree_interface():
@@ -14,26 +19,26 @@ def add_sockets(group, sockets):
             (group.inputs if way == 'INPUT' else group.outputs).new(kind, name)
 
 
-def has_inputs(group, names):
+def has_inputs(group: Any, names: Iterable[str]) -> bool:
     """Whether a group has them all, which somebody may have removed."""
     return {socket.name for socket in _inputs(group)}.issuperset(names)
 
 
-def set_input(modifier, name, value):
+def set_input(modifier: Any, name: str, value: Any) -> None:
     """Give the modifier's group a value for one of its inputs."""
     _assign(modifier, _identifier(modifier, name), value)
 
 
-def input_of(modifier, name):
+def input_of(modifier: Any, name: str) -> Any:
     """What the modifier's group is given for one of its inputs."""
     return _values(modifier)[_identifier(modifier, name)]
 
 
-def _identifier(modifier, name):
+def _identifier(modifier: Any, name: str) -> str:
     return next(socket.identifier for socket in _inputs(modifier.node_group) if socket.name == name)
 
 
-def _assign(modifier, identifier, value):
+def _assign(modifier: Any, identifier: str, value: Any) -> None:
     if capabilities.has_modifier_inputs():
         getattr(modifier.properties.inputs, identifier).value = value
     else:
@@ -41,19 +46,19 @@ def _assign(modifier, identifier, value):
     modifier.id_data.update_tag()
 
 
-def inputs_of(modifier):
+def inputs_of(modifier: Any) -> list[Any]:
     """What the modifier's group is given for its inputs: a list of values, without those that Blender keeps elsewhere."""
     return list(_values(modifier).values())
 
 
-def let_go(modifier):
+def let_go(modifier: Any) -> None:
     """Empty the inputs that name datablocks: Blender 5 goes on to count what a modifier had that is removed, or has another group."""
     for identifier, value in _values(modifier).items():
         if isinstance(value, bpy.types.ID):
             _assign(modifier, identifier, None)
 
 
-def _values(modifier):
+def _values(modifier: Any) -> dict[str, Any]:
     found = [socket.identifier for socket in _inputs(modifier.node_group)]
     if capabilities.has_modifier_inputs():
         inputs = modifier.properties.inputs
@@ -61,7 +66,7 @@ def _values(modifier):
     return {identifier: modifier.get(identifier) for identifier in found}
 
 
-def link(group, source, target):
+def link(group: Any, source: Any, target: Any) -> None:
     """Connect two sockets; a value stands for a source that is none."""
     if isinstance(source, bpy.types.NodeSocket):
         group.links.new(source, target)
@@ -69,12 +74,12 @@ def link(group, source, target):
         target.default_value = source
 
 
-def input_items(group):
+def input_items(group: Any) -> dict[str, Any]:
     """Inputs of a group as its interface has them, by name: with default_value, min_value and max_value."""
     return {socket.name: socket for socket in _inputs(group)}
 
 
-def add_node(group, kind, **settings):
+def add_node(group: Any, kind: str, **settings: Any) -> Any:
     """A new node, to the right of the others."""
     node = group.nodes.new(kind)
     node.location = (200.0 * (len(group.nodes) - 1), 0.0)
@@ -83,19 +88,19 @@ def add_node(group, kind, **settings):
     return node
 
 
-def named_attribute(group, name, data_type):
+def named_attribute(group: Any, name: str, data_type: str) -> Any:
     """The socket that an attribute comes out of."""
     node = add_node(group, "GeometryNodeInputNamedAttribute", data_type=data_type)
     node.inputs["Name"].default_value = name
     return enabled(node.outputs)
 
 
-def enabled(sockets, name=None):
+def enabled(sockets: Any, name: str | None = None) -> Any:
     """The first socket, of this name where one is given. Before 4.x a node has one for each type, of which all but one are off."""
     return next(socket for socket in sockets if socket.enabled and name in (None, socket.name))
 
 
-def _inputs(group):
+def _inputs(group: Any) -> list[Any]:
     if not capabilities.has_tree_interface():
         return list(group.inputs)
     return [item for item in group.interface.items_tree if item.item_type == 'SOCKET' and item.in_out == 'INPUT']

@@ -1,5 +1,8 @@
 """What a solve function is given beyond its declared inputs, and what it fills."""
 
+from __future__ import annotations
+
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -32,24 +35,24 @@ class Context:
     wants_to_settle: bool = False
     memo: Any = None
     targets: Any = None
-    common: dict = field(default_factory=dict)
+    common: dict[str, Any] = field(default_factory=dict)
 
-    def begin(self, frame, depsgraph, memo, common=None, targets=None):
+    def begin(self, frame: float, depsgraph: Any, memo: Any, common: dict[str, Any] | None = None, targets: Any = None) -> None:
         """Go to a frame."""
         self.frame, self.depsgraph, self.memo, self.targets = frame, depsgraph, memo, targets
         self.common = {} if common is None else common
         self.wants_to_settle = False
 
-    def target(self, name):
+    def target(self, name: str) -> Any:
         """The evaluated object that a pointer setting names."""
         return pointed(self.settings, name) if self.targets is None else self.targets[name]
 
     @property
-    def is_still(self):
+    def is_still(self) -> bool:
         """Whether nothing animates the settings: they are the same until somebody edits them."""
         return self.memo is not None
 
-    def kept(self, name, key, make):
+    def kept(self, name: str, key: Any, make: Callable[[], Any]) -> Any:
         """What `make()` gives, which depends on settings and `key` alone; where they are still it is made once for a key."""
         if self.memo is None:
             return make()
@@ -59,7 +62,7 @@ class Context:
         return found[1]
 
     @property
-    def fps(self):
+    def fps(self) -> float:
         """Frames a second."""
         found = self.common.get("fps")
         if found is None:

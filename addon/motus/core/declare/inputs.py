@@ -1,7 +1,10 @@
 """What a solver reads: values that Blender evaluates before the solver, and transforms that the solver waits for."""
 
+from __future__ import annotations
+
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Callable
+from typing import Any
 
 import bpy
 
@@ -19,7 +22,7 @@ class Variable:
     bone: str = ""
 
     @property
-    def is_transform(self):
+    def is_transform(self) -> bool:
         """Whether it waits for a transform and reads one number of it, which is cheaper than a whole matrix."""
         return not self.data_path
 
@@ -31,10 +34,10 @@ class Setting:
     name: str
 
     @staticmethod
-    def variable(_owner, _settings):
+    def variable(_owner: Any, _settings: Any) -> None:
         """None: the solver waits for all settings of the owner at once, and reads them itself."""
 
-    def read(self, _value, settings):
+    def read(self, _value: Any, settings: Any) -> Any:
         value = getattr(settings, self.name)
         if isinstance(value, str):
             return choices.number(settings, self.name)
@@ -48,12 +51,12 @@ class Matrix:
     name: str
     of: str
 
-    def variable(self, owner, settings):
+    def variable(self, owner: Any, settings: Any) -> Variable | None:
         target = pointed(settings, self.of)
         return target and Variable('OBJECT', target, "matrix_world")
 
     @staticmethod
-    def read(value, _settings):
+    def read(value: Any, _settings: Any) -> Any:
         # A variable whose target is gone arrives as 0.0.
         return value if hasattr(value, "translation") else None
 
@@ -65,7 +68,7 @@ class OwnMatrix:
     name: str
     when: str = ""
 
-    def variable(self, owner, settings):
+    def variable(self, owner: Any, settings: Any) -> Variable | None:
         return Variable('OBJECT', owner, "matrix_world") if not self.when or getattr(settings, self.when) else None
 
     read = staticmethod(Matrix.read)
@@ -78,14 +81,14 @@ class Splines:
     name: str
     of: str
 
-    def variable(self, owner, settings):
+    def variable(self, owner: Any, settings: Any) -> Variable | None:
         target = pointed(settings, self.of)
         if target is None or target.type != 'CURVE':
             return None
         return Variable('CURVE', target.data, "splines")
 
     @staticmethod
-    def read(value, _settings):
+    def read(value: Any, _settings: Any) -> Any:
         return value if hasattr(value, "active") else None
 
 
@@ -98,11 +101,11 @@ class Vertices:
 
     name: str
 
-    def variable(self, owner, settings):
+    def variable(self, owner: Any, settings: Any) -> Variable | None:
         return Variable('MESH', owner.data, "vertices") if owner.type == 'MESH' else None
 
     @staticmethod
-    def read(value, _settings):
+    def read(value: Any, _settings: Any) -> Any:
         return value.id_data if hasattr(value, "id_data") else None
 
 
@@ -116,11 +119,11 @@ class Deformed:
     name: str
     of: str
 
-    def objects(self, settings):
+    def objects(self, settings: Any) -> list[Any]:
         """Those whose geometry comes first, as far as they are there."""
         return [pointed(settings, self.of)]
 
-    def variable(self, owner, settings):
+    def variable(self, owner: Any, settings: Any) -> Variable | None:
         # A driver cannot depend on another object's geometry, but on the transform of an object that does.
         proxy = pointed(settings, "order_proxy")
         return proxy and Variable('OBJECT', proxy, "matrix_world")
@@ -135,7 +138,7 @@ class Geometry(Deformed):
     The solver runs again whenever that geometry is edited. Not in a system whose owners share solvers (System.shared).
     """
 
-    def read(self, value, settings):
+    def read(self, value: Any, settings: Any) -> Any:
         return pointed(settings, self.of) if Matrix.read(value, settings) is not None else None
 
 
@@ -143,9 +146,9 @@ class Geometry(Deformed):
 class Geometries(Deformed):
     """The same of the objects that the function `of` gives for settings: wiring.waited_for() has them then."""
 
-    of: Callable  # type: ignore[assignment]
+    of: Callable[[Any], list[Any]]  # type: ignore[assignment]
 
-    def objects(self, settings):
+    def objects(self, settings: Any) -> list[Any]:
         return self.of(settings)
 
 
@@ -156,7 +159,7 @@ class Transform:
     object: Any
     bone: str = ""
 
-    def variable(self):
+    def variable(self) -> Variable:
         """The driver variable that waits."""
         return Variable('OBJECT', self.object, bone=self.bone)
 
@@ -168,6 +171,6 @@ class BonesOwn:
     object: Any
     bone: str
 
-    def variable(self):
+    def variable(self) -> Variable:
         """The driver variable that waits."""
         return Variable('OBJECT', self.object, f'pose.bones["{bpy.utils.escape_identifier(self.bone)}"].location[0]')

@@ -1,7 +1,10 @@
 """What a solver drives or makes: objects, bones, properties and points, in groups that are solved at once."""
 
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import Any, Callable
+from typing import Any
 
 import bpy
 
@@ -17,12 +20,12 @@ class Member:
     """
 
     thing: Any
-    channels: frozenset = frozenset({"location", "rotation"})
+    channels: frozenset[str] = frozenset({"location", "rotation"})
     space: str = 'WORLD'
     is_relative: bool = False
 
     @property
-    def owner_space(self):
+    def owner_space(self) -> str:
         """Owner space of the sinks' constraints."""
         if not self.is_relative:
             return self.space
@@ -54,14 +57,14 @@ class Group:
     """
 
     key: str = ""
-    members: tuple = ()
-    inputs: tuple = ()
-    outputs: tuple = ()
-    properties: tuple = ()
-    data: dict = field(default_factory=dict)
+    members: tuple[Member, ...] = ()
+    inputs: tuple[Any, ...] = ()
+    outputs: tuple[str, ...] = ()
+    properties: tuple[Property, ...] = ()
+    data: dict[str, Any] = field(default_factory=dict)
 
     @property
-    def reads(self):
+    def reads(self) -> list[tuple[Any, str]]:
         """(object, bone or "") of the transforms that the solver waits for."""
         return [(one.object, one.bone) for one in dict.fromkeys(self.inputs) if isinstance(one, Transform)]
 
@@ -74,8 +77,8 @@ class Entry:
     """
 
     name: str
-    reads: tuple = ()
-    drives: tuple = ()
+    reads: tuple[tuple[Any, str], ...] = ()
+    drives: tuple[Any, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -92,8 +95,8 @@ class Points:
     take. It may depend on settings alone whose change wires anew (settings.rewire).
     """
 
-    attributes: tuple = ()
+    attributes: tuple[tuple[str, str], ...] = ()
     shape: str = 'POINTS'
     space: str = 'WORLD'
     capacity: int = 1 << 22
-    unneeded: Callable = lambda _settings: ()
+    unneeded: Callable[[Any], Iterable[str]] = lambda _settings: ()

@@ -1,51 +1,55 @@
 """Which features are registered, and which objects a system is wired on."""
 
-from typing import Iterable
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
 
 from ..file.pointers import pointed
+from .inputs import Variable
 from .members import Group, Member
-from .system import System
+from .system import Feature, System
 
-registered = {}
+registered: dict[str, Feature] = {}
 """The registered features by name, systems among them."""
 
 
-def systems():
+def systems() -> list[System]:
     """The registered systems: of all features those that are solved."""
     return [feature for feature in registered.values() if isinstance(feature, System)]
 
 
-def offered(name):
+def offered(name: str) -> Any:
     """What a registered feature offers others (Feature.offers)."""
     return registered[name].offers
 
 
-def of_owner(system, owner):
+def of_owner(system: Feature, owner: Any) -> Any:
     """Settings of `system` on an object."""
     return getattr(owner.motus, system.name)
 
 
-def has_settings(system, obj):
+def has_settings(system: Feature, obj: Any) -> bool:
     """Whether an object has settings of the system; to ask it for them gives it some."""
     return obj.is_property_set("motus") and obj.motus.is_property_set(system.name)
 
 
-def is_owner(system, obj):
+def is_owner(system: System, obj: Any) -> bool:
     """Whether the system is wired on an object as its owner (members of others' are not)."""
     return has_settings(system, obj) and can_own(system, obj) and of_owner(system, obj).is_active
 
 
-def can_own(system, obj):
+def can_own(system: System, obj: Any) -> bool:
     """Whether an object is of a type that the system works on."""
     return not system.owner_types or obj.type in system.owner_types
 
 
-def leader_of(system, obj):
+def leader_of(system: System, obj: Any) -> Any:
     """The object whose settings of the system drive this one; None where it has its own, or none."""
     return pointed(of_owner(system, obj), "leader") if has_settings(system, obj) else None
 
 
-def groups_of(system, owner) -> tuple:
+def groups_of(system: System, owner: Any) -> tuple[Group, ...]:
     """The groups of members that the system drives for an owner: one, where the system declares none."""
     if not can_own(system, owner):
         return ()
@@ -58,19 +62,19 @@ def groups_of(system, owner) -> tuple:
     return (Group(members=members, outputs=system.outputs),)
 
 
-def input_variables(system, owner) -> Iterable:
+def input_variables(system: System, owner: Any) -> Iterable[tuple[Any, Variable | None]]:
     """(input, Variable or None) for each declared input that is an argument of solve."""
     settings = of_owner(system, owner)
     return [(declared, declared.variable(owner, settings)) for declared in system.inputs]
 
 
-def described(system):
+def described(system: Feature) -> list[Any]:
     """The SystemPanels (core/interface/panels.py) that the classes of a system are of."""
     found = (getattr(cls, "of_system", None) for cls in system.classes)
     return list(dict.fromkeys(one for one in found if one is not None))
 
 
-def title(system):
+def title(system: Feature) -> tuple[str, str]:
     """(label, context of its translation) under which a system stands in menus, panels and dialogs."""
     panel = next(iter(described(system)), None)
     return (panel.label, panel.translation_context) if panel and panel.label == system.label else (system.label, "*")

@@ -1,7 +1,10 @@
 """What a folder declares: its interface (Feature), and how its settings are solved (System). The wiring does the rest."""
 
+from __future__ import annotations
+
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Callable, Optional
+from typing import Any
 
 from .inputs import Geometries, Vertices
 from .members import Points
@@ -18,15 +21,15 @@ class Feature:
 
     name: str
     label: str
-    classes: tuple
-    settings: Optional[type] = None
-    scene_settings: Optional[type] = None
-    extras: tuple = ()
-    overlay: Optional[Callable] = None
+    classes: tuple[Any, ...]
+    settings: type[Any] | None = None
+    scene_settings: type[Any] | None = None
+    extras: tuple[Any, ...] = ()
+    overlay: Callable[..., Any] | None = None
     offers: Any = None
-    add_menu: tuple = ()
-    object_menu: tuple = ()
-    pose_menu: tuple = ()
+    add_menu: tuple[Any, ...] = ()
+    object_menu: tuple[Any, ...] = ()
+    pose_menu: tuple[Any, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,43 +53,43 @@ class System(Feature):
     if there are none; settings that a script has given to an object of another type count for nothing.
     """
 
-    solve: Callable
-    problems: tuple
-    inputs: tuple = ()
-    outputs: tuple = ()
-    channels: Callable = lambda settings: frozenset({"location", "rotation"})
-    members: Callable = lambda owner: [owner]
-    member_data: Optional[Callable] = None
+    solve: Callable[..., Any]
+    problems: tuple[Any, ...]
+    inputs: tuple[Any, ...] = ()
+    outputs: tuple[Any, ...] = ()
+    channels: Callable[..., Any] = lambda settings: frozenset[str]({"location", "rotation"})
+    members: Callable[..., Any] = lambda owner: [owner]
+    member_data: Callable[..., Any] | None = None
     space: str = 'WORLD'
     is_relative: bool = False
     same_bits: bool = False
     lays_pose: bool = False
     reads_keys: bool = False
-    groups: Optional[Callable] = None
-    entries: Optional[Callable] = None
-    bone_renamed: Optional[Callable] = None
+    groups: Callable[..., Any] | None = None
+    entries: Callable[..., Any] | None = None
+    bone_renamed: Callable[..., Any] | None = None
     moves_points: bool = False
-    makes_points: Optional[Points] = None
-    dress: Optional[Callable] = None
-    settle: Optional[Callable] = None
-    over_time: Optional[Callable] = None
+    makes_points: Points | None = None
+    dress: Callable[..., Any] | None = None
+    settle: Callable[..., Any] | None = None
+    over_time: Callable[..., Any] | None = None
     unbakeable: str = ""
-    shared: tuple = ()
-    entry_settings: tuple = ()
-    owner_of: Optional[Callable] = None
-    owner_types: frozenset = frozenset()
+    shared: tuple[Any, ...] = ()
+    entry_settings: tuple[Any, ...] = ()
+    owner_of: Callable[..., Any] | None = None
+    owner_types: frozenset[str] = frozenset()
 
     @property
-    def has_modifier(self):
+    def has_modifier(self) -> bool:
         """Whether its sink is a modifier of the owner, and it drives no members."""
         return self.moves_points or self.makes_points is not None
 
     @property
-    def reads_several(self):
+    def reads_several(self) -> bool:
         """Whether its solver waits for objects that may come and go without its settings being edited."""
         return any(isinstance(declared, Geometries) for declared in self.inputs)
 
     @property
-    def reads_mesh(self):
+    def reads_mesh(self) -> bool:
         """Whether its solver waits for the mesh that the owner has."""
         return any(isinstance(declared, Vertices) for declared in self.inputs)

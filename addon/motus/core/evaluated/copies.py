@@ -5,10 +5,13 @@ copy; animation and drivers alone write into the copy that is there. So a number
 where the original has none, tells a fresh copy from one that was read before: all that is not animated is as it was.
 """
 
+from __future__ import annotations
+
 import itertools
 import random
 import threading
-from typing import NamedTuple
+from collections.abc import Iterable
+from typing import Any, NamedTuple, TypeVar
 
 import bpy
 from bpy.app.handlers import persistent
@@ -16,6 +19,7 @@ from bpy.app.handlers import persistent
 from ..blender import actions
 from ..file import stored
 
+T = TypeVar("T")
 KEY = "motus_copy"
 """Custom property of what is prepared: one integer, 0 on the original. An array, since an item of it is written where it lies."""
 # From anywhere, so that an add-on that was enabled again does not give numbers that are still in use.
@@ -24,7 +28,7 @@ _numbers = itertools.count(_first)
 _latest = [_first - 1]
 
 
-def original_of(evaluated, originals, depsgraph):
+def original_of(evaluated: Any, originals: Any, depsgraph: bpy.types.Depsgraph) -> Any:
     """The original, among bpy.data.objects or the like, of what a depsgraph says was updated; None where another handler has removed it.
 
     The copy is asked for its name alone: its `original` and `library` point to what Blender may have freed since the evaluation.
@@ -43,13 +47,13 @@ class _Latest:
     FEW = 64
     """Up to so many are kept without a look at which of them are gone."""
 
-    def __init__(self):
-        self.known = {}  # number -> what is known of the copy that has it
-        self._places = {}  # where a datablock lies -> (it, the number)
+    def __init__(self) -> None:
+        self.known: dict[int | None, Any] = {}  # number -> what is known of the copy that has it
+        self._places: dict[int, tuple[Any, int]] = {}  # where a datablock lies -> (it, the number)
         self._most = self.FEW
         self._changing = threading.Lock()
 
-    def add(self, evaluated, number, found):
+    def add(self, evaluated: Any, number: int, found: T) -> T:
         """Let this be known of a copy, in the place of what was known of the one before; gives it."""
         place = evaluated.as_pointer()
         with self._changing:
@@ -62,11 +66,11 @@ class _Latest:
                 self._most = 2 * max(len(self._places), self.FEW)
         return found
 
-    def _forget(self, place):
+    def _forget(self, place: int) -> None:
         _, number = self._places.pop(place, (None, 0))
         self.known.pop(number, None)
 
-    def clear(self):
+    def clear(self) -> None:
         """Let nothing be known."""
         with self._changing:
             self._places.clear()
@@ -74,7 +78,7 @@ class _Latest:
             self._most = self.FEW
 
 
-def is_gone(datablock):
+def is_gone(datablock: Any) -> bool:
     """Whether Blender has freed an evaluated datablock."""
     try:
         datablock.as_pointer()
@@ -92,9 +96,9 @@ class Reach(NamedTuple):
 
     settings: bool
     splines: bool
-    bones: frozenset | None
+    bones: frozenset[str] | None
 
-    def poses(self, names):
+    def poses(self, names: frozenset[str] | None) -> bool:
         """Whether it sets the own transform of a bone of these names, a frozenset; None for all."""
         if self.bones is None or names is None:
             return self.bones is None or len(self.bones) > 0
@@ -107,9 +111,9 @@ _NOTHING, _ANYTHING = Reach(False, False, frozenset()), Reach(True, True, None)
 class Copy:
     """One evaluated copy. number: no other copy has had it. found: what was read of it, by name."""
 
-    def __init__(self, evaluated, number):
+    def __init__(self, evaluated: Any, number: int) -> None:
         self.number = number
-        self.found = {}
+        self.found: dict[Any, Any] = {}
         animation = evaluated.animation_data
         self.drivers = drivers_on(evaluated)
         self._driven = _reach(animation.drivers) if self.drivers else _NOTHING
@@ -117,7 +121,7 @@ class Copy:
         self._has_strips = animation is not None and bool(animation.nla_tracks)
 
     @property
-    def _acting(self):
+    def _acting(self) -> Reach:
         """Reach of the action, all slots of it, or of the NLA. An evaluated action, edited without its users, is looked through
         once for each copy."""
         if self._has_strips:
@@ -125,26 +129,26 @@ class Copy:
         return _NOTHING if self._action is None else _reach_of_action(self._action)
 
     @property
-    def has_animated_settings(self):
+    def has_animated_settings(self) -> bool:
         """Whether an action or driver sets any of the owner's Motus settings."""
         return self._driven.settings or self._acting.settings
 
     @property
-    def has_animated_splines(self):
+    def has_animated_splines(self) -> bool:
         """Whether one sets what the splines of a curve are made of."""
         return self._driven.splines or self._acting.splines
 
-    def has_animated_poses(self, names):
+    def has_animated_poses(self, names: frozenset[str] | None) -> bool:
         """Whether one sets the own transform of a bone of these names, a frozenset; None for all."""
         return self._driven.poses(names) or self._acting.poses(names)
 
 
-def prepare(owner):
+def prepare(owner: Any) -> None:
     """Let evaluated copies of an owner be told apart, of a rig its armature's and its scenes' too. Called when it is wired."""
     mark(owner, *((owner.data, *owner.users_scene) if owner.type == 'ARMATURE' else ()))
 
 
-def mark(*datablocks):
+def mark(*datablocks: Any) -> None:
     """Let evaluated copies of these be told apart."""
     for datablock in datablocks:
         if not datablock.library and _mark(datablock) is None:
@@ -152,25 +156,27 @@ def mark(*datablocks):
             datablock.update_tag()
 
 
-def unmark(datablock):
+def unmark(datablock: Any) -> None:
     """Take that back."""
     if not datablock.library:
         datablock.pop(KEY, None)
 
 
-def release(owner):
+def release(owner: Any) -> None:
     """Take that back, from what no other rig needs it for."""
     if owner.pop(KEY, None) is None or owner.type != 'ARMATURE':
         return
     data = owner.data
-    if not data.library and all(KEY not in other for other in bpy.data.objects if other.data == data):
+    objects: Any = bpy.data.objects
+    if not data.library and all(KEY not in other for other in objects if other.data == data):
         data.pop(KEY, None)
+    scene: Any
     for scene in bpy.data.scenes:
         if not scene.library and not any(other.type == 'ARMATURE' and KEY in other for other in scene.objects):
             scene.pop(KEY, None)
 
 
-def of(evaluated):
+def of(evaluated: Any) -> Copy | None:
     """The Copy of an evaluated object; None where it was not prepared, as in a file of an older version."""
     mark = evaluated.get(KEY)
     try:  # without a look at what lies there, of which none but a given number is known
@@ -181,15 +187,15 @@ def of(evaluated):
     return _copies.add(evaluated, number, Copy(evaluated, number)) if number and found is None else found
 
 
-def stamp_of_data(evaluated):
+def stamp_of_data(evaluated: Any) -> int | None:
     """A number that changes whenever Blender copies an evaluated object's data anew; None where nobody can tell."""
     copy = of(evaluated.data)
     if copy is None and evaluated.data.library:  # which changes with its library alone: then the object is copied anew too
         copy = of(evaluated)
-    return copy and copy.number
+    return None if copy is None else copy.number
 
 
-def _number_of(evaluated):
+def _number_of(evaluated: Any) -> int:
     """A number that no other copy of an evaluated datablock has had; 0 where it was not prepared."""
     mark = _mark(evaluated)
     if mark is None or not evaluated.is_evaluated:  # an original handed its number on to all its copies
@@ -197,13 +203,13 @@ def _number_of(evaluated):
     return _number_in(mark)
 
 
-def _number_in(mark):
+def _number_in(mark: Any) -> int:
     if not _is_given(mark[0]):
         mark[0] = _new_number()
     return mark[0]
 
 
-def number_given(evaluated):
+def number_given(evaluated: Any) -> int:
     """The same of a datablock that nobody has prepared, and of whose properties no other thread reads any."""
     mark = _mark(evaluated)
     if mark is None:
@@ -214,14 +220,14 @@ def number_given(evaluated):
 
 
 @persistent
-def forget(*_):
+def forget(*_: Any) -> None:
     """Let all evaluated copies count as new ones: another file is loaded, or the classes of properties end, to which what is kept of
     them refers."""
     for known in (_copies, _actions, _found):
         known.clear()
 
 
-def number_of_action(action):
+def number_of_action(action: Any) -> int | None:
     """A number that no other copy of an evaluated action has had; any edit of its keys brings a fresh copy. None of an original."""
     if not action.is_evaluated:  # it would hand the number on to all its copies
         return None
@@ -231,7 +237,7 @@ def number_of_action(action):
     return number
 
 
-def found_of_action(action):
+def found_of_action(action: Any) -> dict[Any, Any]:
     """What was read of an evaluated action, by name, for as long as Blender keeps that copy of it; of an original nothing is kept."""
     number = number_of_action(action)
     if number is None:
@@ -240,7 +246,7 @@ def found_of_action(action):
     return _found.add(action, number, {}) if known is None else known
 
 
-def _mark(datablock):
+def _mark(datablock: Any) -> memoryview[int] | None:
     """The memory of its number; None where the custom property is missing, or is not what prepare() makes."""
     try:
         return stored.whole_numbers(datablock.get(KEY), 1)
@@ -248,24 +254,24 @@ def _mark(datablock):
         return None
 
 
-def _is_given(number):
+def _is_given(number: Any) -> bool:
     """Whether it comes from here. What a file holds does not."""
     return isinstance(number, int) and _first <= number <= _latest[0]
 
 
-def _new_number():
+def _new_number() -> int:
     # Where two threads are here at once, the greater number may count as not given; then its copy is given one more.
     _latest[0] = number = next(_numbers)
     return number
 
 
-def has_moving_settings(evaluated):
+def has_moving_settings(evaluated: Any) -> bool:
     """Whether an action, the NLA or a driver sets a Motus setting of an evaluated object, as far as can be told."""
     copy = of(evaluated)
     return has_animation(evaluated) if copy is None else copy.has_animated_settings
 
 
-def has_animated_settings(owner):
+def has_animated_settings(owner: Any) -> bool:
     """The same of an object that is not evaluated."""
     animation = owner.animation_data
     if animation is None:
@@ -274,25 +280,25 @@ def has_animated_settings(owner):
     return bool(animation.nla_tracks) or _reach(curves).settings
 
 
-def has_driven_settings(owner):
+def has_driven_settings(owner: Any) -> bool:
     """Whether a driver sets a Motus setting of an object that is not evaluated."""
     animation = owner.animation_data
     return animation is not None and _reach(animation.drivers).settings
 
 
-def drivers_on(datablock):
+def drivers_on(datablock: Any) -> int:
     """How many drivers it has."""
     animation = datablock.animation_data
     return len(animation.drivers) if animation else 0
 
 
-def has_animation(evaluated):
+def has_animation(evaluated: Any) -> bool:
     """Whether anything animates an object: what nothing does is as it was when Blender copied it."""
     animation = evaluated.animation_data
     return animation is not None and bool(animation.action or animation.nla_tracks or animation.drivers)
 
 
-def _reach_of_action(action):
+def _reach_of_action(action: Any) -> Reach:
     number = number_of_action(action)
     known = _actions.known.get(number)
     if known is None:
@@ -302,7 +308,7 @@ def _reach_of_action(action):
     return known
 
 
-def _reach(curves):
+def _reach(curves: Iterable[Any]) -> Reach:
     paths = {curve.data_path for curve in curves}
     names = {match["bone"] for match in map(actions.OWN_CHANNEL.match, paths) if match}
     # A bone may be named by its number too.
@@ -310,5 +316,5 @@ def _reach(curves):
     return Reach(_any_begins(paths, "motus."), _any_begins(paths, ("splines", "[")), bones)
 
 
-def _any_begins(paths, beginning):
+def _any_begins(paths: Iterable[str], beginning: str | tuple[str, ...]) -> bool:
     return any(path.startswith(beginning) for path in paths)

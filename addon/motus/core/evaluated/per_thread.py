@@ -4,18 +4,23 @@ Not threading.local: Blender's evaluation threads have a Python state only while
 been called, and what is local to it goes with it.
 """
 
+from __future__ import annotations
+
 import threading
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Any, TypeVar
 
 from .. import native
 from ..lazy import numpy as np
 
+T = TypeVar("T")
 LARGEST = 64  # threads
 
-_kept = {}
+_kept: dict[int, dict[str, Any]] = {}
 
 
-def keep_state():
+def keep_state() -> bool:
     """Let this thread keep its Python state; to make one anew takes longer than most solves do.
 
     The native module does it once a thread, and for a bounded number of threads. Returns whether it is kept.
@@ -23,7 +28,7 @@ def keep_state():
     return native.module is not None and native.module.keep_thread_state()
 
 
-def kept(name, make):
+def kept(name: str, make: Callable[[], T]) -> T:
     """What `make()` gave when this thread first asked for the name."""
     thread = threading.get_ident()
     mine = _kept.get(thread)
@@ -38,7 +43,7 @@ def kept(name, make):
 
 
 @contextmanager
-def aside():
+def aside() -> Iterator[None]:
     """What the thread keeps is left alone meanwhile, by whoever asks for it.
 
     While Blender waits for a computation that it has spread over threads, it may evaluate another driver within this one.
@@ -53,12 +58,12 @@ def aside():
             _kept[thread] = mine
 
 
-def scratch(name, shape, dtype):
+def scratch(name: str, shape: tuple[int, ...], dtype: Any) -> Any:
     """An array of this shape whose content is undefined; valid until the thread asks for the same name again.
 
     For arrays of every solve: the memory of fresh ones would be mapped anew on each frame.
     """
-    arrays = kept("scratch", dict)
+    arrays: dict[str, Any] = kept("scratch", dict)
     array = arrays.get(name)
     if array is None or array.shape != shape:
         array = arrays[name] = np.empty(shape, dtype)

@@ -4,13 +4,17 @@ Things that hang on each other, each moved by a system that is asked where it is
 this each level would take several times as long as the one above it.
 """
 
-import threading
+from __future__ import annotations
 
-_found = {}
+import threading
+from collections.abc import Callable, Hashable
+from typing import Any
+
+_found: dict[int, dict[Hashable, Any]] = {}
 """Thread -> {place: answer} of the question that it answers."""
 
 
-def answered(place, make):
+def answered(place: Hashable, make: Callable[[], Any]) -> Any:
     """What make() gives, the same for the same place until the outermost question is answered. It must not be changed."""
     thread = threading.get_ident()
     found = _found.get(thread)

@@ -8,7 +8,11 @@ What is read is noted while somebody edits, not while frames go by, so that it c
 that has only been gone to is called once more at the first edit of keys.
 """
 
+from __future__ import annotations
+
 import threading
+from collections.abc import Callable, Iterable
+from typing import Any
 
 import bpy
 from bpy.app.handlers import persistent
@@ -19,10 +23,10 @@ from . import copies
 FEW = 64
 """Up to so many Readings are kept without a look at which of them are of datablocks that Blender has freed."""
 
-readings = {}
+readings: dict[tuple[int, str, int], Reading] = {}
 """(where an evaluated datablock lies, name, index) -> its Reading."""
 _most = [FEW]
-_at_work = {}
+_at_work: dict[int, list[dict[int, int]]] = {}
 """Thread -> {where an evaluated action lies: number of the copy of it that was read} of each Reading at work, the inmost last."""
 
 
@@ -32,13 +36,13 @@ class Reading:
     among: gives, of the datablock, the actions that it may read at all; None: any.
     """
 
-    def __init__(self, datablock, among):
+    def __init__(self, datablock: Any, among: Callable[[Any], Iterable[Any]] | None) -> None:
         self.datablock, self._among = datablock, among
-        self.original = None
-        self._numbers = None  # nobody knows
-        self._frame = None
+        self.original: Any = None
+        self._numbers: dict[int, int] | None = None  # nobody knows
+        self._frame: float | None = None
 
-    def is_edit(self, frame):
+    def is_edit(self, frame: float) -> bool:
         """Called with the frame before anything is read: whether to note what is."""
         # Not when it is wanted: once Blender has removed the original, what a copy points to in its place is freed memory.
         self.original = self.datablock.original
@@ -47,24 +51,24 @@ class Reading:
         self._frame, self._numbers = frame, None
         return False
 
-    def __enter__(self):
+    def __enter__(self) -> None:
         self._numbers = {}
         _at_work.setdefault(threading.get_ident(), []).append(self._numbers)
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         thread = threading.get_ident()
         waiting = _at_work[thread]
         waiting.pop()
         if not waiting:
             del _at_work[thread]
 
-    def is_of(self, depsgraph):
+    def is_of(self, depsgraph: bpy.types.Depsgraph) -> bool:
         """Whether the datablock is there, and this depsgraph's: not another scene's, nor of a render that has ended."""
         if self.original is None or copies.is_gone(self.original) or copies.is_gone(self.datablock):
             return False
         return self.original.evaluated_get(depsgraph) == self.datablock
 
-    def is_outdated(self, edited):
+    def is_outdated(self, edited: dict[int, int | None]) -> bool:
         """Whether it may have read other keys than there are now. edited: {where an evaluated action lies: number of its copy}."""
         numbers = self._numbers
         if numbers is None:
@@ -72,7 +76,7 @@ class Reading:
         return any(numbers.get(place, number) != number for place, number in edited.items())
 
 
-def reading_of(datablock, name, index=0, among=None):
+def reading_of(datablock: Any, name: str, index: int = 0, among: Callable[[Any], Iterable[Any]] | None = None) -> Reading:
     """The Reading of a system's solver, by its name, or of a property's driver, on an evaluated datablock. among: as of Reading."""
     place = datablock.as_pointer(), name, index
     found = readings.get(place)
@@ -85,7 +89,7 @@ def reading_of(datablock, name, index=0, among=None):
     return found
 
 
-def number_of(action):
+def number_of(action: Any) -> int | None:
     """copies.number_of_action() of an action whose keys are read."""
     number = copies.number_of_action(action)
     if _at_work and number is not None:
@@ -93,18 +97,18 @@ def number_of(action):
     return number
 
 
-def is_noting():
+def is_noting() -> bool:
     """Whether anybody notes what is read, in this thread or another."""
     return bool(_at_work)
 
 
-def noted():
+def noted() -> dict[int, int] | None:
     """What this thread has read, for note(), where somebody else is given what was made of it; None where it notes nothing."""
     waiting = _at_work.get(threading.get_ident())
     return dict(waiting[-1]) if waiting else None
 
 
-def note(numbers):
+def note(numbers: dict[int, int] | None) -> bool:
     """Let these count as read by this thread. Returns whether that is known, as far as it has to be: it is not where they are None."""
     waiting = _at_work.get(threading.get_ident())
     if waiting and numbers is not None:
@@ -112,7 +116,7 @@ def note(numbers):
     return not waiting or numbers is not None
 
 
-def call_again(depsgraph):
+def call_again(depsgraph: bpy.types.Depsgraph) -> None:
     """After an edit: have those evaluated once more that may have read keys as they were before."""
     if not depsgraph.id_type_updated('ACTION'):
         return
@@ -123,22 +127,22 @@ def call_again(depsgraph):
         original.update_tag()
 
 
-def _watched():
+def _watched() -> tuple[handlers.Pair, ...]:
     return ((bpy.app.handlers.load_pre, _forget),)
 
 
 @persistent
-def _forget(*_):
+def _forget(*_: Any) -> None:
     readings.clear()
     _most[0] = FEW
 
 
-def register():
+def register() -> None:
     """Know when another file is opened. Edits are told by core/wiring/healing/heal.py."""
     handlers.add(_watched())
 
 
-def unregister():
+def unregister() -> None:
     """Stop watching."""
     handlers.remove(_watched())
     _forget()

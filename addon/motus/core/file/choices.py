@@ -1,7 +1,11 @@
 """Enumerations of settings: what is chosen, if the file names an item that there is."""
 
+from __future__ import annotations
 
-def chosen(settings, name):
+from typing import Any
+
+
+def chosen(settings: Any, name: str) -> str:
     """The item that an enumeration of settings says; its default if a script or another version has written one that there is not.
 
     Blender reads such an item as an empty text.
@@ -9,6 +13,6 @@ def chosen(settings, name):
     return getattr(settings, name) or settings.bl_rna.properties[name].default
 
 
-def number(settings, name):
+def number(settings: Any, name: str) -> int:
     """The number that keys and drivers have for what is chosen."""
     return settings.bl_rna.properties[name].enum_items[chosen(settings, name)].value

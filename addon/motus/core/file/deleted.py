@@ -8,7 +8,11 @@ Solvers run in threads of Blender's, while the main thread may edit collections.
 here the first time. A handler looks where the objects of these names stand; where that has changed, Blender evaluates again.
 """
 
+from __future__ import annotations
+
 import threading
+from collections.abc import Iterable
+from typing import Any
 
 import bpy
 from bpy.app.handlers import persistent
@@ -18,15 +22,15 @@ from ..blender import handlers
 KEY = "motus_deleted"
 """Custom property of an object that stood in a collection, and did not any more when the file was saved."""
 
-_stood = {}
+_stood: dict[str, bool] = {}
 """Name of each local object that was asked for -> whether it has stood in a collection. No references: undo spoils those."""
-_deleted = set()
+_deleted: set[str] = set()
 _is_new = [False]
 _changes = [0]
 _MAIN_THREAD = threading.main_thread().ident
 
 
-def is_deleted(obj):
+def is_deleted(obj: bpy.types.Object) -> bool:
     """Whether an object, evaluated or not, was deleted."""
     if obj.library:
         return False
@@ -36,7 +40,7 @@ def is_deleted(obj):
     return name in _deleted
 
 
-def watch(objects):
+def watch(objects: Iterable[bpy.types.Object]) -> None:
     """Notice from now on if one of these objects is deleted. Not while Blender evaluates."""
     for obj in objects:
         is_deleted(obj)
@@ -44,25 +48,25 @@ def watch(objects):
         look()
 
 
-def which(objects):
+def which(objects: Iterable[bpy.types.Object]) -> list[int]:
     """Indices of those of the objects that were deleted."""
     return [index for index, obj in enumerate(objects) if is_deleted(obj)]
 
 
-def changes():
+def changes() -> int:
     """A number that changes whenever is_deleted() says something else of any object than before."""
     return _changes[0]
 
 
-def _ask(name):
+def _ask(name: str) -> None:
     _stood.setdefault(name, False)
     _is_new[0] = True
 
 
-def look(view_layer=None):
+def look(view_layer: Any = None) -> None:
     """Find out where the objects that were asked for stand now. view_layer: what can be seen there is found at once."""
     _is_new[0] = False
-    known = {name: bpy.data.objects.get((name, None)) for name in list(_stood)}
+    known: dict[str, Any] = {name: bpy.data.objects.get((name, None)) for name in list(_stood)}
     absent = _absent([obj for obj in known.values() if obj], view_layer)
     for name, obj in known.items():
         is_absent = obj in absent
@@ -79,7 +83,7 @@ def look(view_layer=None):
                 obj.update_tag()
 
 
-def _absent(objects, view_layer):
+def _absent(objects: Iterable[bpy.types.Object], view_layer: bpy.types.ViewLayer | None) -> set[bpy.types.Object]:
     """Those of the objects that stand in no collection."""
     left = {obj for obj in objects if not (view_layer and obj.visible_get(view_layer=view_layer))}
     for owner in (*bpy.data.collections, *(scene.collection for scene in bpy.data.scenes)):
@@ -90,7 +94,7 @@ def _absent(objects, view_layer):
 
 
 @persistent
-def _updated(_scene=None, depsgraph=None):
+def _updated(_scene: Any = None, depsgraph: bpy.types.Depsgraph | None = None) -> None:
     # Animations are rendered in a thread of their own.
     if not _stood or threading.get_ident() != _MAIN_THREAD:
         return
@@ -98,17 +102,17 @@ def _updated(_scene=None, depsgraph=None):
         look(depsgraph and depsgraph.view_layer)
 
 
-def have_collections_changed(depsgraph):
+def have_collections_changed(depsgraph: bpy.types.Depsgraph) -> bool:
     """Whether objects may have come into or gone out of collections since the last evaluation."""
     # A scene's own collection is a part of it; 3.4 says no more than that the scene was updated.
     return depsgraph.id_type_updated('COLLECTION') or depsgraph.id_type_updated('SCENE')
 
 
 @persistent
-def _note(*_):
+def _note(*_: Any) -> None:
     look()
     for name in _stood:
-        obj = bpy.data.objects[name, None]  # type: ignore[index]
+        obj: Any = bpy.data.objects[name, None]  # type: ignore[index]
         if name in _deleted:
             obj[KEY] = True
         else:
@@ -116,28 +120,29 @@ def _note(*_):
 
 
 @persistent
-def _loaded(*_):
+def _loaded(*_: Any) -> None:
     _stood.clear()
     _deleted.clear()
     _changes[0] += 1
-    for obj in bpy.data.objects:
+    objects: Any = bpy.data.objects
+    for obj in objects:
         if KEY in obj and not obj.library:
             _ask(obj.name)
     if _stood:
         look()
 
 
-def _watched():
+def _watched() -> list[handlers.Pair]:
     found = bpy.app.handlers
     changing = found.depsgraph_update_post, found.frame_change_post, found.undo_post, found.redo_post, found.render_init
     return [(functions, _updated) for functions in changing] + [(found.save_pre, _note), (found.load_post, _loaded)]
 
 
-def register():
+def register() -> None:
     """Look after every change of collections, and note what is known when a file is saved."""
     handlers.add(_watched())
 
 
-def unregister():
+def unregister() -> None:
     """Stop that."""
     handlers.remove(_watched())

@@ -4,42 +4,46 @@ Blender gives back whatever datablock a file has in a pointer's place, of any ty
 than it was when it was chosen (*Convert*). So nobody reads a pointer but by pointed().
 """
 
+from __future__ import annotations
+
 import functools
+from collections.abc import Callable
+from typing import Any
 
 import bpy
 
 
-def to_object(*types, also=lambda _settings, _obj: True, **options):
+def to_object(*types: str, also: Callable[[Any, Any], bool] = lambda _settings, _obj: True, **options: Any) -> Any:
     """A PointerProperty to objects, of these types where any are given, for the annotations of settings.
 
     Pickers offer neither what works for Motus behind the scenes nor objects that were deleted: both stand in no collection.
     also(settings, obj): what else an object that is offered has to be.
     """
-    def poll(settings, obj):
+    def poll(settings: Any, obj: Any) -> bool:
         return (not types or obj.type in types) and _stands(obj) and also(settings, obj)
 
-    poll.types = frozenset(types)
+    poll.types = frozenset(types)  # type: ignore[attr-defined]
     return bpy.props.PointerProperty(type=bpy.types.Object, poll=poll, **options)
 
 
-def _stands(obj):
+def _stands(obj: bpy.types.Object) -> bool:
     """Whether an object is in a collection. Blender goes through all of these to say so, a picker through all objects."""
     return obj.visible_get() or obj.hide_get() or bool(obj.users_collection)
 
 
-def to_node_tree(**options):
+def to_node_tree(**options: Any) -> Any:
     """A PointerProperty to node trees.
 
     It is declared for any datablock: Blender 3.4 and 4.3 end if they read a datablock of another type as a node tree.
     """
-    def poll(_settings, datablock):
+    def poll(_settings: Any, datablock: Any) -> bool:
         return isinstance(datablock, bpy.types.NodeTree)
 
-    poll.kind = bpy.types.NodeTree
+    poll.kind = bpy.types.NodeTree  # type: ignore[attr-defined]
     return bpy.props.PointerProperty(type=bpy.types.ID, poll=poll, **options)
 
 
-def pointed(settings, name):
+def pointed(settings: Any, name: str) -> Any:
     """What a pointer of settings names, if that is what the pointer is declared for; else None.
 
     To ask a pointer that names nothing has the file hold an empty one.
@@ -49,12 +53,12 @@ def pointed(settings, name):
     value = getattr(settings, name)
     if value is None:
         return None
-    kind, types = _declared(type(settings), name)
+    kind, types = _declared(type(settings), name)  # type: ignore[arg-type]
     return value if isinstance(value, kind) and (not types or value.type in types) else None
 
 
 @functools.cache
-def _declared(group, name):
+def _declared(group: Any, name: str) -> tuple[Any, frozenset[str]]:
     """(class of the datablocks, types of objects or none) that a pointer of a class of settings is declared for."""
     kind = getattr(bpy.types, group.bl_rna.properties[name].fixed_type.identifier)
     declared = next(base.__annotations__[name] for base in group.__mro__ if name in getattr(base, "__annotations__", ()))

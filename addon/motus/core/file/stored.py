@@ -4,9 +4,12 @@ Custom properties may have any type and length, and a text may say anything. Wha
 raises Damaged; the solver driver turns that into a sentence for the panel.
 """
 
+from __future__ import annotations
+
 import json
 import math
 import re
+from typing import Any
 
 LARGEST_TEXT = 1 << 22
 """Characters; the plan of a hundred chains has 40,000."""
@@ -25,10 +28,10 @@ class Newer(Damaged):
     """What is stored was made by a newer version of Motus."""
 
 
-def doubles(value, count=None):
+def doubles(value: Any, count: int | None = None) -> memoryview[float]:
     """Memory of a custom property that holds float64 numbers, so many where `count` is given."""
     try:
-        memory = memoryview(value)
+        memory: memoryview[Any] = memoryview(value)
     except TypeError:
         raise Damaged("no array of numbers") from None
     if memory.format != 'd' or memory.readonly or count not in (None, len(memory)):
@@ -36,7 +39,7 @@ def doubles(value, count=None):
     return memory
 
 
-def whole_numbers(value, count):
+def whole_numbers(value: Any, count: int) -> memoryview[int]:
     """The same of an array of 32-bit integers."""
     try:
         memory = memoryview(value)
@@ -47,7 +50,7 @@ def whole_numbers(value, count):
     return memory
 
 
-def parse(text, form):
+def parse(text: Any, form: Any) -> Any:
     """What a JSON text says, which has to have this form (see fits)."""
     if not isinstance(text, str) or len(text) > LARGEST_TEXT or _is_deep(text):
         raise Damaged("no text that can be read")
@@ -60,7 +63,7 @@ def parse(text, form):
     return said
 
 
-def fits(value, form):
+def fits(value: Any, form: Any) -> bool:
     """Whether a parsed value has a form.
 
     str, bool; int: 0 to LARGEST_NUMBER; float: any finite number; [form]: a list of such; (form, form): a list of just
@@ -75,14 +78,14 @@ def fits(value, form):
     return _FITS.get(form, form)(value)
 
 
-def _has_fields(value, form):
+def _has_fields(value: dict[str, Any], form: dict[str, Any]) -> bool:
     names = {name.rstrip("?") for name in form}
     return value.keys() <= names and all(
         fits(value[name.rstrip("?")], one) if name.rstrip("?") in value else name.endswith("?")
         for name, one in form.items())
 
 
-def _is_number(value):
+def _is_number(value: Any) -> bool:
     # A whole number may be too large for a float.
     return type(value) is float and math.isfinite(value) or type(value) is int and abs(value) <= LARGEST_NUMBER
 
@@ -95,7 +98,7 @@ _FITS = {
 }
 
 
-def _is_deep(text):
+def _is_deep(text: str) -> bool:
     """Whether lists and objects lie deeper within each other than anything that Motus writes."""
     outside_strings = "".join(text.replace("\\\\", "").replace('\\"', "").split('"')[::2])
     depth = 0

@@ -1,5 +1,7 @@
 """The axes of an object, as enumerations name them."""
 
+from __future__ import annotations
+
 AXES = (
     ('POS_X', "X", ""), ('POS_Y', "Y", ""), ('POS_Z', "Z", ""),
     ('NEG_X', "-X", ""), ('NEG_Y', "-Y", ""), ('NEG_Z', "-Z", ""),
@@ -8,7 +10,8 @@ LABELS = {name: label for name, label, _ in AXES}
 IDENTIFIERS = frozenset(LABELS)
 
 
-def vector(identifier):
+def vector(identifier: str) -> tuple[float, float, float]:
     """(x, y, z) of an item of AXES."""
     length = 1.0 if identifier.startswith("POS") else -1.0
-    return tuple(length * (axis == identifier[-1]) for axis in "XYZ")
+    x, y, z = (length * (axis == identifier[-1]) for axis in "XYZ")
+    return x, y, z

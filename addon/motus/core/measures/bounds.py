@@ -4,10 +4,12 @@ A price counts numbers that are computed, such as those of a transform at one ti
 follows from the file alone, so that no result depends on how fast a machine is, or on what it has found before.
 """
 
+from __future__ import annotations
+
 AT_ONCE = 1_500_000
 """The price of what may be done while Blender waits for a frame."""
 
 
-def times(price):
+def times(price: float) -> int:
     """How many times what has this price may be done at once."""
     return int(AT_ONCE // max(price, 1))

@@ -1,5 +1,9 @@
 """What is no finite number stays out of the sinks: Blender hands it on to all that hangs on it, and keeps it."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import bpy
 
 from ..lazy import numpy as np
@@ -8,12 +12,12 @@ from ..refusals import INFINITE
 _LOOKED_AT = frozenset(('FLOAT', 'INT', 'COLLECTION', 'POINTER'))
 
 
-def share(value):
+def share(value: float) -> float:
     """An influence as a part of 1, whatever a file holds: what is no number is 0."""
     return min(max(0.0, value), 1.0)
 
 
-def is_finite(numbers):
+def is_finite(numbers: np.ndarray[Any, Any]) -> bool:
     """Whether all of a contiguous array of floats are finite, in Blender's single precision too."""
     flat = numbers.reshape(-1)
     # One product tells of nearly every array, in a tenth of the time; it is infinite for large finite numbers too.
@@ -21,13 +25,13 @@ def is_finite(numbers):
         return bool(flat.dot(flat) < INFINITE) or bool((np.abs(flat) < INFINITE).all())
 
 
-def has_bad_settings(settings):
+def has_bad_settings(settings: Any) -> bool:
     """Whether a number among settings, of entries in their lists too, is not finite, or outside of its limits, as only a file can have it."""
     return any(_is_bad(declared, getattr(settings, declared.identifier)) for declared in settings.bl_rna.properties
                if declared.identifier != "rna_type" and declared.type in _LOOKED_AT and settings.is_property_set(declared.identifier))
 
 
-def _is_bad(declared, value):
+def _is_bad(declared: Any, value: Any) -> bool:
     if declared.type in {'COLLECTION', 'POINTER'}:
         entries = value if declared.type == 'COLLECTION' else (value,)
         return any(isinstance(entry, bpy.types.PropertyGroup) and has_bad_settings(entry) for entry in entries)

@@ -1,12 +1,18 @@
 """Whether a thing is a mirror image: its matrix turns right hands into left ones (Matrix.is_negative)."""
 
+from __future__ import annotations
 
-def scale_is_mirrored(scale):
+from typing import Any
+
+import bpy
+
+
+def scale_is_mirrored(scale: Any) -> bool:
     """Whether a scale along three axes mirrors."""
     return scale[0] * scale[1] * scale[2] < 0.0
 
 
-def is_mirrored(obj):
+def is_mirrored(obj: bpy.types.Object | None) -> bool:
     """Whether an object's own scale and those of its parents, bones left aside, mirror it, by properties that need no evaluation."""
     found = False
     while obj is not None:

@@ -1,17 +1,24 @@
 """Lengths, speeds and accelerations in a scene's unit. Blender keeps them in units; the scene says how many metres a unit is."""
 
+from __future__ import annotations
+
+from collections.abc import Container
+from typing import Any
+
+import bpy
+
 LENGTHS = {'LENGTH', 'VELOCITY', 'ACCELERATION'}
 FACTORY_GRAVITY = 0.0, 0.0, -9.81
 """Of a scene that nobody has given another gravity, whatever its unit is."""
 
 
-def metres(scene):
+def metres(scene: bpy.types.Scene) -> float:
     """How many metres Blender shows a unit of the scene as."""
     settings = scene.unit_settings
     return 1.0 if settings.system == 'NONE' else settings.scale_length
 
 
-def in_scene(scene, prop, value):
+def in_scene(scene: bpy.types.Scene, prop: Any, value: Any) -> Any:
     """A value that is meant in metres as an RNA property has it in the scene; of a property that is no length the value itself."""
     if getattr(prop, "unit", 'NONE') not in LENGTHS:
         return value
@@ -19,7 +26,7 @@ def in_scene(scene, prop, value):
     return [part / unit for part in value] if prop.is_array else value / unit
 
 
-def defaults(scene, item, names):
+def defaults(scene: bpy.types.Scene, item: Any, names: Container[str]) -> dict[str, Any]:
     """{name: default} of those of these properties that are lengths, in a scene whose unit is no metre. item: settings, or Operator.properties."""
     if metres(scene) == 1.0:
         return {}
@@ -27,6 +34,6 @@ def defaults(scene, item, names):
     return {prop.identifier: in_scene(scene, prop, prop.default_array if prop.is_array else prop.default) for prop in properties}
 
 
-def is_gravity_meant(scene):
+def is_gravity_meant(scene: Any) -> bool:
     """Whether the scene's gravity is one that somebody has set, or Blender's own in a scene of metres, for which that is meant."""
     return metres(scene) == 1.0 or any(abs(one - own) > 1e-4 for one, own in zip(scene.gravity, FACTORY_GRAVITY))

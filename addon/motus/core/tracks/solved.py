@@ -84,7 +84,7 @@ def of(obj, scene):
               for system in systems() if system.over_time for settings in [getattr(obj.motus, system.name)]]
     for are_sinks in _have_marks, _are_known:
         for system, owner in owners:
-            source = system.over_time(owner, obj, scene) if owner and are_sinks(system, obj, acting) else None
+            source = system.over_time(owner, obj, scene) if owner and are_sinks(system, obj, acting) else None  # type: ignore[misc]
             if source is not None:
                 return Solved(system, obj, source)
     return None

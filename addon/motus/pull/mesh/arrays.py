@@ -79,7 +79,7 @@ def triangles(mesh, visible_only=False):
     mesh.calc_loop_triangles()
     found = np.empty(3 * len(mesh.loop_triangles), np.int32)
     mesh.loop_triangles.foreach_get("vertices", found)
-    found = found.reshape(-1, 3)
+    found = found.reshape(-1, 3)  # type: ignore[assignment]
     hidden = _hidden_faces(mesh) if visible_only else None
     if hidden is not None:
         faces = np.empty(len(found), np.int32)

@@ -63,7 +63,7 @@ class Puller:
             largest[np.searchsorted(both, moved)] = forces
             at = np.searchsorted(both, indices)
             largest[at] = np.maximum(largest[at], native.module.pull_forces(distances, radius, **brush.profile))
-            moved, forces = both, largest
+            moved, forces = both, largest  # type: ignore[assignment]
         weights = self.weights(brush)
         if weights is not None:
             forces = forces * weights[moved]

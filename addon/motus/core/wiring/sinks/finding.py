@@ -148,7 +148,7 @@ def remove(found):
         by_object.setdefault(thing.id_data, []).append((thing, constraint))
     for obj, ours in by_object.items():
         paths = {constraint.path_from_id() for _, constraint in ours}
-        drivers.remove_where(obj, lambda path, paths=paths: path.rpartition(".")[0] in paths)
+        drivers.remove_where(obj, lambda path, paths=paths: path.rpartition(".")[0] in paths)  # type: ignore[misc]
         for thing, constraint in ours:
             active = thing.constraints.active
             kept = None if active == constraint else active
