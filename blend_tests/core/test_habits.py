@@ -337,7 +337,7 @@ class Menus(support.SceneTestCase):
         self.assertGreater(refused, len(names))
 
     def poll(self, cls):
-        """What poll() answers from a menu; a refusal has to have a sentence."""
+        """Whether a class may run, asked from a menu; a refusal has to have a sentence."""
         said = []
 
         class Watched(cls):

@@ -12,7 +12,8 @@ FIRST, LAST = 2, 40
 WARM, COUNTED = (5, 6), range(7, 16)
 EXPENSIVE = frozenset((
     "Bezier", "BSpline", "Chain", "IkPlan", "Lattice", "LayerClip", "LayerStack", "LookAtPlan", "Picker", "PolyLine", "RotationTrack",
-    "SecondOrder", "SecondOrder.from_mass_spring", "SecondOrder.from_overshoot", "Snow", "SnowCollider", "SnowCover", "SnowLayer", "Spline", "TailPlan", "Timing.pins", "Timing.speeds", "Track", "Walker", "WalkerGround",
+    "SecondOrder", "SecondOrder.from_mass_spring", "SecondOrder.from_overshoot", "Snow", "SnowCollider", "SnowCover", "SnowLayer",
+    "Spline", "TailPlan", "Timing.pins", "Timing.speeds", "Track", "Walker", "WalkerGround",
     "layer_mask", "layer_moments", "pivot_accelerations", "refine", "smooth_ahead"))
 """What solvers make of the native module and keep."""
 
@@ -57,7 +58,7 @@ def counting():
 def owners():
     """(system, owner) of the file."""
     declared = support.addon("core.declare")
-    for name, system in declared.registered.items():
+    for system in declared.registered.values():
         if isinstance(system, declared.System):
             for obj in bpy.data.objects:
                 if declared.is_owner(system, obj):
@@ -107,7 +108,7 @@ def keyed(owner, group, name, path):
     is_number = group.bl_rna.properties[name].type == 'FLOAT'
     frames = (FIRST, LAST) if is_number else range(FIRST, LAST)
     for frame in frames:
-        setattr(group, name, other if frame == LAST or not is_number and frame % 2 else present)
+        setattr(group, name, other if frame == LAST or (not is_number and frame % 2) else present)
         owner.keyframe_insert(path, frame=frame)
     try:
         yield

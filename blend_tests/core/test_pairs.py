@@ -75,7 +75,7 @@ class Pairs(support.SceneTestCase):
                             np.testing.assert_array_equal(numbers, found[what], str(what))
 
     def test_an_edited_layer_is_followed(self):
-        owner, _ = self.made("rig", "layers", "dynamics")
+        self.made("rig", "layers", "dynamics")
         before = cases.seen((20,))
         for curve in support.addon("core.blender.actions").curves_for_object(bpy.data.actions["Wave"]):
             if "UpperArm" in curve.data_path:

@@ -19,6 +19,6 @@ class _Lazy:
 
 
 if TYPE_CHECKING:
-    import numpy as numpy
+    import numpy as numpy  # noqa: PLC0414  (the form by which type checkers know what a module hands on)
 else:
     numpy = _Lazy("numpy")

@@ -4,6 +4,7 @@ import bpy
 import support
 import toy_system
 from core.wiring.wiring_cases import WiringTestCase, build_bone, build_followers, build_object, each_kind, frame_set
+import itertools
 
 actions = support.addon("core.blender.actions")
 wiring = support.addon("core.wiring")
@@ -98,7 +99,7 @@ class BakeTest(BakeTestCase):
                     self.assertGreaterEqual(len(curves), 3)
                     for curve in curves:
                         values = [key.co.y for key in curve.keyframe_points]
-                        self.assertLess(max(abs(b - a) for a, b in zip(values, values[1:])), 2.0)
+                        self.assertLess(max(abs(b - a) for a, b in itertools.pairwise(values)), 2.0)
 
     def test_under_parents(self):
         parent = toy_system.new_object("Parent", (4.0, 5.0, 6.0))

@@ -1,5 +1,6 @@
 """What is kept of tracks: for as long as they stay what they are, and as much as there is room for."""
 
+import functools
 import mmap
 import weakref
 
@@ -65,7 +66,7 @@ class Kept(TrackTestCase):
         for frame in (40.0, 10.0, 25.5, 60.0):
             self.go_to(frame)
             track = self.tracks.property_track(self.evaluated(self.top), "location", 1)
-            found.append(self.tracks.kept(track, (2.0, 0.4, 0.0), lambda: make(track)).evaluate(frame / 24.0))
+            found.append(self.tracks.kept(track, (2.0, 0.4, 0.0), functools.partial(make, track)).evaluate(frame / 24.0))
         self.assertEqual(self.made, 1)
         original = self.tracks.property_track(self.top, "location", 1)
         np.testing.assert_array_equal(found, [make(original).evaluate(frame / 24.0) for frame in (40.0, 10.0, 25.5, 60.0)])

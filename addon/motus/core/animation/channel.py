@@ -138,7 +138,7 @@ def number(id_data, data_path, index=-1):
         if holder.id_data != id_data:  # what animates it is that one's
             raise TypeError
         found = (_custom if name.startswith("[") else _declared)(holder, name, index)
-        found.present  # whether it is there at all
+        _ = found.present  # whether it is there at all
     except (AttributeError, KeyError, IndexError, TypeError, ValueError):
         raise Refused(tr("{object} has no number {path}").format(object=id_data.name, path=data_path)) from None
     return found

@@ -3,6 +3,7 @@
 import math
 
 from ..lazy import numpy as np
+import itertools
 
 NODES = 0.5 - 0.5 * math.sqrt(0.6), 0.5, 0.5 + 0.5 * math.sqrt(0.6)
 WEIGHTS = 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0
@@ -40,7 +41,7 @@ def integral(curve, first, last):
     """
     places = _places(curve)
     cycles = _cycles(curve, places)
-    if cycles is None or places[0] <= first and last <= places[-1]:
+    if cycles is None or (places[0] <= first and last <= places[-1]):
         return _integral(curve, _pieces(curve, places, first, last))
     laps = _Laps(curve, places, cycles)
     return laps.until(last) - laps.until(first)
@@ -157,7 +158,7 @@ def _pieces(curve, places, first, last):
     """Rising frames from `first` to `last`, between which a piece of the integral lies."""
     inner = {*places, *_halves(places)}
     most = max(LEAST, MOST // len(places))
-    for place, following in zip(places, places[1:]):
+    for place, following in itertools.pairwise(places):
         if place < last and following > first:
             step = max(1, math.ceil((following - place) / most))
             start = math.ceil(max(first, place) / step) * step
@@ -197,7 +198,7 @@ def _before_steps(curve, places):
 
 def _halves(places):
     """The middles between keys that are near each other."""
-    return [0.5 * (place + following) for place, following in zip(places, places[1:]) if following - place < SHORT]
+    return [0.5 * (place + following) for place, following in itertools.pairwise(places) if following - place < SHORT]
 
 
 def _rising(first, last, inner):

@@ -121,7 +121,7 @@ def stamp_of(animation):
 def keys_stamp(id_data):
     """What changes with any key of an evaluated datablock's action, where no NLA takes part; None without an action."""
     animation = id_data.animation_data
-    if animation is None or animation.use_nla and animation.nla_tracks:
+    if animation is None or (animation.use_nla and animation.nla_tracks):
         return None
     return stamp_of_action(animation)
 

@@ -91,8 +91,11 @@ _copies, _actions, _found = _Latest(), _Latest(), _Latest()
 
 
 class Reach(NamedTuple):
-    """What animation sets. settings: whether any Motus setting. splines: whether anything of a curve's. bones: names of those
-    whose own transform; None: maybe any."""
+    """What animation sets.
+
+    settings: whether any Motus setting. splines: whether anything of a curve's. bones: names of those whose own transform;
+    None: maybe any.
+    """
 
     settings: bool
     splines: bool
@@ -122,8 +125,10 @@ class Copy:
 
     @property
     def _acting(self) -> Reach:
-        """Reach of the action, all slots of it, or of the NLA. An evaluated action, edited without its users, is looked through
-        once for each copy."""
+        """Reach of the action, all slots of it, or of the NLA.
+
+        An evaluated action, edited without its users, is looked through once for each copy.
+        """
         if self._has_strips:
             return _ANYTHING
         return _NOTHING if self._action is None else _reach_of_action(self._action)
@@ -221,8 +226,10 @@ def number_given(evaluated: Any) -> int:
 
 @persistent
 def forget(*_: Any) -> None:
-    """Let all evaluated copies count as new ones: another file is loaded, or the classes of properties end, to which what is kept of
-    them refers."""
+    """Let all evaluated copies count as new ones.
+
+    Another file is loaded, or the classes of properties end, to which what is kept of them refers.
+    """
     for known in (_copies, _actions, _found):
         known.clear()
 

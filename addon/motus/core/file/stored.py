@@ -87,7 +87,7 @@ def _has_fields(value: dict[str, Any], form: dict[str, Any]) -> bool:
 
 def _is_number(value: Any) -> bool:
     # A whole number may be too large for a float.
-    return type(value) is float and math.isfinite(value) or type(value) is int and abs(value) <= LARGEST_NUMBER
+    return (type(value) is float and math.isfinite(value)) or (type(value) is int and abs(value) <= LARGEST_NUMBER)
 
 
 _FITS = {

@@ -20,7 +20,7 @@ def frame_range(start, end, step):
     """The frames from start to end inclusive; floats where the step is not whole."""
     if end < start:
         raise Refused(tr("The range is empty: the end frame comes before the start frame"))
-    count = int(math.floor((end - start) / step + 1e-6)) + 1
+    count = math.floor((end - start) / step + 1e-6) + 1
     return [start + step * index for index in range(count)]
 
 

@@ -2,7 +2,8 @@
 
 import logging
 from dataclasses import dataclass
-from typing import Any, Callable, NamedTuple, Optional
+from typing import Any, NamedTuple
+from collections.abc import Callable
 
 import bpy
 
@@ -56,7 +57,7 @@ class Overlay:
 
     draw: Callable
     switches: tuple = ()
-    note: Optional[Callable] = None
+    note: Callable | None = None
 
     def __call__(self, context, owner):
         return self.draw(context, owner)

@@ -5,7 +5,8 @@ looks baked: a box with the frames, settings that are grey, and no read-outs.
 """
 
 from dataclasses import dataclass, field
-from typing import Any, Callable, Optional
+from typing import Any
+from collections.abc import Callable
 
 import bpy
 
@@ -26,8 +27,8 @@ class Part:
     label: str
     draw: Callable
     is_open: bool = False
-    is_shown: Optional[Callable] = None
-    draw_header: Optional[Callable] = None
+    is_shown: Callable | None = None
+    draw_header: Callable | None = None
     is_action: bool = False
 
 
@@ -52,16 +53,16 @@ class SystemPanel:
     suits: Callable
     draw: Callable
     owner: Callable = lambda context: context.object
-    is_used: Optional[Callable] = None
-    has_settings: Optional[Callable] = None
+    is_used: Callable | None = None
+    has_settings: Callable | None = None
     parts: tuple = ()
-    readouts: Optional[Callable] = None
-    actions: Optional[Callable] = None
+    readouts: Callable | None = None
+    actions: Callable | None = None
     refresh: str = ""
     presets: Any = None
     adders: tuple = ()
-    draw_add: Optional[Callable] = None
-    draw_about: Optional[Callable] = None
+    draw_add: Callable | None = None
+    draw_about: Callable | None = None
     translation_context: str = "*"
     labels: dict = field(default_factory=dict)
 

@@ -23,8 +23,9 @@ class Preset(NamedTuple):
 
 
 def classes(name, label, values, brought=(), settings_of=None):
-    """(operator that keeps the settings or removes a preset, panel) of a system; where it brings Presets, the operator
-    that uses one too, last.
+    """(operator that keeps the settings or removes a preset, panel) of a system.
+
+    Where it brings Presets, the operator that uses one too, last.
 
     name: the folder below Blender's presets/motus, and in the classes' names. values: Python expressions of the settings.
     settings_of(context): the settings that a brought Preset changes, or None; a list of them where a preset is given to all

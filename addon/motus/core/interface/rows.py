@@ -1,7 +1,7 @@
 """Rows of settings, declared once: a panel draws them for the settings, and the redo panel for an operator's keywords."""
 
 from dataclasses import dataclass
-from typing import Callable, Optional
+from collections.abc import Callable
 
 import bpy
 
@@ -39,13 +39,13 @@ class Row:
     """
 
     name: str
-    when: Optional[Callable] = None
-    active: Optional[Callable] = None
+    when: Callable | None = None
+    active: Callable | None = None
     switch: str = ""
-    search: Optional[Callable] = None
+    search: Callable | None = None
     expand: bool = False
     stacks: bool = False
-    text: Optional[str] = None
+    text: str | None = None
     text_ctxt: str = ""
 
     @property
@@ -98,7 +98,7 @@ class Rows:
     rows: tuple
     title: str = ""
     text_ctxt: str = "*"
-    when: Optional[Callable] = None
+    when: Callable | None = None
 
     @property
     def names(self):

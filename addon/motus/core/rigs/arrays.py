@@ -123,8 +123,10 @@ def own_basis(rig, known):
 
 
 def lay(rig, key, rows, matrices):
-    """Note what the own transforms of some bones of an evaluated rig become, (n, 16) float32, until this is called again with the
-    same key. For a system that lays poses; others wait for its solver."""
+    """Note what the own transforms of some bones of an evaluated rig become, (n, 16) float32.
+
+    For a system that lays poses; others wait for its solver. The note stands until this is called again with the same key.
+    """
     copy = copies.of(rig)
     if copy is not None:
         # A new dictionary each time: other threads may go through the one that is there.

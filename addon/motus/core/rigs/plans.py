@@ -50,12 +50,15 @@ def plan(rig, key, make):
 
 
 def source(rig, key, make, read):
-    """What `read(rig, plan)` makes of an evaluated rig and of plan(rig, key, make): kept for as long as Blender keeps these copies
-    of the rig and of its armature; where the armature's cannot be told apart, for as long as its bones stay what they are."""
+    """What `read(rig, plan)` makes of an evaluated rig and of plan(rig, key, make).
+
+    Kept for as long as Blender keeps these copies of the rig and of its armature; where the armature's cannot be told apart,
+    for as long as its bones stay what they are.
+    """
     copy, armature = copies.of(rig), rig.data and copies.stamp_of_data(rig)
     place = "source", key
     found = None if copy is None else copy.found.get(place)
-    if found is None or found.armature != armature or armature is None and not is_still(rig, found.still):
+    if found is None or found.armature != armature or (armature is None and not is_still(rig, found.still)):
         planned = plan(rig, key, make)
         found = _Source(armature, planned.still, read(rig, planned))
         if copy is not None:

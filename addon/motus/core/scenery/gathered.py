@@ -7,8 +7,10 @@ DEEPEST = 16
 
 
 class Gathered(NamedTuple):
-    """A mesh object, original. instancers: the empties by which it is seen, the outermost first; none where it stands in the
-    collection."""
+    """A mesh object, original.
+
+    instancers: the empties by which it is seen, the outermost first; none where it stands in the collection.
+    """
 
     object: Any
     instancers: tuple

@@ -68,8 +68,10 @@ class Placed(NamedTuple):
 
 
 def faces(obj):
-    """The Faces of an evaluated object's mesh; None where it has no area, or is no mesh. Kept for as long as Blender keeps that
-    copy of the mesh."""
+    """The Faces of an evaluated object's mesh; None where it has no area, or is no mesh.
+
+    Kept for as long as Blender keeps that copy of the mesh.
+    """
     if obj.type != 'MESH':
         return None
     mesh = obj.data
@@ -129,8 +131,10 @@ def placed(obj, matrix):
 
 
 def joined(parts):
-    """(positions (v, 3) in the world, float32; triangles (t, 3), int32) of several that are Placed. The corners of what is mirrored turn
-    as those of the others do, counter-clockwise seen from outside."""
+    """(positions (v, 3) in the world, float32; triangles (t, 3), int32) of several that are Placed.
+
+    The corners of what is mirrored turn as those of the others do, counter-clockwise seen from outside.
+    """
     positions, triangles, count = [], [], 0
     for part in parts:
         rows = np.array(part.matrix, float)

@@ -34,7 +34,7 @@ def moves(obj, scene, seen=None):
 def _goes(obj, scene):
     for _ in range(DEEPEST):
         parent = obj.parent
-        is_plain = parent is None or obj.parent_type == 'OBJECT' and parent.type != 'CURVE'
+        is_plain = parent is None or (obj.parent_type == 'OBJECT' and parent.type != 'CURVE')
         if not is_plain or obj.animation_data is not None or obj.constraints or obj.rigid_body is not None:
             break
         if parent is None:
@@ -46,7 +46,7 @@ def _goes(obj, scene):
 def _is_moved(obj, scene):
     track = tracks.world_track(obj, scene)
     # A single key moves nothing.
-    return not track.is_known or track.extent is not None and track.extent[0] != track.extent[1]
+    return not track.is_known or (track.extent is not None and track.extent[0] != track.extent[1])
 
 
 def _is_animated(data):

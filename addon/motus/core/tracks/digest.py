@@ -138,7 +138,7 @@ class _Digest:
             path = ""
         for prop in group.bl_rna.properties:
             name = prop.identifier
-            if path and path + name in self._animated or name in _OF_EDITORS:
+            if (path and path + name in self._animated) or name in _OF_EDITORS:
                 continue
             if prop.type in _NUMBERS:
                 if not prop.is_readonly:

@@ -45,7 +45,7 @@ class _Kept(OrderedDict):
         with self._changing:
             self._memory += held[1] - self.pop(place, (None, 0))[1]  # another thread may have been here meanwhile
             self[place] = held
-            while len(self) > LARGEST_CACHE or self._memory > LARGEST_MEMORY and len(self) > 1:
+            while len(self) > LARGEST_CACHE or (self._memory > LARGEST_MEMORY and len(self) > 1):
                 self._memory -= self.popitem(last=False)[1][1]
 
 

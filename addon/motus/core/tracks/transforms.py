@@ -404,7 +404,7 @@ class _Link:
 
 
 def _array(matrix):
-    """(1, 4, 4)"""
+    """The matrix as an array, (1, 4, 4)."""
     return np.array(matrix, float)[None]
 
 
@@ -474,7 +474,7 @@ def posed(bone, transforms, parent):
 def _posed(bone, basis, parent):
     """Poses in the rig's space of a bone (n, 4, 4), by those of its parent, or None."""
     above = bone.parent
-    is_plain = bone.inherit_scale == 'FULL' and bone.use_inherit_rotation or above is None
+    is_plain = (bone.inherit_scale == 'FULL' and bone.use_inherit_rotation) or above is None
     if is_plain and bone.use_local_location:
         if above is None:
             return rotations.chained(_array(bone.matrix_local), basis)

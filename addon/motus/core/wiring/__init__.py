@@ -24,7 +24,8 @@ from .sinks.property_sink import place as property_place
 from .solving.namespace import register, unregister
 
 __all__ = (
-    "abandoned", "absent_path", "attach", "check_property", "depends", "detach", "driven_bones", "driven_properties", "evaluation", "hanging", "has_sinks", "is_attached",
-    "is_sink", "levels", "on_object", "output", "output_path", "outputs_of", "points_place", "problem", "property_place", "refresh", "register", "release", "report_problems", "set_muted",
-    "set_points_collection", "set_points_material", "set_points_object", "sinks", "targets_on", "touch", "unregister", "waited_for",
+    "abandoned", "absent_path", "attach", "check_property", "depends", "detach", "driven_bones", "driven_properties", "evaluation",
+    "hanging", "has_sinks", "is_attached", "is_sink", "levels", "on_object", "output", "output_path", "outputs_of", "points_place",
+    "problem", "property_place", "refresh", "register", "release", "report_problems", "set_muted", "set_points_collection",
+    "set_points_material", "set_points_object", "sinks", "targets_on", "touch", "unregister", "waited_for",
 )

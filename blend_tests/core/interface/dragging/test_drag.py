@@ -26,7 +26,7 @@ class GoneTest(unittest.TestCase):
             drag._travel = types.SimpleNamespace(
                 is_confirmed_by=lambda _event: False,
                 view=types.SimpleNamespace(tell=texts.append))
-            drag.report = lambda kinds, sentence: reports.append((kinds, sentence))
+            drag.report = lambda kinds, sentence, reports=reports: reports.append((kinds, sentence))
             context = types.SimpleNamespace(workspace=types.SimpleNamespace(status_text_set=texts.append))
             self.assertEqual(drag.modal(context, event), {'CANCELLED'})
             self.assertEqual([kinds for kinds, _ in reports], [{'ERROR'}])

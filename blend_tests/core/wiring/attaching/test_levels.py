@@ -249,7 +249,7 @@ class GroupDataTest(BoneTestCase):
         def solve(context):
             seen.update({key: list(value) if key in ("many", "reals") else value for key, value in context.data.items()})
             seen["group"] = context.group
-            return None
+            return
 
         core = support.addon("core.declare")
         system = dataclasses.replace(

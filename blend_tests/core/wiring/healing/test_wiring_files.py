@@ -188,7 +188,7 @@ class RenderTest(WiringTestCase):
         target.driver_add("location", 0).driver.expression = "2.0*frame - 20.0"
         square = self._square()
         for build, y in ((build_object, 5.0), (build_followers, -5.0)):
-            owner, things = build(target, radius=0.0, use_rotation=False)
+            _, things = build(target, radius=0.0, use_rotation=False)
             things[0].delta_location = (0.0, 0.0, 0.0)
             place = toy_system.new_object("Square", (0.0, y, 0.0), square)
             place.parent = things[0]

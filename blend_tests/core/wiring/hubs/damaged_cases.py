@@ -6,7 +6,8 @@ import logging
 import math
 import random
 import traceback
-from typing import Callable, NamedTuple
+from typing import NamedTuple
+from collections.abc import Callable
 from unittest import mock
 
 import bmesh

@@ -63,7 +63,7 @@ class BoneSpaceTest(unittest.TestCase):
         support.empty_scene()
 
     def assert_same(self, ours, blenders, message):
-        size = max(1.0, max(abs(value) for row in blenders for value in row))
+        size = max(1.0, *(abs(value) for row in blenders for value in row))
         worst = max(abs(a - b) for row, other in zip(ours, blenders) for a, b in zip(row, other))
         self.assertLess(worst, TOLERANCE * size, message)
 

@@ -154,7 +154,7 @@ class WaitingTest(BoneTestCase):
                 rig = toy_bone_system.animate(toy_bone_system.new_rig(chains=chains))
                 target = toy_system.new_target()
                 names = [f"{toy_bone_system.chain_name(chain)}.0" for chain in range(chains)]
-                toy_bone_system.bend(rig, {name: target for name in names[1:]}, stretch=0.2)
+                toy_bone_system.bend(rig, dict.fromkeys(names[1:], target), stretch=0.2)
                 toy_bone_system.bend(rig, {"A.0": (rig, "B.1")}, system=NOD)
                 self.assertEqual([group.key for group in NOD.groups(rig)], ["1"])
                 self.assert_alive(rig, (SYSTEM, NOD))
@@ -231,7 +231,7 @@ class CostTest(BoneTestCase):
 
     @staticmethod
     def drivers_of(rig):
-        return [curve for curve in (rig.animation_data.drivers if rig.animation_data else ())]
+        return list(rig.animation_data.drivers if rig.animation_data else ())
 
     def test_one_solve_a_group_and_frame(self):
         for make in (build_few, build_many):

@@ -94,7 +94,7 @@ class PointDrag:
 
     def _drag(self, context, event):
         """An event while something is held."""
-        if event.type == 'LEFTMOUSE' and event.value == 'RELEASE' or self._travel.is_confirmed_by(event):
+        if (event.type == 'LEFTMOUSE' and event.value == 'RELEASE') or self._travel.is_confirmed_by(event):
             self._hide(context)
             if not self._has_moved:
                 return self._click(context)

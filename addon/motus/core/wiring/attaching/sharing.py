@@ -43,8 +43,10 @@ def key(system, row):
 
 
 def can_share(system, owner):
-    """Whether an owner may share a hub: nothing but itself is driven, by settings that do not change in time. Of who shares one
-    solve() does not see the owner, by which it knows what is mirrored."""
+    """Whether an owner may share a hub: nothing but itself is driven, by settings that do not change in time.
+
+    Of who shares one solve() does not see the owner, by which it knows what is mirrored.
+    """
     if not system.shared or owner.library or owner.override_library or copies.has_animated_settings(owner) or is_mirrored(owner):
         return False
     group, = groups_of(system, owner)

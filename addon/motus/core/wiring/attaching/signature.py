@@ -63,8 +63,11 @@ def wait_key(system):
 
 
 def waits_apart(owner, groups):
-    """Whether solvers must not wait for all of an owner's plain properties: those that drive some, and all solvers on a camera, whose
-    properties come after its data's, which a solver may drive that waits for the camera."""
+    """Whether solvers must not wait for all of an owner's plain properties.
+
+    So it is with solvers that drive some of these properties, and with all solvers on a camera: its properties come after its
+    data's, which a solver may drive that waits for the camera.
+    """
     return owner.type == 'CAMERA' or any(group.properties for group in groups)
 
 

@@ -97,7 +97,7 @@ def _call(system, owner, group, hub):
     by a custom property that nothing writes. The solver of a shared hub does not read owners.
     """
     arguments, variables = [""], {}
-    for index, (declared, variable) in enumerate(input_variables(system, owner)):
+    for index, (_, variable) in enumerate(input_variables(system, owner)):
         if variable is None:
             arguments.append("0")
             continue
@@ -118,7 +118,7 @@ def _call(system, owner, group, hub):
         way = signature.way_to_wait(owner, [group])
         if way == "keys":
             path = signature.wait_for_keys(system, owner)
-        elif hub_lookup.has_outlet(system, owner) or signature.waits_apart(owner, [group]) and not way:
+        elif hub_lookup.has_outlet(system, owner) or (signature.waits_apart(owner, [group]) and not way):
             path = f'["{copies.KEY}"][0]'
         variables["owner"] = Variable('OBJECT', owner, path)
     return ",".join(arguments), variables

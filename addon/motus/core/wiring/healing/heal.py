@@ -70,8 +70,10 @@ def note_use():
 
 
 def note_state(place, state):
-    """Called with (system's name, owner's name) and (number of the owner's drivers, whether animation moves settings that
-    count): by the owner's solver, or after the evaluation where owners share one."""
+    """Called by an owner's solver, or after the evaluation if owners share one, with what tells changes.
+
+    place: (system's name, owner's name). state: (number of the owner's drivers, whether animation moves settings that count).
+    """
     if _seen.get(place) != state:
         _seen[place] = state
         _asked.add(place)
@@ -158,8 +160,11 @@ def _try(heal):
 
 
 def _check_rows(depsgraph, is_edit):
-    """Look whether owners that share a hub may go on to: whether settings, which its solver does not read, have become animated, and
-    after an edit whether scales have come to mirror an owner."""
+    """Look whether owners that share a hub may go on to.
+
+    They may not if settings, which the hub's solver does not read, have become animated, or if scales have come to mirror an
+    owner, which is looked at after an edit.
+    """
     for place, found in list(_rows.items()):
         name, _ = place
         for owner_name in [row.name for row in found if isinstance(row, sharing.Row)]:

@@ -13,8 +13,11 @@ from ..hubs import outbox
 
 
 def remove_soon():
-    """Have remove_deleted() called when the script that runs has ended: it may have taken an owner out of one collection to put it into
-    another. Without a window the script runs to the end, so that owners are removed when it saves the file."""
+    """Have remove_deleted() called when the script that runs has ended.
+
+    It may have taken an owner out of one collection to put it into another. Without a window the script runs to the end, so
+    that owners are removed when it saves the file.
+    """
     if not bpy.app.background and not bpy.app.timers.is_registered(remove_deleted) and _deleted_owners():
         bpy.app.timers.register(remove_deleted, first_interval=0.0)
 

@@ -33,8 +33,10 @@ def put(constraint, hub, index):
 
 
 def read(system, constraint):
-    """(the original of its hub's mesh, key of its group) of a sink of the system, itself original or evaluated; None for any other
-    constraint."""
+    """(the original of its hub's mesh, key of its group) of a sink of the system, itself original or evaluated.
+
+    None for any other constraint.
+    """
     if constraint.type not in KINDS:
         return None
     for hub in (constraint.space_object, getattr(constraint, "target", None)):  # an older version has noted the target alone

@@ -21,7 +21,7 @@ import json
 import re
 from collections import OrderedDict
 from dataclasses import dataclass
-from typing import NamedTuple, Optional
+from typing import NamedTuple
 
 import bpy
 
@@ -95,7 +95,7 @@ class Outbox(NamedTuple):
 
     slots: memoryview
     layout: Layout
-    info: Optional[Info]
+    info: Info | None
 
 
 def _is_data(value):
@@ -245,8 +245,10 @@ def key_on_hub(system, mesh):
 
 
 def opened(system, carrier, group="", row=None):
-    """A group's Outbox on a carrier, original or evaluated; one row's of a shared hub. Raises Damaged where it is not what
-    create() makes."""
+    """A group's Outbox on a carrier, original or evaluated; one row's of a shared hub.
+
+    Raises Damaged where it is not what create() makes.
+    """
     slots = stored.doubles(carrier.get(out_key(system, group)))
     if row is not None:
         layout = row_layout(system, carrier)

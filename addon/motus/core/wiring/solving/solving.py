@@ -104,7 +104,7 @@ class Solver:
             property_sink.clear(carrier, self._box)
         problem = system.solve(context, **inputs)
         is_finite = self._is_finite(room)
-        is_blocked = not is_finite or problem is not None and problem.blocking
+        is_blocked = not is_finite or (problem is not None and problem.blocking)
         box[outbox.STATUS] = outbox.NOT_FINITE if not is_finite else 0.0 if problem is None else system.problems.index(problem) + 1.0
         influence = finite.share(context.settings.influence)
         if self._drives_properties:
@@ -187,7 +187,7 @@ class RowsSolver:
         self._layout = layout = outbox.row_layout(system, mesh)
         slots = np.frombuffer(stored.doubles(mesh.get(outbox.out_key(system))))
         count = len(slots) // layout.size
-        if count == 0 or count * layout.size != len(slots) or layout.has_attribute and count != len(mesh.vertices):
+        if count == 0 or count * layout.size != len(slots) or (layout.has_attribute and count != len(mesh.vertices)):
             raise Damaged("another number of rows")
         self._table, self._poses = slots.reshape(count, layout.size), _Poses(count)
         self._inputs = _inputs(system)
