@@ -233,9 +233,9 @@ def _sampled(track, first, last, fps):
     frames = keys.union([whole, track.bounds(first, last)])
     if len(frames) >= keys.MOST:  # which leaves some out
         frames = keys.union([whole])
-    frames = np.array(frames)
-    seconds, places = np.unique(frames / fps, return_index=True)
-    return _digested(seconds, track.values(frames[places]))
+    at = np.array(frames)
+    seconds, places = np.unique(at / fps, return_index=True)
+    return _digested(seconds, track.values(at[places]))
 
 
 def _made(numbers, poses, placed, bodies):

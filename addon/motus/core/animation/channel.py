@@ -1,7 +1,9 @@
 """What animates one number of a datablock, and its values at any times."""
 
+from __future__ import annotations
+
 import re
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import bpy
 
@@ -11,6 +13,9 @@ from ..refusals import Refused
 from ..translations import tr
 from . import keys, strips
 from .reason import Reason
+
+if TYPE_CHECKING:
+    Array = np.ndarray[Any, Any]
 
 _CUSTOM = re.compile(r'\["(?:[^"\\]|\\.)*"\]$')
 TRUE = 1.0 - 2.0**-23
@@ -33,14 +38,14 @@ class Number(NamedTuple):
     default: float
 
     @property
-    def present(self):
+    def present(self) -> float:
         """Its value now."""
         if self.type == 'ENUM':
             return float(choices.number(self.holder, self.name))
         value = self.holder[_key(self.name)] if self.name.startswith("[") else getattr(self.holder, self.name)
         return float(value if self.index < 0 else value[self.index])
 
-    def write(self, value):
+    def write(self, value: Any) -> None:
         """Set it."""
         is_custom = self.name.startswith("[")
         if self.index >= 0:
@@ -50,7 +55,7 @@ class Number(NamedTuple):
         else:
             setattr(self.holder, self.name, value)
 
-    def rounded(self, values):
+    def rounded(self, values: Array) -> Array:
         """What Blender makes of an F-curve's values when it writes them into the property."""
         if self.type == 'BOOLEAN':
             return (values > TRUE).astype(float)
@@ -66,7 +71,7 @@ class Channel:
     is_beneath_driver: what keys and strips say is meant, though a driver sets the number in their place.
     """
 
-    def __init__(self, id_data, data_path, index, is_beneath_driver=False):
+    def __init__(self, id_data: Any, data_path: str, index: int, is_beneath_driver: bool = False) -> None:
         self._id, self._path = id_data, data_path
         self._curve = self._stack = self.reason = None
         self.number = number(id_data, data_path, index)
@@ -86,11 +91,11 @@ class Channel:
             self._curve = acting_curve(id_data, data_path, place)
 
     @property
-    def is_constant(self):
+    def is_constant(self) -> bool:
         """Whether nothing animates it."""
         return self._curve is None and self._stack is None and self.reason is None
 
-    def values(self, times):
+    def values(self, times: Array) -> Array:
         """(n,) float64 at times of the scene (n,)."""
         if self._stack is not None:
             return self.number.rounded(self._stack.values(times))
@@ -98,13 +103,13 @@ class Channel:
             return self.number.rounded(keys.values(self._curve, times))
         return np.full(len(times), self.number.present)
 
-    def bounds(self, first, last):
+    def bounds(self, first: float, last: float) -> list[float]:
         """Rising times from first to last, between which it is smooth, as far as they are not too many."""
         if self._stack is not None:
             return self._stack.bounds(first, last)
         return keys.bounds(self._curve, first, last) if self._curve is not None else [first, last]
 
-    def integral(self, first, last):
+    def integral(self, first: float, last: float) -> float:
         """Integral of a float over the frames from first to last."""
         if self.is_constant:
             return self.number.present * (last - first)
@@ -113,14 +118,14 @@ class Channel:
         return keys.over_pieces(self.values, self.bounds(first, last))
 
     @property
-    def extent(self):
+    def extent(self) -> tuple[float, float] | None:
         """(first, last) time between which it changes, infinite where it goes on; None where nothing animates it."""
         if self._stack is not None:
             return -np.inf, np.inf
         return keys.extent(self._curve) if self._curve is not None else None
 
     @property
-    def stamp(self):
+    def stamp(self) -> Any:
         """Of an evaluated datablock: something hashable that changes whenever values() may; None of an original."""
         if not self._id.is_evaluated:
             return None
@@ -131,7 +136,7 @@ class Channel:
         return self.number.present
 
 
-def number(id_data, data_path, index=-1):
+def number(id_data: Any, data_path: str, index: int = -1) -> Number:
     """The Number at a data path; refuses what is none. index: in an array, -1 for a property that is none."""
     try:
         holder, name = _holder(id_data, data_path)
@@ -144,19 +149,19 @@ def number(id_data, data_path, index=-1):
     return found
 
 
-def acting_curve(id_data, data_path, index=0):
+def acting_curve(id_data: Any, data_path: str, index: int = 0) -> Any:
     """The F-curve of the active action that animates a number, or None. `id_data` may be evaluated."""
     return strips.acting(strips.read(id_data.animation_data), data_path, index)
 
 
-def is_driven(id_data, data_path, index=0):
+def is_driven(id_data: Any, data_path: str, index: int = 0) -> bool:
     """Whether a driver sets a number."""
     animation = id_data.animation_data
     driver = animation and animation.drivers.find(data_path, index=index)
     return driver is not None and not driver.mute
 
 
-def is_in_strips(id_data, data_path, index=0):
+def is_in_strips(id_data: Any, data_path: str, index: int = 0) -> bool:
     """Whether strips of the NLA take part in a number's value, or the action above them is more than laid over all."""
     animation = id_data.animation_data
     if animation is None or not animation.use_nla:
@@ -170,7 +175,7 @@ def is_in_strips(id_data, data_path, index=0):
     return any(strips.animates(strip, data_path, index) for strip in played)
 
 
-def _holder(id_data, data_path):
+def _holder(id_data: Any, data_path: str) -> tuple[Any, str]:
     """What holds the property at a data path, and its name there; of a custom property with its brackets."""
     custom = _CUSTOM.search(data_path)
     path, _, name = data_path.rpartition(".")
@@ -179,11 +184,11 @@ def _holder(id_data, data_path):
     return (id_data.path_resolve(path) if path else id_data), name
 
 
-def _key(name):
+def _key(name: str) -> str:
     return bpy.utils.unescape_identifier(name[2:-2])
 
 
-def _declared(holder, name, index):
+def _declared(holder: Any, name: str, index: int) -> Number:
     declared = holder.bl_rna.properties[name]
     if declared.type == 'ENUM' and not declared.is_enum_flag:
         return Number(holder, name, -1, 'ENUM', -np.inf, np.inf, 'NONE', 0.0)
@@ -201,7 +206,7 @@ def _declared(holder, name, index):
     return Number(holder, name, index, declared.type, least, most, subtype, float(default))
 
 
-def _custom(holder, name, index):
+def _custom(holder: Any, name: str, index: int) -> Number:
     value = holder[_key(name)]
     if (index >= 0) != hasattr(value, "__len__"):
         raise TypeError

@@ -1,9 +1,16 @@
 """An F-curve over time: its values, where it bends, and its integral; bounded work however many keys it has."""
 
+from __future__ import annotations
+
 import math
+from collections.abc import Callable, Iterable, Iterator
+from typing import TYPE_CHECKING, Any
 
 from ..lazy import numpy as np
 import itertools
+
+if TYPE_CHECKING:
+    Array = np.ndarray[Any, Any]
 
 NODES = 0.5 - 0.5 * math.sqrt(0.6), 0.5, 0.5 + 0.5 * math.sqrt(0.6)
 WEIGHTS = 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0
@@ -25,13 +32,13 @@ OCTAVE = 256  # pieces from there to twice as far, and so on
 FARTHEST = 2.0 ** 20  # frames; what lies beyond is one piece
 
 
-def values(curve, times):
+def values(curve: Any, times: Array) -> Array:
     """The F-curve's values at times of the scene, in any order; times: (n,). As Blender evaluates them, unrounded."""
     times = np.asarray(times, float)
     return np.fromiter(map(curve.evaluate, times.tolist()), float, len(times))
 
 
-def integral(curve, first, last):
+def integral(curve: Any, first: float, last: float) -> float:
     """Integral of the F-curve from frame `first` to `last`, in frames times the value.
 
     Over each frame between the keys; where keys are farther apart than some hundred frames (see MOST), over pieces of
@@ -47,14 +54,14 @@ def integral(curve, first, last):
     return laps.until(last) - laps.until(first)
 
 
-def samples(curve, first, last):
+def samples(curve: Any, first: float, last: float) -> tuple[list[float], list[float]]:
     """(frames, values) of the F-curve: at `first` and `last`, and three or more in each piece of bounds()."""
     nodes = _nodes(bounds(curve, first, last)).tolist()
     frames = [first, *nodes, last]
     return frames, list(map(curve.evaluate, frames))
 
 
-def bounds(curve, first, last):
+def bounds(curve: Any, first: float, last: float) -> list[float]:
     """Rising frames from `first` to `last`: those of the keys, and whole ones, all of them where they are not too many."""
     places = _places(curve)
     start, end = first, last
@@ -64,7 +71,7 @@ def bounds(curve, first, last):
     return _rising(first, last, {*whole(start, end), *places, *_halves(places), *_before_steps(curve, places), *repeated})
 
 
-def extent(curve):
+def extent(curve: Any) -> tuple[float, float]:
     """(frame of the first key, of the last): outside of them the value rests; infinite where it goes on."""
     places = _places(curve)
     points = curve.keyframe_points
@@ -73,13 +80,13 @@ def extent(curve):
     return -math.inf, math.inf
 
 
-def united(extents):
+def united(extents: Iterable[tuple[float, float] | None]) -> tuple[float, float] | None:
     """The extent of several, each of which may be None: nothing changes then; None where nothing changes at all."""
     found = [one for one in extents if one is not None]
     return (min(first for first, _ in found), max(last for _, last in found)) if found else None
 
 
-def union(lists):
+def union(lists: list[list[float]]) -> list[float]:
     """Bounds of several F-curves at once: rising frames, MOST at most; all from one first frame to one last frame."""
     first, last = lists[0][0], lists[0][-1]
     frames = _rising(first, last, {frame for frames in lists for frame in frames})
@@ -88,7 +95,7 @@ def union(lists):
     return [frames[index * (len(frames) - 1) // (MOST - 1)] for index in range(MOST)]
 
 
-def rate(curve, frame):
+def rate(curve: Any, frame: float) -> float:
     """Change of the value per frame."""
     return (curve.evaluate(frame + STEP) - curve.evaluate(frame - STEP)) / (2.0 * STEP)
 
@@ -96,13 +103,13 @@ def rate(curve, frame):
 class _Laps:
     """Integral of an F-curve that nothing but a Cycles modifier changes, from its first key on."""
 
-    def __init__(self, curve, places, cycles):
+    def __init__(self, curve: Any, places: list[float], cycles: Any) -> None:
         self._curve, self._places, self._cycles = curve, places, cycles
         self._first, self._last = places[0], places[-1]
         self._period = self._last - self._first
         self._lap = self._within(self._first, self._last)
 
-    def until(self, frame):
+    def until(self, frame: float) -> float:
         """From the first key to a frame, which may lie before it."""
         if frame < self._first:
             return -self._beyond(self._first - frame, -1.0, self._cycles.mode_before, self._cycles.cycles_before)
@@ -111,7 +118,7 @@ class _Laps:
             return self._lap + beyond
         return self._within(self._first, frame)
 
-    def _beyond(self, distance, side, mode, count):
+    def _beyond(self, distance: float, side: float, mode: str, count: int) -> float:
         """Over a distance from the first key back (side -1) or from the last one on (side 1)."""
         cyclic = 0.0 if mode == 'NONE' else min(distance, count * self._period) if count else distance
         laps = math.floor(cyclic / self._period)
@@ -132,11 +139,11 @@ class _Laps:
             total += _integral(self._curve, sorted((edge + side * cyclic, edge + side * distance)))
         return total
 
-    def _within(self, first, last):
+    def _within(self, first: float, last: float) -> float:
         return _integral(self._curve, _pieces(self._curve, self._places, first, last)) if last > first else 0.0
 
 
-def over_pieces(evaluate, edges):
+def over_pieces(evaluate: Callable[[Any], Any], edges: Any) -> float:
     """Integral of evaluate(times), which gives an array, over the pieces between rising frames."""
     widths = np.diff(edges)[:, None]
     parts = evaluate(_nodes(edges)) * (widths * np.array(WEIGHTS)).ravel()
@@ -144,17 +151,17 @@ def over_pieces(evaluate, edges):
     return math.fsum(parts.tolist())
 
 
-def _integral(curve, edges):
+def _integral(curve: Any, edges: Any) -> float:
     return over_pieces(lambda times: values(curve, times), edges)
 
 
-def _nodes(edges):
+def _nodes(edges: Any) -> Array:
     """Where the F-curve is read for the pieces between rising frames."""
     edges = np.array(edges)
     return (edges[:-1, None] + np.diff(edges)[:, None] * np.array(NODES)).ravel()
 
 
-def _pieces(curve, places, first, last):
+def _pieces(curve: Any, places: list[float], first: float, last: float) -> list[float]:
     """Rising frames from `first` to `last`, between which a piece of the integral lies."""
     inner = {*places, *_halves(places)}
     most = max(LEAST, MOST // len(places))
@@ -170,7 +177,7 @@ def _pieces(curve, places, first, last):
     return _rising(first, last, inner)
 
 
-def _away(start, side, distance):
+def _away(start: float, side: float, distance: float) -> Iterator[float]:
     """Whole frames from `start` away to one side: every one at first, then ever fewer."""
     reached, step = 0, 1
     while reached < min(distance, FARTHEST):
@@ -180,13 +187,13 @@ def _away(start, side, distance):
             step = reached // OCTAVE
 
 
-def whole(first, last):
+def whole(first: float, last: float) -> Iterable[float]:
     """Whole frames, or every so many-th where they would be too many."""
     step = max(1, math.ceil((last - first) / MOST))
     return map(float, range(math.ceil(first / step) * step, math.floor(last) + 1, step))
 
 
-def _before_steps(curve, places):
+def _before_steps(curve: Any, places: list[float]) -> list[float]:
     """Just before the keys at which a stepped value jumps, as far as there are not too many."""
     points = curve.keyframe_points
     if len(points) != len(places):
@@ -196,12 +203,12 @@ def _before_steps(curve, places):
     return [place - BEFORE for place, kind in zip(places[1:], kinds.tolist()) if kind == CONSTANT]
 
 
-def _halves(places):
+def _halves(places: list[float]) -> list[float]:
     """The middles between keys that are near each other."""
     return [0.5 * (place + following) for place, following in itertools.pairwise(places) if following - place < SHORT]
 
 
-def _rising(first, last, inner):
+def _rising(first: float, last: float, inner: Iterable[float]) -> list[float]:
     ordered = [first]
     for frame in sorted(inner):
         if ordered[-1] + CLOSE < frame < last - CLOSE:
@@ -209,7 +216,7 @@ def _rising(first, last, inner):
     return [*ordered, last]
 
 
-def _places(curve):
+def _places(curve: Any) -> list[float]:
     """Frames of the keys; of the first and the last sample where it was made of samples; one at least."""
     points = curve.keyframe_points
     count = len(points)
@@ -222,18 +229,18 @@ def _places(curve):
     return [point.co[0] for point in points] or [0.0]
 
 
-def _modifiers(curve, places):
+def _modifiers(curve: Any, places: list[float]) -> list[Any]:
     """The modifiers that change the value."""
     has_period = len(curve.keyframe_points) > 1 and places[-1] - places[0] > CLOSE
     return [modifier for modifier in curve.modifiers if not modifier.mute and (has_period or modifier.type != 'CYCLES')]
 
 
-def _is_straight_beyond(curve, places):
+def _is_straight_beyond(curve: Any, places: list[float]) -> bool:
     """Whether the F-curve is a straight line before its first and after its last key."""
     return not _modifiers(curve, places)
 
 
-def _cycles(curve, places):
+def _cycles(curve: Any, places: list[float]) -> Any:
     """The Cycles modifier, where it alone changes the value, at all times; else None."""
     modifiers = _modifiers(curve, places)
     if len(modifiers) != 1 or modifiers[0].type != 'CYCLES':
@@ -242,7 +249,7 @@ def _cycles(curve, places):
     return None if cycles.use_restricted_range or cycles.use_influence else cycles
 
 
-def _repeated(curve, places, first, last):
+def _repeated(curve: Any, places: list[float], first: float, last: float) -> list[float]:
     """Frames near the keys at which a Cycles modifier meets a key again; none where they are too many."""
     if all(modifier.type != 'CYCLES' for modifier in _modifiers(curve, places)):
         return []

@@ -1,12 +1,19 @@
 """One number under strips of the NLA: their times, extrapolation, influence and blending, as Blender evaluates them."""
 
+from __future__ import annotations
+
 import math
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
 
 from ..blender import actions
 from ..evaluated import read_keys
 from ..lazy import numpy as np
 from . import keys
 from .reason import Reason
+
+if TYPE_CHECKING:
+    Array = np.ndarray[Any, Any]
 
 SAME = 2.0**-23
 """Numbers that are nearer are one to Blender (frames, influences)."""
@@ -16,7 +23,7 @@ REPEATS = 1000
 """Repetitions of a strip in which bounds() looks for keys."""
 
 
-def acting(curves, data_path, index):
+def acting(curves: Any, data_path: str, index: int) -> Any:
     """Which of the F-curves of an action (actions.curves_of) animates a number; None where none does."""
     curve = curves.find(data_path, index=index) if curves else None
     if curve is None or curve.is_empty or curve.mute or (curve.group and curve.group.mute) or not curve.is_valid:
@@ -24,7 +31,7 @@ def acting(curves, data_path, index):
     return curve
 
 
-def animates(strip, data_path, index):
+def animates(strip: Any, data_path: str, index: int) -> bool:
     """Whether a strip, or one inside it, animates a number."""
     if strip.mute:
         return False
@@ -33,11 +40,11 @@ def animates(strip, data_path, index):
     return _curve(strip, data_path, index) is not None
 
 
-def _curve(strip, data_path, index):
+def _curve(strip: Any, data_path: str, index: int) -> Any:
     return acting(read(strip), data_path, index)
 
 
-def read(player):
+def read(player: Any) -> Any:
     """actions.curves_of(), whose keys are read."""
     if read_keys.is_noting() and player and player.action:
         read_keys.number_of(player.action)
@@ -47,11 +54,11 @@ def read(player):
 class Stack:
     """All that the NLA lays over each other for one number, the lowest first."""
 
-    def __init__(self, layers, number):
+    def __init__(self, layers: list[Any], number: Any) -> None:
         self._layers, self._number = layers, number
 
     @classmethod
-    def of(cls, animation, data_path, number, top):
+    def of(cls, animation: Any, data_path: str, number: Any, top: Any) -> Stack | Reason:
         """Of what animates a number, where strips take part; a Reason where Blender's value is not known ahead.
 
         top: the F-curve of the active action, or None.
@@ -60,7 +67,7 @@ class Stack:
         if animation.use_tweak_mode or any(track.is_solo for track in animation.nla_tracks):
             return unknown
         index = max(number.index, 0)
-        layers = [_Track([(strip, _curve(strip, data_path, index)) for strip in track.strips])
+        layers: list[_Track | _Acting] = [_Track([(strip, _curve(strip, data_path, index)) for strip in track.strips])
                   for track in animation.nla_tracks if not track.mute and len(track.strips)]
         if animation.action:
             layers.append(_Acting(animation, top))
@@ -72,7 +79,7 @@ class Stack:
             return unknown
         return cls(layers, number)
 
-    def values(self, times):
+    def values(self, times: Array) -> Array:
         """(n,) at times (n,)."""
         times = np.asarray(times, np.float32).astype(float)
         lower = np.full(len(times), self._number.default)
@@ -81,24 +88,24 @@ class Stack:
                 lower[at] = _blended(kind, lower[at], upper, influence, self._number)
         return lower
 
-    def bounds(self, first, last):
+    def bounds(self, first: float, last: float) -> list[float]:
         """As Channel.bounds()."""
         inner = {frame for layer in self._layers for frame in layer.bounds(first, last)}
         return keys.union([[first, *inner, last]])
 
     @property
-    def stamp(self):
+    def stamp(self) -> Any:
         """As Channel.stamp."""
         return together(layer.stamp for layer in self._layers)
 
 
-def together(stamps):
+def together(stamps: Iterable[Any]) -> tuple[Any, ...] | None:
     """One stamp of several; None where one of them is None."""
     found = tuple(stamps)
     return None if None in found else found
 
 
-def stamp_of_action(player):
+def stamp_of_action(player: Any) -> tuple[int, int] | None:
     """Which action an evaluated player plays (actions.curves_of), and which slot of it; None of an original, or without an action."""
     action = player.action
     number = action and read_keys.number_of(action)
@@ -106,7 +113,7 @@ def stamp_of_action(player):
     return None if number is None else (number, getattr(player, "action_slot_handle", 0))
 
 
-def stamp_of(animation):
+def stamp_of(animation: Any) -> tuple[Any, ...] | None:
     """Of all that evaluated animation data plays, whatever that sets: hashable; None where nobody can tell its edits."""
     if animation is None:
         return ()
@@ -118,7 +125,7 @@ def stamp_of(animation):
         together((track.mute, track.is_solo, *map(_strip_stamp, track.strips))) for track in animation.nla_tracks)))
 
 
-def keys_stamp(id_data):
+def keys_stamp(id_data: Any) -> tuple[int, int] | None:
     """What changes with any key of an evaluated datablock's action, where no NLA takes part; None without an action."""
     animation = id_data.animation_data
     if animation is None or (animation.use_nla and animation.nla_tracks):
@@ -126,7 +133,7 @@ def keys_stamp(id_data):
     return stamp_of_action(animation)
 
 
-def _blended(kind, lower, upper, influence, number):
+def _blended(kind: str, lower: Array, upper: Array, influence: Any, number: Any) -> Array:
     if kind == 'ADD':
         return lower + upper * influence
     if kind == 'SUBTRACT':
@@ -140,14 +147,14 @@ def _blended(kind, lower, upper, influence, number):
     return lower * (1.0 - influence) + upper * influence
 
 
-def _powers(bases, exponents):
+def _powers(bases: Array, exponents: Any) -> Array:
     # By the mathematics library: NumPy's own results may differ in their last bit from call to call.
     pairs = zip(bases.tolist(), np.broadcast_to(exponents, bases.shape).tolist())
     return np.array([math.pow(base, exponent) if base >= 0.0 or exponent.is_integer() else math.nan
                      for base, exponent in pairs])
 
 
-def _is_blend_known(kind, number):
+def _is_blend_known(kind: str, number: Any) -> bool:
     if kind == 'COMBINE':
         return number.subtype != 'QUATERNION' and (number.name in SCALES or "scale" not in number.name)
     return kind in {'ADD', 'SUBTRACT', 'MULTIPLY', 'REPLACE'}
@@ -156,30 +163,32 @@ def _is_blend_known(kind, number):
 class _Acting:
     """The active action, on top of the strips."""
 
-    def __init__(self, animation, curve):
+    def __init__(self, animation: Any, curve: Any) -> None:
         self._animation, self._curve = animation, curve
         self.animates = curve is not None and animation.action_influence > 0.0
         start, end = animation.action.frame_range
         is_endless = animation.action_extrapolation != 'NOTHING'
+        self._start: float
+        self._end: float
         self._start, self._end = (-np.inf, np.inf) if is_endless else (start, max(end, start + 1.0))
         self.is_always = self.animates and is_endless
 
-    def is_known(self, number, _data_path):
+    def is_known(self, number: Any, _data_path: str) -> bool:
         # Held forward, it is not there before its first key in some Blenders (5.2), and in others it is (3.4, 4.3).
         return self._animation.action_extrapolation != 'HOLD_FORWARD' and _is_blend_known(
             self._animation.action_blend_type, number)
 
-    def parts(self, times):
+    def parts(self, times: Array) -> Iterator[tuple[Any, Any, str, Any]]:
         at = np.flatnonzero((self._start <= times) & (times <= self._end))
         animation = self._animation
         yield keys.values(self._curve, times[at]), animation.action_influence, animation.action_blend_type, at
 
-    def bounds(self, first, last):
+    def bounds(self, first: float, last: float) -> Iterable[float]:
         ends = [end for end in (self._start, self._end) if first <= end <= last]
         return [*keys.bounds(self._curve, first, last), *ends]
 
     @property
-    def stamp(self):
+    def stamp(self) -> Any:
         animation = self._animation
         return (stamp_of_action(animation), animation.action_influence, animation.action_blend_type,
                 animation.action_extrapolation)
@@ -188,7 +197,7 @@ class _Acting:
 class _Track:
     """One track's strips, in the order of time, each with the F-curve that animates the number or None."""
 
-    def __init__(self, strips):
+    def __init__(self, strips: list[Any]) -> None:
         self._strips = strips
         usable = [strip for strip, curve in strips if curve is not None and not strip.mute]
         self.animates = any(not strip.mute and (curve is not None or strip.type == 'META') for strip, curve in strips)
@@ -196,11 +205,11 @@ class _Track:
             strip.extrapolation != 'NOTHING' and not strip.use_animated_influence
             and strip.blend_in == strip.blend_out == 0.0 for strip in usable)
 
-    def is_known(self, number, data_path):
+    def is_known(self, number: Any, data_path: str) -> bool:
         return all(strip.mute or self._is_strip_known(strip, curve, number, data_path) for strip, curve in self._strips)
 
     @staticmethod
-    def _is_strip_known(strip, curve, number, data_path):
+    def _is_strip_known(strip: Any, curve: Any, number: Any, data_path: str) -> bool:
         if strip.type != 'CLIP' or len(strip.modifiers):
             return False
         if curve is None:
@@ -209,7 +218,7 @@ class _Track:
         is_whole = number.subtype != 'QUATERNION' or all(_curve(strip, data_path, index) for index in range(4))
         return is_whole and _is_blend_known(strip.blend_type, number)
 
-    def parts(self, times):
+    def parts(self, times: Array) -> Iterator[tuple[Any, Any, str, Any]]:
         chosen, clamped = self._chosen(times)
         for place, (strip, curve) in enumerate(self._strips):
             at = np.flatnonzero(chosen == place)
@@ -220,7 +229,7 @@ class _Track:
             at = at[acts]
             yield keys.values(curve, _action_times(strip, clamped[at])), influence[acts], strip.blend_type, at
 
-    def _chosen(self, times):
+    def _chosen(self, times: Array) -> tuple[Array, Array]:
         """Which strip acts at each time, -1 for none, and the time within it."""
         chosen, clamped = np.full(len(times), -1), times.copy()
         left = np.ones(len(times), bool)
@@ -242,7 +251,7 @@ class _Track:
         clamped[left] = last.frame_end
         return chosen, clamped
 
-    def bounds(self, first, last):
+    def bounds(self, first: float, last: float) -> Iterable[float]:
         for strip, curve in self._strips:
             yield from (strip.frame_start, strip.frame_end, strip.frame_start + strip.blend_in,
                         strip.frame_end - strip.blend_out)
@@ -254,7 +263,7 @@ class _Track:
                 yield from self._keys(strip, curve)
 
     @staticmethod
-    def _keys(strip, curve):
+    def _keys(strip: Any, curve: Any) -> Iterator[float]:
         """Frames of the scene at which a strip meets a key of its action."""
         length = (strip.action_frame_end - strip.action_frame_start) or 1.0
         scale = abs(strip.scale) or 1.0
@@ -266,11 +275,11 @@ class _Track:
                 yield strip.frame_start + scale * (lap * length + frame - strip.action_frame_start)
 
     @property
-    def stamp(self):
+    def stamp(self) -> Any:
         return together(_strip_stamp(strip) for strip, _ in self._strips)
 
 
-def _strip_stamp(strip):
+def _strip_stamp(strip: Any) -> tuple[Any, ...] | None:
     """None of a strip with F-curves of its own, of which nothing tells whether they were edited."""
     if strip.use_animated_influence or strip.use_animated_time:
         return None
@@ -280,7 +289,7 @@ def _strip_stamp(strip):
         strip.blend_out))
 
 
-def _influences(strip, times):
+def _influences(strip: Any, times: Array) -> Array:
     if strip.use_animated_influence:
         return _controlled(strip, "influence", times)
     found = np.ones(len(times))
@@ -293,7 +302,7 @@ def _influences(strip, times):
     return found
 
 
-def _controlled(strip, name, times):
+def _controlled(strip: Any, name: str, times: Array) -> Array:
     """A setting of a strip that has F-curves of its own."""
     curve = strip.fcurves.find(name)
     if curve is None or curve.is_empty or curve.mute:
@@ -301,7 +310,7 @@ def _controlled(strip, name, times):
     return keys.values(curve, times)
 
 
-def _action_times(strip, times):
+def _action_times(strip: Any, times: Array) -> Array:
     """Where in its action a strip is at times within it."""
     start, end = strip.action_frame_start, strip.action_frame_end
     if strip.use_animated_time:
