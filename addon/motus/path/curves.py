@@ -60,7 +60,7 @@ def read(curve_object, splines, depsgraph, index, matrix):
     """
     data = curve_object.data
     is_edited = data.is_editmode  # Edit Mode shows one shape key alone
-    is_deformed = bool(curve_object.modifiers or data.shape_keys and not is_edited)
+    is_deformed = bool(curve_object.modifiers or (data.shape_keys and not is_edited))
     copy = None if is_deformed or is_edited else copies.of(splines.id_data)  # the splines of a hidden object belong to its original data
     if copy is None or copy.has_animated_splines:
         return _in_world(*_read(curve_object, splines, depsgraph, index, is_deformed), matrix)  # type: ignore[call-arg]
