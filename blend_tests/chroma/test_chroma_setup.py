@@ -9,6 +9,7 @@ import numpy as np
 import support
 
 compositor = support.addon("chroma.compositor")
+actions = support.addon("core.blender.actions")
 settings = support.addon("chroma.settings")
 capabilities = support.addon("core.blender.capabilities")
 nodes = support.addon("core.blender.node_groups")
@@ -319,6 +320,25 @@ class SetUp(support.SceneTestCase):
         np.testing.assert_allclose(key.inputs["Screen Color"].default_value[:3], (0.07, 0.4, 0.1), atol=1e-6)
         self.assertEqual(sorted((link.from_node.name, link.to_node.name) for link in tree.links), links)
         self.assertEqual(scene.motus.chroma.view, 'COMPOSITE')
+
+    def test_keys_and_drivers_of_an_older_group_go_along(self):
+        key = self.set_up(clip=footage(self.folder))
+        self.as_older(key)
+        holder, name = settings.place(key, settings.BY_KEYWORD["despill"])
+        for frame, value in ((1, 0.2), (11, 0.8)):
+            setattr(holder, name, value)
+            holder.keyframe_insert(name, frame=frame)
+        for point in actions.find(holder.id_data, f"{holder.path_from_id()}.{name}").keyframe_points:
+            point.interpolation = 'LINEAR'
+        holder, name = settings.place(key, settings.BY_KEYWORD["feather"])
+        holder.driver_add(name).driver.expression = "4"
+        self.assertEqual(bpy.ops.motus.chroma_key_refresh(), {'FINISHED'})
+        holder, name = settings.place(key, settings.BY_KEYWORD["despill"])
+        curve = actions.find(holder.id_data, f"{holder.path_from_id()}.{name}")
+        np.testing.assert_allclose([curve.evaluate(frame) for frame in (1, 6, 11)], (0.2, 0.5, 0.8), atol=1e-6)
+        holder, name = settings.place(key, settings.BY_KEYWORD["feather"])
+        driver = holder.id_data.animation_data.drivers.find(f"{holder.path_from_id()}.{name}")
+        self.assertEqual(driver.driver.expression, "4")
 
     # --- what is there already ---------------------------------------------------------------------------------------
 

@@ -175,13 +175,12 @@ def remove_key(scene, key):
         node_groups.link(tree, source, target)
     key_group = key.node_tree
     tree.nodes.remove(key)
-    if key_group.users == 0:
-        bpy.data.node_groups.remove(key_group)
+    drop_group(key_group)
 
 
 def exchange(scene, key, key_group):
-    """Replace the node group of a key's node; links to sockets with the same names stay."""
-    tree, old = tree_of(scene), key.node_tree
+    """Replace the node group of a key's node; links to sockets with the same names stay. Remove the old group with drop_group()."""
+    tree = tree_of(scene)
     sources = [(link.from_socket, link.to_socket.name) for link in tree.links if link.to_node == key]
     targets = [(link.from_socket.name, link.to_socket) for link in tree.links if link.from_node == key]
     key.node_tree = key_group
@@ -191,8 +190,12 @@ def exchange(scene, key, key_group):
     for name, target in targets:
         if name in key.outputs:
             node_groups.link(tree, key.outputs[name], target)
-    if old.users == 0:
-        bpy.data.node_groups.remove(old)
+
+
+def drop_group(key_group):
+    """Remove a key's node group if no node uses it any more."""
+    if key_group.users == 0:
+        bpy.data.node_groups.remove(key_group)
 
 
 def underneath(scene):
@@ -245,8 +248,7 @@ def remove(scene, noted):
             node_groups.link(tree, source, target)
         _take_back_tree(scene, tree, noted)
     for one in groups:
-        if one.users == 0:
-            bpy.data.node_groups.remove(one)
+        drop_group(one)
     _drop_viewed()
 
 

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core.blender import datablocks
+from ..core.blender import copied_animation, datablocks
 from ..core.file.pointers import pointed
 from ..core.refusals import Refused
 from ..core.translations import tr
@@ -112,17 +112,26 @@ def upgrade(scene):
     for node in compositor.keys_of(scene):
         if not group.is_of_older_version(node.node_tree):
             continue
-        view = group.view(node.node_tree)
-        values = [(one, settings.value(node, one.keyword)) for one in settings.OF_KEYING]
+        older, view = node.node_tree, group.view(node.node_tree)
+        values = [(one, settings.value(node, one.keyword), settings.place(node, one)) for one in settings.OF_KEYING]
         inputs = [(name, settings.place_of_input(node, name)) for name in (settings.COLOR, settings.MASK, settings.WRAP)]
         inputs = [(name, _copied(getattr(*place))) for name, place in inputs if place]
         compositor.exchange(scene, node, group.build(footage.size(image_of(scene))[0]))
-        for one, value in values:
+        for one, value, place in values:
             settings.assign(node, one, value)
+            _keep_animation(place, settings.place(node, one))
         for name, value in inputs:
             node.inputs[name].default_value = value
         group.show(node.node_tree, view or group.COMPOSITE)
+        compositor.drop_group(older)
     measure(scene, color_of(key(scene)))
+
+
+def _keep_animation(before, now):
+    """Copy keys and driver of a setting from its place in an older group. before, now: as settings.place() gives them."""
+    if before is not None and now is not None:
+        holder, name = before
+        copied_animation.copy_all(holder.id_data, f"{holder.path_from_id()}.{name}", *now)
 
 
 def _copied(value):

@@ -2,6 +2,7 @@
 
 import bpy
 
+from ...core.blender import copied_animation
 from ...core.interface.rows import Rows
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
@@ -122,9 +123,9 @@ def _set_value(key, index, obj, strength):
     for name, field in (("strength", "value"), ("is_muted", "mute")):
         source, driven = keys.curve(obj, index, name), keys.driver(obj, index, name)
         if source:
-            keys.copy_curve(source, key, field)
+            copied_animation.copy_curve(source, key, field)
         if driven:
-            keys.copy_driver(driven, key, field)
+            copied_animation.copy_driver(driven, key, field)
     return lowest, highest
 
 

@@ -8,8 +8,6 @@ from ...core import wiring
 from ...core.blender import actions
 
 _PATH = re.compile(r"^motus\.pull\.pins\[(?P<index>\d+)\](?P<rest>.*)$")
-_KEY_FIELDS = ("co", "handle_left", "handle_right", "handle_left_type", "handle_right_type", "interpolation", "easing",
-               "back", "amplitude", "period", "type")
 
 
 def reorder(owner, places, absent):
@@ -78,36 +76,6 @@ def driver(owner, index, name):
     """Driver of one setting of a pin, or None."""
     animation = owner.animation_data
     return animation.drivers.find(f"motus.pull.pins[{index}].{name}") if animation else None
-
-
-def copy_curve(source, holder, name):
-    """Copy the keys and modifiers of the F-curve `source` to a property of a datablock's item; returns the new F-curve."""
-    holder.keyframe_insert(name, frame=source.keyframe_points[0].co.x if source.keyframe_points else 0.0)
-    target = actions.find(holder.id_data, f"{holder.path_from_id()}.{name}")
-    for point in reversed(target.keyframe_points):
-        target.keyframe_points.remove(point)
-    target.keyframe_points.add(len(source.keyframe_points))
-    for old, new in zip(source.keyframe_points, target.keyframe_points):
-        for field in _KEY_FIELDS:
-            setattr(new, field, getattr(old, field))
-    target.extrapolation = source.extrapolation
-    for modifier in source.modifiers:
-        _copy_settings(modifier, target.modifiers.new(modifier.type))
-    target.update()
-    return target
-
-
-def copy_driver(source, holder, name):
-    """Copy the driver `source` to a property of a datablock's item."""
-    animation = holder.id_data.animation_data or holder.id_data.animation_data_create()
-    made = animation.drivers.from_existing(src_driver=source)
-    made.data_path = f"{holder.path_from_id()}.{name}"
-
-
-def _copy_settings(source, target):
-    for prop in source.bl_rna.properties:
-        if not prop.is_readonly and prop.identifier != "rna_type":
-            setattr(target, prop.identifier, getattr(source, prop.identifier))
 
 
 def is_animated(owner, path):

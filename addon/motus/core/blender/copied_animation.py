@@ -1,0 +1,45 @@
+"""Copy F-curves and drivers of a number to another number, also of another datablock."""
+
+from . import actions
+
+_KEY_FIELDS = ("co", "handle_left", "handle_right", "handle_left_type", "handle_right_type", "interpolation", "easing",
+               "back", "amplitude", "period", "type")
+
+
+def copy_all(id_data, path, holder, name):
+    """Copy the keys and the driver of the property `path` of a datablock to a number of a datablock's item."""
+    animation = id_data.animation_data
+    for curve in [curve for curve in actions.fcurves(id_data) if curve.data_path == path]:
+        copy_curve(curve, holder, name)
+    for curve in [curve for curve in animation.drivers if curve.data_path == path] if animation else ():
+        copy_driver(curve, holder, name)
+
+
+def copy_curve(source, holder, name):
+    """Copy keys and modifiers of the F-curve `source` to a number of a datablock's item; returns the new F-curve."""
+    holder.keyframe_insert(name, frame=source.keyframe_points[0].co.x if source.keyframe_points else 0.0)
+    target = actions.find(holder.id_data, f"{holder.path_from_id()}.{name}")
+    for point in reversed(target.keyframe_points):
+        target.keyframe_points.remove(point)
+    target.keyframe_points.add(len(source.keyframe_points))
+    for old, new in zip(source.keyframe_points, target.keyframe_points):
+        for field in _KEY_FIELDS:
+            setattr(new, field, getattr(old, field))
+    target.extrapolation = source.extrapolation
+    for modifier in source.modifiers:
+        _copy_settings(modifier, target.modifiers.new(modifier.type))
+    target.update()
+    return target
+
+
+def copy_driver(source, holder, name):
+    """Copy the driver `source` to a property of a datablock's item."""
+    animation = holder.id_data.animation_data or holder.id_data.animation_data_create()
+    made = animation.drivers.from_existing(src_driver=source)
+    made.data_path = f"{holder.path_from_id()}.{name}"
+
+
+def _copy_settings(source, target):
+    for prop in source.bl_rna.properties:
+        if not prop.is_readonly and prop.identifier != "rna_type":
+            setattr(target, prop.identifier, getattr(source, prop.identifier))
