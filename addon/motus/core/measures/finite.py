@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import bpy
@@ -9,6 +10,8 @@ import bpy
 from ..lazy import numpy as np
 from ..refusals import INFINITE
 
+_FEW = 64
+"""Up to this many numbers Python's own length of a vector is quicker than NumPy's product with its warnings switched off."""
 _LOOKED_AT = frozenset(('FLOAT', 'INT', 'COLLECTION', 'POINTER'))
 
 
@@ -20,6 +23,8 @@ def share(value: float) -> float:
 def is_finite(numbers: np.ndarray[Any, Any]) -> bool:
     """Whether all of a contiguous array of floats are finite, in Blender's single precision too."""
     flat = numbers.reshape(-1)
+    if len(flat) <= _FEW and math.hypot(*flat.tolist()) < INFINITE:
+        return True
     # One product tells of nearly every array, in a tenth of the time; it is infinite for large finite numbers too.
     with np.errstate(over='ignore'):
         return bool(flat.dot(flat) < INFINITE) or bool((np.abs(flat) < INFINITE).all())
