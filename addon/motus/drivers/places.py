@@ -93,7 +93,7 @@ def label(found):
 
 
 def of_channel(obj, channel):
-    """(data path, index) of an item of CHANNELS."""
+    """Data path and index of the object's channel that an item of CHANNELS names."""
     kind, axis = channel.split("_")
     if not isinstance(obj, bpy.types.Object):
         raise Refused(tr("Only objects and bones have a transform: give a data path"))
@@ -128,7 +128,7 @@ def _at(value, index):
 
 
 def find(id_data, data_path, index=-1):
-    """Places of a property: one, or with index -1 one for each component of an array. Raises Refused if the property is no number."""
+    """Numbers (Places) of a property: one, or with index -1 one for each component of an array. Raises Refused if the property is no number."""
     path = data_path
     found = _INDEX.search(path)
     if found and index < 0:
@@ -192,7 +192,7 @@ class Found:
             drivers.remove(curve)
 
     def places(self):
-        """Places that the driver drives. Raises Refused if the property no longer exists or is no longer a number."""
+        """The driven numbers of the property, as Places. Raises Refused if the property no longer exists or is no longer a number."""
         return find(self.datablock, self.path, self.index)
 
 
@@ -220,7 +220,7 @@ def _within(datablock, within):
 
 
 def there(datablock):
-    """Places on a datablock, or on its node tree, that motion drivers drive."""
+    """Numbers (Places) on a datablock, or on its node tree, that motion drivers drive."""
     return [place for one in on(datablock) if not _is_gone(one) for place in one.places()]
 
 

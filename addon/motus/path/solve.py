@@ -65,7 +65,7 @@ def _path(context, matrix, splines, index):
 
 
 def _still(context, numbers, length):
-    """Prepare what is constant while no setting changes: (Motion, keywords of follow(), offsets of the members, mirrored members).
+    """Compute values that stay the same while no setting changes: (Motion, keywords of follow(), offsets of members, mirrored members).
 
     Returns a Problem if the settings have no meaning.
     """

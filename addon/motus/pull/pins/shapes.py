@@ -41,7 +41,7 @@ class Reached:
 
 
 class Shape:
-    """Shape of a mesh for which pins were evaluated, with the vertices that each pin reaches."""
+    """Cache entry for one shape of a mesh: the vertices that each of its pins reaches."""
 
     def __init__(self, mesh, positions, numbers, topology):
         self.positions = positions
@@ -56,7 +56,7 @@ class Shape:
         self._found = OrderedDict()
 
     def is_of(self, positions, numbers, topology):
-        """Whether a mesh with these arrays has this shape."""
+        """Whether these positions, numbers and topology of a mesh are those that the cached Shape was made for."""
         pairs = [(positions, self.positions), (numbers, self._numbers)]
         pairs += zip(topology or (), self._topology or ())
         return (topology is None) == (self._topology is None) and all(map(_same, *zip(*pairs)))

@@ -375,7 +375,7 @@ class Session:
         return any(shape is one for one in kept)
 
     def _writable(self):
-        """Present shape, for changing in place."""
+        """The present shape as an array that may be changed in place."""
         if self._is_kept(self.current):
             self.current = self.current.copy()
         return self.current

@@ -26,7 +26,7 @@ class Puller:
         self.forget()
 
     def forget(self):
-        """Drop what was measured on the shape at the start of the stroke."""
+        """Drop cached distances and weights that were measured on the shape at the start of the previous stroke."""
         self._reaches = {}
         self._extent = None
 

@@ -61,7 +61,7 @@ class Adjustment:
         return self._value
 
     def handle(self, context, brush, event):
-        """Meaning of an event: ('SET', number), ('KEEP', None), ('CANCEL', number before), or (None, None)."""
+        """Meaning of an event while a number changes: ('SET', number), ('KEEP', None) to end, ('CANCEL', number before), or (None, None)."""
         if event.type in MOVES and not self.entry.is_open:
             return 'SET', self.drag(event.mouse_x, event.shift)
         if event.value != 'PRESS':

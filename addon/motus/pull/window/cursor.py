@@ -43,13 +43,13 @@ _failed = set()
 
 
 def register():
-    """Start drawing."""
+    """Start drawing the cursor over all viewports."""
     handlers.add(_watchers())
     _start()
 
 
 def unregister():
-    """Stop drawing."""
+    """Stop drawing the cursor."""
     handlers.remove(_watchers())
     _stop()
 
