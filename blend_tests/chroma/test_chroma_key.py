@@ -233,7 +233,7 @@ class Keyed(support.SceneTestCase):
         excess = np.maximum(0.0, grey[..., 1:3] - np.maximum(grey[..., :1], grey[..., 2:0:-1]))
         self.assertLess(excess[edge].max(), SPILL)
 
-    def test_green(self):
+    def test_green_screen_is_measured(self):
         picture = cases.over(self.subject, cases.screen(cases.GREEN))
         self.key(cases.written(picture, self.folder / "green.png"))
         scene = bpy.context.scene
@@ -246,7 +246,7 @@ class Keyed(support.SceneTestCase):
         self.assertEqual(set(np.unique(status)) - {0.0, 0.5, 1.0}, set())
         np.testing.assert_allclose(cases.keyed('SOURCE')[..., :3], picture[..., :3], atol=0.006)
 
-    def test_blue(self):
+    def test_blue_screen_is_measured(self):
         picture = cases.over(self.subject, cases.screen(cases.BLUE))
         self.key(cases.written(picture, self.folder / "blue.png"))
         self.check()

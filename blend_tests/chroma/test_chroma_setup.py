@@ -88,14 +88,14 @@ class SetUp(support.SceneTestCase):
         self.assertEqual(chroma.view, 'COMPOSITE')
         chroma.view = 'MATTE'  # there is no key any more: nothing happens
 
-    def test_measured(self):
+    def test_screen_is_measured(self):
         self.set_up(clip=footage(self.folder))
         chroma = bpy.context.scene.motus.chroma
         self.assertGreater(chroma.share, 0.6)
         self.assertLess(chroma.luminance_spread, 0.02)
         self.assertLess(chroma.spill, 0.01)
 
-    def test_measured_again(self):
+    def test_screen_is_measured_again(self):
         key = self.set_up(clip=footage(self.folder), color=(0.1, 0.3, 0.2), black=0.5)
         self.assertEqual(bpy.ops.motus.chroma_key_measure(keep_color=True), {'FINISHED'})
         np.testing.assert_allclose(key.inputs["Screen Color"].default_value[:3], (0.1, 0.3, 0.2), atol=1e-6)
@@ -173,7 +173,7 @@ class SetUp(support.SceneTestCase):
         bpy.ops.motus.chroma_key_remove()
         self.assertFalse([action for action in bpy.data.actions if action.users])
 
-    def test_no_gap(self):
+    def test_sequence_without_a_gap(self):
         self.set_up(directory=str(self.folder), files=[{"name": name} for name in self.sequence((7, 8, 9))])
         self.assertEqual(bpy.context.scene.motus.chroma.gap, "")
 
@@ -416,7 +416,7 @@ class SetUp(support.SceneTestCase):
         bpy.ops.motus.chroma_key_remove()
         self.assertIn("Later", compositor.tree_of(bpy.context.scene).nodes)
 
-    def test_without_an_output(self):
+    def test_tree_without_an_output(self):
         tree = self.own_tree()
         tree.nodes.remove(compositor.outlet(tree).node)
         key = self.set_up(clip=footage(self.folder))
@@ -520,11 +520,11 @@ class SetUp(support.SceneTestCase):
                            ((0.9, 0.95, 0.9), "grey or white"), ((0.0, 0.0, 0.0), "grey or white"), ((0.5, 0.1, 0.08), "red")):
             self.refused(f"A screen is green or blue: this colour is {hue}", clip=footage(self.folder), color=color)
 
-    def test_one_pixel(self):
+    def test_footage_of_one_pixel(self):
         key = self.set_up(clip=footage(self.folder, size=(1, 1)))
         np.testing.assert_allclose(key.inputs["Screen Color"].default_value[:3], cases.GREEN, atol=0.01)
 
-    def test_twice(self):
+    def test_second_key_setup_is_refused(self):
         self.set_up(clip=footage(self.folder))
         self.refused("has a chroma key already", clip=footage(self.folder))
 

@@ -75,7 +75,7 @@ class DriverTestCase(support.SceneTestCase):
 
 
 class Functions(DriverTestCase):
-    def test_by_hand_at_any_frame_and_frame_rate(self):
+    def test_hand_written_drivers_at_any_frame_and_frame_rate(self):
         cubes = driven_cubes()
         for fps, base in ((24, 1.0), (30, 1.001)):
             bpy.context.scene.render.fps, bpy.context.scene.render.fps_base = fps, base
@@ -204,7 +204,7 @@ class Add(DriverTestCase):
         bpy.ops.motus.driver_remove(datablock="Cube")
         self.assertFalse(cube.animation_data and cube.animation_data.drivers)
 
-    def test_refused(self):
+    def test_invalid_properties_are_refused(self):
         self.cube.driver_add("location", 0).driver.expression = "frame"
         self.cube["word"] = "a"
         self.refused("location has a driver already", datablock="Cube", data_path="location", index=0)
@@ -324,7 +324,7 @@ class FollowedKeys(DriverTestCase):
 
 @support.in_one_blender
 class Expressions(DriverTestCase):
-    def test_composed_and_read_back(self):
+    def test_expressions_are_composed_and_parsed(self):
         expressions = support.addon("drivers.expressions")
         for text in ("motus_pendulum(frame, 0.5, 1)", "2 * motus_pendulum(frame - 12, 0.5, 2, 0, 1.6)",
                      "0.1 + 0.5 * motus_noise(frame + 3, 2, 5)", "-1 + motus_ease(frame, 1, 50, 0.25)",

@@ -63,7 +63,7 @@ class FitTest(support.SceneTestCase):
             cases.only(ball)
             bpy.ops.motus.lattice_remove()
 
-    def test_orientations(self):
+    def test_fitting_in_every_orientation(self):
         sheet = cases.grid()
         sheet.matrix_world = Matrix.Rotation(0.6, 4, 'Z')
         bpy.context.view_layer.update()
@@ -108,14 +108,14 @@ class FitTest(support.SceneTestCase):
         bpy.ops.motus.lattice_pull(object=ball.name, vertex=5, displacement=(0.0, 0.2, 0.1))
         np.testing.assert_allclose(cases.evaluated(ball)[5] - before[5], (0.0, 0.2, 0.1), atol=1e-5)
 
-    def test_margin_and_interpolation(self):
+    def test_fitting_with_margin_and_interpolation(self):
         ball = cases.ball()
         tight = np.array(fit(objects=ball.name, margin=0.0).matrix_world.to_scale())
         wide = fit(objects=ball.name, margin=0.25, interpolation='CATMULL_ROM')
         np.testing.assert_allclose(np.array(wide.matrix_world.to_scale()) - tight, 0.5 * tight.max(), rtol=1e-4)
         self.assertEqual(wide.data.interpolation_type_w, 'KEY_CATMULL_ROM')
 
-    def test_every_type(self):
+    def test_every_type_of_object_is_fitted(self):
         for make in (cases.ball, cases.curve, cases.surface, cases.text, cases.lattice):
             obj = make()
             with self.subTest(type=obj.type):
@@ -258,7 +258,7 @@ class FitTest(support.SceneTestCase):
         self.assert_refused("Select the vertices")
         bpy.ops.object.mode_set(mode='OBJECT')
 
-    def test_linked(self):
+    def test_linked_objects_are_refused(self):
         cases.ball("Ball")
         path = self.folder / "library.blend"
         bpy.ops.wm.save_as_mainfile(filepath=str(path))
@@ -290,7 +290,7 @@ class FitTest(support.SceneTestCase):
 
 
 class RemoveTest(support.SceneTestCase):
-    def test_applied(self):
+    def test_lattice_is_applied(self):
         ball = cases.ball()
         ball.vertex_groups.new(name="Some").add(list(range(100)), 1.0, 'REPLACE')
         lattice = fit(objects=ball.name, vertex_group="Some")
@@ -335,7 +335,7 @@ class RemoveTest(support.SceneTestCase):
         self.assertEqual([one.name for one in ball.modifiers], ["Other"])
         np.testing.assert_allclose(cases.evaluated(ball), before, atol=1e-5)
 
-    def test_one_of_two(self):
+    def test_one_of_two_lattices_is_removed(self):
         ball = cases.ball()
         first, second = fit(objects=ball.name), fit(objects=ball.name)
         bpy.ops.motus.lattice_remove(objects=ball.name, modifier=ball.modifiers[0].name)
@@ -388,7 +388,7 @@ class RemoveTest(support.SceneTestCase):
             self.assertEqual(len(obj.modifiers), 1)
             self.assertIsNotNone(obj.modifiers[0].object)
 
-    def test_reset(self):
+    def test_points_are_reset(self):
         ball = cases.ball()
         before = cases.evaluated(ball)
         lattice = fit(objects=ball.name)

@@ -53,7 +53,7 @@ class PullTest(support.SceneTestCase):
         np.testing.assert_allclose(moved[20], (0.1, -0.2, 0.4), atol=2e-6)
         np.testing.assert_allclose(moved[[150, 250, 290]], 0.0, atol=2e-6)
 
-    def test_mirrored(self):
+    def test_pulls_are_mirrored(self):
         for axes in ({'X'}, {'X', 'Z'}):
             bpy.ops.motus.lattice_reset(object=self.lattice.name)
             moved = self.pull(mirror=axes)

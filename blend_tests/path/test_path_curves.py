@@ -147,14 +147,14 @@ class Refusals(PathTestCase):
         self.assertRefused("no splines", bpy.ops.motus.path_follow_add, object="Other", curve="Course")
         self.assertFalse(bpy.data.objects["Other"].motus.path.is_active)
 
-    def test_one_point(self):
+    def test_spline_of_one_point(self):
         curve = self.points('POLY', [(1, 2, 3)])
         car = self.assertSentence("two points")
         add_points(curve.data, 'POLY', [(3, 2, 1)])
         car.motus.path.spline = -1
         self.assertIn("two points", self.sentence(car) or "")
 
-    def test_index_beyond_the_last(self):
+    def test_spline_index_beyond_the_last(self):
         self.cubic()
         car = self.follow()
         car.motus.path.spline = 1

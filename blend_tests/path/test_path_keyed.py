@@ -69,7 +69,7 @@ class KeyedSpeed(KeyedCase):
         car = self.keyed(list(zip(keys, (4.0, 40.0, 8.0, 2.0))), 'CONSTANT')
         self.assertIntegrated(car, (5, 10.37, 10.5, 11, 30, 31, 100), jumps=keys)
 
-    def test_cycles(self):
+    def test_cycles_modifier_repeats_keyed_speed(self):
         keys = (1.0, 5.25, 11.5)
         car = self.keyed(list(zip(keys, (2.0, 30.0, 5.0))), 'LINEAR')
         modifier = self.curve.modifiers.new('CYCLES')
@@ -108,7 +108,7 @@ class KeyedSpeed(KeyedCase):
         self.assertIn("driven", self.sentence(car, 25))
         self.assertAlmostEqual(self.place(car, 25)[0], 2.0, places=5)
 
-    def test_cost(self):
+    def test_far_frames_of_keyed_speed_cost_little(self):
         car = self.keyed([(1 + 25 * index, 3.0 + index % 4) for index in range(11)], 'BEZIER')
         curve = support.addon("path.keyed").find(car, car.motus.path, "speed")
         keys = support.addon("core.animation.keys")
@@ -176,7 +176,7 @@ class FarStart(KeyedCase):
                             self.assertLess(abs(found - wanted), 2e-5 * max(abs(wanted), 100.0))
                     bpy.data.objects.remove(bpy.data.objects["Car"])
 
-    def test_laps_without_end(self):
+    def test_cycles_without_end(self):
         self.cyclic('REPEAT', 'MIRROR')
         lap = self.integral_from(10.0, 20.0)
         self.assertAlmostEqual(self.integral_from(10.0 - 1e6, 20.0) / lap, 100_001.0, delta=1e-6)
@@ -186,7 +186,7 @@ class FarStart(KeyedCase):
         # Lap n lies n times 3 m/s above the first.
         self.assertAlmostEqual(self.integral_from(10.0 - 1e6, 10.0) / (1e5 * lap - 30.0 * 1e5 * 100_001 / 2.0), 1.0, places=9)
 
-    def test_a_period_of_next_to_nothing(self):
+    def test_cycles_of_a_very_short_period(self):
         self.keyed([(1.0, 2.0), (1.25, 4.0)], 'LINEAR')
         modifier = self.curve.modifiers.new('CYCLES')
         modifier.mode_before = modifier.mode_after = 'REPEAT'
@@ -237,7 +237,7 @@ class FarStart(KeyedCase):
         self.assertLess(max(curve.evaluations for curve in found), self.MOST)
         self.assertAlmostEqual(distance / (self.integral_from(-9e5, 700.0) / 24.0), 1.0, places=9)
 
-    def test_too_far_is_said(self):
+    def test_frames_too_far_away_are_reported(self):
         car = self.keyed([(1, 3.0), (25, 9.0)], 'LINEAR', start_frame=-3e38)
         self.curve.extrapolation = 'LINEAR'
         self.assertIn("not a finite number", self.sentence(car, 30))

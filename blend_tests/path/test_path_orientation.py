@@ -184,7 +184,7 @@ class Modes(PathTestCase):
 
 
 class Influence(PathTestCase):
-    def test_half_is_half_way(self):
+    def test_influence_of_one_half_is_half_way(self):
         self.line(10.0)
         car = self.link("Car")
         car.location = 0.0, 6.0, 0.0

@@ -58,7 +58,7 @@ class OverTime(PathTestCase):
             course.keyframe_insert("location", frame=frame)
         self.assertSolved(self.follow())
 
-    def test_what_hangs_on_it_and_trains(self):
+    def test_children_of_followers_and_trains(self):
         self.cubic()
         self.follow(duration=3.0)
         car, rider = bpy.data.objects["Car"], self.link("Rider")
@@ -70,7 +70,7 @@ class OverTime(PathTestCase):
         for thing in (car, rider, wagons[2]):
             self.assertSolved(thing, 5e-6)
 
-    def test_what_is_not_known(self):
+    def test_transforms_that_are_not_known_have_a_reason(self):
         course, car = self.cubic(), self.follow()
         sentences = []
 
@@ -100,14 +100,14 @@ class OverTime(PathTestCase):
         bpy.data.objects.remove(course)
         self.assertEqual(len(self.track(car).values(FRAMES)), len(FRAMES))
 
-    def test_a_loop(self):
+    def test_curve_parented_to_its_follower_is_unknown_over_time(self):
         """A curve that hangs on what follows it."""
         course, car = self.cubic(), self.follow()
         course.parent = car
         for thing in (car, course):
             self.assertIn("hangs on itself", self.track(thing).sentence)
 
-    def test_kept_until_it_changes(self):
+    def test_results_are_cached_until_settings_change(self):
         course, car = self.cubic(), self.follow()
         made = []
 

@@ -32,7 +32,7 @@ class Add(PathTestCase):
         self.assertEqual({name: getattr(settings, name) for name in given}, given)
         self.assertEqual(settings.curve.name, "Course")
 
-    def test_again_changes_only_what_is_given(self):
+    def test_adding_again_changes_only_given_settings(self):
         self.cubic()
         car = self.follow(timing='SPEED', speed=3.0, orientation='BANKING')
         constraints = len(car.constraints)
@@ -41,7 +41,7 @@ class Add(PathTestCase):
         self.assertEqual((settings.speed, settings.timing, settings.orientation), (4.0, 'SPEED', 'BANKING'))
         self.assertEqual(len(car.constraints), constraints)
 
-    def test_other_curve(self):
+    def test_adding_again_can_change_the_curve(self):
         self.line(10.0)
         self.line(20.0, "Other")
         car = self.follow(timing='MANUAL', distance_factor=1.0)
@@ -50,7 +50,7 @@ class Add(PathTestCase):
         car.motus.path.curve = None
         self.assertIn("Choose a curve", self.sentence(car))
 
-    def test_selection(self):
+    def test_selected_objects_follow_the_selected_curve(self):
         curve = self.line(10.0)
         cars = [self.link("Car A"), self.link("Car B")]
         for obj in (curve, *cars):
@@ -127,7 +127,7 @@ class Replaced(PathTestCase):
 
 
 class Presets(PathTestCase):
-    def test_kept_and_taken_up_again(self):
+    def test_presets_are_saved_and_applied_again(self):
         self.line(10.0)
         car = self.follow(timing='SPEED', speed=9.0, orientation='BANKING', start_frame=33.0)
         bpy.context.view_layer.objects.active = car
@@ -142,7 +142,7 @@ class Presets(PathTestCase):
 
 
 class Remove(PathTestCase):
-    def test_baked_is_refused(self):
+    def test_removing_a_baked_follower_is_refused(self):
         self.line(10.0)
         car = self.follow(duration=4.0)
         bpy.ops.motus.bake(object="Car", frame_start=1, frame_end=10)
@@ -152,7 +152,7 @@ class Remove(PathTestCase):
         bpy.ops.motus.path_follow_remove(object="Car")
         self.assertFalse(car.motus.path.is_active)
 
-    def test_nothing_is_left(self):
+    def test_removing_leaves_nothing(self):
         self.cubic()
         car = self.link("Car")
         car.location, car.rotation_euler, car.scale = (1, 2, 3), (0.1, 0.2, 0.3), (1, 2, 3)
@@ -237,7 +237,7 @@ class Train(PathTestCase):
             along = np.array(self.at(wagon, 100).to_quaternion().to_matrix().col[1])
             self.assertAlmostEqual(along @ step / np.linalg.norm(step), 1.0, places=4)
 
-    def test_before_the_start(self):
+    def test_train_waits_before_the_start(self):
         self.line(10.0)
         self.couple(gap=2.0, timing='SPEED', speed=1.0, extend='EXTRAPOLATE')
         for index, wagon in enumerate(self.wagons):
@@ -329,7 +329,7 @@ class Train(PathTestCase):
         gaps = [entry.gap for entry in bpy.data.objects["Box 0"].motus.path.wagons]
         self.assertTrue(np.allclose(gaps, [1.0 + 4.0, 2.0 + 6.0, 3.0 + 8.0]))
 
-    def test_influence_and_every_frame(self):
+    def test_train_with_influence_on_every_frame(self):
         self.line(10.0)
         self.couple(gap=1.0, duration=4.0, influence=0.5)
         for wagon in self.wagons:
@@ -339,7 +339,7 @@ class Train(PathTestCase):
                 wanted = (0.5 * ((frame - 1.0) / 9.6 - index), 2.0, 0.0)
                 self.assertPlace(wagon, np.array(wanted), frame, tolerance=1e-6)
 
-    def test_take_out_one_and_the_rest_stay(self):
+    def test_taking_out_a_wagon_leaves_the_others_in_place(self):
         self.line(100.0)
         self.couple(gap=2.0, timing='MANUAL', distance_factor=0.5)
         bpy.ops.motus.path_follow_remove(object="Wagon 1")
@@ -388,14 +388,14 @@ class Train(PathTestCase):
         self.assertEqual([state(wagon) for wagon in self.wagons], before)
         self.assertEqual((len(bpy.data.objects), len(bpy.data.meshes)), objects)
 
-    def test_removed_object_leaves_the_others(self):
+    def test_deleting_a_wagon_leaves_the_others(self):
         self.line(100.0)
         self.couple(gap=2.0, timing='MANUAL', distance_factor=0.5)
         bpy.data.objects.remove(self.wagons[1])
         for index in (0, 2, 3):
             self.assertPlace(self.wagons[index], np.array((50.0 - 2.0 * index, 0.0, 0.0)))
 
-    def test_same_train_again(self):
+    def test_adding_a_train_again_replaces_its_wagons(self):
         self.line(100.0)
         self.couple(gap=2.0, timing='MANUAL', distance_factor=0.5)
         self.couple(self.names[::3], gap=1.0)

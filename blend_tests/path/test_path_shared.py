@@ -37,7 +37,7 @@ class SharedTestCase(PathTestCase):
 
 
 class Sharing(SharedTestCase):
-    def test_one_hub_a_curve(self):
+    def test_followers_of_a_curve_share_a_hub(self):
         cars = self.cars()
         self.line(20.0, "Other")
         other = self.follow("Other Car", curve="Other")
@@ -47,7 +47,7 @@ class Sharing(SharedTestCase):
         self.assertEqual(sorted(car.motus.path.row for car in cars), [0, 1, 2, 3])
         self.assertAllRun(cars)
 
-    def test_one_call_a_frame(self):
+    def test_followers_of_a_curve_are_solved_in_one_call_a_frame(self):
         self.cars()
         self.at(bpy.data.objects["Car 0"], 3)
         kind = support.addon("core.wiring.solving.solving").RowsSolver
@@ -55,7 +55,7 @@ class Sharing(SharedTestCase):
             bpy.context.scene.frame_set(5)
         self.assertEqual(solve.call_count, 1)
 
-    def test_same_bits_as_alone(self):
+    def test_shared_followers_get_the_same_bits_as_alone(self):
         keywords = {"orientation": 'BANKING', "extend": 'LOOP', "lag_rate": 0.3}
         rows = support.addon("core.wiring.attaching.sharing")
         self.cubic(name="Bend")
@@ -69,7 +69,7 @@ class Sharing(SharedTestCase):
                 found.append([[self.at(car, frame) for car in cars] for frame in FRAMES])
         self.assertEqual(*found)
 
-    def test_edited(self):
+    def test_shared_follower_with_edited_settings(self):
         cars = self.cars()
         cars[2].motus.path.speed = 3.0
         self.assertRuns(cars[2], 3.0, 1.0)
@@ -172,7 +172,7 @@ class Leaving(SharedTestCase):
             self.assertAlmostEqual(self.at(cars[1], frame).translation.x, 0.05 * frame + 1.1 * (frame - 1) / 24, places=4)
         self.assertFalse(self.is_shared(cars[1]))
 
-    def test_not_finite(self):
+    def test_shared_follower_with_settings_that_are_not_finite(self):
         cars = self.cars()
         cars[1].motus.path.speed = float("inf")
         self.assertIn("finite", self.sentence(cars[1], 30))
@@ -180,7 +180,7 @@ class Leaving(SharedTestCase):
         cars[1].motus.path.speed = 1.1
         self.assertAllRun(cars)
 
-    def test_removed(self):
+    def test_shared_follower_is_removed(self):
         cars = self.cars()
         row = cars[1].motus.path.row
         bpy.ops.motus.path_follow_remove(object="Car 1")
@@ -206,7 +206,7 @@ class Leaving(SharedTestCase):
 
 
 class Copies(SharedTestCase):
-    def test_copied(self):
+    def test_shared_follower_is_copied(self):
         cars = self.cars(2)
         self.assertAllRun(cars)
         copy = cars[1].copy()
@@ -226,7 +226,7 @@ class Copies(SharedTestCase):
         self.assertRuns(copy, 1.1, 4.0)
         self.assertAllRun(cars)
 
-    def test_renamed(self):
+    def test_shared_follower_is_renamed(self):
         cars = self.cars(2)
         cars[0].name = "Renamed"
         self.follow("Car 0", timing='SPEED', speed=3.0)
@@ -244,7 +244,7 @@ class Copies(SharedTestCase):
         self.assertRuns(cars[0], 1.0, 1.0)
         self.assertRuns(cars[1], 1.1, 2.0)
 
-    def test_undone(self):
+    def test_shared_follower_after_undo(self):
         bpy.context.preferences.edit.use_global_undo = True
         self.cars(2)
         bpy.ops.ed.undo_push(message="two")
@@ -266,13 +266,13 @@ class Files(SharedTestCase):
         bpy.ops.wm.save_as_mainfile(filepath=path)
         return path
 
-    def test_reopened(self):
+    def test_shared_followers_in_a_reopened_file(self):
         self.cars()
         bpy.ops.wm.open_mainfile(filepath=self.save())
         self.scene = bpy.context.scene
         self.assertAllRun([bpy.data.objects[f"Car {index}"] for index in range(4)])
 
-    def test_one_is_appended(self):
+    def test_one_of_shared_followers_is_appended(self):
         self.cars()
         folder = f"{self.save()}/Object/"
         for is_new in (True, False):
@@ -294,7 +294,7 @@ class Files(SharedTestCase):
                 if not is_new:
                     self.assertAllRun([bpy.data.objects[f"Car {index}"] for index in range(3)])
 
-    def test_one_is_linked_and_overridden(self):
+    def test_one_of_shared_followers_is_linked_and_overridden(self):
         self.cars()
         path = self.save()
         support.empty_scene()

@@ -51,7 +51,7 @@ class Duration(Straight):
             for frame in (7, 25, 49, 73.5, 91):
                 self.assertDistance(car, LENGTH * eased((frame - 1.0) / 96.0, ease_in, ease_out), frame)
 
-    def test_one_ease_pushes_the_other(self):
+    def test_one_ease_reduces_the_other(self):
         settings = self.follow(ease_in=0.6).motus.path
         settings.ease_out = 0.7
         self.assertAlmostEqual(settings.ease_in, 0.3, places=6)
@@ -83,10 +83,10 @@ class Duration(Straight):
 class Ends(Straight):
     """Beyond the ends; 10 m in 4 s, at 8 s + a quarter."""
 
-    def test_stop(self):
+    def test_ends_stop(self):
         self.assertDistance(self.follow(duration=4.0), 10.0, 121)
 
-    def test_go_on(self):
+    def test_ends_go_on_along_the_tangent(self):
         car = self.follow(duration=4.0, extend='EXTRAPOLATE', ease_in=0.5)
         final_speed = 10.0 / 4.0 / 0.75
         self.assertDistance(car, 10.0 + final_speed, 121)
@@ -95,12 +95,12 @@ class Ends(Straight):
     def test_go_on_backwards(self):
         self.assertDistance(self.follow(timing='SPEED', speed=-2.0, extend='EXTRAPOLATE'), -4.0, 49)
 
-    def test_loop(self):
+    def test_ends_loop(self):
         car = self.follow(duration=4.0, extend='LOOP', ease_in=0.5, ease_out=0.2)
         for frame in (25, 121, 193 + 24):
             self.assertDistance(car, LENGTH * eased(0.25, 0.5, 0.2), frame)
 
-    def test_ping_pong(self):
+    def test_ends_ping_pong(self):
         car = self.follow(duration=4.0, extend='PING_PONG', ease_in=0.5)
         self.assertDistance(car, LENGTH * (1.0 - eased(0.25, 0.5, 0.0)), 121)
         self.assertDistance(car, LENGTH * eased(0.25, 0.5, 0.0), 193 + 24)
@@ -196,7 +196,7 @@ class Pins(Straight):
         car.update_tag()
         return car
 
-    def test_here_at_this_frame(self):
+    def test_pin_is_added_at_the_present_place_and_frame(self):
         pins = [(40.5, 0.7), (10, 0.2), (60, 0.7), (80, 1.0)]
         car = self.pinned(pins)
         for frame, fraction in pins:
@@ -213,7 +213,7 @@ class Pins(Straight):
     def test_problems_are_said(self):
         self.assertIn("Add a pin", self.sentence(self.pinned([])))
 
-    def test_of_two_on_one_frame_the_later_entry_counts(self):
+    def test_of_two_pins_on_one_frame_the_later_one_counts(self):
         car = self.pinned([(5, 0.1), (15, 0.5), (5, 0.9)])
         self.assertIn("same frame", self.sentence(car, 5))
         self.assertDistance(car, 9.0, 5)

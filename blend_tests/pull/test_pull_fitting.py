@@ -20,11 +20,11 @@ class Fitting(support.SceneTestCase):
         self.assertAlmostEqual(self.brush.radius, radius, places=6)
         self.assertAlmostEqual(self.brush.strength, strength, places=7)
 
-    def test_by_the_objects_size(self):
+    def test_brush_is_fitted_to_the_objects_size(self):
         self.fit(self.brush, self.cube(2.0))
         self.assertBrush(0.25, 0.0075)
 
-    def test_each_object_anew_until_it_is_changed(self):
+    def test_brush_fits_each_object_until_the_user_changes_it(self):
         head, hill = self.cube(2.0), self.cube(200.0)
         self.fit(self.brush, head)
         self.fit(self.brush, hill)
@@ -36,7 +36,7 @@ class Fitting(support.SceneTestCase):
         self.fit(self.brush, hill)
         self.assertBrush(3.0, -0.5)
 
-    def test_what_was_set_before_stays(self):
+    def test_brush_values_of_the_user_stay(self):
         self.brush.radius = 1.0
         self.brush.strength = 0.1
         self.fit(self.brush, self.cube(2.0))

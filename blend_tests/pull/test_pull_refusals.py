@@ -7,28 +7,28 @@ from pull.pull_cases import PullTestCase
 
 
 class Refusals(PullTestCase):
-    def test_nothing_there(self):
+    def test_pulling_without_an_object_is_refused(self):
         self.assertRefused("Select a mesh", vertex=0)
         self.assertRefused("no object Nobody", object="Nobody", vertex=0)
 
-    def test_no_mesh(self):
+    def test_pulling_an_object_without_a_mesh_is_refused(self):
         curve = bpy.data.objects.new("Curve", bpy.data.curves.new("Curve", 'CURVE'))
         self.scene.collection.objects.link(curve)
         self.assertRefused("Curve is not a mesh", object="Curve", vertex=0)
 
-    def test_no_vertices(self):
+    def test_pulling_a_mesh_without_vertices_is_refused(self):
         self.mesh([])
         self.assertRefused("has no vertices", vertex=0)
         bpy.ops.object.mode_set(mode='EDIT')
         self.assertRefused("has no vertices", vertex=0)
 
-    def test_where(self):
+    def test_a_missing_place_is_refused(self):
         self.plane()
         self.assertRefused("a location or a vertex", radius=0.5)
         self.assertRefused("no vertex 441: it has 441", vertex=441)
         self.assertRefused("No vertex lies within the radius", location=(0.0, 0.0, 3.0), radius=0.5)
 
-    def test_numbers(self):
+    def test_invalid_numbers_are_refused(self):
         self.plane()
         for name in ("radius", "strength", "scale_factor", "minimum", "maximum"):
             for value in (math.nan, math.inf):
@@ -59,7 +59,7 @@ class Refusals(PullTestCase):
         self.plane()
         self.assertRefused("no vertex group Nothing", vertex=220, vertex_group="Nothing")
 
-    def test_all_masked(self):
+    def test_pulling_fully_masked_vertices_is_refused(self):
         obj = self.plane()
         obj.vertex_groups.new(name="Empty")
         self.assertRefused("Nothing moved", vertex=220, vertex_group="Empty")
@@ -97,7 +97,7 @@ class Refusals(PullTestCase):
         obj.modifiers.new("Multires", 'MULTIRES')
         self.assertRefused("Multiresolution", vertex=220)
 
-    def test_other_modes(self):
+    def test_other_modes_are_refused(self):
         self.plane()
         bpy.ops.object.mode_set(mode='WEIGHT_PAINT')
         self.assertRefused("Object, Edit or Sculpt Mode", vertex=220)

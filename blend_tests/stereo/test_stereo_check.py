@@ -39,7 +39,7 @@ class Check(StereoTestCase):
         bpy.ops.wm.open_mainfile(filepath=path)
         self.assertIsNone(results.of(bpy.data.objects["Camera"]))
 
-    def test_all_is_well(self):
+    def test_check_without_faults(self):
         self.add(interocular=0.02, distance=8.0, screen='MONITOR')
         self.assertEqual(self.check(range='CURRENT'), ())
         result = support.addon("stereo.results").of(self.camera)
@@ -131,7 +131,7 @@ class Measure(StereoTestCase):
         bpy.ops.motus.stereo_measure(object="Camera", range='CURRENT')
         np.testing.assert_allclose((obj.motus.stereo.near, obj.motus.stereo.far), (3.0, 12.0), rtol=1e-5)
 
-    def test_over_time_near_goes_ahead_and_stays_below(self):
+    def test_near_over_time_changes_ahead_and_stays_below(self):
         obj = self.add(convergence='BUDGET')
         square("Wall", (0.0, 12.0, 0.0), 60.0)
         near = square("Near", (0.0, 8.0, 0.0), 4.0)
@@ -148,7 +148,7 @@ class Measure(StereoTestCase):
         for frame, value in enumerate(found, 1):
             self.assertLessEqual(value, (8.0 if frame <= 20 else 3.0) + 1e-4)
 
-    def test_in_stretched_time(self):
+    def test_measuring_in_stretched_time(self):
         """Twice as many frames of the time line, so that near goes ahead by twice as many too, have what plain time has."""
         found = []
         for stretch in (1, 2):

@@ -70,7 +70,7 @@ class Pictures(StereoTestCase):
                 points[:, 2], interocular, LENS, sensor, distance, mode=mode), atol=TOLERANCE)
         return disparity, expected
 
-    def test_modes(self):
+    def test_pictures_in_each_convergence_mode(self):
         self.squares()
         self.add(interocular=0.2, distance=4.0)
         for name, mode in (("off_axis", 'OFFAXIS'), ("parallel", 'PARALLEL'), ("toe_in", 'TOE')):
@@ -116,7 +116,7 @@ class Pictures(StereoTestCase):
         self.add(focus="Square 4.0", interocular=0.2)
         self.assert_disparity(0.2, 4.0)
 
-    def test_other_engines(self):
+    def test_pictures_of_other_engines(self):
         self.squares()
         self.add(interocular=0.2, distance=4.0)
         scene = bpy.context.scene

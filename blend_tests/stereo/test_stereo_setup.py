@@ -121,7 +121,7 @@ class Eyes(StereoTestCase):
         bpy.ops.motus.unbake(object="Camera")
         np.testing.assert_allclose(seen(), live, rtol=1e-6)
 
-    def test_files(self):
+    def test_rigs_in_saved_files(self):
         self.add(convergence='BUDGET')
         wanted = eyes(bpy.data.objects["Camera"])
         path = self.save()
@@ -230,7 +230,7 @@ class Eyes(StereoTestCase):
 
 
 class Removal(StereoTestCase):
-    def test_all_is_as_before(self):
+    def test_removing_restores_everything(self):
         obj = camera()
         stereo = obj.data.stereo
         stereo.convergence_mode, stereo.pivot = 'TOE', 'LEFT'
@@ -350,7 +350,7 @@ class Output(StereoTestCase):
         self.assertEqual(image.views_format, 'INDIVIDUAL')
         self.assertTrue(bpy.context.scene.render.use_multiview)
 
-    def test_what_the_scene_had_before_does_not_count(self):
+    def test_output_overrides_previous_scene_settings(self):
         self.add()
         both = bpy.context.scene.render.image_settings.stereo_3d_format
         both.anaglyph_type, both.interlace_type = 'YELLOW_BLUE', 'COLUMN_INTERLEAVED'
@@ -373,7 +373,7 @@ class Output(StereoTestCase):
         self.assertEqual([view.stereo_3d_camera for view in views], ['RIGHT'] + (len(views) - 1) * ['S3D'])
         views[0].stereo_3d_camera = 'S3D'
 
-    def test_all_around(self):
+    def test_panorama_of_360_degrees(self):
         obj = camera()
         before = state(obj)
         self.add(interocular=0.1, distance=3.0)

@@ -21,7 +21,7 @@ class ApplyTest(cases.PinsTestCase):
         self.assertEqual([modifier.type for modifier in obj.modifiers if modifier.type == 'NODES'], [])
         self.assertNotIn("motus_pin", obj.data.attributes)
 
-    def test_to_the_mesh(self):
+    def test_pins_are_applied_to_the_mesh(self):
         grid = self.pinned()
         frame_set(6)
         shape = evaluated(grid).copy()
@@ -31,7 +31,7 @@ class ApplyTest(cases.PinsTestCase):
         frame_set(1)
         self.assert_bits(evaluated(grid), shape)
 
-    def test_to_the_mesh_with_shape_keys(self):
+    def test_pins_are_applied_to_a_mesh_with_shape_keys(self):
         grid = self.pinned()
         grid.shape_key_add(name="Basis")
         key = grid.shape_key_add(name="Lift")
@@ -46,7 +46,7 @@ class ApplyTest(cases.PinsTestCase):
         key.value = 0.0
         self.assert_shape(grid, shape - 0.7 * np.array((0.0, 0.4, 0.1), np.float32))
 
-    def test_one_of_them(self):
+    def test_one_of_several_pins_is_applied(self):
         grid = self.pinned()
         frame_set(11)
         shape = evaluated(grid).copy()
@@ -54,7 +54,7 @@ class ApplyTest(cases.PinsTestCase):
         self.assertEqual([pin.name for pin in grid.motus.pull.pins], ["Hill"])
         self.assertLess(np.abs(evaluated(grid) - shape).max(), 0.2)
 
-    def test_to_one_shape_key(self):
+    def test_pins_are_applied_to_one_shape_key(self):
         grid = self.pinned()
         frame_set(6)
         before, shape = basis(grid), evaluated(grid).copy()
@@ -64,7 +64,7 @@ class ApplyTest(cases.PinsTestCase):
         grid.data.shape_keys.key_blocks[1].value = 0.0
         self.assert_bits(evaluated(grid), before)
 
-    def test_to_shape_keys_that_move_as_the_pins_did(self):
+    def test_pins_are_applied_to_shape_keys_with_their_animation(self):
         grid = self.pinned()
         grid.motus.pull.influence = 0.8
         shapes = {}

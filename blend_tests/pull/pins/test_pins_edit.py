@@ -68,7 +68,7 @@ class ElsewhereTest(cases.PinsTestCase):
         edit(self.grid, lambda mesh: [mesh.verts.new((index * 0.01, -2.0, 1.0)) for index in range(1000)])
         self.assert_pulled_at_the_place()
 
-    def test_all_subdivided(self):
+    def test_pin_on_a_subdivided_mesh(self):
         edit(self.grid, lambda mesh: bmesh.ops.subdivide_edges(mesh, edges=mesh.edges[:], cuts=1, use_grid_fill=True))
         self.assertEqual(len(self.grid.data.vertices), 121 * 121)
         self.assert_pulled_at_the_place()
@@ -83,7 +83,7 @@ class ElsewhereTest(cases.PinsTestCase):
         self.assertNotEqual(vertex_at(self.grid, 0.5, 0.5), 61 * 35 + 35)
         self.assert_pulled_at_the_place()
 
-    def test_a_copy_of_it_joined(self):
+    def test_pin_on_a_mesh_joined_with_its_copy(self):
         other = cases.new_grid(11, 1.0, "Other")
         other.location = (0.0, 0.0, 4.0)
         bpy.context.view_layer.update()
@@ -160,7 +160,7 @@ class AtThePlaceTest(cases.PinsTestCase):
         self.assertEqual(state(self.grid), 2.0)
         self.assert_bits(evaluated(self.grid), places)
 
-    def test_bound_again(self):
+    def test_pin_is_bound_again(self):
         edit(self.grid, lambda mesh: bmesh.ops.delete(mesh, geom=[mesh.verts[self.root]], context='VERTS'))
         bpy.ops.motus.pin_rebind()
         self.assertEqual(state(self.grid), 0.0)
@@ -168,7 +168,7 @@ class AtThePlaceTest(cases.PinsTestCase):
         self.assertLess(np.linalg.norm(basis(self.grid)[found]), 0.11)
         self.assert_shape(self.grid, cases.pulled(basis(self.grid), found, WAY))
 
-    def test_bound_to_another_vertex(self):
+    def test_pin_is_bound_to_another_vertex(self):
         other = vertex_at(self.grid, -0.5, 0.4)
         bpy.ops.motus.pin_rebind(vertex=other)
         self.assert_shape(self.grid, cases.pulled(basis(self.grid), other, WAY))
@@ -183,7 +183,7 @@ class AtThePlaceTest(cases.PinsTestCase):
         self.assertEqual(state(self.grid), 0.0)
         self.assert_shape(self.grid, cases.pulled(basis(self.grid), self.root, WAY))
 
-    def test_another_mesh(self):
+    def test_pin_on_another_mesh(self):
         self.grid.data = cases.new_grid(41, 2.0, "Finer").data
         bpy.context.view_layer.update()
         root = centre(self.grid)

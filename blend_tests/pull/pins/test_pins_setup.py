@@ -146,7 +146,7 @@ class RemoveTest(cases.PinsTestCase):
         variable.targets[0].data_path = f"motus.pull.pins[{number}].strength"
         return variable.targets[0]
 
-    def test_each_is_one_undo_step(self):
+    def test_each_pin_operator_is_one_undo_step(self):
         grid = cases.new_grid()
         bpy.ops.ed.undo_push(message="start")
         add(grid, 60)
@@ -239,13 +239,13 @@ class LastPullTest(cases.PinsTestCase):
         monkey.data.update()
         self.assert_refused("changed since the last pull", motus.pin_add, from_last=True)
 
-    def test_not_without_a_pull(self):
+    def test_without_a_pull_no_pin_is_made(self):
         cases.new_grid()
         self.assert_refused("Nothing was pulled", motus.pin_add, from_last=True)
 
 
 class RefusalTest(cases.PinsTestCase):
-    def test_what_cannot_be(self):
+    def test_impossible_pins_are_refused(self):
         grid = cases.new_grid()
         self.assert_refused("no vertex 99999", motus.pin_add, vertex=99999)
         self.assert_refused("not a finite number", motus.pin_add, vertex=0, displacement=(float("nan"), 0.0, 0.0))

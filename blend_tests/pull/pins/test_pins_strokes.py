@@ -64,7 +64,7 @@ class StrokeTest(StrokesTestCase):
         self.assert_pinned(grid, before, after)
         self.assertEqual(len(grid.motus.pull.pins), 1)
 
-    def test_whatever_the_brush(self):
+    def test_stroke_pins_repeat_strokes_of_every_brush(self):
         for brush in ({"falloff": 'SPHERE'}, {"falloff": 'CLASSIC', "scale_factor": 1.5}, {"distance": 'SURFACE'},
                       {"distance": 'EDGES', "radius": 4.0}, {"mirror": {'X'}}, {"mirror": {'X', 'Y'}, "unit": 'LOCAL'},
                       {"use_maximum": True, "maximum": 0.15}, {"use_maximum": True, "maximum": 0.15, "unit": 'LOCAL'},
@@ -155,7 +155,7 @@ class StrokeTest(StrokesTestCase):
         motus.pin_remove(index=0)
         self.assertEqual(len([name for name in grid.data.attributes.keys() if name.startswith("motus_pin_")]), 2)
 
-    def test_of_a_shape_key(self):
+    def test_stroke_pin_of_a_shape_key(self):
         for value in (1.0, 0.25):
             support.empty_scene()
             grid = cases.new_grid()
@@ -179,7 +179,7 @@ class StrokeTest(StrokesTestCase):
         motus.pick_pull(dabs=stroke(self.ALONG), strength=1.0, radius=0.6)
         self.assert_refused("The shape key Key is not seen", motus.pin_add, from_last=True)
 
-    def test_redone(self):
+    def test_stroke_pin_after_redo(self):
         """Undo and redo of the two operators; the brush's session has its own undo."""
         grid = cases.new_grid()
         bpy.ops.ed.undo_push(message="built")
@@ -281,7 +281,7 @@ class KeptTest(StrokesTestCase):
         middle = int(((flat - 0.5 * (before[200] + before[201])) ** 2).sum(axis=1).argmin())
         self.assertLess(np.abs(found[middle] - 0.5 * (after[200] + after[201])).max(), 2 * ULP)
 
-    def test_joined(self):
+    def test_stroke_pin_on_a_joined_mesh(self):
         """What joins in moves by what it has under that name, and what has nothing there stays."""
         grid, _, before, after = self.stroked()
         copied = grid.copy()

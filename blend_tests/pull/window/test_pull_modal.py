@@ -33,7 +33,7 @@ class Dabs(unittest.TestCase):
     def setUp(self):
         self.way = strokes().Way(lambda x, y: (x, y) if 0 <= x <= 1000 else None, lambda found: 100.0)
 
-    def test_one_at_the_press(self):
+    def test_press_of_the_mouse_makes_one_dab(self):
         self.assertEqual(self.way.move(50, 5), [(50, 5)])
 
     def test_a_tenth_of_the_radius_apart(self):
@@ -94,7 +94,7 @@ class TypedNumbers(unittest.TestCase):
         made = support.addon("core.interface.dragging.number_entry").NumberEntry(takes_numpad)
         return made, [made.key(key) for key in keys]
 
-    def test_digits(self):
+    def test_number_entry_takes_digits(self):
         made, taken = self.typed('ONE', 'PERIOD', 'TWO', 'FIVE')
         self.assertTrue(all(taken))
         self.assertEqual(made.value, 1.25)
@@ -176,7 +176,7 @@ class Adjusting(unittest.TestCase):
         _, value = self.handle(self.adjustment(), event('FOUR'))
         self.assertAlmostEqual(value, 400.0, places=3)
 
-    def test_wheel(self):
+    def test_wheel_changes_the_number(self):
         adjusting = support.addon("pull.window.adjusting")
         self.assertGreater(adjusting.notched(a_brush(radius=1.0), "radius", 1), 1.0)
         self.assertEqual(adjusting.notched(a_brush(radius=3.0, distance='EDGES'), "radius", -1), 2.0)
