@@ -85,7 +85,7 @@ class Pairs(support.SceneTestCase):
         bpy.context.view_layer.update()
         edited = cases.seen((20,))
         self.assertTrue(cases.differ(before, edited))
-        bpy.ops.motus.dynamics_refresh(object="Owner")
+        bpy.ops.motus.refresh(object="Owner", system="dynamics")
         self.assertFalse(cases.differ(cases.seen((20,)), edited, 0.0))
 
     def test_the_panel_names_what_it_knows_by(self):

@@ -190,7 +190,7 @@ class Remove(IkTestCase):
         rig = self.arm()
         self.reach(stretch=0.5)
         before = state(rig), counts(), self.poses(rig)
-        bpy.ops.motus.ik_refresh(object="Rig")
+        bpy.ops.motus.refresh(object="Rig", system="ik")
         self.assertSamePose(rig, before[2], 0.0)
         self.assertEqual((state(rig), counts()), before[:2])
 

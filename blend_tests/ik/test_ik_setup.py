@@ -280,7 +280,7 @@ class Refusals(IkTestCase):
 class Undo(IkTestCase):
     def test_one_step(self):
         """Blender pushes an undo step for each operator by itself only in a window; the flag says that it does."""
-        for name in ("ik_add", "ik_remove", "ik_refresh", "ik_target_add", "ik_target_remove"):
+        for name in ("ik_add", "ik_remove", "refresh", "ik_target_add", "ik_target_remove"):
             self.assertLessEqual({'REGISTER', 'UNDO'}, getattr(bpy.types, f"MOTUS_OT_{name}").bl_options)
 
     def test_modes(self):

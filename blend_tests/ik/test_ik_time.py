@@ -43,7 +43,7 @@ class Time(IkTestCase):
         for angle in (0.2, 0.9):
             turn(rig.pose.bones["Bone 0"], (0.0, 1.0, 0.0), angle)
             found = self.poses(rig)
-            bpy.ops.motus.ik_refresh(object="Rig")
+            bpy.ops.motus.refresh(object="Rig", system="ik")
             self.assertSamePose(rig, found, 1e-6)
 
     def test_driven_bones(self):
@@ -131,7 +131,7 @@ class Keyed(IkTestCase):
         animation.nla_tracks.new().strips.new("Strip", 1, animation.action)
         animation.action = None
         entry.stretch = 0.0
-        bpy.ops.motus.ik_refresh(object="Rig")
+        bpy.ops.motus.refresh(object="Rig", system="ik")
         self.assertNear(self.tail(rig, "Bone 1", frame=11), (2.0, 0.4, 1.2), 1e-5)
         self.assertIsNone(self.wiring.problem(self.system, rig, bpy.context.evaluated_depsgraph_get()))
 
@@ -163,7 +163,7 @@ class Keyed(IkTestCase):
             for frame, value in ((1, start), (11, end)):
                 entry.chain_length = value
                 self.assertTrue(entry.keyframe_insert("chain_length", frame=frame))
-            bpy.ops.motus.ik_refresh(object="Rig")
+            bpy.ops.motus.refresh(object="Rig", system="ik")
             for frame in (11, 1, 11, 20, 0):
                 self.assertSamePose(rig, wanted[1 if frame < 11 else 11], 5e-6, frame)
 
@@ -181,7 +181,7 @@ class Keyed(IkTestCase):
         self.assertIn("press Refresh", problem().sentence)
         self.evaluated(rig, 1)
         self.assertIsNone(problem())
-        bpy.ops.motus.ik_refresh(object="Rig")
+        bpy.ops.motus.refresh(object="Rig", system="ik")
         self.evaluated(rig, 11)
         self.assertIsNone(problem())
 

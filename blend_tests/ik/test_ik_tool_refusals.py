@@ -92,9 +92,9 @@ class Keywords(IkTestCase):
     def test_no_such_object(self):
         self.arm()
         motus = bpy.ops.motus
-        for operator in (motus.ik_add, motus.ik_remove, motus.ik_refresh, motus.ik_target_add, motus.ik_target_remove,
+        for operator in (motus.ik_add, motus.ik_remove, motus.refresh, motus.ik_target_add, motus.ik_target_remove,
                          motus.ik_match_fk, motus.fk_match_ik, motus.ik_check, motus.ik_drag, motus.ik_switch_target,
-                         motus.look_at_add, motus.look_at_remove, motus.look_at_refresh, motus.look_at_eye_add,
+                         motus.look_at_add, motus.look_at_remove, motus.look_at_eye_add,
                          motus.look_at_eye_remove):
             with self.subTest(operator):
                 self.assertRefused("There is no object Nope", operator, object="Nope")

@@ -398,7 +398,7 @@ class WithOthers(LayerTestCase):
         variable.type = 'TRANSFORMS'
         variable.targets[0].id, variable.targets[0].bone_target = self.rig, "UpperArm.L"
         curve.driver.expression = "var"
-        self.assertEqual(bpy.ops.motus.layers_refresh(object="Rig"), {'FINISHED'})
+        self.assertEqual(bpy.ops.motus.refresh(object="Rig", system="layers"), {'FINISHED'})
         walk = self.played(self.walk, 21)
         self.go(21)
         self.assertSameTurn(self.own("UpperArm.L"), walk["UpperArm.L"])

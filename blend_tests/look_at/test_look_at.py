@@ -298,7 +298,7 @@ class Time(LookAtTestCase):
         variable.name = "v"
         variable.targets[0].id, variable.targets[0].data_path = self.target, "location.x"
         curve.driver.expression = "v"
-        bpy.ops.motus.look_at_refresh(object="Rig")
+        bpy.ops.motus.refresh(object="Rig", system="look_at")
         for frame in (11, 1, 21, 6, 17):
             self.go(frame)
             self.assertLess(self.off("Head"), HIT, f"frame {frame}")

@@ -341,7 +341,7 @@ class Problems(LookAtTestCase):
     def test_a_target_that_comes_to_hang_on_the_head(self):
         self.target.parent = self.rig
         self.target.parent_type, self.target.parent_bone = 'BONE', "Head"
-        bpy.ops.motus.look_at_refresh(object="Rig")
+        bpy.ops.motus.refresh(object="Rig", system="look_at")
         self.assertNeutral(self.before)
         self.assertIn("moves with the head", self.sentence())
 
@@ -374,7 +374,7 @@ class Refusals(LookAtTestCase):
         self.assertRefused("weight is not a finite", add, object="Rig", bone="Head", weight=math.nan)
         self.assertFalse(self.rig.motus.look_at.is_active or self.rig.motus.look_at.entries)
         self.assertRefused("Nothing here looks", bpy.ops.motus.look_at_remove, object="Rig")
-        self.assertRefused("Nothing here looks", bpy.ops.motus.look_at_refresh, object="Rig")
+        self.assertRefused("Rig is not driven by Motus", bpy.ops.motus.refresh, object="Rig", system="look_at")
         self.look()
         self.assertRefused("Neck of Rig looks at nothing", bpy.ops.motus.look_at_remove, object="Rig", bone="Neck")
 
@@ -415,7 +415,7 @@ class EditedArmature(LookAtTestCase):
         bones["Head"].parent = bone
         bpy.ops.object.mode_set(mode='OBJECT')
         bpy.context.view_layer.update()
-        bpy.ops.motus.look_at_refresh(object="Rig")
+        bpy.ops.motus.refresh(object="Rig", system="look_at")
         self.aim(-30)
         bpy.context.view_layer.update()
         self.assertLess(self.off("Head"), 2e-3)

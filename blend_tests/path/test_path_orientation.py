@@ -207,7 +207,7 @@ class Influence(PathTestCase):
         self.line(10.0)
         car = self.follow(timing='MANUAL')
         car.motus.path.driver_add("distance_factor").driver.expression = "frame/100"
-        bpy.ops.motus.path_refresh(object="Car")
+        bpy.ops.motus.refresh(object="Car", system="path")
         for frame in (60, 10, 33.5):
             self.assertPlace(car, np.array((frame / 10.0, 0.0, 0.0)), frame, tolerance=1e-6)
 

@@ -96,7 +96,7 @@ class Sharing(SharedTestCase):
         self.assertIn("damaged", told.sentence)
         self.assertEqual(self.at(cars[1], 30).translation.x, 0.0)
         self.assertRuns(cars[2], 1.2, 1.0)
-        bpy.ops.motus.path_refresh(object="Car 1")
+        bpy.ops.motus.refresh(object="Car 1", system="path")
         self.assertAllRun(cars)
 
     def test_curve_is_edited(self):

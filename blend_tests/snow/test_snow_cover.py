@@ -196,7 +196,7 @@ class Cover(CoverTestCase):
             collection.objects.unlink(cover)
         scenery.objects.link(cover)
         bpy.context.view_layer.update()
-        bpy.ops.motus.snow_cover_refresh(object=cover.name)
+        bpy.ops.motus.refresh(object=cover.name, system="snow_cover")
         go_to(100)
         colliders, sources = support.addon("snow.colliders"), support.addon("snow.cover.sources")
         self.assertEqual(colliders.objects(emitter.motus.snow), [meadow])

@@ -198,7 +198,7 @@ class Setup(SnowTestCase):
         older.node_group = group
         nodes.set_input(older, "Flake", shape)
         users = shape.users
-        self.assertEqual(bpy.ops.motus.snow_refresh(object=emitter.name), {'FINISHED'})
+        self.assertEqual(bpy.ops.motus.refresh(object=emitter.name, system="snow"), {'FINISHED'})
         self.assertEqual([one.name for one in emitter.modifiers], ["Motus Snow"])
         self.assertNotIn("Motus Flakes", bpy.data.node_groups)
         self.assertEqual(shape.users, users - 1)
@@ -275,7 +275,7 @@ class BadInput(SnowTestCase):
         go_to(32)
         self.assertIn("Refresh", self.sentence(emitter))
         self.assertEqual(len(hub_mesh(emitter).vertices), 0)
-        self.assertEqual(bpy.ops.motus.snow_refresh(object=emitter.name), {'FINISHED'})
+        self.assertEqual(bpy.ops.motus.refresh(object=emitter.name, system="snow"), {'FINISHED'})
         self.assertEqual(self.sentence(emitter), "")
         self.assertEqual(len(flakes(emitter)["id"]), 258)
 

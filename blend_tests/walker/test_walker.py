@@ -285,7 +285,7 @@ class Objects(cases.WalkerTestCase):
         cases.key_places(body, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
         bpy.context.view_layer.update()
         bpy.data.objects.remove(feet[1])
-        bpy.ops.motus.walker_refresh(object=body.name)
+        bpy.ops.motus.refresh(object=body.name, system="walker")
         self.assertIn("no foot any more", self.sentence(body))
         cases.go_to(60)
         left = feet[0].evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world.translation

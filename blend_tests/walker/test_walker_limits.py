@@ -80,7 +80,7 @@ class NoGround(cases.WalkerTestCase):
         spider.motus.walker.ground = land
         constraint = land.constraints.new('COPY_LOCATION')
         constraint.target, constraint.subtarget = spider, "foot 1.L"
-        bpy.ops.motus.walker_refresh(object=spider.name)
+        bpy.ops.motus.refresh(object=spider.name, system="walker")
         self.assertIn("moves with what the walker drives", self.sentence(spider))
 
     @support.in_one_blender

@@ -6,7 +6,7 @@ from . import bake, declare, settings, tracks, translations, wiring
 from .blender import handlers
 from .evaluated import read_keys
 from .file import deleted
-from .interface import baking, bone_entries, menus, overlay, panels, ui
+from .interface import baking, bone_entries, menus, overlay, panels, refreshing, ui
 from .interface.tracks import operators as track_operators
 from .interface.tracks import panel as track_panel
 from .interface.view import playback, viewports
@@ -42,7 +42,7 @@ def _register(systems, languages, extra_classes, extra_add_menu):
         _undo.append(lambda name=one.name: declare.registered.pop(name))
         _register_classes(one.classes)
     _register_classes(
-        overlay.classes + ui.classes + bake.classes + baking.classes + track_operators.classes + panels.classes_of_core + bone_entries.classes + menus.classes
+        overlay.classes + ui.classes + bake.classes + baking.classes + refreshing.classes + track_operators.classes + panels.classes_of_core + bone_entries.classes + menus.classes
         + extra_classes)
     _register_settings(systems)
     _call(deleted.register, deleted.unregister)

@@ -248,22 +248,4 @@ class MOTUS_OT_dynamics_loop(Operator, _OnProperty, bpy.types.Operator):
             (entry.loop_start, entry.loop_end), entry.use_loop = targets.loop_of(scene), True
 
 
-class MOTUS_OT_dynamics_refresh(Operator, bpy.types.Operator):
-    bl_idname = "motus.dynamics_refresh"
-    bl_label = "Refresh"
-    bl_description = "Rebuild after bones or parents changed"
-    modes = OBJECT_OR_POSE_MODE
-
-    object: object_keyword("Name of the object; empty takes the active one")
-
-    @classmethod
-    def check_offer(cls, context):
-        check_local(targets.owner_with(context, ""))
-
-    def run(self, context):
-        owner = targets.owner_with(context, self.object)
-        check_local(owner)
-        wiring.refresh(setup.system(), owner)
-
-
-classes = (MOTUS_OT_dynamics_add, MOTUS_OT_dynamics_remove, MOTUS_OT_dynamics_loop, MOTUS_OT_dynamics_refresh)
+classes = (MOTUS_OT_dynamics_add, MOTUS_OT_dynamics_remove, MOTUS_OT_dynamics_loop)

@@ -170,6 +170,6 @@ PANEL = panels.SystemPanel(
         panels.Part("loop", "Loop", draw_loop, draw_header=_draw_loop_switch),
         panels.Part("input", "Input", draw_input, is_open=True),
     ),
-    actions=draw_actions, refresh="motus.dynamics_refresh", presets=presets.PANEL, draw_add=draw_add)
+    actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL, draw_add=draw_add)
 
 classes = (MOTUS_UL_dynamics_entries, *panels.classes(PANEL))

@@ -4,11 +4,10 @@ from collections.abc import Sequence
 
 import bpy
 
-from ..core import wiring
 from ..core.file.pointers import pointed
 from ..core.interface import bone_entries, operators
 from ..core.interface.rows import Rows
-from ..core.refusals import Refused, check_evaluated, check_finite, check_local, check_no_tweak_mode
+from ..core.refusals import Refused, check_evaluated, check_finite, check_no_tweak_mode
 from ..core.translations import tr
 from . import chains, rows, setup, status, targets
 from .goals import control_bones, made, placing
@@ -260,17 +259,6 @@ class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
         return rig, indices
 
 
-class MOTUS_OT_ik_refresh(OfARig, bpy.types.Operator):
-    bl_idname = "motus.ik_refresh"
-    bl_label = "Refresh"
-    bl_description = "Rebuild after bones or the parents of targets changed"
-
-    def run(self, context):
-        rig = targets.rig_with_ik(context, self.object)
-        check_local(rig)
-        wiring.refresh(setup.system(), rig)
-
-
 class MOTUS_OT_ik_target_add(OfABone, bpy.types.Operator):
     bl_idname = "motus.ik_target_add"
     bl_label = "Add Target"
@@ -323,6 +311,6 @@ class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
 
 
 classes = (
-    MOTUS_OT_ik_add, MOTUS_OT_ik_pole_add, MOTUS_OT_ik_control_bone_add, MOTUS_OT_ik_remove, MOTUS_OT_ik_refresh,
+    MOTUS_OT_ik_add, MOTUS_OT_ik_pole_add, MOTUS_OT_ik_control_bone_add, MOTUS_OT_ik_remove,
     MOTUS_OT_ik_target_add, MOTUS_OT_ik_target_remove,
 )

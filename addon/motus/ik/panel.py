@@ -167,6 +167,6 @@ PANEL = panels.SystemPanel(
         panels.Part("precision", "Precision", _draw_rows(rows.PRECISION)),
         panels.Part("tools", "Tools", tools_panel.draw, is_open=True, is_action=True),
     ),
-    readouts=draw_readouts, actions=draw_actions, refresh="motus.ik_refresh", presets=presets.PANEL, draw_add=draw_add)
+    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL, draw_add=draw_add)
 
 classes = (MOTUS_UL_ik_entries, MOTUS_UL_ik_targets, *panels.classes(PANEL))

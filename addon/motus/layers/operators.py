@@ -2,11 +2,10 @@
 
 import bpy
 
-from ..core import wiring
 from ..core.interface import operators
 from ..core.interface.rows import Row, Rows
 from ..core.measures import scene_time
-from ..core.refusals import check_finite, check_local, check_no_tweak_mode
+from ..core.refusals import check_finite, check_no_tweak_mode
 from ..core.translations import tr
 from . import rows, setup, targets
 from .properties import KEYWORDS, LayerKeywords
@@ -121,15 +120,4 @@ class MOTUS_OT_layer_remove(OfALayer, bpy.types.Operator):
         self.report({'INFO'}, tr("Removed the layer {layer} of {object}").format(layer=name, object=rig.name))
 
 
-class MOTUS_OT_layers_refresh(OfARig, bpy.types.Operator):
-    bl_idname = "motus.layers_refresh"
-    bl_label = "Refresh"
-    bl_description = "Rebuild after bones or bone collections changed"
-
-    def run(self, context):
-        rig = targets.layered_rig(context, self.object)
-        check_local(rig)
-        wiring.refresh(setup.system(), rig)
-
-
-classes = (MOTUS_OT_layer_add, MOTUS_OT_layer_remove, MOTUS_OT_layers_refresh)
+classes = (MOTUS_OT_layer_add, MOTUS_OT_layer_remove)

@@ -123,6 +123,6 @@ PANEL = panels.SystemPanel(
     is_used=lambda rig: is_owner(system(), rig),
     draw=draw_main,
     parts=(panels.Part("mask", "Mask", draw_mask, is_open=True), panels.Part("timing", "Timing", draw_timing, is_open=True)),
-    actions=draw_actions, refresh="motus.layers_refresh", presets=presets.PANEL, adders=("motus.layer_add",))
+    actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL, adders=("motus.layer_add",))
 
 classes = (MOTUS_UL_layers_entries, MOTUS_UL_layers_mask, *panels.classes(PANEL))

@@ -8,7 +8,7 @@ from ..core import wiring
 from ..core.file.pointers import pointed
 from ..core.interface import bone_entries, operators
 from ..core.measures.axes import AXES, LABELS
-from ..core.refusals import Refused, check_bone, check_finite, check_local, check_no_tweak_mode
+from ..core.refusals import Refused, check_bone, check_finite, check_no_tweak_mode
 from ..core.translations import tr
 from . import anatomy, facing, names, rows, setup, targets
 from .properties import ANY_BODY_LENGTH, KEYWORDS, LookAtKeywords
@@ -143,17 +143,6 @@ class MOTUS_OT_look_at_remove(OfAHead, bpy.types.Operator):
         self.report({'INFO'}, tr("{bone} of {object} looks at nothing").format(bone=head, object=rig.name))
 
 
-class MOTUS_OT_look_at_refresh(OfARig, bpy.types.Operator):
-    bl_idname = "motus.look_at_refresh"
-    bl_label = "Refresh"
-    bl_description = "Rebuild after bones or the parents of the target changed"
-
-    def run(self, context):
-        rig = targets.looking_rig(context, self.object)
-        check_local(rig)
-        wiring.refresh(setup.system(), rig)
-
-
 class MOTUS_OT_look_at_turn(OfAHead, bpy.types.Operator):
     bl_idname = "motus.look_at_turn"
     bl_label = "Turn Forward"
@@ -223,6 +212,6 @@ def change_eyes(operator, context, change):
 
 
 classes = (
-    MOTUS_OT_look_at_add, MOTUS_OT_look_at_remove, MOTUS_OT_look_at_refresh, MOTUS_OT_look_at_turn,
+    MOTUS_OT_look_at_add, MOTUS_OT_look_at_remove, MOTUS_OT_look_at_turn,
     MOTUS_OT_look_at_eye_add, MOTUS_OT_look_at_eye_remove,
 )

@@ -166,7 +166,7 @@ PANEL = panels.SystemPanel(
     is_used=lambda rig: rig.motus.look_at.is_active,
     draw=draw_main,
     parts=(panels.Part("limits", "Limits", draw_limits), panels.Part("bones", "Bones", draw_bones)),
-    readouts=draw_readouts, actions=draw_actions, refresh="motus.look_at_refresh", presets=presets.PANEL,
+    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL,
     draw_add=draw_add)
 
 classes = (MOTUS_UL_look_at_entries, *panels.classes(PANEL))

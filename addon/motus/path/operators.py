@@ -118,23 +118,6 @@ class MOTUS_OT_path_follow_remove(Operator, bpy.types.Operator):
         self.report({'INFO'}, tr("Removed from {objects}").format(objects=", ".join(removed)))
 
 
-class MOTUS_OT_path_refresh(Operator, bpy.types.Operator):
-    bl_idname = "motus.path_refresh"
-    bl_label = "Refresh"
-    bl_description = "Rebuild Follow Path after the curve was given different data"
-
-    object: object_keyword("Name of the object; empty takes the active one")
-
-    modes = OBJECT_MODE
-
-    @classmethod
-    def check_offer(cls, context):
-        follower_for(context)
-
-    def run(self, context):
-        wiring.refresh(setup.system(), follower_for(context, self.object))
-
-
 def _is_set_up(obj):
     return members.is_wagon(obj) or obj.motus.path.is_active or setup.is_stray(obj)
 
@@ -156,4 +139,4 @@ def _remove(obj):
     return True
 
 
-classes = (MOTUS_OT_path_follow_add, MOTUS_OT_path_follow_remove, MOTUS_OT_path_refresh)
+classes = (MOTUS_OT_path_follow_add, MOTUS_OT_path_follow_remove)

@@ -174,7 +174,7 @@ PANEL = panels.SystemPanel(
         panels.Part("orientation", "Orientation", draw_orientation, is_open=True),
         panels.Part("train", "Train", draw_train, is_open=True),
     ),
-    readouts=draw_readouts, actions=draw_actions, refresh="motus.path_refresh", presets=presets.PANEL,
+    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL,
     draw_add=draw_add, draw_about=draw_about)
 
 classes = (MOTUS_UL_path_pins, MOTUS_UL_path_wagons, *panels.classes(PANEL))

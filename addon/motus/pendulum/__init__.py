@@ -1,7 +1,7 @@
 """Pendulums: single, double, and fans of them, on pivots that may be moved."""
 
 from ..core.declare import System
-from . import drag, operators, over_time, overlay, panel, parts, presets, properties, solve, trail
+from . import build, drag, operators, over_time, overlay, panel, parts, presets, properties, solve, trail
 
 SYSTEM = System(
     name="pendulum",
@@ -24,6 +24,7 @@ SYSTEM = System(
     same_bits=True,
     over_time=over_time.over_time,
     owner_of=parts.pivot_of,
+    rebuild=build.rebuild,
     overlay=overlay.overlay,
     add_menu=("motus.pendulum_add",),
     object_menu=("motus.pendulum_add", "motus.pendulum_play", "motus.pendulum_drag", "motus.pendulum_remove"),

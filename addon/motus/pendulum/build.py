@@ -35,6 +35,15 @@ def system():
     return registered["pendulum"]
 
 
+def rebuild(pivot):
+    """Wire a pivot anew after its parts have changed, and its trail with it."""
+    parts.fit(pivot)
+    wiring.refresh(system(), pivot)
+    own_trail = parts.own_trail(pivot)
+    if own_trail:
+        wiring.refresh(trail.system(), own_trail)
+
+
 def new_pivot(context, name, place):
     """A new pivot in the active collection."""
     pivot = bpy.data.objects.new(name, None)

@@ -284,20 +284,6 @@ def _check_trail(pivot):
         raise Refused(tr("{object} has no trails").format(object=pivot.name))
 
 
-class MOTUS_OT_pendulum_refresh(_OfAPivot, bpy.types.Operator):
-    bl_idname = "motus.pendulum_refresh"
-    bl_label = "Refresh"
-    bl_description = "Rebuild the pendulum after its parts changed"
-
-    def run(self, context):
-        pivot = self.found(context, self.object)
-        parts.fit(pivot)
-        wiring.refresh(build.system(), pivot)
-        own_trail = parts.own_trail(pivot)
-        if own_trail:
-            wiring.refresh(trail.system(), own_trail)
-
-
 class MOTUS_OT_pendulum_select_pivot(Operator, bpy.types.Operator):
     bl_idname = "motus.pendulum_select_pivot"
     bl_label = "Select Pivot"
@@ -313,4 +299,4 @@ class MOTUS_OT_pendulum_select_pivot(Operator, bpy.types.Operator):
 
 
 classes = (MOTUS_OT_pendulum_add, MOTUS_OT_pendulum_remove, MOTUS_OT_pendulum_play, MOTUS_OT_pendulum_trail_add,
-           MOTUS_OT_pendulum_trail_remove, MOTUS_OT_pendulum_refresh, MOTUS_OT_pendulum_select_pivot)
+           MOTUS_OT_pendulum_trail_remove, MOTUS_OT_pendulum_select_pivot)

@@ -125,7 +125,7 @@ PANEL = panels.SystemPanel(
         panels.Part("time", "Time", draw_time, is_open=True),
         panels.Part("trail", "Trails", draw_trail),
     ),
-    readouts=draw_readouts, actions=draw_actions, refresh="motus.pendulum_refresh", presets=presets.PANEL,
+    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL,
     draw_add=draw_add)
 
 
@@ -140,7 +140,7 @@ TRAIL_PANEL = panels.SystemPanel(
     editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
     suits=parts.is_trail, is_used=parts.is_trail, draw=draw_own_trail,
     actions=lambda layout, context: layout.operator("motus.pendulum_trail_remove", icon='X'),
-    refresh="motus.pendulum_refresh")
+    refresh=panels.REFRESH)
 
 classes = panels.classes(PANEL)
 trail_classes = panels.classes(TRAIL_PANEL)

@@ -22,6 +22,7 @@ SYSTEM = System(
     makes_points=solve.POINTS,
     dress=look.dress,
     settle=build.settle,
+    rebuild=build.rebuild,
     unbakeable=solve.UNBAKEABLE.sentence,
     overlay=overlay.overlay,
     extras=(handlers.Forgetting(landings.forget),),

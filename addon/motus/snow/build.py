@@ -36,6 +36,12 @@ def groups(owner):
     return (Group(inputs=tuple(Transform(camera) for camera in sorted(cameras, key=lambda one: one.name))),)
 
 
+def rebuild(emitter):
+    """Wire an emitter anew, with the materials and objects that its flakes show."""
+    wiring.refresh(system(), emitter)
+    look.dress(emitter)
+
+
 def new_emitter(context, place):
     """An emitter without settings, that faces down."""
     name = tr("Snow")

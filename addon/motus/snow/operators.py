@@ -14,7 +14,7 @@ from ..core.interface.view import viewports
 from ..core.measures import scene_time
 from ..core.refusals import INFINITE, Refused, check_finite, check_local, check_unbaked, named, named_collection, named_mesh
 from ..core.translations import tr
-from . import build, colliders, flakes, look, presets, rows
+from . import build, colliders, flakes, presets, rows
 from .properties import KEYWORDS, SnowKeywords
 
 ABOVE = 6.0  # m, of an emitter that is added by hand, over the 3D cursor or what the viewport looks at
@@ -257,16 +257,5 @@ class MOTUS_OT_snow_colliders_clear(_OnEmitter, bpy.types.Operator):
         colliders.forget(emitter)
 
 
-class MOTUS_OT_snow_refresh(_OnEmitter, bpy.types.Operator):
-    bl_idname = "motus.snow_refresh"
-    bl_label = "Refresh"
-    bl_description = "Rebuild the emitter after its parts changed"
-
-    def run(self, context):
-        emitter = self.found(context, self.object)
-        wiring.refresh(build.system(), emitter)
-        look.dress(emitter)
-
-
 classes = (MOTUS_OT_snow_add, MOTUS_OT_snow_remove, MOTUS_OT_snow_preset, MOTUS_OT_snow_stop_add,
-           MOTUS_OT_snow_stop_remove, MOTUS_OT_snow_colliders_record, MOTUS_OT_snow_colliders_clear, MOTUS_OT_snow_refresh)
+           MOTUS_OT_snow_stop_remove, MOTUS_OT_snow_colliders_record, MOTUS_OT_snow_colliders_clear)

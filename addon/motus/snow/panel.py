@@ -134,6 +134,6 @@ PANEL = panels.SystemPanel(
         panels.Part("random", "Random", draw_random),
         panels.Part("flakes", "Flakes", draw_flakes, is_open=True),
     ),
-    readouts=draw_readouts, actions=draw_actions, refresh="motus.snow_refresh", presets=presets.PANEL, draw_add=draw_add)
+    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL, draw_add=draw_add)
 
 classes = panels.classes(PANEL)

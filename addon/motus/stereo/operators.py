@@ -5,7 +5,7 @@ import bpy
 from ..core import wiring
 from ..core.interface.operators import OBJECT_MODE, FindsValues, Operator, object_keyword
 from ..core.interface.rows import Rows
-from ..core.refusals import Refused, check_evaluated, check_finite, check_local
+from ..core.refusals import Refused, check_evaluated, check_finite
 from ..core.translations import tr
 from . import budget, lens, rig, rows, samples, screens, targets
 from .properties import KEYWORDS, StereoKeywords
@@ -149,16 +149,4 @@ class MOTUS_OT_stereo_rig_remove(OfARig, Operator, bpy.types.Operator):
         rig.remove(camera)
 
 
-class MOTUS_OT_stereo_refresh(OfARig, Operator, bpy.types.Operator):
-    bl_idname = "motus.stereo_refresh"
-    bl_label = "Refresh"
-    bl_description = "Rebuild the stereo rig after the camera was given different lens data"
-    modes = OBJECT_MODE
-
-    def run(self, context):
-        camera = targets.rig_for(context, self.object)
-        check_local(camera)
-        wiring.refresh(rig.system(), camera)
-
-
-classes = (MOTUS_OT_stereo_rig_add, MOTUS_OT_stereo_fit, MOTUS_OT_stereo_rig_remove, MOTUS_OT_stereo_refresh)
+classes = (MOTUS_OT_stereo_rig_add, MOTUS_OT_stereo_fit, MOTUS_OT_stereo_rig_remove)

@@ -121,7 +121,7 @@ PANEL = panels.SystemPanel(
     editors={"": ui.Sidebar, "_camera": ui.CameraData},
     suits=lambda obj: True, is_used=rig.has_rig, draw=draw_main,
     parts=(panels.Part("screen", "Screen", draw_screen, is_open=True),),
-    readouts=draw_readouts, actions=draw_actions, refresh="motus.stereo_refresh", presets=presets.PANEL,
+    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL,
     adders=("motus.stereo_rig_add",))
 
 classes = panels.classes(PANEL)

@@ -106,15 +106,6 @@ class MOTUS_OT_walker_rest(_OfAWalker, bpy.types.Operator):
         self.report({'INFO'}, tr("Rest positions of {count} feet updated").format(count=count))
 
 
-class MOTUS_OT_walker_refresh(_OfAWalker, bpy.types.Operator):
-    bl_idname = "motus.walker_refresh"
-    bl_label = "Refresh"
-    bl_description = "Rebuild the walker after its rig or ground changed, and plan its steps anew"
-
-    def run(self, context):
-        wiring.refresh(setup.system(), self.found(context, self.object))
-
-
 class MOTUS_OT_walker_select(Operator, bpy.types.Operator):
     bl_idname = "motus.walker_select"
     bl_label = "Select Walker"
@@ -130,4 +121,4 @@ class MOTUS_OT_walker_select(Operator, bpy.types.Operator):
         select_only(context, targets.walker_for(context, ""))
 
 
-classes = (MOTUS_OT_walker_add, MOTUS_OT_walker_remove, MOTUS_OT_walker_rest, MOTUS_OT_walker_refresh, MOTUS_OT_walker_select)
+classes = (MOTUS_OT_walker_add, MOTUS_OT_walker_remove, MOTUS_OT_walker_rest, MOTUS_OT_walker_select)

@@ -115,6 +115,6 @@ PANEL = panels.SystemPanel(
         panels.Part("legs", "Legs", draw_legs),
         panels.Part("whole", "More", draw_whole),
     ),
-    readouts=draw_readouts, actions=draw_actions, refresh="motus.walker_refresh", presets=presets.PANEL, draw_add=draw_add)
+    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL, draw_add=draw_add)
 
 classes = panels.classes(PANEL)

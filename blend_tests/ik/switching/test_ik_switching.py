@@ -223,7 +223,7 @@ class Triggered(SwitchTestCase):
             bpy.context.view_layer.update()
         self.assertTriggered()
         other.driver_remove("motus.ik.entries[0].position_weight")
-        bpy.ops.motus.ik_refresh(object="Other")
+        bpy.ops.motus.refresh(object="Other", system="ik")
         self.assertTriggered()
 
     def test_the_output_moves_to_another_slot(self):

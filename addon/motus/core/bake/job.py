@@ -16,7 +16,7 @@ from .sampling import NumberTrack, Track
 def owner_and_systems(thing, name=""):
     """(owner, systems) to bake where the user names an owner or one of its members; name "" means every system."""
     refusals = []
-    for owner, systems in _candidates(thing):
+    for owner, systems in declare.wired_on(thing):
         chosen = [one for one in systems if name in ("", one.name)]
         refusals += [one.unbakeable for one in chosen if one.unbakeable]
         chosen = [one for one in chosen if not one.unbakeable]
@@ -25,15 +25,6 @@ def owner_and_systems(thing, name=""):
     if refusals:
         raise Refused(tr(refusals[0]))
     raise Refused(tr("{object} is not driven by Motus: add a system to it first").format(object=thing.name))
-
-
-def _candidates(thing):
-    systems = declare.systems()
-    yield thing, [one for one in systems if wiring.is_attached(one, thing)]
-    for one in systems:
-        leader = declare.leader_of(one, thing)
-        if leader:
-            yield leader, [one]
 
 
 def bake(scene, view_layer, owner, systems, frames):

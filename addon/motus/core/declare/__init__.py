@@ -5,11 +5,11 @@ from .inputs import BonesOwn, Deformed, Geometries, Geometry, Matrix, OwnMatrix,
 from .members import Entry, Group, Member, Points, Property
 from .problem import OK, Problem
 from .registry import (
-    can_own, described, groups_of, has_settings, input_variables, is_owner, leader_of, of_owner, offered, registered, systems, title)
+    can_own, described, groups_of, has_settings, input_variables, is_owner, leader_of, of_owner, offered, registered, systems, title, wired_on)
 from .system import Feature, System
 
 __all__ = (
     "OK", "BonesOwn", "Context", "Deformed", "Entry", "Feature", "Geometries", "Geometry", "Group", "Matrix", "Member", "OwnMatrix", "Points", "Problem",
     "Property", "Setting", "Splines", "System", "Transform", "Variable", "Vertices", "can_own", "described", "groups_of", "has_settings",
-    "input_variables", "is_owner", "leader_of", "of_owner", "offered", "registered", "systems", "title",
+    "input_variables", "is_owner", "leader_of", "of_owner", "offered", "registered", "systems", "title", "wired_on",
 )

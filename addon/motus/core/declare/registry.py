@@ -49,6 +49,15 @@ def leader_of(system: System, obj: Any) -> Any:
     return pointed(of_owner(system, obj), "leader") if has_settings(system, obj) else None
 
 
+def wired_on(thing):
+    """Yields (owner, systems): an object with the systems that are wired on it, then the owners that drive it, each with one system."""
+    yield thing, [one for one in systems() if is_owner(one, thing)]
+    for one in systems():
+        leader = leader_of(one, thing)
+        if leader:
+            yield leader, [one]
+
+
 def groups_of(system: System, owner: Any) -> tuple[Group, ...]:
     """The groups of members that the system drives for an owner: one, where the system declares none."""
     if not can_own(system, owner):

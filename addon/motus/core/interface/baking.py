@@ -6,19 +6,8 @@ from ..bake import job
 from ..declare import title
 from ..refusals import Refused
 from ..translations import counted, tr
-from .operators import Operator, object_keyword
+from .operators import Operator, named_or_active, object_keyword
 from .over_frames import OverFrames
-
-
-def _named_object(context, name):
-    if not name:
-        if context.object is None:
-            raise Refused(tr("Select an object, or name one"))
-        return context.object
-    found = context.scene.objects.get(name)
-    if found is None:
-        raise Refused(tr("There is no object {object} in the scene").format(object=name))
-    return found
 
 
 def _objects(count):
@@ -36,7 +25,7 @@ class MOTUS_OT_bake(OverFrames, bpy.types.Operator):
 
     @classmethod
     def check_offer(cls, context):
-        thing = _named_object(context, "")
+        thing = named_or_active(context, "")
         job.owner_and_systems(thing)
         if thing.motus.bake.is_baked:
             raise Refused(tr("{object} is baked already: unbake it first").format(object=thing.name))
@@ -54,7 +43,7 @@ class MOTUS_OT_bake(OverFrames, bpy.types.Operator):
 
     def _baked(self, context):
         """(owner, systems) that are baked. Raises Refused."""
-        return job.owner_and_systems(_named_object(context, self.object), self.system)
+        return job.owner_and_systems(named_or_active(context, self.object), self.system)
 
     def steps(self, context, frames):
         owner, systems = self._baked(context)
@@ -84,10 +73,10 @@ class MOTUS_OT_unbake(Operator, bpy.types.Operator):
 
     @classmethod
     def check_offer(cls, context):
-        job.check_baked(_named_object(context, ""))
+        job.check_baked(named_or_active(context, ""))
 
     def run(self, context):
-        baked, partial = job.unbake(_named_object(context, self.object), self.system)
+        baked, partial = job.unbake(named_or_active(context, self.object), self.system)
         self.report({'INFO'}, tr("Unbaked {objects}").format(objects=_objects(len(baked))))
         if partial:
             self.report({'WARNING'}, tr("Not all that these were before baking is in the file any more: {objects}").format(

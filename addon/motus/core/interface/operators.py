@@ -110,6 +110,18 @@ def object_keyword(description):
     return bpy.props.StringProperty(name="Object", description=description, options={'SKIP_SAVE'})
 
 
+def named_or_active(context, name):
+    """The object of this name in the scene; the active object if the name is empty."""
+    if not name:
+        if context.object is None:
+            raise Refused(tr("Select an object, or name one"))
+        return context.object
+    found = context.scene.objects.get(name)
+    if found is None:
+        raise Refused(tr("There is no object {object} in the scene").format(object=name))
+    return found
+
+
 class Operator:
     """Mixin of operators. run(context) does the work, and raises Refused with a sentence.
 

@@ -15,6 +15,8 @@ from ..bake import state
 from ..declare import described, registered, title
 from . import operators, overlay, ui
 
+REFRESH = "motus.refresh"
+
 
 @dataclass(frozen=True)
 class Part:
@@ -42,7 +44,7 @@ class SystemPanel:
     that suits, and closed at first. has_settings(owner): whether the owner's own settings are shown, with all parts; else
     `draw` alone is. draw, readouts and actions: (layout, context). adders:
     operators that add it, or draw_add(layout, context), which draws them, the same buttons whatever is selected.
-    draw_about(layout, context): what is told of the active object below all these buttons. refresh: operator that wires the owner anew.
+    draw_about(layout, context): what is told of the active object below all these buttons. refresh: operator that wires the owner anew, as a rule REFRESH.
     labels: {end of the prefix: label} of editors where it is another one.
     """
 
@@ -120,7 +122,9 @@ def _menu(panel, name):
     """What is seldom needed."""
 
     def draw(self, _context):
-        operators.offer(self.layout).operator(panel.refresh, icon='FILE_REFRESH')
+        button = operators.offer(self.layout).operator(panel.refresh, icon='FILE_REFRESH')
+        if panel.refresh == REFRESH:
+            button.system = panel.name
 
     return type(name, (bpy.types.Menu,), {"bl_label": "More", "draw": draw, **_common(panel)})
 

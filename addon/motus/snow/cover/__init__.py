@@ -21,6 +21,7 @@ SYSTEM = System(
     makes_points=solve.POINTS,
     dress=look.dress,
     settle=build.settle,
+    rebuild=build.wire,
     extras=(handlers.Forgetting(work.forget),),
     unbakeable=solve.UNBAKEABLE.sentence,
     object_menu=("motus.snow_cover_add", "motus.snow_cover_remove"),

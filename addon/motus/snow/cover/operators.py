@@ -261,14 +261,5 @@ class MOTUS_OT_snow_cover_work_out(Job, bpy.types.Operator):
             raise Refused(tr(found.sentence))
 
 
-class MOTUS_OT_snow_cover_refresh(_OnCover, bpy.types.Operator):
-    bl_idname = "motus.snow_cover_refresh"
-    bl_label = "Refresh"
-    bl_description = "Rebuild the snow cover after surfaces or emitters changed"
-
-    def run(self, context):
-        build.wire(self.found(context, self.object))
-
-
 classes = (MOTUS_OT_snow_cover_add, MOTUS_OT_snow_cover_remove, MOTUS_OT_snow_cover_entry_add,
-           MOTUS_OT_snow_cover_entry_remove, MOTUS_OT_snow_cover_work_out, MOTUS_OT_snow_cover_refresh)
+           MOTUS_OT_snow_cover_entry_remove, MOTUS_OT_snow_cover_work_out)

@@ -83,6 +83,6 @@ PANEL = panels.SystemPanel(
         panels.Part("emitters", "Snow", draw_emitters, is_open=True),
         panels.Part("layer", "Snow Layer", draw_layer),
     ),
-    readouts=draw_readouts, actions=draw_actions, refresh="motus.snow_cover_refresh", presets=PRESETS, draw_add=draw_add)
+    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=PRESETS, draw_add=draw_add)
 
 classes = panels.classes(PANEL)

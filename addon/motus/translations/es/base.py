@@ -126,6 +126,10 @@ INTERFACE = {
         "Objeto movido, o que mueve a otros; vacío significa el activo",
     "Object that was baked; empty means the active one": "Objeto que se capturó; vacío significa el activo",
     "System": "Sistema",
+    "Name of the system to rebuild; empty means all of the object's":
+        "Nombre del sistema que reconstruir; vacío significa todos los del objeto",
+    "Rebuild what Motus has set up, after bones, parents or data that it reads have changed":
+        "Reconstruir lo que Motus ha preparado, después de cambiar huesos, padres o datos que lee",
     "Name of the system to bake; empty means all of the object's":
         "Nombre del sistema que se captura; vacío significa todos los del objeto",
     "Name of a system that was baked; empty means any": "Nombre de un sistema que se capturó; vacío significa cualquiera",
@@ -352,7 +356,6 @@ INTERFACE = {
         "Hacer que los objetos seleccionados sigan una curva uno tras otro, el activo primero",
     "Remove Follow Path, so that the objects stand at their own transforms again":
         "Quitar Seguir trayectoria, de modo que los objetos vuelven a sus propias transformaciones",
-    "Rebuild Follow Path after the curve was given different data": "Reconstruir después de dar otros datos a la curva",
     "Add a curve whose points, or placed objects, are the control points of one Bézier curve":
         "Agregar una curva cuyos puntos, u objetos colocados, son los puntos de control de una sola curva Bézier",
     "Degree": "Grado",

@@ -109,7 +109,6 @@ INTERFACE = {
     "Remove dynamics from objects, bones or properties": "Quitar la dinámica de objetos, huesos o propiedades",
     "Let the motion close without a seam over the scene's frames, where the animation does":
         "Hace que el movimiento se cierre sin costura en los fotogramas de la escena, si la animación lo hace",
-    "Rebuild after bones or parents changed": "Reconstruir después de cambiar huesos o padres",
     "Name of the object; empty takes the selected ones, in Pose Mode the selected bones":
         "Nombre del objeto; vacío toma los seleccionados, en modo Pose los huesos seleccionados",
     "Names of bones of the object, with commas between": "Nombres de huesos del objeto, separados por comas",

@@ -176,8 +176,6 @@ INTERFACE = {
     "Index of the further target; -1 is the active one": "Índice del otro objetivo; -1 es el activo",
     "Which side of the line from root to target the chain bends to":
         "Hacia qué lado de la línea de la raíz al objetivo se dobla la cadena",
-    "Rebuild after bones or the parents of targets changed":
-        "Reconstruir después de cambiar huesos o los padres de los objetivos",
     "{bone} has a constraint of its own that overrides its rotation: {constraint}":
         "{bone} tiene una restricción propia que impone su rotación: {constraint}",
     "{bone} has joint limits of its own: they count only with Use Tail":

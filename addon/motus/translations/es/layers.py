@@ -105,7 +105,6 @@ INTERFACE = {
         "Poner una acción sobre la animación propia del rig, en los huesos seleccionados y los de debajo, o en todos",
     "Remove a layer from the rig; its action stays in the file":
         "Quitar una capa del rig; su acción se queda en el archivo",
-    "Rebuild after bones or bone collections changed": "Reconstruir después de cambiar huesos o colecciones de huesos",
     "Move towards the top of the list, beneath the other layer":
         "Mover hacia el principio de la lista, debajo de la otra capa",
     "Move towards the end of the list, above the other layer": "Mover hacia el final de la lista, encima de la otra capa",

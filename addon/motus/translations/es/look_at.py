@@ -79,8 +79,6 @@ INTERFACE = {
     "Let head, spine and eyes turn to a target": "Hacer que cabeza, columna y ojos se vuelvan hacia un objetivo",
     "Remove Look At, so that the head has its own animation again; a target that was made goes along if nothing else needs it":
         "Quitar Mirar a, de modo que la cabeza vuelve a su propia animación; un objetivo que se creó se va con él si nada más lo necesita",
-    "Rebuild after bones or the parents of the target changed":
-        "Reconstruir después de cambiar huesos o los padres del objetivo",
     "Let another bone below the head turn as an eye": "Hacer que otro hueso bajo la cabeza gire como un ojo",
     "Leave an eye to its own animation again": "Dejar otra vez un ojo a su propia animación",
     "Name of the head bone; empty takes the active one, or the one that is called head":

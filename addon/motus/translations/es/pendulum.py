@@ -189,7 +189,6 @@ INTERFACE = {
         "Si el tiempo corre o se detiene desde el fotograma actual",
     "What the pendulum hangs on": "De qué cuelga el péndulo",
     "Place in the world that the end bob is dragged to": "Lugar del mundo al que se arrastra la lenteja del extremo",
-    "Rebuild the pendulum after its parts changed": "Reconstruir el péndulo después de cambiar sus partes",
     "A rod of the pendulum, by which it is found if the pivot is gone": "Una varilla del péndulo, por la que se la encuentra si falta el pivote",
     "A setting of the trail is not a finite number": "Un ajuste de la estela no es un número finito",
     "A trail is computed from the pendulum on each frame: there is nothing to bake":

@@ -257,7 +257,6 @@ INTERFACE = {
     "Shape in which the flakes are born": "Forma en la que nacen los copos",
     "Whether it snows: 0 hides the snow": "Si nieva: 0 oculta la nieve",
     "Wind": "Viento",
-    "Rebuild the emitter after its parts changed": "Reconstruir el emisor después de cambiar sus partes",
     "Speed at which flakes leave the emitter": "Velocidad a la que los copos salen del emisor",
     "{count} flakes at once would need {memory}; there can be {most}":
         "{count} copos a la vez necesitarían {memory}; puede haber {most}",

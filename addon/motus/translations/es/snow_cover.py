@@ -92,8 +92,6 @@ INTERFACE = {
     "Surfaces that snow lies on": "Superficies sobre las que queda la nieve",
     "Objects that the solver waits for, to notice changes": "Objetos que espera el cálculo, para notar cambios",
     "List that the objects are added to or removed from": "Lista a la que se agregan o de la que se quitan los objetos",
-    "Rebuild the snow cover after surfaces or emitters changed":
-        "Reconstruir el manto de nieve después de cambiar superficies o emisores",
     "{object} is no emitter of snow": "{object} no es un emisor de nieve",
 }
 

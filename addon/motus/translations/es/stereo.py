@@ -181,8 +181,6 @@ INTERFACE = {
     "The screen is where an object is along the camera's axis":
         "La pantalla está donde está un objeto según el eje de la cámara",
     "Custom width and viewing distance": "Ancho y distancia de visión personalizados",
-    "Rebuild the stereo rig after the camera was given different lens data":
-        "Reconstruir después de dar a la cámara otros datos de lente",
     "{object} has a stereo rig": "{object} tiene un montaje estéreo",
     "{object} has a stereo rig: remove that first": "{object} tiene un montaje estéreo: quítalo antes",
     "{object} has its lens in common with {other}, which has a stereo rig":

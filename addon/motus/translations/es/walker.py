@@ -159,8 +159,6 @@ INTERFACE = {
         "Quitar el caminante, de modo que pies y cuerpo vuelven a su propia animación",
     "Set the rest positions of the feet to where their own transforms have them on this frame":
         "Fijar las posiciones de reposo de los pies donde los tienen sus propias transformaciones en este fotograma",
-    "Rebuild the walker after its rig or ground changed, and plan its steps anew":
-        "Reconstruir el caminante después de cambiar su rig o el suelo, y planear de nuevo sus pasos",
     "Select the body whose settings drive this one": "Selecciona el cuerpo cuyos ajustes impulsan este",
     "Name of the body that is moved, such as the armature; empty takes the active object":
         "Nombre del cuerpo que se mueve, como el esqueleto; vacío toma el objeto activo",

@@ -31,8 +31,8 @@ class RefreshTest(LinkedTestCase):
     def test_refused_with_a_sentence(self):
         for system, name in (("path", "Car"), ("path", "Engine"), ("ik", "Arm"), ("look_at", "Figure")):
             with self.subTest(name), self.assertRaisesRegex(RuntimeError, f"{name} is linked from another file"):
-                getattr(bpy.ops.motus, f"{system}_refresh")(object=name)
-            self.assert_as_before(f"{system}_refresh of {name}")
+                bpy.ops.motus.refresh(object=name, system=system)
+            self.assert_as_before(f"refresh of {system} on {name}")
         with self.assertRaisesRegex(RuntimeError, "Grid is linked from another file"):
             bpy.ops.motus.pin_restore(object="Grid")
         self.assert_as_before("pin_restore")

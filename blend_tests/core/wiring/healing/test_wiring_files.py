@@ -59,8 +59,8 @@ class FileTest(WiringTestCase):
 
     def in_fresh_blender(self, path, addresses, use_scripts=True, enabled=True):
         register = "support.enable(); toy_system.register()" if enabled else ""
-        needed, tests = ("import support, toy_system", "test_wiring_files") if enabled else ("", "bare")
-        imports = f"{needed}\nfrom core.wiring import {tests} as tests"
+        needed, tests = ("import support, toy_system", "healing.test_wiring_files") if enabled else ("", "bare")
+        imports = f"{needed}\nimport core.wiring.{tests} as tests"
         arguments = ("--factory-startup", "--enable-autoexec" if use_scripts else "--disable-autoexec")
         status, output = support.run_blender(
             f"{imports}\n{register}\ntests.print_matrices({path!r}, {addresses!r}, {use_scripts!r})\n",

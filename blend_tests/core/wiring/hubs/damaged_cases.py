@@ -134,10 +134,10 @@ def walker():
 def _operators(system):
     motus = bpy.ops.motus
     return {
-        "path": (motus.path_refresh, lambda object: motus.path_follow_remove(object=object)),
-        "ik": (motus.ik_refresh, lambda object: motus.ik_remove(object=object)),
-        "look_at": (motus.look_at_refresh, lambda object: motus.look_at_remove(object=object, bone="Head")),
-        "walker": (motus.walker_refresh, lambda object: motus.walker_remove(object=object)),
+        "path": (motus.refresh, lambda object: motus.path_follow_remove(object=object)),
+        "ik": (motus.refresh, lambda object: motus.ik_remove(object=object)),
+        "look_at": (motus.refresh, lambda object: motus.look_at_remove(object=object, bone="Head")),
+        "walker": (motus.refresh, lambda object: motus.walker_remove(object=object)),
         "pull": (motus.pin_restore, lambda object: motus.pin_remove(object=object, all=True)),
     }[system]
 

@@ -12,7 +12,7 @@ class HostileTest(unittest.TestCase):
     def check(self, keys):
         """keys: whether the acts are those to custom properties."""
         status, said = support.run_blender(
-            "import tempfile\nfrom core.wiring import hostile_acts\n"
+            "import tempfile\nfrom core.wiring.hubs import hostile_acts\n"
             f"with tempfile.TemporaryDirectory(prefix='motus-test-') as folder:\n    hostile_acts.run(folder, {keys})\n")
         lines = said.splitlines()
         acts = [line for line in lines if line.startswith("ACT ")]

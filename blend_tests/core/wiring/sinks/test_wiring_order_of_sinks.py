@@ -69,7 +69,7 @@ class Aimed(AimedTestCase):
         wanted = self.kinds(camera)
         self.assertEqual(wanted[0], 'TRACK_TO')
         for _ in range(2):
-            bpy.ops.motus.path_refresh(object="Camera")
+            bpy.ops.motus.refresh(object="Camera", system="path")
             self.assertEqual(self.kinds(camera), wanted)
         camera.keyframe_insert("motus.path.offset", frame=1)
         self.at(camera, 5)
