@@ -19,7 +19,7 @@ def steps(strip):
     yield 0.5
 
     yield from hand.enter("2", "Length", beside=150)
-    yield from strip.shot(730, 340)
+    yield from strip.shot(730, 372)
     yield from strip.panel("drivers_dialog", 736, 275, 1130, 793)
     yield from hand.click("OK")
 

@@ -27,8 +27,8 @@ def steps(strip):
     yield from hand.to_frame(13)
     yield from strip.shot(50, 395)
 
-    yield from hand.on("Add Dynamics", hand.box('UI'))
-    yield from strip.shot(620, 80)
+    yield from hand.on("Dynamics on Cube", hand.box('UI'))
+    yield from strip.shot(620, 80, is_moved=True)
     yield from hand.click()
 
     yield from hand.click("Custom", hand.box('UI'))

@@ -10,6 +10,8 @@ from window import window_support
 from . import reading
 
 SEEN_WITHIN = 30.0  # seconds until words have to be on the screen
+SCROLLED, WHOLE_TAB = 8, 60  # notches of the wheel
+SCROLLED_AFTER = 3.0  # seconds until the region that has to show words is scrolled down to them
 HOVERED = 0.4  # seconds until a submenu opens under the mouse
 DRAG_STEPS = 5
 CHARACTERS = {".": 'PERIOD', "/": 'SLASH', "-": 'MINUS', " ": 'SPACE', "_": 'MINUS', **dict(zip("0123456789", (
@@ -40,11 +42,16 @@ def whole(of):
 
 
 def at(words, within=None):
-    """Where words are on the screen; waits until they are there."""
-    found = yield from window_support.until(lambda: reading.find(window_support.screen(), words, within), SEEN_WITHIN)
-    if found is None:
-        raise AssertionError(f'"{words}" is not on the screen')
-    return found
+    """Where words are on the screen; waits until they are there. A region, `within`, is scrolled to them, from its top down."""
+    for count in range(round(SEEN_WITHIN / SCROLLED_AFTER)):
+        found = yield from window_support.until(lambda: reading.find(window_support.screen(), words, within), SCROLLED_AFTER)
+        if found is not None:
+            return found
+        if within is not None:
+            left, bottom, right, top = within
+            yield from to((left + right) // 2, (bottom + top) // 2)
+            yield from scroll(-SCROLLED if count else WHOLE_TAB)
+    raise AssertionError(f'"{words}" is not on the screen')
 
 
 def on(words, within=None, beside=0):

@@ -28,7 +28,7 @@ def steps(strip):
     yield from hand.click_at(hand.pixel_of(rig.data.bones["Hand"].head_local * 0.5 + rig.data.bones["Hand"].tail_local * 0.5))
     yield from strip.shot(230, 160)
 
-    yield from hand.on("Inverse Kinematics", hand.box('UI'))
+    yield from hand.on("IK on Hand", hand.box('UI'))
     yield from strip.shot(620, 80)
     yield from hand.click()
 

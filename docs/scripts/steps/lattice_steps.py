@@ -22,7 +22,7 @@ def steps(strip):
     view.view_rotation = Euler((math.radians(80.0), 0.0, math.radians(15.0))).to_quaternion()
     view.view_location, view.view_distance = (0.6, 0.0, 0.0), 9.0
     yield from hand.on("Fit Lattice", hand.box('UI'))
-    yield from strip.shot(620, 80)
+    yield from strip.shot(620, 80, is_moved=True)
     yield from hand.click()
     yield from hand.click("Fit Lattice", (0, 60, 300, 130))
     yield from hand.enter("5", "Z", (0, 60, 400, 400), beside=80)

@@ -23,8 +23,8 @@ def steps(strip):
     yield from hand.click("Figure", hand.whole('OUTLINER'))
     yield from strip.shot(200, 100)
 
-    yield from hand.on("Look At", hand.box('UI'))
-    yield from strip.shot(620, 80)
+    yield from hand.on("Look At with Head", hand.box('UI'))
+    yield from strip.shot(620, 80, is_moved=True)
     yield from hand.click()
 
     target = bpy.data.objects["Figure Head Target"]

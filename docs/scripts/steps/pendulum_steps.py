@@ -14,8 +14,8 @@ def steps(strip):
     yield from hand.click()
 
     yield from hand.frame_view(zoom_out=3)
-    yield from hand.enter("0.7", "Lower", hand.box('UI'), beside=120)
-    yield from hand.enter("150", "Angle", hand.box('UI'), beside=120)
+    yield from hand.enter("0.7", "Lower Length", hand.box('UI'), beside=120)
+    yield from hand.enter("150", "Upper Angle", hand.box('UI'), beside=120)
     yield from strip.shot(620, 80)
 
     yield from hand.to_frame(36)
@@ -33,7 +33,7 @@ def steps(strip):
     yield from hand.click("Trails", hand.box('UI'))
     yield from hand.click("Add Trails", hand.box('UI'))
     yield from hand.to_frame(72)
-    yield from strip.shot(200, 200)
+    yield from strip.shot(200, 330)
 
 
 def _where(obj):

@@ -10,7 +10,7 @@ def steps(strip):
     """Generator: the five steps of the Snow page."""
     yield from hand.fresh()
     yield from hand.on("Add Snow", hand.box('UI'))
-    yield from strip.shot(620, 120)
+    yield from strip.shot(620, 120, is_moved=True)
     yield from hand.click()
 
     yield from hand.over_view()
@@ -25,7 +25,7 @@ def steps(strip):
     yield from hand.click("Collision", hand.box('UI'))
     yield from hand.click("Ground", hand.box('UI'))
     yield from hand.to_frame(60)
-    yield from strip.shot(620, 300)
+    yield from strip.shot(620, 400)
 
     yield from hand.over_view()
     yield from hand.key('A', alt=True)

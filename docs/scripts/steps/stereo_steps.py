@@ -11,7 +11,7 @@ def steps(strip):
     yield from hand.fresh()
     yield from hand.click("Camera", hand.whole('OUTLINER'))
     yield from hand.on("Add Stereo Rig", hand.box('UI'))
-    yield from strip.shot(620, 80)
+    yield from strip.shot(620, 80, is_moved=True)
     yield from hand.click()
 
     yield from hand.over_view()
@@ -26,7 +26,7 @@ def steps(strip):
     yield 0.5
     yield from hand.click("Cinema")
     yield from hand.on("Fit to Screen", hand.box('UI'))
-    yield from strip.shot(620, 300)
+    yield from strip.shot(620, 300, is_moved=True)
     yield from hand.click()
 
     yield from hand.click("Check Stereo", hand.box('UI'))

@@ -12,6 +12,7 @@ from . import hand
 
 WIDTH, HEIGHT, GAP = 420, 380, 10
 WIDE = 2 * WIDTH + GAP
+AROUND = 40  # pixels, from the mouse to the edges of its picture
 COLUMNS, COUNT = 3, 5
 PAPER = 255
 INSET, RIM = (300, 220), 3
@@ -35,13 +36,19 @@ class Strip:
         self._pictures = []
         self._panels = {}
 
-    def shot(self, left, top, has_mouse=True):
-        """Generator: takes the next picture, whose upper left corner is so many pixels from the window's."""
+    def shot(self, left, top, has_mouse=True, is_moved=False):
+        """Generator: takes the next picture, whose upper left corner is so many pixels from the window's.
+
+        has_mouse: the mouse is drawn. is_moved: a picture that would not show the mouse is moved until it does.
+        """
         screen = yield from _smooth_screen()
-        if has_mouse:
-            _paint_cursor(screen, hand.place[0], screen.shape[0] - hand.place[1])
         number = len(self._pictures) + 1
         width = WIDE if number == COUNT else WIDTH
+        x, y = hand.place[0], screen.shape[0] - hand.place[1]
+        if has_mouse:
+            _paint_cursor(screen, x, y)
+        if is_moved:
+            left, top = min(max(left, x + AROUND - width), x - AROUND), min(max(top, y + AROUND - HEIGHT), y - AROUND)
         left, top = min(max(left, 0), screen.shape[1] - width), min(max(top, 0), screen.shape[0] - HEIGHT)
         picture = screen[top:top + HEIGHT, left:left + width].copy()
         _paint_badge(picture, number)
