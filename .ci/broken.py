@@ -22,8 +22,11 @@ def _python_stacks(output):
 
 
 def _calls(thread):
-    return " < ".join(f"{Path(path).name}:{line} {name}" for path, line, name in _FRAME.findall(thread)
-                      if "/unittest/" not in path and Path(path).name not in _RUNNERS)
+    return " < ".join(
+        f"{Path(path).name}:{line} {name}"
+        for path, line, name in _FRAME.findall(thread)
+        if "/unittest/" not in path and Path(path).name not in _RUNNERS
+    )
 
 
 def _native_stack(output):
@@ -32,5 +35,8 @@ def _native_stack(output):
     if not log or not Path(log[1]).exists():
         return []
     calls = Path(log[1]).read_text(errors="replace").rpartition("(gsignal")[2].partition("# Python backtrace")[0]
-    return [" < ".join(f"{Path(library).name.partition('.')[0]} {place}"
-                       for library, place in re.findall(r"^(\S+)\((.*)\) \[", calls, re.MULTILINE))]
+    return [
+        " < ".join(
+            f"{Path(library).name.partition('.')[0]} {place}" for library, place in re.findall(r"^(\S+)\((.*)\) \[", calls, re.MULTILINE)
+        )
+    ]

@@ -23,8 +23,10 @@ def problems(module):
     for line in symbols:
         version = re.search(r"GLIBC_(\d+)\.(\d+)", line)
         if version and tuple(map(int, version.groups())) > NEWEST_GLIBC:
-            yield (f"needs {line.split()[-1]} of {version.group()}, newer than GLIBC_{NEWEST_GLIBC[0]}.{NEWEST_GLIBC[1]}: "
-                   "find what brings it in (std::random_device does) and do without")
+            yield (
+                f"needs {line.split()[-1]} of {version.group()}, newer than GLIBC_{NEWEST_GLIBC[0]}.{NEWEST_GLIBC[1]}: "
+                "find what brings it in (std::random_device does) and do without"
+            )
     for library in re.findall(r"NEEDED\s+(\S+)", output_of("objdump", "--private-headers", str(module))):
         if library not in ALLOWED_LIBRARIES:
             yield f"needs {library} at run time: link it statically"

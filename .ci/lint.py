@@ -64,9 +64,11 @@ def shell_scripts(places, files):
 
 def with_files(*options, choose):
     """Arguments for a tool that is given the names of the files: `options`, then the files that `choose(places, files)` returns."""
+
     def arguments(places, files):
         chosen = choose(places, files)
         return [*options, *chosen] if chosen else None
+
     return arguments
 
 
@@ -107,8 +109,15 @@ def run(tool, places, files, programs, why_not, fix):
     arguments = (tool.fix if fix and tool.fix else tool.check)(places, files)
     if arguments is None:
         return Outcome(tool.name, "passed", "", 0.0)
-    done = subprocess.run([program, *arguments], cwd=places.clone, check=False, text=True, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    done = subprocess.run(
+        [program, *arguments],
+        cwd=places.clone,
+        check=False,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+    )
     return Outcome(tool.name, "FAILED" if done.returncode else "passed", done.stdout, time.monotonic() - began)
 
 

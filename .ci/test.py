@@ -22,7 +22,7 @@ MOTUS = CI.parent / "motus"
 BUILD = Path(os.environ["MOTUS_BUILD"])
 FOLDER = BUILD / "tests"
 RESULTS = FOLDER / "results.xml"
-WHOLE_OUTPUT = str(10 ** 8)
+WHOLE_OUTPUT = str(10**8)
 
 
 def has_blender(version):
@@ -33,27 +33,44 @@ def has_blender(version):
 def configure(blenders, patterns):
     """Tells CMake which groups there are, for these Blenders and patterns of tests."""
     newest = next(filter(has_blender, sorted(blenders, key=lambda version: [*map(int, version.split("."))], reverse=True)), "")
-    options = {"BUILD": BUILD, "PYTHON": sys.executable, "BLENDERS": ";".join(blenders), "NEWEST": newest,
-               "PATTERNS": ";".join(patterns)}
-    subprocess.run(["cmake", "-S", CI, "-B", FOLDER, *(f"-DMOTUS_{name}={value}" for name, value in options.items())],
-                   check=True, stdout=subprocess.DEVNULL)
+    options = {"BUILD": BUILD, "PYTHON": sys.executable, "BLENDERS": ";".join(blenders), "NEWEST": newest, "PATTERNS": ";".join(patterns)}
+    subprocess.run(
+        ["cmake", "-S", CI, "-B", FOLDER, *(f"-DMOTUS_{name}={value}" for name, value in options.items())],
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
 
 
 def run_groups(names):
     """Runs the groups whose name contains one of `names`, and what these need; returns CTest's exit status."""
     shutil.rmtree(BUILD / "profiles" / "tests", ignore_errors=True)
     RESULTS.unlink(missing_ok=True)
-    chosen = "|".join(re.sub(r"([][.*+?^$()\\|])", r"\\\1", name) for name in names) or "."  # CTest takes an empty pattern for one that matches nothing
-    command = ["ctest", "--test-dir", FOLDER, "--parallel", str(max(2, os.cpu_count())), "-R", chosen, "--no-tests=error",
-               "--output-on-failure", "--output-junit", RESULTS, "--test-output-size-passed", WHOLE_OUTPUT,
-               "--test-output-size-failed", WHOLE_OUTPUT]
+    chosen = (
+        "|".join(re.sub(r"([][.*+?^$()\\|])", r"\\\1", name) for name in names) or "."
+    )  # CTest takes an empty pattern for one that matches nothing
+    command = [
+        "ctest",
+        "--test-dir",
+        FOLDER,
+        "--parallel",
+        str(max(2, os.cpu_count())),
+        "-R",
+        chosen,
+        "--no-tests=error",
+        "--output-on-failure",
+        "--output-junit",
+        RESULTS,
+        "--test-output-size-passed",
+        WHOLE_OUTPUT,
+        "--test-output-size-failed",
+        WHOLE_OUTPUT,
+    ]
     return subprocess.run(command, check=False, stdin=subprocess.DEVNULL).returncode
 
 
 def count(output, is_well):
     """(passed, failed, skipped) by a group's output: the summary lines of suite.py, or Catch2's; one test where it has neither."""
-    found = [tuple(map(int, match)) for match in
-             re.findall(r"^summary: (\d+) passed, (\d+) failed, (\d+) skipped", output, re.MULTILINE)]
+    found = [tuple(map(int, match)) for match in re.findall(r"^summary: (\d+) passed, (\d+) failed, (\d+) skipped", output, re.MULTILINE)]
     if match := re.search(r"^All tests passed \(.* in (\d+) test case", output, re.MULTILINE):
         found.append((int(match[1]), 0, 0))
     if match := re.search(r"^test cases: +(\d+) \|(?: +(\d+) passed \|)? +(\d+) failed", output, re.MULTILINE):

@@ -71,8 +71,11 @@ def main(build_folder, cache_folder):
     build, cache = Path(build_folder, "release"), Path(cache_folder)
     cache.mkdir(parents=True, exist_ok=True)
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
-    entries = [entry for entry in entries if "motus_native_cp" not in entry["command"] and
-               any(Path(entry["file"]).is_relative_to(CLONE / folder) for folder in FOLDERS)]
+    entries = [
+        entry
+        for entry in entries
+        if "motus_native_cp" not in entry["command"] and any(Path(entry["file"]).is_relative_to(CLONE / folder) for folder in FOLDERS)
+    ]
     tool, compiled_from = output_of("clang-tidy", "--version"), included(build)
     stamps = {}
     for entry in entries:

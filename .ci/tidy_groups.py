@@ -30,7 +30,7 @@ class Source:
         _compiler, *arguments = shlex.split(entry["command"])
         for option in ("-o", "-c"):
             place = arguments.index(option)
-            del arguments[place:place + 2]
+            del arguments[place : place + 2]
         self.folders = [argument for argument in arguments if argument.startswith("-I")]
         self.flags = [argument for argument in arguments if argument not in self.folders]
 
@@ -62,16 +62,23 @@ class Group:
 
 def run_clang_tidy(path, arguments, options=()):
     """(whether clang-tidy finds nothing, its output)."""
-    done = subprocess.run(["clang-tidy", "-quiet", f"--config-file={CONFIG}", *options, str(path), "--", *arguments], check=False, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    done = subprocess.run(
+        ["clang-tidy", "-quiet", f"--config-file={CONFIG}", *options, str(path), "--", *arguments],
+        check=False,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+    )
     return done.returncode == 0, done.stdout
 
 
 def with_whole_names(path):
     """The text of a source for another folder: the headers that lie beside the source are named with their folder."""
+
     def whole(match):
         beside = path.parent / match[2]
         return f'{match[1]}"{beside}"' if beside.is_file() else match[0]
+
     return re.sub(r'^( *# *include +)"([^"]+)"', whole, path.read_text(encoding="utf-8"), flags=re.MULTILINE)
 
 

@@ -1,12 +1,13 @@
 """One small scene of each system, all of it at work, and where everything in it really is."""
 
 import bpy
+import numpy as np
+
 from dynamics import dynamics_cases
 from ik import ik_cases
 from lattice import lattice_cases
 from layers import layer_cases
 from look_at import look_at_cases
-import numpy as np
 from path import path_cases
 from pull.pins import pin_cases
 from walker import walker_cases

@@ -1,6 +1,7 @@
 """Rigs that nobody here made: Blender's bundled Rigify metarigs, a generated one, and random ones of every make."""
 
 import functools
+import itertools
 import math
 import random
 import tempfile
@@ -8,10 +9,10 @@ from pathlib import Path
 
 import addon_utils
 import bpy
+from mathutils import Matrix, Quaternion, Vector
+
 import support
 import toy_system
-from mathutils import Matrix, Quaternion, Vector
-import itertools
 
 METARIGS = ("basic_human", "human", "basic_quadruped", "bird", "cat", "horse", "shark", "wolf")
 INHERIT_SCALES = ('FULL', 'FIX_SHEAR', 'ALIGNED', 'AVERAGE', 'NONE', 'NONE_LEGACY')
@@ -22,8 +23,7 @@ _handlers = {}
 
 def enable_rigify():
     """Switch Blender's bundled add-on on."""
-    _handlers.update({name: list(found) for name in dir(bpy.app.handlers)
-                      if isinstance(found := getattr(bpy.app.handlers, name), list)})
+    _handlers.update({name: list(found) for name in dir(bpy.app.handlers) if isinstance(found := getattr(bpy.app.handlers, name), list)})
     addon_utils.enable("rigify", default_set=True, persistent=True)
 
 

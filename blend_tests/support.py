@@ -140,7 +140,7 @@ class SceneTestCase(unittest.TestCase):
         panel = getattr(bpy.types, menu)
         self.addCleanup(setattr, panel, "bl_label", panel.bl_label)
         self.assertEqual(getattr(bpy.ops.motus, f"{system}_preset_add")(name=name), {'FINISHED'})
-        kept, = [path for folder in bpy.utils.preset_paths(f"motus/{system}") for path in Path(folder).glob(f"{name}.py")]
+        (kept,) = [path for folder in bpy.utils.preset_paths(f"motus/{system}") for path in Path(folder).glob(f"{name}.py")]
         self.addCleanup(kept.unlink)
         return lambda: bpy.ops.script.execute_preset(filepath=str(kept), menu_idname=menu)
 
@@ -171,8 +171,8 @@ def run_blender(code, profile=None, arguments=("--factory-startup",), enabled=Tr
     with tempfile.TemporaryDirectory(prefix="motus-test-") as folder:
         script = Path(folder, "script.py")
         script.write_text(f"import sys; sys.path.insert(0, {str(TESTS)!r})\n{code}", encoding="utf-8")
-        command = [bpy.app.binary_path, "--background", *arguments, "--python-exit-code", "1", *switch,
-                   "--python", str(script)]
-        done = subprocess.run(command, env=environment, text=True, timeout=300, check=False,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        command = [bpy.app.binary_path, "--background", *arguments, "--python-exit-code", "1", *switch, "--python", str(script)]
+        done = subprocess.run(
+            command, env=environment, text=True, timeout=300, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
+        )
     return done.returncode, done.stdout

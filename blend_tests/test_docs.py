@@ -20,20 +20,20 @@ def examples(page):
 
 class ExamplesTest(support.SceneTestCase):
     def test_the_scripted_example_follows_the_path(self):
-        scripted, = [code for code in examples(DOCS / "path.md") if "bpy.ops.motus" in code]
+        (scripted,) = [code for code in examples(DOCS / "path.md") if "bpy.ops.motus" in code]
         seen = []
         # A copy: Blender's vector would change with the object.
         scope = {"print": lambda place: seen.append(tuple(place))}
         exec(compile(scripted, "path.md", "exec"), scope)
         # The course is symmetric about its middle, which an eased motion reaches at half of the time.
-        place, = seen
+        (place,) = seen
         for value, expected in zip(place, (4.0, 4.0, 1.0)):
             self.assertAlmostEqual(value, expected, places=5)
         self.assertFalse(scope["glider"].constraints)
         self.assertEqual(tuple(scope["glider"].location), (0.0, 0.0, 0.0))
 
     def test_the_scripted_example_of_dynamics_overshoots_and_settles(self):
-        scripted, = [code for code in examples(DOCS / "dynamics.md") if "bpy.ops.motus" in code]
+        (scripted,) = [code for code in examples(DOCS / "dynamics.md") if "bpy.ops.motus" in code]
         seen = []
         scope = {"print": seen.append}
         exec(compile(scripted, "dynamics.md", "exec"), scope)
@@ -45,13 +45,13 @@ class ExamplesTest(support.SceneTestCase):
         self.assertFalse(scope["crate"].constraints)
 
     def test_the_scripted_example_reaches_the_goal(self):
-        scripted, = [code for code in examples(DOCS / "ik.md") if "bpy.ops.motus" in code]
+        (scripted,) = [code for code in examples(DOCS / "ik.md") if "bpy.ops.motus" in code]
         seen = []
         # Run up to the removal first, to look at the other frame too.
         reaching, removal, rest = scripted.partition("bpy.ops.motus.ik_remove")
         scope = {"print": lambda place: seen.append(tuple(place))}
         exec(compile(reaching, "ik.md", "exec"), scope)
-        tip, = seen
+        (tip,) = seen
         rig = scope["rig"]
         self.assert_place(tip, (0.3, 0.2, 0.4), 1e-6)
         bpy.context.scene.frame_set(1)
@@ -67,7 +67,7 @@ class ExamplesTest(support.SceneTestCase):
         self.assertEqual({obj.name for obj in bpy.data.objects}, {"Arm", "Goal"})
 
     def test_the_scripted_example_of_layers_throws_while_it_walks(self):
-        scripted, = [code for code in examples(DOCS / "layers.md") if "bpy.ops.motus" in code]
+        (scripted,) = [code for code in examples(DOCS / "layers.md") if "bpy.ops.motus" in code]
         seen = []
         scope = {"print": seen.append}
         exec(compile(scripted, "layers.md", "exec"), scope)
@@ -106,12 +106,12 @@ class ExamplesTest(support.SceneTestCase):
         self.assertEqual(scope["walker"].feet(2.0).shape, (6, 3))
 
     def test_the_scripted_example_pulls_and_pins(self):
-        scripted, = [code for code in examples(DOCS / "pull.md") if "bpy.ops.motus" in code]
+        (scripted,) = [code for code in examples(DOCS / "pull.md") if "bpy.ops.motus" in code]
         seen = []
         pinning, applying, rest = scripted.partition("bpy.ops.motus.pin_apply")
         scope = {"print": lambda *heights: seen.append(heights)}
         exec(compile(pinning, "pull.md", "exec"), scope)
-        (hill, plateau), = seen
+        ((hill, plateau),) = seen
         self.assertAlmostEqual(hill, 1.5, places=5)
         self.assertAlmostEqual(plateau, 1.0, places=5)
         land, scene = scope["land"], bpy.context.scene
@@ -129,7 +129,7 @@ class ExamplesTest(support.SceneTestCase):
         self.assertEqual(scene.frame_current, 25)
 
     def test_the_scripted_example_drives_the_lamp(self):
-        scripted, = [code for code in examples(DOCS / "drivers.md") if "bpy.ops.motus" in code]
+        (scripted,) = [code for code in examples(DOCS / "drivers.md") if "bpy.ops.motus" in code]
         seen = []
         scope = {"print": seen.append}
         exec(compile(scripted, "drivers.md", "exec"), scope)
@@ -151,7 +151,7 @@ class ExamplesTest(support.SceneTestCase):
         self.assertEqual(set(bpy.data.objects), before)
 
     def test_the_scripted_example_lets_snow_lie(self):
-        scripted, = [code for code in examples(DOCS / "snow.md") if "snow_cover_add" in code]
+        (scripted,) = [code for code in examples(DOCS / "snow.md") if "snow_cover_add" in code]
         seen = []
         exec(compile(scripted, "snow.md", "exec"), {"print": lambda *numbers: seen.extend(numbers)})
         # 220 a second on 12 m x 12 m for some 10 seconds and 3.4 litres each: 5 cm, more or less.
@@ -170,7 +170,7 @@ class ExamplesTest(support.SceneTestCase):
         self.assertEqual(scope["flakes"]["position"].shape, (5000, 3))
 
     def test_the_scripted_example_drags_the_pendulum(self):
-        scripted, = [code for code in examples(DOCS / "pendulums.md") if "bpy.ops.motus" in code]
+        (scripted,) = [code for code in examples(DOCS / "pendulums.md") if "bpy.ops.motus" in code]
         seen = []
         scope = {"print": lambda place: seen.append(tuple(place))}
         before = set(bpy.data.objects)
@@ -181,7 +181,7 @@ class ExamplesTest(support.SceneTestCase):
         self.assertEqual(set(bpy.data.objects), before)
 
     def test_the_scripted_example_of_stereo_takes_its_budget(self):
-        scripted, = [code for code in examples(DOCS / "stereo.md") if "bpy.ops.motus" in code]
+        (scripted,) = [code for code in examples(DOCS / "stereo.md") if "bpy.ops.motus" in code]
         scene = bpy.context.scene
         scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
         scene.camera.data.lens = 35.0
@@ -227,17 +227,17 @@ class ExamplesTest(support.SceneTestCase):
         scope = self.run_native("pull.md")
         flat, hill = scope["flat"], scope["hill"]
         self.assert_place(hill[5100], (0.0, 0.0, 0.4), 1e-6)
-        far = (flat ** 2).sum(axis=1) >= 0.2501
+        far = (flat**2).sum(axis=1) >= 0.2501
         self.assertTrue((hill[far] == flat[far]).all(), "what is beyond the radius has moved")
         near = scope["indices"].tolist()
-        self.assertEqual(near, [index for index, place in enumerate(flat) if float((place ** 2).sum()) ** 0.5 <= 0.25])
+        self.assertEqual(near, [index for index, place in enumerate(flat) if float((place**2).sum()) ** 0.5 <= 0.25])
         self.assertEqual(scope["triangle"], 0)
         self.assert_place(scope["place"], (-0.995, -0.995, 0.0), 1e-6)
         self.assertAlmostEqual(scope["away"], 1.0, places=6)
 
     def run_native(self, page):
         """What the example without Blender of a page leaves."""
-        native_example, = [code for code in examples(DOCS / page) if "import motus_native" in code]
+        (native_example,) = [code for code in examples(DOCS / page) if "import motus_native" in code]
         sys.modules["motus_native"] = support.addon("core.native").module
         self.addCleanup(sys.modules.pop, "motus_native")
         scope = {}
@@ -248,6 +248,7 @@ class ExamplesTest(support.SceneTestCase):
 class PagesTest(support.SceneTestCase):
     def test_the_operator_page_names_every_operator_and_keyword(self):
         import operator_page
+
         page = (DOCS / "operators.md").read_text(encoding="utf-8")
         for identifier in operator_page.identifiers():
             self.assertTrue(f"## `{identifier}`\n" in page, f"run ./motus docs operators: {identifier} is missing")
@@ -269,7 +270,9 @@ class PagesTest(support.SceneTestCase):
         core = support.CLONE / "addon" / "motus" / "core"
         for page, folder in (("architecture.md", core), ("wiring.md", core / "wiring")):
             words = set(re.findall(r"\w+", (DOCS / page).read_text(encoding="utf-8")))
-            missing = {path.stem for path in folder.iterdir() if path.suffix == ".py" or (path / "__init__.py").exists()} - words - {"__init__"}
+            missing = (
+                {path.stem for path in folder.iterdir() if path.suffix == ".py" or (path / "__init__.py").exists()} - words - {"__init__"}
+            )
             self.assertEqual(sorted(missing), [], page)
 
 
@@ -282,13 +285,46 @@ SYMBOLS = {"X", "Y", "Z"}
 SYSTEMS = ("path", "layers", "ik", "look_at", "pull", "lattice", "drivers", "dynamics", "pendulums", "snow", "stereo", "chroma", "walker")
 """Pages for artists, whose words in italics are labels of the interface."""
 OF_BLENDER = {
-    "Add", "Object", "Pose", "Motus", "OK", "Auto Run Python Scripts", "Use Self", "Keying", "Standard", "Sensor Fit", "Vertical",
-    "Views Format", "Multi-View", "Convergence Distance", "Attribute", "Instancer", "Render", "Output", "Placeholders", "Overwrite",
-    "Realize Instances", "Material Preview", "Viewer", "Image Sequence", "Field of View"}
+    "Add",
+    "Object",
+    "Pose",
+    "Motus",
+    "OK",
+    "Auto Run Python Scripts",
+    "Use Self",
+    "Keying",
+    "Standard",
+    "Sensor Fit",
+    "Vertical",
+    "Views Format",
+    "Multi-View",
+    "Convergence Distance",
+    "Attribute",
+    "Instancer",
+    "Render",
+    "Output",
+    "Placeholders",
+    "Overwrite",
+    "Realize Instances",
+    "Material Preview",
+    "Viewer",
+    "Image Sequence",
+    "Field of View",
+}
 ROWS = (
-    ("path", "path", "path"), ("layers", "layers", "layers"), ("ik", "ik", "ik"), ("look_at", "look_at", "look_at"), ("pull", "pull", "pull"),
-    ("dynamics", "dynamics", "dynamics"), ("pendulums", "pendulum", "pendulum"), ("pendulums", "pendulum", "pendulum_trail"),
-    ("snow", "snow", "snow"), ("snow", "snow.cover", "snow_cover"), ("stereo", "stereo", "stereo"), ("walker", "walker", "walker"))
+    ("path", "path", "path"),
+    ("layers", "layers", "layers"),
+    ("ik", "ik", "ik"),
+    ("look_at", "look_at", "look_at"),
+    ("pull", "pull", "pull"),
+    ("dynamics", "dynamics", "dynamics"),
+    ("pendulums", "pendulum", "pendulum"),
+    ("pendulums", "pendulum", "pendulum_trail"),
+    ("snow", "snow", "snow"),
+    ("snow", "snow.cover", "snow_cover"),
+    ("stereo", "stereo", "stereo"),
+    ("walker", "walker", "walker"),
+)
 """Page, folder in the add-on, and settings of a system whose panels have rows."""
 OTHER_PAGES = {"pendulum": "pendulums", "snow_cover": "snow"}
 """Of systems whose page has another name."""
@@ -303,14 +339,17 @@ class LabelsTest(support.SceneTestCase):
 
     @support.in_one_blender
     def test_what_the_tables_name_is_in_the_interface(self):
-        unknown = [f"{page.name}: {label}" for page in sorted(DOCS.glob("*.md")) for label in labels_of(page)
-                   if label not in self.shown]
+        unknown = [f"{page.name}: {label}" for page in sorted(DOCS.glob("*.md")) for label in labels_of(page) if label not in self.shown]
         self.assertEqual(unknown, [])
 
     @support.in_one_blender
     def test_what_stands_in_italics_is_in_the_interface(self):
-        unknown = [f"{name}: {label}" for name in SYSTEMS for label in italics_of(DOCS / f"{name}.md")
-                   if label not in self.shown | OF_BLENDER | NAMES]
+        unknown = [
+            f"{name}: {label}"
+            for name in SYSTEMS
+            for label in italics_of(DOCS / f"{name}.md")
+            if label not in self.shown | OF_BLENDER | NAMES
+        ]
         self.assertEqual(unknown, [])
 
     @support.in_one_blender

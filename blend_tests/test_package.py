@@ -7,6 +7,7 @@ import unittest
 from pathlib import Path
 
 import addon_utils
+
 import support
 
 
@@ -41,7 +42,12 @@ class Package(unittest.TestCase):
 
     def test_bl_info_only_where_blender_reads_it(self):
         source = (self.folder / "__init__.py").read_text(encoding="utf-8")
-        names = [target.id for statement in ast.parse(source).body if isinstance(statement, ast.Assign)
-                 for target in statement.targets if isinstance(target, ast.Name)]
+        names = [
+            target.id
+            for statement in ast.parse(source).body
+            if isinstance(statement, ast.Assign)
+            for target in statement.targets
+            if isinstance(target, ast.Name)
+        ]
         is_extension = support.module_name().startswith("bl_ext.")
         self.assertEqual("bl_info" in names, not is_extension)

@@ -7,6 +7,7 @@ import unittest
 from pathlib import Path
 
 import bpy
+
 import support
 
 IDENTIFIERS = {"text", "heading", "title"}
@@ -26,8 +27,12 @@ def package():
 def registered_classes():
     """All classes the add-on has registered."""
     kinds = (bpy.types.Operator, bpy.types.Panel, bpy.types.Menu, bpy.types.PropertyGroup, bpy.types.UIList)
-    return [cls for kind in kinds for cls in kind.__subclasses__()
-            if cls.__module__.startswith(f"{package()}.") and getattr(cls, "is_registered", False)]
+    return [
+        cls
+        for kind in kinds
+        for cls in kind.__subclasses__()
+        if cls.__module__.startswith(f"{package()}.") and getattr(cls, "is_registered", False)
+    ]
 
 
 def own_sense():
@@ -95,8 +100,11 @@ class TooltipTest(unittest.TestCase):
     def test_a_tooltip_can_be_read_without_its_label(self):
         """A description that begins with a preposition only continues the label, which tooltips do not show before it."""
         descriptions = {
-            item.description for cls in registered_classes() for prop in cls.bl_rna.properties
-            for item in (prop, *(prop.enum_items if prop.type == 'ENUM' else ()))}
+            item.description
+            for cls in registered_classes()
+            for prop in cls.bl_rna.properties
+            for item in (prop, *(prop.enum_items if prop.type == 'ENUM' else ()))
+        }
         self.assertEqual(sorted(filter(FRAGMENT.match, descriptions)), [])
 
 

@@ -6,9 +6,10 @@ along Y, and the children of the chain (the guards) keep the scale that they wou
 """
 
 import bpy
+from mathutils import Matrix, Quaternion
+
 import support
 import toy_system
-from mathutils import Matrix, Quaternion
 
 core = support.addon("core.declare")
 settings = support.addon("core.settings")
@@ -33,8 +34,7 @@ class MOTUS_PG_bend_entry(bpy.types.PropertyGroup):
 
 
 class MOTUS_PG_bend(settings.SystemSettings, bpy.types.PropertyGroup):
-    influence: bpy.props.FloatProperty(
-        default=1.0, min=0.0, max=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
+    influence: bpy.props.FloatProperty(default=1.0, min=0.0, max=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_bend_entry, override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'})
 
 
@@ -106,8 +106,8 @@ def _solve(context, name):
         result = bent(rig, entry, settings.influence)
         missing += result is None
         rotation, growth, guards = result or (Quaternion(), 1.0, {})
-        context.rotations[row:row + length] = rotation
-        context.scales[row:row + length, 1] = growth
+        context.rotations[row : row + length] = rotation
+        context.scales[row : row + length, 1] = growth
         context.outputs[place] = rotation.angle
         row += length
         for matrix in guards.values() if entry.stretch else ():
@@ -142,20 +142,28 @@ def _groups(owner, name):
 def _group(owner, name, level, found):
     bones = owner.pose.bones
     chains = [(entry, chain_of(owner, entry)) for _, entry in found]
-    on_chains = [core.Member(bones[bone.name], frozenset({"rotation", "scale"} if entry.stretch else {"rotation"}),
-                             'LOCAL', is_relative=True) for entry, chain in chains for bone in chain]
+    on_chains = [
+        core.Member(bones[bone.name], frozenset({"rotation", "scale"} if entry.stretch else {"rotation"}), 'LOCAL', is_relative=True)
+        for entry, chain in chains
+        for bone in chain
+    ]
     guards = [bone for entry, chain in chains for bone in (guards_of(chain) if entry.stretch else ())]
-    reads = [read for entry in _entries(owner, name) if entry.name in [one.name for one, _ in chains]
-             for read in entry.reads]
+    reads = [read for entry in _entries(owner, name) if entry.name in [one.name for one, _ in chains] for read in entry.reads]
     return core.Group(
         key=str(level) if level else "",
-        members=(*on_chains, *(core.Member(bones[bone.name], frozenset({"rotation", "scale"}), 'POSE')
-                               for bone in guards)),
-        inputs=(*(core.Transform(*read) for read in reads),
-                *(core.BonesOwn(owner, bone.name) for _, chain in chains for bone in (*chain, *guards))),
+        members=(*on_chains, *(core.Member(bones[bone.name], frozenset({"rotation", "scale"}), 'POSE') for bone in guards)),
+        inputs=(
+            *(core.Transform(*read) for read in reads),
+            *(core.BonesOwn(owner, bone.name) for _, chain in chains for bone in (*chain, *guards)),
+        ),
         outputs=tuple(f"{entry.name}.angle" for entry, _ in chains),
-        data={"entries": [index for index, _ in found], "lengths": [len(chain) for _, chain in chains],
-              "system": name, "bones": "\n".join(owner.data.bones.keys())})
+        data={
+            "entries": [index for index, _ in found],
+            "lengths": [len(chain) for _, chain in chains],
+            "system": name,
+            "bones": "\n".join(owner.data.bones.keys()),
+        },
+    )
 
 
 def _renamed(owner, name, old, new):
@@ -166,10 +174,16 @@ def _renamed(owner, name, old, new):
 
 def _system(name, settings, classes):
     return core.System(
-        name=name, label=name.title(), settings=settings, classes=classes,
-        solve=lambda context: _solve(context, name), problems=(NOBODY, LOOSE, EDITED),
-        groups=lambda owner: _groups(owner, name), entries=lambda owner: _entries(owner, name),
-        bone_renamed=lambda owner, rig, old, new: _renamed(owner, name, old, new))
+        name=name,
+        label=name.title(),
+        settings=settings,
+        classes=classes,
+        solve=lambda context: _solve(context, name),
+        problems=(NOBODY, LOOSE, EDITED),
+        groups=lambda owner: _groups(owner, name),
+        entries=lambda owner: _entries(owner, name),
+        bone_renamed=lambda owner, rig, old, new: _renamed(owner, name, old, new),
+    )
 
 
 SYSTEM = _system("bend", MOTUS_PG_bend, (MOTUS_PG_bend_entry, MOTUS_PG_bend))

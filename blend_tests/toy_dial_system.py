@@ -1,6 +1,7 @@
 """A system on properties, for the tests of those that are driven: dials that show how far along X a target is."""
 
 import bpy
+
 import support
 
 core = support.addon("core.declare")
@@ -17,8 +18,7 @@ class MOTUS_PG_dial_entry(bpy.types.PropertyGroup):
 
 
 class MOTUS_PG_dial(settings.SystemSettings, bpy.types.PropertyGroup):
-    influence: bpy.props.FloatProperty(
-        default=1.0, min=0.0, max=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
+    influence: bpy.props.FloatProperty(default=1.0, min=0.0, max=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
     target: bpy.props.PointerProperty(type=bpy.types.Object, update=settings.rewire, override={'LIBRARY_OVERRIDABLE'})
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_dial_entry, override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'})
 
@@ -42,15 +42,26 @@ def _groups(owner):
     if not dials.entries:
         return ()
     names = [f"{order}.value" for order, _ in enumerate(dials.entries)]
-    return (core.Group(
-        outputs=tuple(names), inputs=(core.Transform(dials.target),) if dials.target else (),
-        properties=tuple(core.Property(name, entry.thing or owner, entry.path, entry.index)
-                         for name, entry in zip(names, dials.entries))),)
+    return (
+        core.Group(
+            outputs=tuple(names),
+            inputs=(core.Transform(dials.target),) if dials.target else (),
+            properties=tuple(
+                core.Property(name, entry.thing or owner, entry.path, entry.index) for name, entry in zip(names, dials.entries)
+            ),
+        ),
+    )
 
 
 SYSTEM = core.System(
-    name="dial", label="Dial", settings=MOTUS_PG_dial, classes=(MOTUS_PG_dial_entry, MOTUS_PG_dial), solve=solve,
-    problems=(NO_TARGET,), groups=_groups)
+    name="dial",
+    label="Dial",
+    settings=MOTUS_PG_dial,
+    classes=(MOTUS_PG_dial_entry, MOTUS_PG_dial),
+    solve=solve,
+    problems=(NO_TARGET,),
+    groups=_groups,
+)
 
 
 def dial(owner, target, *entries):

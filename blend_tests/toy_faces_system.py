@@ -3,6 +3,7 @@
 import dataclasses
 
 import numpy as np
+
 import support
 import toy_points_system as sparks
 
@@ -15,8 +16,9 @@ def sheet(frame, origin):
     x, y = (places.ravel() / cells for places in np.meshgrid(np.arange(cells + 1), np.arange(cells + 1)))
     positions = origin + np.stack((x, y, 0.1 * frame * x * y), axis=1)
     corner = (np.arange(cells)[:, None] * (cells + 1) + np.arange(cells)).ravel()
-    triangles = np.concatenate((np.stack((corner, corner + 1, corner + cells + 2), axis=1),
-                                np.stack((corner, corner + cells + 2, corner + cells + 1), axis=1)))
+    triangles = np.concatenate(
+        (np.stack((corner, corner + 1, corner + cells + 2), axis=1), np.stack((corner, corner + cells + 2, corner + cells + 1), axis=1))
+    )
     ends = np.sort(np.stack((triangles, np.roll(triangles, -1, axis=1)), axis=2).reshape(-1, 2), axis=1)
     edges, sides = np.unique(ends, axis=0, return_inverse=True)
     return positions.astype(np.float32), edges, triangles, sides.reshape(-1, 3)
@@ -28,11 +30,15 @@ def solve_sheet(context, target, rate, lifetime):
     found = sheet(context.frame, np.array(target.translation) if target else np.zeros(3))
     room = context.points(int(rate) if rate > 1e5 else len(found[0]), len(found[1]), len(found[2]))
     for name, array in zip(("position", "edges", "triangles", "sides"), found):
-        room[name][:] = array[:len(room[name])]
+        room[name][:] = array[: len(room[name])]
     room["age"][:] = lifetime
     return core.OK
 
 
 SHEET = dataclasses.replace(
-    sparks.TRAILS, name="sheet", label="Sheet", solve=solve_sheet,
-    makes_points=core.Points(attributes=(("age", 'FLOAT'),), shape='FACES', capacity=100_000))
+    sparks.TRAILS,
+    name="sheet",
+    label="Sheet",
+    solve=solve_sheet,
+    makes_points=core.Points(attributes=(("age", 'FLOAT'),), shape='FACES', capacity=100_000),
+)

@@ -7,6 +7,7 @@ import dataclasses
 
 import bpy
 import numpy as np
+
 import support
 
 core = support.addon("core.declare")
@@ -33,7 +34,7 @@ def fly(numbers, ages, origin):
     """Positions and velocities of sparks, float32 (n, 3)."""
     ways = np.stack((np.cos(numbers), np.sin(numbers), np.full(len(numbers), 2.0)), axis=1)
     speeds = ways - np.outer(9.81 * ages, (0.0, 0.0, 1.0))
-    positions = origin + ways * ages[:, None] - np.outer(0.5 * 9.81 * ages ** 2, (0.0, 0.0, 1.0))
+    positions = origin + ways * ages[:, None] - np.outer(0.5 * 9.81 * ages**2, (0.0, 0.0, 1.0))
     return positions.astype(np.float32), speeds.astype(np.float32)
 
 
@@ -76,16 +77,27 @@ SPARKS = core.System(
     solve=solve_sparks,
     problems=(NO_RATE,),
     makes_points=core.Points(
-        attributes=(("velocity", 'VECTOR'), ("age", 'FLOAT'), ("radius", 'FLOAT'), ("color", 'COLOR'), ("turn", 'QUATERNION'),
-                    ("id", 'INT')), capacity=1 << 20),
+        attributes=(
+            ("velocity", 'VECTOR'),
+            ("age", 'FLOAT'),
+            ("radius", 'FLOAT'),
+            ("color", 'COLOR'),
+            ("turn", 'QUATERNION'),
+            ("id", 'INT'),
+        ),
+        capacity=1 << 20,
+    ),
     unbakeable="Sparks have nothing to bake",
 )
 TRAILS = dataclasses.replace(
-    SPARKS, name="trails", label="Trails", classes=(), solve=solve_trails,
-    makes_points=core.Points(
-        attributes=(("curve", 'INT'), ("radius", 'FLOAT'), ("color", 'COLOR')), shape='TUBES', space='LOCAL'))
-LINES = dataclasses.replace(
-    TRAILS, name="lines", label="Lines", makes_points=dataclasses.replace(TRAILS.makes_points, shape='CURVES'))
+    SPARKS,
+    name="trails",
+    label="Trails",
+    classes=(),
+    solve=solve_trails,
+    makes_points=core.Points(attributes=(("curve", 'INT'), ("radius", 'FLOAT'), ("color", 'COLOR')), shape='TUBES', space='LOCAL'),
+)
+LINES = dataclasses.replace(TRAILS, name="lines", label="Lines", makes_points=dataclasses.replace(TRAILS.makes_points, shape='CURVES'))
 
 
 def make(system, owner, **values):

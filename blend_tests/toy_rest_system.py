@@ -1,6 +1,7 @@
 """A system that waits for a mesh with its modifiers, for the tests of such inputs: its owner rests on the highest point of a ground."""
 
 import bpy
+
 import support
 
 core = support.addon("core.declare")
@@ -12,8 +13,7 @@ solve_calls = 0
 
 
 class MOTUS_PG_rest(settings.SystemSettings, bpy.types.PropertyGroup):
-    influence: bpy.props.FloatProperty(
-        default=1.0, min=0.0, max=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
+    influence: bpy.props.FloatProperty(default=1.0, min=0.0, max=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
     ground: bpy.props.PointerProperty(type=bpy.types.Object, update=settings.rewire, override={'LIBRARY_OVERRIDABLE'})
     other: bpy.props.PointerProperty(type=bpy.types.Object, update=settings.rewire, override={'LIBRARY_OVERRIDABLE'})
 
@@ -33,9 +33,15 @@ def solve(context, ground, other):
 
 
 SYSTEM = core.System(
-    name="rest", label="Rest", settings=MOTUS_PG_rest, classes=(MOTUS_PG_rest,), solve=solve, problems=(NO_GROUND,),
+    name="rest",
+    label="Rest",
+    settings=MOTUS_PG_rest,
+    classes=(MOTUS_PG_rest,),
+    solve=solve,
+    problems=(NO_GROUND,),
     inputs=(core.Geometry("ground", of="ground"), core.Geometry("other", of="other")),
-    channels=lambda settings: frozenset({"location"}))
+    channels=lambda settings: frozenset({"location"}),
+)
 
 
 def rest(owner, ground, other=None):

@@ -4,8 +4,9 @@ Each entry moves, turns and scales one thing on top of its own animation, by whe
 """
 
 import bpy
-import support
 from mathutils import Matrix, Quaternion, Vector
+
+import support
 
 core = support.addon("core.declare")
 settings = support.addon("core.settings")
@@ -22,8 +23,7 @@ class MOTUS_PG_sway_entry(bpy.types.PropertyGroup):
 
 
 class MOTUS_PG_sway(settings.SystemSettings, bpy.types.PropertyGroup):
-    influence: bpy.props.FloatProperty(
-        default=1.0, min=0.0, max=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
+    influence: bpy.props.FloatProperty(default=1.0, min=0.0, max=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_sway_entry, override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'})
 
 
@@ -44,8 +44,7 @@ def solve(context):
         target = context.settings.entries[index].target
         if target is None:
             return NO_TARGET
-        context.locations[row], context.rotations[row], context.scales[row] = offset(
-            target.matrix_world, context.settings.influence)
+        context.locations[row], context.rotations[row], context.scales[row] = offset(target.matrix_world, context.settings.influence)
     return core.OK
 
 
@@ -56,8 +55,10 @@ def driven(owner, entry):
 
 
 def _entries(owner):
-    return [core.Entry(str(index), ((entry.target, ""),) if entry.target else (), (entry.bone or entry.thing or owner,))
-            for index, entry in enumerate(owner.motus.sway.entries)]
+    return [
+        core.Entry(str(index), ((entry.target, ""),) if entry.target else (), (entry.bone or entry.thing or owner,))
+        for index, entry in enumerate(owner.motus.sway.entries)
+    ]
 
 
 def _groups(owner):
@@ -67,16 +68,27 @@ def _groups(owner):
         by_level.setdefault(levels["sway", str(index)], []).append((index, entry))
     by_level.pop(None, None)
     channels = frozenset({"location", "rotation", "scale"})
-    return tuple(core.Group(
-        key=str(level or ""), data={"entries": [index for index, _ in found]},
-        members=tuple(core.Member(driven(owner, entry), channels, is_relative=True) for _, entry in found),
-        inputs=tuple(core.Transform(entry.target) for _, entry in found if entry.target))
-        for level, found in sorted(by_level.items()))
+    return tuple(
+        core.Group(
+            key=str(level or ""),
+            data={"entries": [index for index, _ in found]},
+            members=tuple(core.Member(driven(owner, entry), channels, is_relative=True) for _, entry in found),
+            inputs=tuple(core.Transform(entry.target) for _, entry in found if entry.target),
+        )
+        for level, found in sorted(by_level.items())
+    )
 
 
 SYSTEM = core.System(
-    name="sway", label="Sway", settings=MOTUS_PG_sway, classes=(MOTUS_PG_sway_entry, MOTUS_PG_sway), solve=solve,
-    problems=(NO_TARGET,), groups=_groups, entries=_entries)
+    name="sway",
+    label="Sway",
+    settings=MOTUS_PG_sway,
+    classes=(MOTUS_PG_sway_entry, MOTUS_PG_sway),
+    solve=solve,
+    problems=(NO_TARGET,),
+    groups=_groups,
+    entries=_entries,
+)
 
 
 def sway(owner, *entries):

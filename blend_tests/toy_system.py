@@ -7,8 +7,9 @@ one before.
 import math
 
 import bpy
-import support
 from mathutils import Euler, Quaternion, Vector
+
+import support
 
 core = support.addon("core.declare")
 settings = support.addon("core.settings")
@@ -28,8 +29,7 @@ class MOTUS_PG_toy_follower(bpy.types.PropertyGroup):
 
 
 class MOTUS_PG_orbit(settings.SystemSettings, bpy.types.PropertyGroup):
-    influence: bpy.props.FloatProperty(
-        default=1.0, min=0.0, max=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
+    influence: bpy.props.FloatProperty(default=1.0, min=0.0, max=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
     target: bpy.props.PointerProperty(type=bpy.types.Object, update=settings.rewire, override={'LIBRARY_OVERRIDABLE'})
     radius: bpy.props.FloatProperty(default=2.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
     speed: bpy.props.FloatProperty(default=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})

@@ -30,12 +30,23 @@ import walker_pictures  # noqa: E402
 support.enable()
 (HERE / "operators.md").write_text(operator_page.text(), encoding="utf-8")
 print("docs/operators.md")
-if "operators" in sys.argv[sys.argv.index("--") + 1:]:
+if "operators" in sys.argv[sys.argv.index("--") + 1 :]:
     sys.exit()
 pictures = HERE / "pictures"
 for render in (
-        path_pictures.render_all, layers_pictures.render_all, walker_pictures.render_all, ik_pictures.render_all, look_at_pictures.render_all,
-        pull_pictures.render_all, lattice_pictures.render_all, dynamics_pictures.render_all, pendulum_pictures.render_all,
-        snow_pictures.render_all, stereo_pictures.render_all, chroma_pictures.render_all, demo_pictures.render_all):
+    path_pictures.render_all,
+    layers_pictures.render_all,
+    walker_pictures.render_all,
+    ik_pictures.render_all,
+    look_at_pictures.render_all,
+    pull_pictures.render_all,
+    lattice_pictures.render_all,
+    dynamics_pictures.render_all,
+    pendulum_pictures.render_all,
+    snow_pictures.render_all,
+    stereo_pictures.render_all,
+    chroma_pictures.render_all,
+    demo_pictures.render_all,
+):
     for picture in render(pictures):
         print(f"docs/pictures/{picture.name}")

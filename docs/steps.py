@@ -35,8 +35,23 @@ def main(*names):
         environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1")
         environment.pop("WAYLAND_DISPLAY", None)
         command = [
-            motus, "blender", "--version", VERSION, "--factory-startup", "--enable-event-simulate", "--gpu-backend", "opengl",
-            *run.window_of(SIZE), "--python-exit-code", "1", "--python", str(HERE / "scripts" / "steps" / "driver.py"), "--", folder, *names]
+            motus,
+            "blender",
+            "--version",
+            VERSION,
+            "--factory-startup",
+            "--enable-event-simulate",
+            "--gpu-backend",
+            "opengl",
+            *run.window_of(SIZE),
+            "--python-exit-code",
+            "1",
+            "--python",
+            str(HERE / "scripts" / "steps" / "driver.py"),
+            "--",
+            folder,
+            *names,
+        ]
         return subprocess.run(command, env=environment, check=False).returncode
 
 

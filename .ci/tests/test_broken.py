@@ -40,8 +40,10 @@ blender(+0x189d986) [0x55561a51d986]
 
 class WhatBroke(unittest.TestCase):
     def test_failed_tests_and_where_python_stood(self):
-        self.assertEqual(what_broke(OUTPUT), [
-            "FAILED core.test_one.One.test_that_fails", "Segmentation fault", "operators.py:92 _root < test_pull.py:98 test_a_stroke"])
+        self.assertEqual(
+            what_broke(OUTPUT),
+            ["FAILED core.test_one.One.test_that_fails", "Segmentation fault", "operators.py:92 _root < test_pull.py:98 test_a_stroke"],
+        )
 
     def test_where_blender_stood(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -33,8 +33,9 @@ for module in addon_utils.modules():
 
 
 def motus(*arguments, cwd="/", env=None):
-    return subprocess.run([MOTUS, *arguments], cwd=cwd, env=env, text=True, check=False, timeout=900,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    return subprocess.run(
+        [MOTUS, *arguments], cwd=cwd, env=env, text=True, check=False, timeout=900, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
+    )
 
 
 def mounts():
@@ -63,11 +64,21 @@ class Command(unittest.TestCase):
         for version in VERSIONS:
             with self.subTest(version=version):
                 self.available(version)
-                done = motus("blender", "--version", version, "-b", "--factory-startup", "--python", str(self.script(WHERE)),
-                             "--", "an argument", cwd=self.folder)
+                done = motus(
+                    "blender",
+                    "--version",
+                    version,
+                    "-b",
+                    "--factory-startup",
+                    "--python",
+                    str(self.script(WHERE)),
+                    "--",
+                    "an argument",
+                    cwd=self.folder,
+                )
                 self.assertEqual(done.returncode, 7, done.stdout)
                 self.assertIn(f"RAN {self.folder} True an argument", done.stdout)
-                shaders, = [line for line in done.stdout.splitlines() if line.startswith("SHADERS")]
+                (shaders,) = [line for line in done.stdout.splitlines() if line.startswith("SHADERS")]
                 self.assertNotIn(shaders, caches)
                 caches.append(shaders)
         self.assertEqual(mounts(), before)
@@ -93,11 +104,20 @@ class Command(unittest.TestCase):
             done = motus("blender", "-b", "--factory-startup", "--python-expr", PLACES, env=environment)
             self.assertEqual(done.returncode, 0, done.stdout)
             build, dist = Path(os.environ.get("MOTUS_BUILD", CLONE / "build")), Path(os.environ.get("MOTUS_DIST", CLONE / "dist"))
-            module, = [line.removeprefix("MODULE ") for line in done.stdout.splitlines() if line.startswith("MODULE ")]
-            files = [*(build / "release").rglob("*.o"), *(build / "release" / "python").iterdir(), *dist.iterdir(),
-                     *Path(module).parent.rglob("*")]
-            states.append({str(path): (path.stat().st_ino, path.stat().st_mtime_ns) for path in files
-                           if path.is_file() and "__pycache__" not in path.parts})
+            (module,) = [line.removeprefix("MODULE ") for line in done.stdout.splitlines() if line.startswith("MODULE ")]
+            files = [
+                *(build / "release").rglob("*.o"),
+                *(build / "release" / "python").iterdir(),
+                *dist.iterdir(),
+                *Path(module).parent.rglob("*"),
+            ]
+            states.append(
+                {
+                    str(path): (path.stat().st_ino, path.stat().st_mtime_ns)
+                    for path in files
+                    if path.is_file() and "__pycache__" not in path.parts
+                }
+            )
         self.assertGreater(len(states[0]), 100)
         self.assertEqual(states[0], states[1])
 
@@ -115,8 +135,15 @@ class Command(unittest.TestCase):
     def test_arguments_that_mean_nothing_are_refused(self):
         """Before anything is made, installed or removed."""
         environment = dict(os.environ, MOTUS_BUILD=str(self.folder / "build"), MOTUS_DIST=str(self.folder / "dist"))
-        for arguments in (("install", "there"), ("install", "--blender"), ("package", "x"), ("clean", "all"), ("docs", "y"),
-                          ("docs", "steps", "y"), ("bench", "--blenders")):
+        for arguments in (
+            ("install", "there"),
+            ("install", "--blender"),
+            ("package", "x"),
+            ("clean", "all"),
+            ("docs", "y"),
+            ("docs", "steps", "y"),
+            ("bench", "--blenders"),
+        ):
             with self.subTest(arguments=arguments):
                 done = motus(*arguments, env=environment)
                 self.assertIn(done.returncode, (1, 2), done.stdout)
@@ -130,7 +157,14 @@ class Command(unittest.TestCase):
         environment = dict(os.environ, BLENDER=str(blender), MOTUS_PREPARED="1", MOTUS_PROFILE=str(self.folder / "profile"))
         done = motus("bench", "--blenders", "4.9", "ik_bench in", "layers_bench in", "walker_bench in", env=environment)
         self.assertEqual(done.returncode, 1, done.stdout)
-        for line in ("== ik_bench in Blender 4.9", "| a row", "what went wrong", "== layers_bench in Blender 4.9", "no row", "| another row"):
+        for line in (
+            "== ik_bench in Blender 4.9",
+            "| a row",
+            "what went wrong",
+            "== layers_bench in Blender 4.9",
+            "no row",
+            "| another row",
+        ):
             self.assertIn(f"{line}\n", done.stdout)
         self.assertNotIn("what an operator reports", done.stdout)
         self.assertTrue(done.stdout.endswith("broke, see above: ik_bench in Blender 4.9; layers_bench in Blender 4.9;\n"), done.stdout)

@@ -55,10 +55,17 @@ class Machine:
 
 class Names(unittest.TestCase):
     def test_an_unknown_name_is_answered_with_those_there_are(self):
-        done = subprocess.run([str(CLONE / "motus"), "demo", "flight", "nonsense"], cwd="/", text=True, check=False,
-                              timeout=60, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        done = subprocess.run(
+            [str(CLONE / "motus"), "demo", "flight", "nonsense"],
+            cwd="/",
+            text=True,
+            check=False,
+            timeout=60,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )
         self.assertEqual(done.returncode, 2, done.stdout)
-        sentence, = done.stdout.splitlines()
+        (sentence,) = done.stdout.splitlines()
         self.assertIn("no demo scene named nonsense", sentence)
         for scene in demo_plan.SCENES:
             self.assertIn(scene.name, sentence)
@@ -92,8 +99,15 @@ class Names(unittest.TestCase):
 class Quick(unittest.TestCase):
     def test_a_scene_is_rendered_whole(self):
         with tempfile.TemporaryDirectory(prefix="motus test ") as folder:
-            done = subprocess.run([str(CLONE / "motus"), "demo", "pull", "--quick", "--output", folder], cwd="/", text=True,
-                                  check=False, timeout=600, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            done = subprocess.run(
+                [str(CLONE / "motus"), "demo", "pull", "--quick", "--output", folder],
+                cwd="/",
+                text=True,
+                check=False,
+                timeout=600,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+            )
             self.assertEqual(done.returncode, 0, done.stdout)
             sizes = {path.name: path.stat().st_size for path in Path(folder).rglob("pull*.*")}
             scene = next(scene for scene in demo_plan.SCENES if scene.name == "pull")
@@ -111,8 +125,10 @@ class Shares(unittest.TestCase):
                 first, *_, last = shots
                 self.assertEqual((first.scene.name, first.still), ("scene0", 0))
                 self.assertEqual((last.scene.name, last.still), ("scene0", demo_plan.FILM))
-                self.assertEqual([shot.scene.name for shot in shots if not shot.is_optional and shot is not last],
-                                 [scene.name for scene in scenes(count)])
+                self.assertEqual(
+                    [shot.scene.name for shot in shots if not shot.is_optional and shot is not last],
+                    [scene.name for scene in scenes(count)],
+                )
                 self.assertEqual([shot.still for shot in shots[:-1]], [0, 1] * count)
 
     def test_scenes_have_equal_shares_of_what_is_left(self):
@@ -134,14 +150,12 @@ class Shares(unittest.TestCase):
 
 class Time(unittest.TestCase):
     def test_all_is_done_in_time_however_many_scenes_there_are(self):
-        for count, spent, build, still, frame in itertools.product(
-                (1, 3, 11, 16), (15.0, 110.0), (2.0, 8.0), (5.0, 20.0), (0.3, 1.5)):
+        for count, spent, build, still, frame in itertools.product((1, 3, 11, 16), (15.0, 110.0), (2.0, 8.0), (5.0, 20.0), (0.3, 1.5)):
             with self.subTest(scenes=count, spent=spent, build=build, still=still, frame=frame):
                 machine = Machine(spent, build, still, frame).run(count)
                 self.assertLess(machine.first_still, FIRST)
                 self.assertLess(machine.now, LIMIT)
-                self.assertEqual({name for name, number, _ in machine.stills if number == 0},
-                                 {scene.name for scene in scenes(count)})
+                self.assertEqual({name for name, number, _ in machine.stills if number == 0}, {scene.name for scene in scenes(count)})
                 self.assertEqual(machine.stills[0][2], 1280)
                 self.assertGreaterEqual(machine.frames, 24)
 

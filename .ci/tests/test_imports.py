@@ -25,7 +25,9 @@ def floors():
     """The rooms of core from top to bottom, each a list of names such as core.wiring.sinks: the first code block below the heading *Floors*."""
     text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
     block = re.search(r"^## Floors\n.*?```text\n(.*?)```", text, re.DOTALL | re.MULTILINE)[1]
-    return [["core." + room.replace("/", ".") for room in re.split(r"\s{4,}", line)[0].split()] for line in block.splitlines() if line.strip()]
+    return [
+        ["core." + room.replace("/", ".") for room in re.split(r"\s{4,}", line)[0].split()] for line in block.splitlines() if line.strip()
+    ]
 
 
 def imports(name, path, known):
@@ -36,7 +38,7 @@ def imports(name, path, known):
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if not isinstance(node, ast.ImportFrom) or not node.level:
             continue
-        stem = package[:len(package) - node.level + 1] + (node.module.split(".") if node.module else [])
+        stem = package[: len(package) - node.level + 1] + (node.module.split(".") if node.module else [])
         for alias in node.names:
             full, parent = ".".join((*stem, alias.name)), ".".join(stem)
             found.add(full if full in known else parent)
@@ -59,7 +61,11 @@ def uses_other_systems(path):
     """Names of the systems that a module looks up among the registered ones."""
     found = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Subscript) and ast.unparse(node.value).split(".")[-1] == "registered" and isinstance(node.slice, ast.Constant):
+        if (
+            isinstance(node, ast.Subscript)
+            and ast.unparse(node.value).split(".")[-1] == "registered"
+            and isinstance(node.slice, ast.Constant)
+        ):
             found.add(node.slice.value)
     return found
 
@@ -71,8 +77,11 @@ class Imports(unittest.TestCase):
         cls.graph = {name: imports(name, path, cls.known) for name, path in cls.known.items()}
         cls.floors = floors()
         cls.level = {room: number for number, rooms in enumerate(cls.floors) for room in rooms}
-        cls.systems = {name for name, path in cls.known.items()
-                       if path.name == "__init__.py" and name and "." not in name} - {"core", "demo", "translations"}
+        cls.systems = {name for name, path in cls.known.items() if path.name == "__init__.py" and name and "." not in name} - {
+            "core",
+            "demo",
+            "translations",
+        }
 
     def room(self, module):
         """The innermost room that a module of core lies in, which may be the module itself."""

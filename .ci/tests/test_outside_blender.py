@@ -41,8 +41,14 @@ class OutsideBlender(unittest.TestCase):
         """(exit status, output)."""
         with tempfile.TemporaryDirectory(prefix="motus test ") as folder:
             Path(folder, "test_sample.py").write_text(SAMPLE, encoding="utf-8")
-            done = subprocess.run([sys.executable, RUNNER, folder, *patterns], check=False, cwd=folder, text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            done = subprocess.run(
+                [sys.executable, RUNNER, folder, *patterns],
+                check=False,
+                cwd=folder,
+                text=True,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+            )
         return done.returncode, done.stdout
 
     def test_each_test_counts_once(self):
@@ -54,7 +60,10 @@ class OutsideBlender(unittest.TestCase):
         self.assertIn("not here", output)
 
     def test_patterns_choose_by_parts_of_a_test_s_id(self):
-        for pattern, counts in (("Sample.test_good", "1 passed, 0 failed, 0 skipped"), ("test_sample.Sample.test_skip", "0 passed, 0 failed, 1 skipped")):
+        for pattern, counts in (
+            ("Sample.test_good", "1 passed, 0 failed, 0 skipped"),
+            ("test_sample.Sample.test_skip", "0 passed, 0 failed, 1 skipped"),
+        ):
             status, output = self.run_sample(pattern, "of another name")
             self.assertEqual(status, 0, output)
             self.assertTrue(output.endswith(f"summary: {counts}\n"), output)

@@ -19,8 +19,12 @@ def texts():
 
 class References(unittest.TestCase):
     def test_named_files_are_there(self):
-        every = ["/" + path.relative_to(ROOT).as_posix() for folder in ("addon", "blend_tests", "docs", ".ci", "native")
-                 for kind in ("py", "hpp", "cpp") for path in (ROOT / folder).rglob(f"*.{kind}")]
+        every = [
+            "/" + path.relative_to(ROOT).as_posix()
+            for folder in ("addon", "blend_tests", "docs", ".ci", "native")
+            for kind in ("py", "hpp", "cpp")
+            for path in (ROOT / folder).rglob(f"*.{kind}")
+        ]
         for path in texts():
             for name in {one[0] for one in NAME.finditer(path.read_text(encoding="utf-8"))} - EXAMPLES:
                 with self.subTest(file=path.relative_to(ROOT), name=name):

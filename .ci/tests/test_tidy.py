@@ -54,8 +54,10 @@ class Tidy(unittest.TestCase):
     def outcomes(self, sources):
         """{name of a source: what is said of it, "" where it has passed}."""
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            found = {source.path.stem: "" if is_clean else output
-                     for source, is_clean, output in tidy_groups.check_all(sources, self.folder, pool)}
+            found = {
+                source.path.stem: "" if is_clean else output
+                for source, is_clean, output in tidy_groups.check_all(sources, self.folder, pool)
+            }
         self.assertEqual(found.keys(), {source.path.stem for source in sources})
         return found
 
@@ -79,7 +81,9 @@ class Tidy(unittest.TestCase):
 
     def test_a_function_that_another_source_calls_is_analysed_by_itself(self):
         (self.topic / "read.hpp").write_text("#pragma once\nint read(const int* from);\n", encoding="utf-8")
-        called = self.source("called", '#include "read.hpp"\nint read(const int* from) { if (from == nullptr) { return *from; } return 0; }\n')
+        called = self.source(
+            "called", '#include "read.hpp"\nint read(const int* from) { if (from == nullptr) { return *from; } return 0; }\n'
+        )
         caller = self.source("caller", '#include "read.hpp"\nint one() { const int number = 1; return read(&number); }\n')
         is_clean, output = tidy_groups.Group([called, caller], self.folder).check()
         self.assertFalse(is_clean)
@@ -90,8 +94,10 @@ class Tidy(unittest.TestCase):
         helped = [self.source(f"helped{number}", helper.format(number)) for number in range(2)]
         clean = self.clean(4)
         groups = tidy_groups.groups_of([clean[0], helped[0], clean[1], helped[1], *clean[2:]], self.folder)
-        self.assertEqual([[source.path.stem for source in group.sources] for group in groups],
-                         [["clean0", "helped0", "clean1", "clean2", "clean3"], ["helped1"]])
+        self.assertEqual(
+            [[source.path.stem for source in group.sources] for group in groups],
+            [["clean0", "helped0", "clean1", "clean2", "clean3"], ["helped1"]],
+        )
         self.assertEqual(set(self.outcomes(clean + helped).values()), {""})
 
     def test_a_source_that_does_not_compile_is_found_and_the_others_pass(self):

@@ -7,6 +7,7 @@ def register():
     """Called by Blender when the add-on is enabled."""
     from . import demo, translations
     from .systems import SYSTEMS
+
     registration.register(SYSTEMS, translations.LANGUAGES, extra_classes=demo.classes, extra_add_menu=demo.ADD_MENU)
 
 

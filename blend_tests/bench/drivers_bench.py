@@ -13,8 +13,9 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
-import support  # noqa: E402  (found by the line above)
 from typical_bench import frame_microseconds, new_object  # noqa: E402
+
+import support  # noqa: E402  (found by the line above)
 
 COUNT, ROUNDS = 1000, 9
 KEYED = 45
@@ -62,4 +63,4 @@ def report(wanted):
 if __name__ == "__main__":
     support.enable()
     bpy.context.preferences.filepaths.use_scripts_auto_execute = True
-    report(sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else [])
+    report(sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else [])

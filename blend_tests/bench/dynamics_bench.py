@@ -12,8 +12,9 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
-import support  # noqa: E402  (found by the line above)
 import typical_bench  # noqa: E402
+
+import support  # noqa: E402  (found by the line above)
 
 OBJECTS = 10
 CHAINS, BONES = 10, 20

@@ -66,8 +66,7 @@ def add_blender_ik(rig, targets, bones):
 
 def add_motus_ik(rig, targets, bones, **keywords):
     for chain, target in enumerate(targets):
-        bpy.ops.motus.ik_add(object=rig.name, bone=f"c{chain}.{bones - 1}", target=target.name, chain_length=bones,
-                             **keywords)
+        bpy.ops.motus.ik_add(object=rig.name, bone=f"c{chain}.{bones - 1}", target=target.name, chain_length=bones, **keywords)
 
 
 SYSTEMS = {"none": lambda *_: None, "Motus IK": add_motus_ik, "Blender IK": add_blender_ik}
@@ -196,8 +195,10 @@ def report_limits():
     print(f"| {'what':12} {'median':>10} {'mean':>10} {'largest':>10} {'NaN':>5}")
     for name, found in (("Blender IK", blender), ("Motus IK", motus)):
         print(f"| {name:12} {np.median(found):10.2e} {found.mean():10.2e} {found.max():10.2e} {np.isnan(found).sum():5}")
-    print(f"| Motus within Blender's residual + 1e-4: {100.0 * within:.2f} %; "
-          f"better by more than 1e-4: {100.0 * np.mean(motus < blender - 1e-4):.2f} %")
+    print(
+        f"| Motus within Blender's residual + 1e-4: {100.0 * within:.2f} %; "
+        f"better by more than 1e-4: {100.0 * np.mean(motus < blender - 1e-4):.2f} %"
+    )
 
 
 def report_reaching():

@@ -84,8 +84,14 @@ def milliseconds(scene):
 
 def main():
     support.enable()
-    rows = (("none", 0, {}), ("1 layer", 1, {}), ("3 layers", 3, {}), ("8 layers", 8, {}), ("3 additive layers", 3, {"mode": 'ADDITIVE'}),
-            ("3 layers, steady", 3, {"in_armature": True}))
+    rows = (
+        ("none", 0, {}),
+        ("1 layer", 1, {}),
+        ("3 layers", 3, {}),
+        ("8 layers", 8, {}),
+        ("3 additive layers", 3, {"mode": 'ADDITIVE'}),
+        ("3 layers, steady", 3, {"in_armature": True}),
+    )
     scenes = [(name, build(count, **keywords)) for name, count, keywords in rows]
     taken = {name: [] for name, _ in scenes}
     for _ in range(ROUNDS):

@@ -11,8 +11,9 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
-import support  # noqa: E402  (found by the line above)
 import truth  # noqa: E402
+
+import support  # noqa: E402  (found by the line above)
 
 CURVES = {
     "S curve": [(0, 0, 0), (3, 0, 0), (1, 4, 0), (4, 4, 0)],
@@ -36,8 +37,7 @@ def make_curve(points, resolution=12):
     curve.use_path = True
     spline = curve.splines.new('BEZIER')
     spline.bezier_points.add(1)
-    for point, (before, co, after) in zip(spline.bezier_points, (
-            (points[0], points[0], points[1]), (points[2], points[3], points[3]))):
+    for point, (before, co, after) in zip(spline.bezier_points, ((points[0], points[0], points[1]), (points[2], points[3], points[3]))):
         point.handle_left_type = point.handle_right_type = 'FREE'
         point.handle_left, point.co, point.handle_right = before, co, after
     obj = bpy.data.objects.new("Course", curve)
@@ -99,8 +99,7 @@ def motus_frame_time():
     scene = empty_scene()
     curve = make_curve(CURVES["climbing bend"])
     names = ",".join(obj.name for obj in make_objects(FOLLOWERS))
-    bpy.ops.motus.path_train_add(objects=names, curve=curve.name, gap=0.01, timing='SPEED', speed=1.0,
-                                 extend='LOOP', orientation='BANKING')
+    bpy.ops.motus.path_train_add(objects=names, curve=curve.name, gap=0.01, timing='SPEED', speed=1.0, extend='LOOP', orientation='BANKING')
     return frame_milliseconds(scene)
 
 
@@ -118,7 +117,7 @@ def evaluated_positions(obj, set_fraction):
 def blender_positions(points, resolution):
     empty_scene()
     curve = make_curve(points, resolution)
-    obj, = make_objects(1)
+    (obj,) = make_objects(1)
     constraint = add_blender_follow_path(obj, curve, 0.0)
     return evaluated_positions(obj, lambda fraction: setattr(constraint, "offset_factor", fraction))
 
@@ -126,7 +125,7 @@ def blender_positions(points, resolution):
 def motus_positions(points):
     empty_scene()
     curve = make_curve(points)
-    obj, = make_objects(1)
+    (obj,) = make_objects(1)
     bpy.ops.motus.path_follow_add(object=obj.name, curve=curve.name, timing='MANUAL', extend='CLAMP')
     return evaluated_positions(obj, lambda fraction: setattr(obj.motus.path, "distance_factor", fraction))
 
@@ -135,8 +134,7 @@ def errors(found, exact, length):
     """(largest position error, largest deviation of a step) as fractions of the length and of the mean step."""
     steps = np.linalg.norm(np.diff(found, axis=0), axis=1)
     exact_steps = np.linalg.norm(np.diff(exact, axis=0), axis=1)
-    return (np.linalg.norm(found - exact, axis=1).max() / length,
-            np.abs(steps / exact_steps - 1.0).max())
+    return (np.linalg.norm(found - exact, axis=1).max() / length, np.abs(steps / exact_steps - 1.0).max())
 
 
 def native_positions(points):
@@ -145,8 +143,10 @@ def native_positions(points):
 
 
 def report_exactness():
-    print("|\n| Exactness at 101 equal distances: position error / length, step error / step, both largest; "
-          "times better than Blender's default")
+    print(
+        "|\n| Exactness at 101 equal distances: position error / length, step error / step, both largest; "
+        "times better than Blender's default"
+    )
     print(f"| {'curve':14} {'what':35} {'position':>10} {'step':>10} {'better':>10}")
     for name, points in CURVES.items():
         exact, length = truth.positions_at_fractions(points, FRACTIONS)
@@ -159,8 +159,7 @@ def report_exactness():
         reference = errors(rows["Blender Follow Path, resolution 12"], exact, length)[0]
         for what, found in rows.items():
             position_error, step_error = errors(found, exact, length)
-            print(f"| {name:14} {what:35} {position_error:10.1e} {step_error:10.1e} "
-                  f"{reference / max(position_error, 1e-17):9.2g}x")
+            print(f"| {name:14} {what:35} {position_error:10.1e} {step_error:10.1e} {reference / max(position_error, 1e-17):9.2g}x")
         largest = np.abs(exact).max()
         off = np.abs(rows["Motus on the object (float32)"] - exact).max() / largest
         print(f"| {name:14} {'Motus on the object':35} {off:10.1e} of the largest coordinate")

@@ -17,6 +17,7 @@ FRAMES = 12
 def new_mesh(side):
     """A flat grid of side x side vertices, 2 m wide."""
     import numpy as np
+
     line = np.linspace(-1.0, 1.0, side, dtype=np.float32)
     x, y = np.meshgrid(line, line)
     places = np.stack([x, y, np.zeros_like(x)], axis=-1).reshape(-1, 3)
@@ -38,6 +39,7 @@ def new_mesh(side):
 def pinned(side, count, radius, distance):
     """An object with so many pins whose strengths are keyed, spread over it; (object, positions, roots)."""
     import numpy as np
+
     support.empty_scene()
     mesh, places = new_mesh(side)
     obj = bpy.data.objects.new("Bench", mesh)
@@ -72,6 +74,7 @@ def frame_times():
 def solve_time(obj):
     """Median milliseconds of the solve alone, with what is reached known, and of the first one."""
     import numpy as np
+
     solve, table = support.addon("pull.pins.solve"), support.addon("pull.pins.table")
     support.addon("pull.pins.shapes").forget()
     offsets, times = np.zeros((len(obj.data.vertices), 3), np.float32), []
@@ -86,6 +89,7 @@ def solve_time(obj):
 def numpy_time(places, roots, radius, frames=3):
     """Median milliseconds of the same with numpy, which measures all distances on every frame."""
     import numpy as np
+
     times = []
     for _ in range(frames):
         start = time.perf_counter()

@@ -68,6 +68,7 @@ def update_only(_radius):
     def act():
         write(obj.data, flat)
         bpy.context.view_layer.update()
+
     return median(act)
 
 
@@ -84,6 +85,7 @@ def numpy_dab(radius):
         places[:, 2] += 0.001 * (3.0 * t * t - 2.0 * t * t * t)
         write(obj.data, flat)
         bpy.context.view_layer.update()
+
     return median(act)
 
 
@@ -94,6 +96,7 @@ def session_of(obj, radius, **changes):
 
 def session_dab(**changes):
     """One dab of a stroke, as the mouse does it: picked by a ray, pulled, evaluated."""
+
     def measure(radius):
         obj = grid()
         session = session_of(obj, radius, **changes)
@@ -104,7 +107,9 @@ def session_dab(**changes):
             hit = session.pick((next(places), 0.0, 5.0), (0.0, 0.0, -1.0))
             session.pull(hit.vertex, session.displacement(hit.vertex))
             bpy.context.view_layer.update()
+
         return median(act)
+
     return measure
 
 
@@ -116,6 +121,7 @@ def scripted(radius):
     def act():
         bpy.ops.motus.pick_pull(object=obj.name, vertex=root, radius=radius, strength=0.001, direction='Z')
         bpy.context.view_layer.update()
+
     return median(act)
 
 
@@ -123,6 +129,7 @@ def proportional(radius):
     obj = grid()
     bpy.ops.object.mode_set(mode='EDIT')
     import bmesh
+
     edit = bmesh.from_edit_mesh(obj.data)
     edit.verts.ensure_lookup_table()
     for vertex in edit.verts:
@@ -134,9 +141,10 @@ def proportional(radius):
     def act():
         # Without an override: with one onto a viewport, Blender 3.4 and 4.3 crash in the background.
         bpy.ops.transform.translate(
-            value=(0.0, 0.0, 0.001), use_proportional_edit=True, proportional_edit_falloff='SMOOTH',
-            proportional_size=radius)
+            value=(0.0, 0.0, 0.001), use_proportional_edit=True, proportional_edit_falloff='SMOOTH', proportional_size=radius
+        )
         bpy.context.view_layer.update()
+
     found = median(act, 3)
     bpy.ops.object.mode_set(mode='OBJECT')
     return found
@@ -179,7 +187,8 @@ def report_start():
         ("to begin", (opened - start) * 1e3),
         ("first pick, which reads triangles and builds the tree", (picked - opened) * 1e3),
         ("each pick", picking),
-        ("Blender's first ray_cast", (ray - start_ray) * 1e3))
+        ("Blender's first ray_cast", (ray - start_ray) * 1e3),
+    )
     print("| What a session takes besides, ms")
     for name, value in rows:
         print(f"| {name:52} {value:9.3f}")
@@ -200,6 +209,7 @@ def report_grid():
         start = time.perf_counter()
         bpy.ops.mesh.primitive_grid_add(x_subdivisions=SIDE - 1, y_subdivisions=SIDE - 1, size=SIDE * SPACING)
         return time.perf_counter() - start
+
     print(f"| A grid of {SIDE} x {SIDE} vertices, ms")
     rows = [("Blender's Grid", min(blender() for _ in range(3))), ("motus.grid_add", min(own() for _ in range(3)))]
     for name, value in rows:

@@ -18,13 +18,15 @@ import support  # noqa: E402  (found by the line above)
 
 COUNTS = (5_000, 100_000, 1_000_000)
 KINDS = (  # name, settings
-    ("points", {"look": 'POINTS'}), ("points, own ways", {"look": 'POINTS', "snow_offsets": True}), ("flake", {"look": 'FLAKE'}))
+    ("points", {"look": 'POINTS'}),
+    ("points, own ways", {"look": 'POINTS', "snow_offsets": True}),
+    ("flake", {"look": 'FLAKE'}),
+)
 LIFETIME = 5.0
 FIRST, FRAMES, ROUNDS = 200, 12, 7
 FAR = 5000
 # Snow steering and wind; flakes that have no lifetimes of their own, so that their number is exact.
-KEYWORDS = {"snow": True, "random_size": True, "tumble": 2.0, "drag": 0.5, "wind": (1.0, 0.0, -1.0),
-            "gusts": 0.3}
+KEYWORDS = {"snow": True, "random_size": True, "tumble": 2.0, "drag": 0.5, "wind": (1.0, 0.0, -1.0), "gusts": 0.3}
 FIELD = 40.0
 RESOLUTIONS = 0.5, 0.15
 """m: of a square field, and of the layers that lie on it."""
@@ -116,4 +118,4 @@ def report(wanted):
 
 if __name__ == "__main__":
     support.enable()
-    report(sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else [])
+    report(sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else [])

@@ -12,8 +12,9 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
-import support  # noqa: E402  (found by the line above)
 from typical_bench import costs, new_object  # noqa: E402
+
+import support  # noqa: E402  (found by the line above)
 
 COUNT = 50
 

@@ -54,8 +54,14 @@ def new_followers(count, curves):
 def follow_by_motus(pairs):
     for index, (obj, curve) in enumerate(pairs):
         bpy.ops.motus.path_follow_add(
-            object=obj.name, curve=curve.name, timing='SPEED', speed=1.0 + 0.05 * index, offset=0.1 * index,
-            extend='LOOP', orientation=('BANKING', 'WORLD_UP')[index % 2])
+            object=obj.name,
+            curve=curve.name,
+            timing='SPEED',
+            speed=1.0 + 0.05 * index,
+            offset=0.1 * index,
+            extend='LOOP',
+            orientation=('BANKING', 'WORLD_UP')[index % 2],
+        )
 
 
 def follow_by_blender(pairs):
@@ -120,15 +126,17 @@ def reach_by_blender(characters):
 
 def new_mixed():
     """Twelve that follow two curves, a train of twenty, and three characters that reach and look."""
-    return {"singles": new_followers(12, 2), "train": new_followers(20, 1),
-            "characters": [new_character(3.0 * index) for index in range(3)]}
+    return {
+        "singles": new_followers(12, 2),
+        "train": new_followers(20, 1),
+        "characters": [new_character(3.0 * index) for index in range(3)],
+    }
 
 
 def mixed_by_motus(parts):
     follow_by_motus(parts["singles"])
     names, curve = ",".join(obj.name for obj, _ in parts["train"]), parts["train"][0][1]
-    bpy.ops.motus.path_train_add(
-        objects=names, curve=curve.name, gap=0.5, timing='SPEED', speed=1.0, extend='LOOP', orientation='BANKING')
+    bpy.ops.motus.path_train_add(objects=names, curve=curve.name, gap=0.5, timing='SPEED', speed=1.0, extend='LOOP', orientation='BANKING')
     reach_by_motus(parts["characters"])
     for rig, goals in parts["characters"]:
         bpy.ops.motus.look_at_add(object=rig.name, bone="head", target=goals[LIMBS].name, body_length=2)
@@ -156,11 +164,9 @@ def nothing(_made):
 SCENES = {
     "one follower": (lambda: new_followers(1, 1), follow_by_motus, follow_by_blender),
     f"{FOLLOWERS} followers, one curve": (lambda: new_followers(FOLLOWERS, 1), follow_by_motus, follow_by_blender),
-    f"{FOLLOWERS} followers, {FOLLOWERS} curves": (
-        lambda: new_followers(FOLLOWERS, FOLLOWERS), follow_by_motus, follow_by_blender),
+    f"{FOLLOWERS} followers, {FOLLOWERS} curves": (lambda: new_followers(FOLLOWERS, FOLLOWERS), follow_by_motus, follow_by_blender),
     "one rig, four limbs": (lambda: [new_character(0.0)], reach_by_motus, reach_by_blender),
-    f"{RIGS} rigs, four limbs each": (
-        lambda: [new_character(3.0 * index) for index in range(RIGS)], reach_by_motus, reach_by_blender),
+    f"{RIGS} rigs, four limbs each": (lambda: [new_character(3.0 * index) for index in range(RIGS)], reach_by_motus, reach_by_blender),
     f"{PENDULUMS} pendulums": (lambda: None, pendulums_by_motus, nothing),
     "12 followers, train, 3 characters": (new_mixed, mixed_by_motus, mixed_by_blender),
 }
@@ -207,4 +213,4 @@ def report(wanted):
 
 if __name__ == "__main__":
     support.enable()
-    report(sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else [])
+    report(sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else [])

@@ -13,8 +13,9 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
-import support  # noqa: E402  (found by the line above)
 import typical_bench  # noqa: E402
+
+import support  # noqa: E402  (found by the line above)
 
 SPIDERS = 10
 STONES = 50
@@ -40,7 +41,7 @@ def new_spiders(count):
 
 def new_on_stones():
     """One whose ground is a collection."""
-    (spider, land), = new_spiders(1)
+    ((spider, land),) = new_spiders(1)
     stones = bpy.data.collections.new("Stones")
     bpy.context.scene.collection.children.link(stones)
     for index in range(STONES):
@@ -77,11 +78,15 @@ def report():
 def planning():
     """ms that the steps of a spider take to be planned, its motion and its ground being read; the least."""
     support.empty_scene()
-    (spider, _), = spiders = new_spiders(1)
+    ((spider, _),) = spiders = new_spiders(1)
     walk(spiders)
     plan, scene = support.addon("walker.plan"), bpy.context.scene
     owner = spider.evaluated_get(bpy.context.evaluated_depsgraph_get())
-    read = plan.read(owner.motus.walker), plan.body(owner, scene, 24.0)[0], support.addon("walker.ground").parts(owner.motus.walker, scene)[0]
+    read = (
+        plan.read(owner.motus.walker),
+        plan.body(owner, scene, 24.0)[0],
+        support.addon("walker.ground").parts(owner.motus.walker, scene)[0],
+    )
     found = []
     for _ in range(ROUNDS):
         begin = time.perf_counter()

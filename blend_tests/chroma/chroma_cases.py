@@ -4,6 +4,7 @@ import functools
 
 import bpy
 import numpy as np
+
 import support
 
 WIDTH, HEIGHT = 192, 128

@@ -5,6 +5,7 @@ import sys
 
 import bpy
 import numpy as np
+
 import support
 
 PAGE = support.CLONE / "docs" / "chroma.md"
@@ -25,7 +26,7 @@ class ChromaPageTest(support.SceneTestCase):
         self.assertIsNone(support.addon("chroma.compositor").key_of(bpy.context.scene))
 
     def test_the_native_example(self):
-        native_example, = [code for code in self.examples() if "import motus_native" in code]
+        (native_example,) = [code for code in self.examples() if "import motus_native" in code]
         sys.modules["motus_native"] = support.addon("core.native").module
         self.addCleanup(sys.modules.pop, "motus_native")
         scope = {}

@@ -1,9 +1,10 @@
 """Keyed pictures: the footage's alpha is known, and so is the subject without the screen's light."""
 
 import bpy
-from chroma import chroma_cases as cases
 import numpy as np
+
 import support
+from chroma import chroma_cases as cases
 
 MEAN_ERROR, HOLE, SPILL = 0.02, 0.98, 0.03
 GREY = 0.3
@@ -18,7 +19,7 @@ class Exact(support.SceneTestCase):
 
     def image(self, name, picture):
         whole = np.ones((*picture.shape[:2], 4), np.float32)
-        whole[..., :picture.shape[2]] = picture
+        whole[..., : picture.shape[2]] = picture
         image = bpy.data.images.new(name, picture.shape[1], picture.shape[0], alpha=True, float_buffer=True)
         image.pixels.foreach_set(whole.ravel())
         return image.name
@@ -61,13 +62,20 @@ class Exact(support.SceneTestCase):
 
     def test_soft_edges_are_even(self):
         """A grey of any brightness over any background, by one call without a number, whatever levels are set."""
-        for value, behind, screen, width in ((0.8, 0.8, cases.GREEN, 2), (0.8, 0.8, cases.GREEN, 8), (0.2, 0.9, cases.BLUE, 8),
-                                             (3.0, 0.5, cases.GREEN, 4), (0.0, 1.0, cases.BLUE, 2)):
+        for value, behind, screen, width in (
+            (0.8, 0.8, cases.GREEN, 2),
+            (0.8, 0.8, cases.GREEN, 8),
+            (0.2, 0.9, cases.BLUE, 8),
+            (3.0, 0.5, cases.GREEN, 4),
+            (0.0, 1.0, cases.BLUE, 2),
+        ):
             with self.subTest(value=value, behind=behind, width=width):
                 alpha, picture = self.soft((value,) * 3, screen, width)
                 background = self.image("Behind", np.full((96, 160, 3), behind))
                 self.set_up(picture, background=background)
-                np.testing.assert_allclose(cases.keyed('COMPOSITE')[..., :3], np.repeat(alpha * value + (1.0 - alpha) * behind, 3, 2), atol=0.004)
+                np.testing.assert_allclose(
+                    cases.keyed('COMPOSITE')[..., :3], np.repeat(alpha * value + (1.0 - alpha) * behind, 3, 2), atol=0.004
+                )
                 bpy.ops.motus.chroma_key_remove()
 
     def test_levels_and_choke_leave_colors_even(self):
@@ -81,7 +89,7 @@ class Exact(support.SceneTestCase):
     def test_bright_and_yellow_subjects_are_opaque(self):
         picture = np.ones((40, 60, 3)) * cases.GREEN
         for index, color in enumerate(((0.9, 0.8, 0.1), (0.1, 0.8, 0.9), (5.0, 4.9, 4.0), (1.0, 1.0, 1.0))):
-            picture[10:30, 6 + 12 * index:16 + 12 * index] = color
+            picture[10:30, 6 + 12 * index : 16 + 12 * index] = color
         self.set_up(picture, underneath='NOTHING')
         composite = cases.keyed('COMPOSITE')
         is_subject = np.any(picture != cases.GREEN, axis=2)
@@ -121,7 +129,9 @@ class Exact(support.SceneTestCase):
         picture = np.ones((60, 60, 3)) * cases.GREEN
         picture[20:40, 20:40] = 0.5
         self.set_up(picture, underneath='NOTHING')
-        bpy.ops.motus.chroma_mask_add(kind='CORE', picture=self.image("Left", np.repeat(np.arange(60)[None, :, None] < 10, 60, 0) * np.ones(3)))
+        bpy.ops.motus.chroma_mask_add(
+            kind='CORE', picture=self.image("Left", np.repeat(np.arange(60)[None, :, None] < 10, 60, 0) * np.ones(3))
+        )
         matte = cases.keyed('MATTE')[..., 0]
         self.assertEqual((matte[:, :10].min(), matte[:20, 10:].max(), matte[20:40, 20:40].min()), (1.0, 0.0, 1.0))
         bpy.ops.motus.chroma_mask_add(kind='GARBAGE')  # around the picture
@@ -198,7 +208,12 @@ class Exact(support.SceneTestCase):
         self.set_up(self.colors()[:32, :32], background=film)
         scene = bpy.context.scene
         node = support.addon("chroma.compositor").node_of(scene, "Background")
-        for fps, places in ((24, (1, 1, 2, 2, 3, 3, 3)), (12, (1, 2, 3, 3, 3, 3, 3)), (6, (1, 3, 3, 3, 3, 3, 3)), (48, (1, 1, 1, 1, 2, 2, 2))):
+        for fps, places in (
+            (24, (1, 1, 2, 2, 3, 3, 3)),
+            (12, (1, 2, 3, 3, 3, 3, 3)),
+            (6, (1, 3, 3, 3, 3, 3, 3)),
+            (48, (1, 1, 1, 1, 2, 2, 2)),
+        ):
             scene.render.fps, scene.render.fps_base = fps, 1.0
             for frame in (7, 1, 4, 2, 6, 3, 5):
                 scene.frame_set(frame)
@@ -345,6 +360,6 @@ class Keyed(support.SceneTestCase):
         self.key(path, mask="Left")
         matte = cases.keyed('MATTE')[..., 0]
         half = cases.WIDTH // 2
-        self.assertGreater(without[:, :half - 4].max(), 0.99)
-        self.assertLess(matte[:, :half - 4].max(), 0.01)
-        np.testing.assert_allclose(matte[:, half + 4:], without[:, half + 4:], atol=0.01)
+        self.assertGreater(without[:, : half - 4].max(), 0.99)
+        self.assertLess(matte[:, : half - 4].max(), 0.01)
+        np.testing.assert_allclose(matte[:, half + 4 :], without[:, half + 4 :], atol=0.01)

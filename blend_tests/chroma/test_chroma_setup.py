@@ -4,9 +4,10 @@ import os
 import unittest
 
 import bpy
-from chroma import chroma_cases as cases
 import numpy as np
+
 import support
+from chroma import chroma_cases as cases
 
 compositor = support.addon("chroma.compositor")
 actions = support.addon("core.blender.actions")
@@ -19,7 +20,7 @@ def footage(folder, color=cases.GREEN, size=(60, 40), name="footage.png"):
     """A grey square in front of a screen."""
     picture = np.ones((size[1], size[0], 4)) * (*color, 1.0)
     if min(size) > 2:
-        picture[size[1] // 4:-size[1] // 4, size[0] // 3:-size[0] // 3, :3] = 0.4
+        picture[size[1] // 4 : -size[1] // 4, size[0] // 3 : -size[0] // 3, :3] = 0.4
     return cases.written(picture, folder / name)
 
 
@@ -29,15 +30,37 @@ def state(scene):
     if not scene.use_nodes and len(tree.nodes if tree else ()) == 2:
         tree = None  # what Blender leaves of one that it made
     return (
-        render.resolution_x, render.resolution_y, render.resolution_percentage, render.pixel_aspect_x, render.pixel_aspect_y,
-        scene.frame_start, scene.frame_end, render.fps, render.fps_base, view.view_transform, view.look, scene.use_nodes,
-        view.exposure, view.gamma, view.use_curve_mapping, getattr(view, "use_white_balance", None), len(bpy.data.masks),
-        None if tree is None else (
-            tree.name, sorted(node.name for node in tree.nodes),
-            sorted((link.from_node.name, link.from_socket.identifier, link.to_node.name, link.to_socket.identifier)
-                   for link in tree.links)),
-        len(bpy.data.node_groups), len(bpy.data.images), len(bpy.data.objects), len(bpy.data.materials), len(bpy.data.meshes),
-        sorted(thing.name for thing in scene.objects))
+        render.resolution_x,
+        render.resolution_y,
+        render.resolution_percentage,
+        render.pixel_aspect_x,
+        render.pixel_aspect_y,
+        scene.frame_start,
+        scene.frame_end,
+        render.fps,
+        render.fps_base,
+        view.view_transform,
+        view.look,
+        scene.use_nodes,
+        view.exposure,
+        view.gamma,
+        view.use_curve_mapping,
+        getattr(view, "use_white_balance", None),
+        len(bpy.data.masks),
+        None
+        if tree is None
+        else (
+            tree.name,
+            sorted(node.name for node in tree.nodes),
+            sorted((link.from_node.name, link.from_socket.identifier, link.to_node.name, link.to_socket.identifier) for link in tree.links),
+        ),
+        len(bpy.data.node_groups),
+        len(bpy.data.images),
+        len(bpy.data.objects),
+        len(bpy.data.materials),
+        len(bpy.data.meshes),
+        sorted(thing.name for thing in scene.objects),
+    )
 
 
 class SetUp(support.SceneTestCase):
@@ -68,10 +91,35 @@ class SetUp(support.SceneTestCase):
 
     def test_keywords(self):
         key = self.set_up(
-            clip=footage(self.folder), color=(0.1, 0.5, 0.2), black=0.2, white=0.7, balance=0.3, smooth=2, grow=-1, feather=3,
-            despill=0.5, gain=1.5, core=0.4, despill_limit='AVERAGE', luminance=0.25, light_wrap=0.25, view='MATTE')
-        for keyword, wanted in (("gain", 1.5), ("core", 0.4), ("limit", 0.5), ("luminance", 0.25), ("black", 0.2), ("white", 0.7), ("balance", 0.3),
-                                ("smooth", 2), ("grow", -1), ("feather", 3), ("despill", 0.5)):
+            clip=footage(self.folder),
+            color=(0.1, 0.5, 0.2),
+            black=0.2,
+            white=0.7,
+            balance=0.3,
+            smooth=2,
+            grow=-1,
+            feather=3,
+            despill=0.5,
+            gain=1.5,
+            core=0.4,
+            despill_limit='AVERAGE',
+            luminance=0.25,
+            light_wrap=0.25,
+            view='MATTE',
+        )
+        for keyword, wanted in (
+            ("gain", 1.5),
+            ("core", 0.4),
+            ("limit", 0.5),
+            ("luminance", 0.25),
+            ("black", 0.2),
+            ("white", 0.7),
+            ("balance", 0.3),
+            ("smooth", 2),
+            ("grow", -1),
+            ("feather", 3),
+            ("despill", 0.5),
+        ):
             self.assertAlmostEqual(self.value(key, keyword), wanted, 5, keyword)
         self.assertAlmostEqual(key.inputs["Light Wrap"].default_value, 0.25)
         np.testing.assert_allclose(key.inputs["Screen Color"].default_value[:3], (0.1, 0.5, 0.2), atol=1e-6)
@@ -153,8 +201,13 @@ class SetUp(support.SceneTestCase):
 
     def test_numbers_in_names(self):
         numbered = support.addon("chroma.footage")._numbered
-        for name, parts in (("shot_007.png", ("shot_", "007", ".png")), ("f_0001.jp2", ("f_", "0001", ".jp2")),
-                            ("12.left.exr", ("", "12", ".left.exr")), ("still.jp2", None), ("IMG_20240101120000.jpg", None)):
+        for name, parts in (
+            ("shot_007.png", ("shot_", "007", ".png")),
+            ("f_0001.jp2", ("f_", "0001", ".jp2")),
+            ("12.left.exr", ("", "12", ".left.exr")),
+            ("still.jp2", None),
+            ("IMG_20240101120000.jpg", None),
+        ):
             self.assertEqual(numbered(name), parts, name)
 
     def test_gaps_are_told(self):
@@ -222,7 +275,7 @@ class SetUp(support.SceneTestCase):
 
     def test_a_viewer_shows_what_comes_out(self):
         key = self.set_up(clip=footage(self.folder))
-        viewer, = (node for node in compositor.tree_of(bpy.context.scene).nodes if node.bl_idname == "CompositorNodeViewer")
+        (viewer,) = (node for node in compositor.tree_of(bpy.context.scene).nodes if node.bl_idname == "CompositorNodeViewer")
         self.assertEqual(viewer.inputs["Image"].links[0].from_node, key)
 
     # --- several keys, and masks ---------------------------------------------------------------------------------------
@@ -287,12 +340,20 @@ class SetUp(support.SceneTestCase):
         """Give the key's node a group with Blender's node Keying, as versions before made it."""
         old = bpy.data.node_groups.new("Chroma Key", 'CompositorNodeTree')
         old["motus_chroma"] = True
-        sockets = [(name, 'INPUT', kind) for name, kind in (
-            ("Image", "NodeSocketColor"), ("Background", "NodeSocketColor"), ("Screen Color", "NodeSocketColor"),
-            ("Garbage Mask", "NodeSocketFloat"), ("Light Wrap", "NodeSocketFloat"))]
+        sockets = [
+            (name, 'INPUT', kind)
+            for name, kind in (
+                ("Image", "NodeSocketColor"),
+                ("Background", "NodeSocketColor"),
+                ("Screen Color", "NodeSocketColor"),
+                ("Garbage Mask", "NodeSocketFloat"),
+                ("Light Wrap", "NodeSocketFloat"),
+            )
+        ]
         nodes.add_sockets(old, [*sockets, ("Image", 'OUTPUT', "NodeSocketColor"), ("Matte", 'OUTPUT', "NodeSocketFloat")])
-        start, end, keying, view = (nodes.add_node(old, kind) for kind in (
-            "NodeGroupInput", "NodeGroupOutput", "CompositorNodeKeying", "NodeReroute"))
+        start, end, keying, view = (
+            nodes.add_node(old, kind) for kind in ("NodeGroupInput", "NodeGroupOutput", "CompositorNodeKeying", "NodeReroute")
+        )
         keying.name, view.name = "Key", 'COMPOSITE'
         nodes.link(old, start.outputs["Image"], keying.inputs["Image"])
         nodes.link(old, start.outputs["Screen Color"], keying.inputs["Key Color"])
@@ -454,6 +515,7 @@ class SetUp(support.SceneTestCase):
             plane = scene.motus.chroma.plane
             bpy.context.view_layer.update()
             from bpy_extras.object_utils import world_to_camera_view
+
             seen = [world_to_camera_view(scene, camera, plane.matrix_world @ vertex.co) for vertex in plane.data.vertices]
             np.testing.assert_allclose(sorted((round(p.x), round(p.y)) for p in seen), [(0, 0), (0, 1), (1, 0), (1, 1)])
             np.testing.assert_allclose([p.z for p in seen], 7.0, rtol=1e-5)
@@ -471,7 +533,7 @@ class SetUp(support.SceneTestCase):
         plane = scene.motus.chroma.plane
         shown = plane.data.materials[0].node_tree.nodes
         self.assertEqual(plane.parent, scene.camera)
-        texture, = [node for node in shown if node.type == 'TEX_IMAGE']
+        (texture,) = [node for node in shown if node.type == 'TEX_IMAGE']
         self.assertEqual(texture.image, compositor.node_of(scene, "Footage").image)
         np.testing.assert_allclose(shown["Screen Color"].outputs[0].default_value[:3], (0.1, 0.3, 0.2), atol=1e-6)
         self.assertAlmostEqual(shown["Levels"].inputs["From Min"].default_value, 0.5)
@@ -516,8 +578,14 @@ class SetUp(support.SceneTestCase):
     def test_pictures_without_a_screen(self):
         self.refused("no green or blue screen", clip=footage(self.folder, color=(0.4, 0.3, 0.2)))
         self.refused("no green or blue screen", clip=footage(self.folder, color=(0.4, 0.4, 0.4), size=(1, 1), name="one.png"))
-        for color, hue in (((0.5, 0.4, 0.1), "yellow"), ((0.7, 0.1, 0.8), "magenta"), ((0.8, 0.1, 0.7), "magenta"),
-                           ((0.9, 0.95, 0.9), "grey or white"), ((0.0, 0.0, 0.0), "grey or white"), ((0.5, 0.1, 0.08), "red")):
+        for color, hue in (
+            ((0.5, 0.4, 0.1), "yellow"),
+            ((0.7, 0.1, 0.8), "magenta"),
+            ((0.8, 0.1, 0.7), "magenta"),
+            ((0.9, 0.95, 0.9), "grey or white"),
+            ((0.0, 0.0, 0.0), "grey or white"),
+            ((0.5, 0.1, 0.08), "red"),
+        ):
             self.refused(f"A screen is green or blue: this colour is {hue}", clip=footage(self.folder), color=color)
 
     def test_footage_of_one_pixel(self):

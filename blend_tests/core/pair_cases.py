@@ -4,13 +4,13 @@ import math
 
 import bpy
 import numpy as np
+
 import support
 from layers import layer_cases
 from look_at import look_at_cases
 from path import path_cases
 
-BONES = look_at_cases.BONES | {
-    "Foot.L": ("", (0.1, -0.1, 0.0), (0.1, -0.3, 0.0)), "Foot.R": ("", (-0.1, -0.1, 0.0), (-0.1, -0.3, 0.0))}
+BONES = look_at_cases.BONES | {"Foot.L": ("", (0.1, -0.1, 0.0), (0.1, -0.3, 0.0)), "Foot.R": ("", (-0.1, -0.1, 0.0), (-0.1, -0.3, 0.0))}
 FRAMES = (5, 14, 26.5, 40)
 KINDS = {
     "object": ("path", "pull", "lattice", "pendulum", "snow", "drivers", "walker", "dynamics"),
@@ -28,7 +28,7 @@ def pairs():
     """(kind, first system, second one) of all that can meet."""
     for kind, names in KINDS.items():
         for index, first in enumerate(names):
-            for second in names[index + 1:]:
+            for second in names[index + 1 :]:
                 if first.split()[0] != second.split()[0]:
                     yield kind, first, second
 
@@ -96,8 +96,11 @@ def sentences(owner):
     """What panels say is wrong: all problems of the owner's systems."""
     wiring, registered = support.addon("core.wiring"), support.addon("core.declare").registered
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    found = [wiring.problem(system, owner, depsgraph) for name, system in registered.items()
-             if hasattr(system, "solve") and getattr(getattr(owner.motus, name, None), "is_active", False)]
+    found = [
+        wiring.problem(system, owner, depsgraph)
+        for name, system in registered.items()
+        if hasattr(system, "solve") and getattr(getattr(owner.motus, name, None), "is_active", False)
+    ]
     return [str(problem) for problem in found if problem]
 
 
@@ -129,9 +132,14 @@ def seen(frames=FRAMES):
 
 def differ(first, second, tolerance=1e-4):
     """What is not the same in two of these."""
-    return {what for what in first.keys() | second.keys()
-            if what not in first or what not in second or first[what].shape != second[what].shape
-            or not np.allclose(first[what], second[what], rtol=0.0, atol=tolerance)}
+    return {
+        what
+        for what in first.keys() | second.keys()
+        if what not in first
+        or what not in second
+        or first[what].shape != second[what].shape
+        or not np.allclose(first[what], second[what], rtol=0.0, atol=tolerance)
+    }
 
 
 def go(frame):

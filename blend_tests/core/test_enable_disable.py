@@ -4,8 +4,9 @@ import unittest
 from unittest import mock
 
 import bpy
-import live_scenes
 import numpy as np
+
+import live_scenes
 import support
 
 OWNERS = ("Object", "Scene", "Camera", "Curve", "Mesh", "Material", "PoseBone", "Bone", "Collection", "WindowManager")
@@ -20,7 +21,10 @@ def keymap_items():
     keyconfigs = bpy.context.window_manager.keyconfigs
     return {
         (config.name, keymap.name): len(keymap.keymap_items)
-        for config in keyconfigs for keymap in config.keymaps if len(keymap.keymap_items)}
+        for config in keyconfigs
+        for keymap in config.keymaps
+        if len(keymap.keymap_items)
+    }
 
 
 def properties():
@@ -28,11 +32,22 @@ def properties():
 
 
 def classes():
-    bases = (bpy.types.Operator, bpy.types.Panel, bpy.types.Menu, bpy.types.PropertyGroup, bpy.types.UIList,
-             bpy.types.AddonPreferences, bpy.types.Gizmo, bpy.types.GizmoGroup)
+    bases = (
+        bpy.types.Operator,
+        bpy.types.Panel,
+        bpy.types.Menu,
+        bpy.types.PropertyGroup,
+        bpy.types.UIList,
+        bpy.types.AddonPreferences,
+        bpy.types.Gizmo,
+        bpy.types.GizmoGroup,
+    )
     return sorted(
-        f"{cls.__module__}.{cls.__name__}" for base in bases for cls in base.__subclasses__()
-        if getattr(cls, "is_registered", False) and support.module_name() in cls.__module__)
+        f"{cls.__module__}.{cls.__name__}"
+        for base in bases
+        for cls in base.__subclasses__()
+        if getattr(cls, "is_registered", False) and support.module_name() in cls.__module__
+    )
 
 
 def operators():
@@ -42,8 +57,11 @@ def operators():
 def menu_draw_functions():
     """How many functions the add-ons have appended to each menu, panel and header."""
     types = [getattr(bpy.types, name, None) for name in dir(bpy.types)]
-    return {cls.__name__: len(cls.draw._draw_funcs)
-            for cls in types if hasattr(getattr(cls, "draw", None), "_draw_funcs") and len(cls.draw._draw_funcs) > 1}
+    return {
+        cls.__name__: len(cls.draw._draw_funcs)
+        for cls in types
+        if hasattr(getattr(cls, "draw", None), "_draw_funcs") and len(cls.draw._draw_funcs) > 1
+    }
 
 
 def driver_functions():
@@ -52,8 +70,13 @@ def driver_functions():
 
 def everything():
     return {
-        "handlers": handlers(), "keymap items": keymap_items(), "properties": properties(), "classes": classes(),
-        "operators": operators(), "menus": menu_draw_functions(), "driver functions": driver_functions(),
+        "handlers": handlers(),
+        "keymap items": keymap_items(),
+        "properties": properties(),
+        "classes": classes(),
+        "operators": operators(),
+        "menus": menu_draw_functions(),
+        "driver functions": driver_functions(),
     }
 
 
@@ -104,8 +127,7 @@ class EnableDisable(unittest.TestCase):
             remove(handle, region)
 
         support.disable()
-        with mock.patch.object(space, "draw_handler_add", record_add), \
-                mock.patch.object(space, "draw_handler_remove", record_remove):
+        with mock.patch.object(space, "draw_handler_add", record_add), mock.patch.object(space, "draw_handler_remove", record_remove):
             for _ in range(3):
                 support.enable()
                 support.disable()
@@ -132,8 +154,7 @@ class LiveSceneTest(support.SceneTestCase):
         self.wanted = live_scenes.states()
         first, *later = self.wanted.values()
         still = [key for key in first if all(np.allclose(state[key], first[key], atol=1e-3) for state in later)]
-        self.assertEqual({name for name, _ in still} & {
-            "Car", "Keyed", "Driven", "Engine", "Wagon 1", "Wagon 2", "Gauge", "Shadow"}, set())
+        self.assertEqual({name for name, _ in still} & {"Car", "Keyed", "Driven", "Engine", "Wagon 1", "Wagon 2", "Gauge", "Shadow"}, set())
         self.assertNotIn(("Arm", "Bone 1"), still)
         self.assertNotIn(("Figure", "Head"), still)
         self.assertNotIn(("Grid", "mesh"), still)

@@ -3,6 +3,7 @@
 import types
 
 import bpy
+
 import live_scenes
 import support
 
@@ -15,9 +16,11 @@ package = support.addon().__name__
 
 def operators():
     """The registered operators that a user can call."""
-    return [cls for cls in bpy.types.Operator.__subclasses__()
-            if cls.__module__.startswith(f"{package}.") and getattr(cls, "is_registered", False)
-            and 'INTERNAL' not in cls.bl_options]
+    return [
+        cls
+        for cls in bpy.types.Operator.__subclasses__()
+        if cls.__module__.startswith(f"{package}.") and getattr(cls, "is_registered", False) and 'INTERNAL' not in cls.bl_options
+    ]
 
 
 def keywords(operator):
@@ -137,8 +140,12 @@ class Operators(support.SceneTestCase):
     def test_refusals_are_reported_in_one_place(self):
         for operator in operators():
             with self.subTest(operator.bl_idname):
-                own = {name for cls in operator.__mro__ if cls.__module__.startswith(f"{package}.")
-                       and cls.__module__ not in {core.__name__, over_frames.__name__} for name in vars(cls)}
+                own = {
+                    name
+                    for cls in operator.__mro__
+                    if cls.__module__.startswith(f"{package}.") and cls.__module__ not in {core.__name__, over_frames.__name__}
+                    for name in vars(cls)
+                }
                 self.assertFalse(own & {"execute", "poll", "draw"})
 
 
@@ -159,8 +166,7 @@ class RedoPanel(support.SceneTestCase):
 
     def draw(self, operator, **choices):
         layout, made = Layout(), Properties(operator)
-        vars(made).update(choices, layout=layout, redo=operator.redo, for_scripts=operator.for_scripts,
-                          draw_below=lambda _context: None)
+        vars(made).update(choices, layout=layout, redo=operator.redo, for_scripts=operator.for_scripts, draw_below=lambda _context: None)
         core.Operator.draw(made, bpy.context)
         return layout
 
@@ -183,8 +189,9 @@ class RedoPanel(support.SceneTestCase):
                 with self.subTest(operator.bl_idname, **choices):
                     for prop in keywords(operator):
                         # A name that is chosen from a list is no riddle.
-                        is_chosen = prop.identifier in {row.name for group in operator.redo for row in group.rows
-                                                        if getattr(row, "search", None)}
+                        is_chosen = prop.identifier in {
+                            row.name for group in operator.redo for row in group.rows if getattr(row, "search", None)
+                        }
                         if core.is_for_scripts(prop) and not is_chosen:
                             self.assertNotIn(prop.identifier, layout.named("prop"))
 
@@ -193,8 +200,9 @@ class RedoPanel(support.SceneTestCase):
         # What is shown of a pin depends on the active follower.
         bpy.context.view_layer.objects.active = next(one for one in live_objects() if one.motus.path.is_active)
         for operator in operators():
-            conditional = {name for group in operator.redo for row in group.rows for name in getattr(row, "names", ())
-                           if getattr(row, "when", None)}
+            conditional = {
+                name for group in operator.redo for row in group.rows for name in getattr(row, "names", ()) if getattr(row, "when", None)
+            }
             shown = [set(layout.named("prop")) for _, layout in self.each_choice(operator)]
             always = conditional & set.intersection(*shown)
             with self.subTest(operator.bl_idname):
@@ -276,13 +284,14 @@ class Panels(support.SceneTestCase):
                         self.assertTrue(adding.named("operator"), "nothing adds it")
                     self.assertLessEqual(set(adding.named("operator")), set(short.named("operator")))
 
-
     def test_buttons_that_add_keep_their_places(self):
         """Whatever is selected, the same buttons stand in the same order, and some of them work without anything."""
+
         def buttons():
             layout = drawn(panels.MOTUS_PT_sidebar)
             found = [(of, name) for of, name, _ in layout.drawn if of in {"operator", "menu"}]
-            return found[:found.index(("menu", "MOTUS_MT_demo")) + 1]
+            return found[: found.index(("menu", "MOTUS_MT_demo")) + 1]
+
         bpy.context.view_layer.objects.active = None
         wanted = buttons()
         for name in ("motus.path_new_bezier", "motus.snow_add", "motus.pendulum_add", "motus.stereo_rig_add"):
@@ -319,7 +328,7 @@ class Menus(support.SceneTestCase):
                     label, _ = panels.title(one)
                     names = [(of, name) for of, name, _ in layout.drawn]
                     first = names.index(("label", label)) + 1
-                    self.assertEqual([name for _, name in names[first:first + len(wanted)]], wanted)
+                    self.assertEqual([name for _, name in names[first : first + len(wanted)]], wanted)
 
     def test_grey_ones_say_why(self):
         """For nothing, for an object of each kind and for each that a system drives: offered, or a sentence."""
@@ -342,6 +351,7 @@ class Menus(support.SceneTestCase):
 
         class Watched(cls):
             poll_message_set = said.append
+
         context = _Offering(bpy.context, _rna(cls.bl_idname).identifier)
         is_possible = Watched.poll.__func__(Watched, context)
         self.assertTrue(is_possible or (said and said[0].strip()), cls.bl_idname)
@@ -349,6 +359,7 @@ class Menus(support.SceneTestCase):
 
     def test_a_button_that_adds_leaves_a_redo_panel(self):
         """Blender asks a pressed operator once more, though it would refuse what it has made; until buttons are drawn again."""
+
         class Adding(core.Operator):
             bl_idname = "motus.adding"
             is_there = False
@@ -364,6 +375,7 @@ class Menus(support.SceneTestCase):
 
             def run(self, _context):
                 type(self).is_there = True
+
         context, other = _Offering(bpy.context, "MOTUS_OT_adding"), bpy.context
         core.offer(Layout())
         self.assertTrue(Adding.poll(context))
@@ -399,12 +411,12 @@ class Menus(support.SceneTestCase):
 
             def context_pointer_set(self, name, offered):
                 offers.append((self, name, offered.identifier))
+
         root = Noting()
         column = core.offer(root).column(align=True)
         column.operator("motus.bake")
         column.operator("motus.unbake")
-        self.assertEqual([offer[1:] for offer in offers], [
-            (core.OFFER, "MOTUS_OT_bake"), (core.OFFER, "MOTUS_OT_unbake")])
+        self.assertEqual([offer[1:] for offer in offers], [(core.OFFER, "MOTUS_OT_bake"), (core.OFFER, "MOTUS_OT_unbake")])
         self.assertEqual(len({id(root), id(column), *(id(layout) for layout, *_ in offers)}), 4)
 
     def test_scripts_name_what_they_mean(self):
@@ -471,8 +483,7 @@ class OverFrames(support.SceneTestCase):
     """Jobs over a range ask for it first."""
 
     def jobs(self):
-        return [cls for cls in operators() if {"frame_start", "frame_end", "step"} <= {
-            prop.identifier for prop in keywords(cls)}]
+        return [cls for cls in operators() if {"frame_start", "frame_end", "step"} <= {prop.identifier for prop in keywords(cls)}]
 
     def test_all_jobs_share_it(self):
         self.assertGreaterEqual(len(self.jobs()), 4)
@@ -500,9 +511,13 @@ class OverFrames(support.SceneTestCase):
         scene.frame_start, scene.frame_end = 5, 7
         scene.frame_set(30, subframe=0.5)
         for cls in self.jobs():
-            for chosen, wanted in (({}, [5, 6, 7]), ({"frame_start": 6}, [6, 7]), ({"range": 'CURRENT'}, [30.5]),
-                                   ({"range": 'SCENE', "frame_start": 1, "frame_end": 2}, [5, 6, 7]),
-                                   ({"range": 'GIVEN', "frame_start": 1, "frame_end": 2}, [1, 2])):
+            for chosen, wanted in (
+                ({}, [5, 6, 7]),
+                ({"frame_start": 6}, [6, 7]),
+                ({"range": 'CURRENT'}, [30.5]),
+                ({"range": 'SCENE', "frame_start": 1, "frame_end": 2}, [5, 6, 7]),
+                ({"range": 'GIVEN', "frame_start": 1, "frame_end": 2}, [1, 2]),
+            ):
                 made = Properties(cls)
                 vars(made).update(chosen)
                 with self.subTest(cls.bl_idname, **chosen):

@@ -4,17 +4,46 @@ import collections
 import contextlib
 
 import bpy
-import live_scenes
 
+import live_scenes
 import support
 
 FIRST, LAST = 2, 40
 WARM, COUNTED = (5, 6), range(7, 16)
-EXPENSIVE = frozenset((
-    "Bezier", "BSpline", "Chain", "IkPlan", "Lattice", "LayerClip", "LayerStack", "LookAtPlan", "Picker", "PolyLine", "RotationTrack",
-    "SecondOrder", "SecondOrder.from_mass_spring", "SecondOrder.from_overshoot", "Snow", "SnowCollider", "SnowCover", "SnowLayer",
-    "Spline", "TailPlan", "Timing.pins", "Timing.speeds", "Track", "Walker", "WalkerGround",
-    "layer_mask", "layer_moments", "pivot_accelerations", "refine", "smooth_ahead"))
+EXPENSIVE = frozenset(
+    (
+        "Bezier",
+        "BSpline",
+        "Chain",
+        "IkPlan",
+        "Lattice",
+        "LayerClip",
+        "LayerStack",
+        "LookAtPlan",
+        "Picker",
+        "PolyLine",
+        "RotationTrack",
+        "SecondOrder",
+        "SecondOrder.from_mass_spring",
+        "SecondOrder.from_overshoot",
+        "Snow",
+        "SnowCollider",
+        "SnowCover",
+        "SnowLayer",
+        "Spline",
+        "TailPlan",
+        "Timing.pins",
+        "Timing.speeds",
+        "Track",
+        "Walker",
+        "WalkerGround",
+        "layer_mask",
+        "layer_moments",
+        "pivot_accelerations",
+        "refine",
+        "smooth_ahead",
+    )
+)
 """What solvers make of the native module and keep."""
 
 MADE_ANEW = {
@@ -122,8 +151,11 @@ class MadeOnce(support.SceneTestCase):
     @support.in_one_blender
     def test_while_any_setting_is_keyed(self):
         live_scenes.build()
-        found = [(system.name, owner.name, name, path) for system, owner in owners()
-                 for _, name, path in keyable(getattr(owner.motus, system.name), f"motus.{system.name}")]
+        found = [
+            (system.name, owner.name, name, path)
+            for system, owner in owners()
+            for _, name, path in keyable(getattr(owner.motus, system.name), f"motus.{system.name}")
+        ]
         self.assertGreater(len({(system, name) for system, _, name, _ in found}), 60)
         for system, owner_name, name, path in found:
             if (system, name) in MADE_ANEW:

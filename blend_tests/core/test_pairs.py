@@ -4,6 +4,7 @@ import itertools
 
 import bpy
 import numpy as np
+
 import support
 from core import pair_cases as cases
 

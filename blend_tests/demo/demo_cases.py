@@ -3,6 +3,7 @@
 import unittest
 
 import bpy
+
 import support
 
 CHECKS = unittest.TestCase()

@@ -1,9 +1,10 @@
 """The demo of the chroma key: a set of its own is keyed over the land, without a hole in the pilot and without green on him."""
 
 import bpy
-from chroma import chroma_cases
 import numpy as np
+
 import support
+from chroma import chroma_cases
 from demo import demo_cases
 
 compositor = support.addon("chroma.compositor")

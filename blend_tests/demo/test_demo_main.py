@@ -1,18 +1,20 @@
 """The main scene: all systems move in it, and what is to touch, to stand and to be seen does so."""
 
+import itertools
 import math
 import unittest
 from typing import NamedTuple
 
 import bpy
-import support
 from bpy_extras.object_utils import world_to_camera_view
-from demo import demo_cases
 from mathutils import Vector
-import itertools
+
+import support
+from demo import demo_cases
 
 steps, pilot_module, flight, transmitter, land = (
-    support.addon(f"demo.main.{name}") for name in ("steps", "pilot", "flight", "transmitter", "terrain"))
+    support.addon(f"demo.main.{name}") for name in ("steps", "pilot", "flight", "transmitter", "terrain")
+)
 RELEASE = pilot_module.RELEASE
 SLIDE, SUNK = 0.002, 0.004  # m
 REACHED, REACHED_TURN = 0.003, math.radians(1.0)
@@ -117,8 +119,10 @@ class MainScene(unittest.TestCase):
     def test_knees_do_not_snap(self):
         for before, now, after in zip(*(list(self.played.values())[shift:] for shift in range(3))):
             for side in ("L", "R"):
-                bends = [moment.bones[f"thigh.{side}"].col[1].xyz.angle(moment.bones[f"shin.{side}"].col[1].xyz)
-                         for moment in (before, now, after)]
+                bends = [
+                    moment.bones[f"thigh.{side}"].col[1].xyz.angle(moment.bones[f"shin.{side}"].col[1].xyz)
+                    for moment in (before, now, after)
+                ]
                 jerk = math.degrees(abs(bends[0] - 2.0 * bends[1] + bends[2]))
                 self.assertLess(jerk, 9.0, (side, now.frame))
 
@@ -166,7 +170,7 @@ class MainScene(unittest.TestCase):
                 self.assertFalse(all(abs(point[axis]) < half[axis] - 0.001 for axis in range(3)), (moment.frame, place))
 
     def test_arm_does_not_snap(self):
-        for now, after in zip(list(self.played.values())[RELEASE:], list(self.played.values())[RELEASE + 1:]):
+        for now, after in zip(list(self.played.values())[RELEASE:], list(self.played.values())[RELEASE + 1 :]):
             for bone in ("upper_arm.L", "forearm.L", "head"):
                 turn = now.bones[bone].to_quaternion().rotation_difference(after.bones[bone].to_quaternion()).angle
                 self.assertLess(math.degrees(min(turn, math.tau - turn)), 26.0 if now.frame < RELEASE + 7 else 12.0, (bone, now.frame))

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
+
 import support
 from demo import demo_cases
 

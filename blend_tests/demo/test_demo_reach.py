@@ -6,13 +6,21 @@ from pathlib import Path
 from typing import NamedTuple
 
 import bpy
-import support
-from demo import demo_cases
 from mathutils import Vector
 
+import support
+from demo import demo_cases
+
 MODULES = (
-    "reach/scene", "reach/motion", "reach/lookout", "reach/butterfly", "character/mannequin", "character/parts",
-    "character/face", "character/limbs", "character/skeleton",
+    "reach/scene",
+    "reach/motion",
+    "reach/lookout",
+    "reach/butterfly",
+    "character/mannequin",
+    "character/parts",
+    "character/face",
+    "character/limbs",
+    "character/skeleton",
 )
 PLANTED = ("hand.R", "foot.L", "foot.R")
 PLANTED_ERROR, PLANTED_TURN = 0.002, math.radians(0.5)  # m, rad
@@ -89,9 +97,12 @@ class ReachingPilot(unittest.TestCase):
         cls.scene.frame_set(frame)
         rig = cls.rig.evaluated_get(bpy.context.evaluated_depsgraph_get())
         return Moment(
-            frame, {bone.name: rig.matrix_world @ bone.matrix for bone in rig.pose.bones},
-            {bone: place_of(goal) for bone, goal in cls.goals.items()}, place_of(cls.butterfly).translation,
-            rig.motus.ik.entries["hand.L"].position_weight)
+            frame,
+            {bone.name: rig.matrix_world @ bone.matrix for bone in rig.pose.bones},
+            {bone: place_of(goal) for bone, goal in cls.goals.items()},
+            place_of(cls.butterfly).translation,
+            rig.motus.ik.entries["hand.L"].position_weight,
+        )
 
     def reach(self, moment):
         """Distances from the shoulder's joint to the hand and to its goal, in lengths of the arm."""

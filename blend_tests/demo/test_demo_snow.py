@@ -1,6 +1,7 @@
 """The demo of snow: built twice, each village has snow of its own; and its flakes are left out of shadow maps."""
 
 import bpy
+
 import support
 from demo import demo_cases
 
@@ -18,6 +19,6 @@ class DemoSnow(support.SceneTestCase):
         """That the scene which is shown has two emitters, and a cover of these."""
         scene = bpy.context.window.scene
         emitters = [obj for obj in scene.objects if obj.motus.snow.is_active]
-        cover, = (obj for obj in scene.objects if obj.motus.snow_cover.is_active)
+        (cover,) = (obj for obj in scene.objects if obj.motus.snow_cover.is_active)
         self.assertEqual(len(emitters), 2)
         self.assertEqual({entry.object for entry in cover.motus.snow_cover.emitters}, set(emitters))

@@ -1,6 +1,7 @@
 """The demo of stereo: the camera keeps the aeroplane in sight, and its audience has nothing to suffer from."""
 
 import bpy
+
 import support
 from demo import demo_cases
 

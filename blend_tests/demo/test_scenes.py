@@ -3,6 +3,7 @@
 import unittest
 
 import bpy
+
 import support
 from demo import demo_cases
 
@@ -15,8 +16,10 @@ class DemoScenes(unittest.TestCase):
     def test_the_operator_offers_those_that_are_listed(self):
         offered = bpy.ops.motus.demo_scene.get_rna_type().properties["system"].enum_items
         listed = support.addon("demo.scenes").SCENES
-        self.assertEqual([(item.identifier, item.name, item.description) for item in offered],
-                         [(demo.identifier, demo.label, demo.description) for demo in listed])
+        self.assertEqual(
+            [(item.identifier, item.name, item.description) for item in offered],
+            [(demo.identifier, demo.label, demo.description) for demo in listed],
+        )
 
     def test_those_that_no_other_test_has_built(self):
         for demo in support.addon("demo.scenes").SCENES:

@@ -4,15 +4,14 @@ import json
 import math
 
 import bpy
+
 import support
 
 MARK = "values: "
 EXPRESSIONS = {
     "motus_pendulum(frame, 0.5, 2.0)": lambda n, t: n.single_pendulum(t, 0.5, length=2.0)[0],
-    "motus_pendulum(frame - 12, 0.5, 2.0, 0.1, 1.6, 0.2, 2)":
-        lambda n, t: n.single_pendulum((t - 0.5) * 2.0, 0.5, 0.1, 2.0, 1.6, 0.2)[0],
-    "motus_pendulum(frame, theta=0.5, length=2.0, damping=0.1)":
-        lambda n, t: n.single_pendulum(t, 0.5, length=2.0, damping=0.1)[0],
+    "motus_pendulum(frame - 12, 0.5, 2.0, 0.1, 1.6, 0.2, 2)": lambda n, t: n.single_pendulum((t - 0.5) * 2.0, 0.5, 0.1, 2.0, 1.6, 0.2)[0],
+    "motus_pendulum(frame, theta=0.5, length=2.0, damping=0.1)": lambda n, t: n.single_pendulum(t, 0.5, length=2.0, damping=0.1)[0],
     "motus_double_pendulum(frame, 0, 2.0, 1.0)": lambda n, t: n.double_pendulum(t, 2.0, 1.0)[0],
     "motus_double_pendulum(frame, 3, 2.0, 1.0, 0, 0, 1, 0.5)": lambda n, t: n.double_pendulum(t, 2.0, 1.0, mass2=0.5)[3],
     "0.5 + 2 * motus_ease(frame, 24, 48, 0.2, 0.4)": lambda n, t: 0.5 + 2.0 * n.ease(t - 1.0, 0.2, 0.4),
@@ -80,7 +79,7 @@ class Functions(DriverTestCase):
         for fps, base in ((24, 1.0), (30, 1.001)):
             bpy.context.scene.render.fps, bpy.context.scene.render.fps_base = fps, base
             for frame in (30, 1, 100.25, -7):
-                found, = locations([frame])
+                (found,) = locations([frame])
                 for cube, (expression, wanted) in zip(cubes, EXPRESSIONS.items()):
                     if fps != 24 and ("ease" in expression or "frame -" in expression):
                         continue  # what counts in frames
@@ -95,20 +94,28 @@ class Functions(DriverTestCase):
         bpy.ops.wm.save_as_mainfile(filepath=path)
         status, output = support.run_blender(
             "import support\nfrom drivers import test_drivers as tests\nsupport.enable()\n"
-            f"tests.print_locations({path!r}, {frames!r}, False)\n", arguments=("--factory-startup", "--disable-autoexec"))
+            f"tests.print_locations({path!r}, {frames!r}, False)\n",
+            arguments=("--factory-startup", "--disable-autoexec"),
+        )
         self.assertEqual(status, 0, output)
         self.assertEqual(json.loads(output.split(MARK)[1].splitlines()[0]), wanted)
 
     def test_bad_arguments_leave_the_driver_alive(self):
         driver = self.cube.driver_add("location", 0).driver
-        for bad, rest in (("motus_pendulum(frame, 0.5, 0)", 0.5), ("motus_pendulum(frame, 0.5, -2)", 0.5),
-                          ("motus_pendulum(frame, 0.25, 'a')", 0.25), ("motus_pendulum(frame, 1e400, 1)", 0.0),
-                          ("motus_pendulum(frame, 0.5, 1, 1.7e308, 1e-10)", 0.5), ("motus_pendulum(frame, 0.5, 5e-324)", 0.5),
-                          ("motus_pendulum(frame * 1e6, 0.5, 1, 0, 9.81, 1e4)", 0.5),
-                          ("motus_double_pendulum(frame, 7, 0.5, 0.5)", 0.0),
-                          ("motus_double_pendulum(frame * 1e12, 1, 2, 0.75)", 0.75),
-                          ("motus_ease(frame, 10, 5, 0.9, 0.9)", 1.0), ("motus_ease(frame, 1, 50, 0.9, 0.9)", 0.0),
-                          ("motus_noise(frame, 1, -3)", 0.0)):
+        for bad, rest in (
+            ("motus_pendulum(frame, 0.5, 0)", 0.5),
+            ("motus_pendulum(frame, 0.5, -2)", 0.5),
+            ("motus_pendulum(frame, 0.25, 'a')", 0.25),
+            ("motus_pendulum(frame, 1e400, 1)", 0.0),
+            ("motus_pendulum(frame, 0.5, 1, 1.7e308, 1e-10)", 0.5),
+            ("motus_pendulum(frame, 0.5, 5e-324)", 0.5),
+            ("motus_pendulum(frame * 1e6, 0.5, 1, 0, 9.81, 1e4)", 0.5),
+            ("motus_double_pendulum(frame, 7, 0.5, 0.5)", 0.0),
+            ("motus_double_pendulum(frame * 1e12, 1, 2, 0.75)", 0.75),
+            ("motus_ease(frame, 10, 5, 0.9, 0.9)", 1.0),
+            ("motus_ease(frame, 1, 50, 0.9, 0.9)", 0.0),
+            ("motus_noise(frame, 1, -3)", 0.0),
+        ):
             with self.subTest(bad):
                 driver.expression = bad
                 self.assertAlmostEqual(self.value(20), rest, 6)
@@ -126,31 +133,39 @@ class Add(DriverTestCase):
         self.cube["own row"] = [0.0, 1.0]
         curve.modifiers.new("Wave", 'WAVE')
         for names, function in (
-                ({"datablock": "Cube", "data_path": "rotation_euler", "index": 1}, 'PENDULUM'),
-                ({"datablock": "Cube", "data_path": "location[2]"}, 'DOUBLE_PENDULUM'),
-                ({"datablock": "Cube", "data_path": '["own"]'}, 'NOISE'),
-                ({"datablock": "Cube", "data_path": '["own row"][1]'}, 'EASE'),
-                ({"datablock": "Curve", "data_path": 'modifiers["Wave"].height'}, 'NOISE'),
-                ({"collection": 'curves', "datablock": "Curve", "data_path": "bevel_depth"}, 'PENDULUM'),
-                ({"collection": 'materials', "datablock": "Paint",
-                  "data_path": f'node_tree.nodes["{material.node_tree.nodes[0].name}"].inputs[0].default_value[0]'}, 'NOISE'),
-                ({"collection": 'scenes', "datablock": "Scene", "data_path": "gravity", "index": 2}, 'NOISE')):
+            ({"datablock": "Cube", "data_path": "rotation_euler", "index": 1}, 'PENDULUM'),
+            ({"datablock": "Cube", "data_path": "location[2]"}, 'DOUBLE_PENDULUM'),
+            ({"datablock": "Cube", "data_path": '["own"]'}, 'NOISE'),
+            ({"datablock": "Cube", "data_path": '["own row"][1]'}, 'EASE'),
+            ({"datablock": "Curve", "data_path": 'modifiers["Wave"].height'}, 'NOISE'),
+            ({"collection": 'curves', "datablock": "Curve", "data_path": "bevel_depth"}, 'PENDULUM'),
+            (
+                {
+                    "collection": 'materials',
+                    "datablock": "Paint",
+                    "data_path": f'node_tree.nodes["{material.node_tree.nodes[0].name}"].inputs[0].default_value[0]',
+                },
+                'NOISE',
+            ),
+            ({"collection": 'scenes', "datablock": "Scene", "data_path": "gravity", "index": 2}, 'NOISE'),
+        ):
             with self.subTest(names["data_path"]):
                 self.assertEqual(bpy.ops.motus.driver_add(function=function, **names), {'FINISHED'})
         tree = material.node_tree
-        self.assertEqual([len(one.animation_data.drivers) for one in (self.cube, curve, curve.data, tree, bpy.context.scene)],
-                         [4, 1, 1, 1, 1])
+        self.assertEqual(
+            [len(one.animation_data.drivers) for one in (self.cube, curve, curve.data, tree, bpy.context.scene)], [4, 1, 1, 1, 1]
+        )
         self.assertTrue(all(one.driver.is_valid for one in self.cube.animation_data.drivers))
 
     def test_the_motion_is_about_the_value_that_is_there(self):
         self.cube.location = 1.0, 2.0, 3.0
-        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=1, function='PENDULUM', theta=0.5, length=2.0,
-                                 amplitude=3.0, start=10.0)
+        bpy.ops.motus.driver_add(
+            datablock="Cube", data_path="location", index=1, function='PENDULUM', theta=0.5, length=2.0, amplitude=3.0, start=10.0
+        )
         wanted = 2.0 + 3.0 * native().single_pendulum((37.0 - 10.0) / 24.0, 0.5, length=2.0)[0]
         self.assertAlmostEqual(self.value(37, index=1), wanted, 5)
         self.assertEqual(self.value(37, index=0), 1.0)
-        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=1, replace=True, base=0.0, theta=0.5,
-                                 length=2.0)
+        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=1, replace=True, base=0.0, theta=0.5, length=2.0)
         self.assertAlmostEqual(self.value(10, index=1), native().single_pendulum(10.0 / 24.0, 0.5, length=2.0)[0], 6)
 
     def test_all_components_at_once_each_by_a_noise_of_its_own(self):
@@ -175,11 +190,15 @@ class Add(DriverTestCase):
         for collection, holder, obj in (("materials", paint, ball), ("lights", lamp, self.new_object("Lamp", lamp))):
             with self.subTest(collection):
                 tree = holder.node_tree
-                path = next(f'nodes["{node.name}"].inputs[{index}].default_value' for node in tree.nodes
-                            for index, socket in enumerate(node.inputs) if socket.type == 'VALUE')
+                path = next(
+                    f'nodes["{node.name}"].inputs[{index}].default_value'
+                    for node in tree.nodes
+                    for index, socket in enumerate(node.inputs)
+                    if socket.type == 'VALUE'
+                )
                 names = {"collection": collection, "datablock": holder.name}
                 bpy.ops.motus.driver_add(data_path=f"node_tree.{path}", function='NOISE', **names)
-                found, = support.addon("drivers.places").of_object(obj)
+                (found,) = support.addon("drivers.places").of_object(obj)
                 self.assertEqual((found.holder, found.path), (tree, f"node_tree.{path}"))
                 shown = tree.evaluated_get(bpy.context.evaluated_depsgraph_get()).path_resolve(path)
                 self.assertEqual(bpy.ops.motus.driver_remove(**names), {'FINISHED'})
@@ -211,19 +230,22 @@ class Add(DriverTestCase):
         self.refused("location has a driver already", datablock="Cube", data_path="location")
         self.assertEqual(len(self.cube.animation_data.drivers), 1)
         for sentence, keywords in (
-                ("There is no Gone in objects", {"datablock": "Gone", "data_path": "location"}),
-                ("Cube has no property nothing", {"data_path": "nothing"}),
-                ("Cube has no property", {"data_path": 'modifiers["Gone"].strength'}),
-                ("Cube has no property", {"data_path": "__class__.x"}),
-                ("name is no number", {"data_path": "name"}), ("parent is no number", {"data_path": "parent"}),
-                ("location.x is no number", {"data_path": "location.x"}), ("keys is no number", {"data_path": "keys"}),
-                ("matrix_world is no number", {"data_path": "matrix_world"}),
-                (r'\["word"\] is no number', {"data_path": '["word"]'}),
-                ("location has 3 components", {"data_path": "location", "index": 5}),
-                ("There is no Gone in materials", {"collection": 'materials', "datablock": "Gone", "data_path": "roughness"}),
-                ("length must be greater than 0", {"data_path": "scale", "index": 0, "length": 0.0}),
-                ("is not a finite number", {"data_path": "scale", "index": 0, "theta": math.inf}),
-                ("Point at a property", {})):
+            ("There is no Gone in objects", {"datablock": "Gone", "data_path": "location"}),
+            ("Cube has no property nothing", {"data_path": "nothing"}),
+            ("Cube has no property", {"data_path": 'modifiers["Gone"].strength'}),
+            ("Cube has no property", {"data_path": "__class__.x"}),
+            ("name is no number", {"data_path": "name"}),
+            ("parent is no number", {"data_path": "parent"}),
+            ("location.x is no number", {"data_path": "location.x"}),
+            ("keys is no number", {"data_path": "keys"}),
+            ("matrix_world is no number", {"data_path": "matrix_world"}),
+            (r'\["word"\] is no number', {"data_path": '["word"]'}),
+            ("location has 3 components", {"data_path": "location", "index": 5}),
+            ("There is no Gone in materials", {"collection": 'materials', "datablock": "Gone", "data_path": "roughness"}),
+            ("length must be greater than 0", {"data_path": "scale", "index": 0, "length": 0.0}),
+            ("is not a finite number", {"data_path": "scale", "index": 0, "theta": math.inf}),
+            ("Point at a property", {}),
+        ):
             with self.subTest(sentence, **keywords):
                 self.refused(sentence, **keywords)
         self.assertEqual(len(self.cube.animation_data.drivers), 1)
@@ -260,15 +282,17 @@ class FollowedKeys(DriverTestCase):
         """By the filter over the F-curve, sampled more finely than the driver does."""
         curve = support.addon("core.blender.actions").find(self.cube, "location", 0)
         frames = [1.0 + part / 32.0 for part in range(32 * 150)]
-        track = native().Track(native().SecondOrder(*numbers), [(one - 1.0) / fps for one in frames],
-                               [[curve.evaluate(one)] for one in frames])
+        track = native().Track(
+            native().SecondOrder(*numbers), [(one - 1.0) / fps for one in frames], [[curve.evaluate(one)] for one in frames]
+        )
         return track.evaluate((frame - 1.0) / fps)[0]
 
     def test_own_keys_and_those_of_another_property(self):
         numbers = 2.0, 0.3, 0.5
         keywords = dict(zip(("frequency", "damping_ratio", "response"), numbers))
-        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=2, function='SECOND_ORDER',
-                                 source="location", source_index=0, **keywords)
+        bpy.ops.motus.driver_add(
+            datablock="Cube", data_path="location", index=2, function='SECOND_ORDER', source="location", source_index=0, **keywords
+        )
         bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=0, function='SECOND_ORDER', **keywords)
         frames = [45, 1, 100, 30.25, 72, -20]
         found = [[self.value(frame, index=index) for index in (0, 2)] for frame in frames]
@@ -292,8 +316,9 @@ class FollowedKeys(DriverTestCase):
             self.cube.location.y = value
             self.cube.keyframe_insert("location", index=1, frame=frame)
         for index, source in ((0, 1), (1, 0)):
-            bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=index, function='SECOND_ORDER',
-                                     source="location", source_index=source)
+            bpy.ops.motus.driver_add(
+                datablock="Cube", data_path="location", index=index, function='SECOND_ORDER', source="location", source_index=source
+            )
         self.assertAlmostEqual(self.value(45, index=1), self.wanted(45, (1.0, 0.5, 0.0)), delta=2e-3)
         self.assertAlmostEqual(self.value(5000), 2.0, places=4)
 
@@ -311,10 +336,12 @@ class FollowedKeys(DriverTestCase):
         driver = self.cube.driver_add("scale", 0).driver
         driver.use_self = True
         self.cube.scale.x = 3.0
-        for expression, rest in (("motus_second_order(self, 'location', 1, frame, 1, 0.5, 0)", 0.0),
-                                 ("motus_second_order(self, 'gone', 0, frame, 1, 0.5, 0)", 0.0),
-                                 ("motus_second_order(self, 'location', 0, frame, -1, 0.5, 0)", None),
-                                 ("motus_second_order(7, 'location', 0, frame, -1, 0.5, 0)", 0.0)):
+        for expression, rest in (
+            ("motus_second_order(self, 'location', 1, frame, 1, 0.5, 0)", 0.0),
+            ("motus_second_order(self, 'gone', 0, frame, 1, 0.5, 0)", 0.0),
+            ("motus_second_order(self, 'location', 0, frame, -1, 0.5, 0)", None),
+            ("motus_second_order(7, 'location', 0, frame, -1, 0.5, 0)", 0.0),
+        ):
             with self.subTest(expression):
                 driver.expression = expression
                 value = self.value(20, "scale", 0)
@@ -326,14 +353,27 @@ class FollowedKeys(DriverTestCase):
 class Expressions(DriverTestCase):
     def test_expressions_are_composed_and_parsed(self):
         expressions = support.addon("drivers.expressions")
-        for text in ("motus_pendulum(frame, 0.5, 1)", "2 * motus_pendulum(frame - 12, 0.5, 2, 0, 1.6)",
-                     "0.1 + 0.5 * motus_noise(frame + 3, 2, 5)", "-1 + motus_ease(frame, 1, 50, 0.25)",
-                     "motus_double_pendulum(frame, 3, 2, -1, 0, 0, 1, 0.5)",
-                     "motus_second_order(self, 'pose.bones[\"a\\'b\"].location', 2, frame, 2, 0.5, -1)"):
+        for text in (
+            "motus_pendulum(frame, 0.5, 1)",
+            "2 * motus_pendulum(frame - 12, 0.5, 2, 0, 1.6)",
+            "0.1 + 0.5 * motus_noise(frame + 3, 2, 5)",
+            "-1 + motus_ease(frame, 1, 50, 0.25)",
+            "motus_double_pendulum(frame, 3, 2, -1, 0, 0, 1, 0.5)",
+            "motus_second_order(self, 'pose.bones[\"a\\'b\"].location', 2, frame, 2, 0.5, -1)",
+        ):
             with self.subTest(text):
                 self.assertEqual(expressions.compose(self._filled(expressions.read(text))), text)
-        for text in ("", "frame", "motus_pendulum(", "motus_pendulum(frame)", "motus_noise(frame, var)", "motus_gone(frame, 1)",
-                     "motus_pendulum(frame, 0.5, 2, key=1)", "(" * 5000, "motus_double_pendulum(frame, 9, 1, 1)"):
+        for text in (
+            "",
+            "frame",
+            "motus_pendulum(",
+            "motus_pendulum(frame)",
+            "motus_noise(frame, var)",
+            "motus_gone(frame, 1)",
+            "motus_pendulum(frame, 0.5, 2, key=1)",
+            "(" * 5000,
+            "motus_double_pendulum(frame, 9, 1, 1)",
+        ):
             with self.subTest(text[:40]):
                 self.assertIsNone(expressions.read(text))
 

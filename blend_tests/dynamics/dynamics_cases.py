@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+
 import support
 
 STEP = {1: (0.0, 0.0, 0.0), 10: (0.0, 0.0, 0.0), 20: (3.0, 1.0, -0.5)}

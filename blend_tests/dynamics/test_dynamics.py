@@ -4,6 +4,7 @@ import math
 
 import bpy
 import numpy as np
+
 import support
 from dynamics import dynamics_cases as cases
 
@@ -36,9 +37,9 @@ class DynamicsTest(support.SceneTestCase):
                 ball.rotation_mode = mode
                 path, rows = {
                     'XYZ': ("rotation_euler", {1: (0.0, 0.0, 0.0), 10: (0.0, 0.0, 1.2)}),
-                    'QUATERNION': ("rotation_quaternion", {
-                        1: (1.0, 0.0, 0.0, 0.0), 10: (math.cos(0.6), 0.0, 0.0, math.sin(0.6))}),
-                    'AXIS_ANGLE': ("rotation_axis_angle", {1: (0.0, 0.0, 0.0, 1.0), 10: (1.2, 0.0, 0.0, 1.0)})}[mode]
+                    'QUATERNION': ("rotation_quaternion", {1: (1.0, 0.0, 0.0, 0.0), 10: (math.cos(0.6), 0.0, 0.0, math.sin(0.6))}),
+                    'AXIS_ANGLE': ("rotation_axis_angle", {1: (0.0, 0.0, 0.0, 1.0), 10: (1.2, 0.0, 0.0, 1.0)}),
+                }[mode]
                 cases.key(ball, path, rows)
                 cases.key(ball, "scale", {1: (1.0, 1.0, 1.0), 10: (2.0, 1.0, 1.0)})
                 cases.add(ball, channels={'ROTATION', 'SCALE'}, frequency=2.0, damping=0.3, response=0.0)
@@ -94,10 +95,8 @@ class DynamicsTest(support.SceneTestCase):
         values = cases.own(ball)
         for frame in (14, 17, 23.5):
             found = cases.matrix(ball, frame)
-            np.testing.assert_allclose(
-                found[:3, 3], cases.filtered(lambda frames: values(frames).locations, BOUNCY, frame - 6), atol=3e-4)
-            turns = cases.filtered(
-                lambda frames: 2.0 * np.arctan2(*values(frames).rotations[:, [3, 0]].T), BOUNCY, frame - 6)
+            np.testing.assert_allclose(found[:3, 3], cases.filtered(lambda frames: values(frames).locations, BOUNCY, frame - 6), atol=3e-4)
+            turns = cases.filtered(lambda frames: 2.0 * np.arctan2(*values(frames).rotations[:, [3, 0]].T), BOUNCY, frame - 6)
             self.assertAlmostEqual(math.atan2(found[1, 0], found[0, 0]), turns, delta=3e-4)
             wanted = cases.filtered(lambda frames: values(frames).scales[:, 0], BOUNCY, frame - 6)
             self.assertAlmostEqual(np.linalg.norm(found[:3, 0]), wanted, delta=3e-4)
@@ -196,8 +195,12 @@ class DynamicsTest(support.SceneTestCase):
                 self.assertEqual(entry.follow, 'WORLD')
                 for frame in (15, 20, 25):
                     wanted = cases.filtered(
-                        lambda frames, plain=plain: np.stack([np.interp(
-                            frames, np.arange(8, 8 * 40) / 8, plain[:, axis]) for axis in range(3)], axis=1), BOUNCY, frame)
+                        lambda frames, plain=plain: np.stack(
+                            [np.interp(frames, np.arange(8, 8 * 40) / 8, plain[:, axis]) for axis in range(3)], axis=1
+                        ),
+                        BOUNCY,
+                        frame,
+                    )
                     np.testing.assert_allclose(cases.place(ball, frame), wanted, atol=2e-3)
 
     def test_an_object_on_a_bone_by_its_own_animation(self):
@@ -228,8 +231,11 @@ class DynamicsTest(support.SceneTestCase):
         self.assertIn("Dynamics", track.sentence)
         for frame in (12, 20, 30):
             np.testing.assert_allclose(track.values([frame])[0][:3, 3], cases.place(parent, frame), atol=1e-5)
-            wanted = cases.filtered(lambda frames: np.stack([np.interp(
-                frames, np.arange(8, 8 * 60) / 8, plain[:, axis]) for axis in range(3)], axis=1), (2.0, 1.0, 0.0), frame)
+            wanted = cases.filtered(
+                lambda frames: np.stack([np.interp(frames, np.arange(8, 8 * 60) / 8, plain[:, axis]) for axis in range(3)], axis=1),
+                (2.0, 1.0, 0.0),
+                frame,
+            )
             np.testing.assert_allclose(cases.place(child, frame), wanted, atol=2e-3)
 
     def test_a_child_of_what_follows_a_path(self):
@@ -262,8 +268,9 @@ class DynamicsTest(support.SceneTestCase):
         bpy.ops.motus.track_record(datablock="Carrier", transform='WORLD', frame_start=1, frame_end=60)
         cases.go_to(22)
         self.assertIsNone(cases.problem(ball))
-        wanted = cases.filtered(lambda frames: np.stack([np.interp(
-            frames, np.arange(1, 60), plain[:, axis]) for axis in range(3)], axis=1), BOUNCY, 22)
+        wanted = cases.filtered(
+            lambda frames: np.stack([np.interp(frames, np.arange(1, 60), plain[:, axis]) for axis in range(3)], axis=1), BOUNCY, 22
+        )
         np.testing.assert_allclose(cases.place(ball, 22), wanted, atol=1e-4)
 
     def test_bake_and_unbake(self):

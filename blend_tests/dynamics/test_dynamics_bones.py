@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+
 import support
 from dynamics import dynamics_cases as cases
 
@@ -21,7 +22,9 @@ class DynamicsBonesTest(support.SceneTestCase):
             wanted = cases.filtered(lambda frames: cases.own(bone)(frames).locations, (2.0, 0.3, 0.0), frame)
             np.testing.assert_allclose(
                 np.array(rig.data.bones["Root"].matrix_local.inverted()) @ np.append(cases.place(rig, frame, "Root"), 1.0),
-                np.append(wanted, 1.0), atol=1e-4)
+                np.append(wanted, 1.0),
+                atol=1e-4,
+            )
 
     def test_tails_point_to_where_they_have_come(self):
         rig = cases.rope(5)
@@ -39,7 +42,10 @@ class DynamicsBonesTest(support.SceneTestCase):
             for index, name in enumerate(names):
                 wanted = cases.filtered(
                     lambda at, name=name: np.stack([np.interp(at, frames, plain[name][:, axis]) for axis in range(3)], axis=1),
-                    FLOPPY, frame - 0.05 * index * 24, last=49)
+                    FLOPPY,
+                    frame - 0.05 * index * 24,
+                    last=49,
+                )
                 head, tail = cases.place(rig, frame, name), cases.tail(rig, frame, name)
                 self.assertAlmostEqual(np.linalg.norm(tail - head), 0.3, places=4)
                 way = (wanted - head) / np.linalg.norm(wanted - head)

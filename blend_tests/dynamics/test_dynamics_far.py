@@ -4,6 +4,7 @@ from unittest import mock
 
 import bpy
 import numpy as np
+
 import support
 from dynamics.dynamics_cases import add, go_to, link, matrix, moved, place, problem
 
@@ -85,7 +86,7 @@ class FarTest(support.SceneTestCase):
 
     def test_what_is_never_forgotten_is_said(self):
         ball = repeated()
-        entry, = add(ball, damping=0.0)
+        (entry,) = add(ball, damping=0.0)
         self.assertIsNone(problem(ball))
         _, count = self.samples(FAR, ball)
         self.assertIn("raise Damping", problem(ball).sentence)

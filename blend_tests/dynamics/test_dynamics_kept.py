@@ -4,6 +4,7 @@ from unittest import mock
 
 import bpy
 import numpy as np
+
 import support
 from dynamics import dynamics_cases as cases
 
@@ -112,11 +113,13 @@ class DynamicsKeptTest(support.SceneTestCase):
         self.assertIsNone(cases.problem(rig))
         self.assertKept()
         before = cases.matrix(rig, 22, "Tail 0 1")
-        edit = ("import bpy; from dynamics import dynamics_cases as cases; "
-                f"bpy.ops.wm.open_mainfile(filepath={path!r}); rig = bpy.data.objects['Rope']; "
-                "bpy.context.view_layer.objects.active = rig; bpy.ops.object.mode_set(mode='EDIT'); "
-                "rig.data.edit_bones['Tail 0 1'].tail = 0.4, 0.2, 1.7; bpy.ops.object.mode_set(mode='OBJECT'); "
-                f"bpy.ops.wm.save_as_mainfile(filepath={path!r})")
+        edit = (
+            "import bpy; from dynamics import dynamics_cases as cases; "
+            f"bpy.ops.wm.open_mainfile(filepath={path!r}); rig = bpy.data.objects['Rope']; "
+            "bpy.context.view_layer.objects.active = rig; bpy.ops.object.mode_set(mode='EDIT'); "
+            "rig.data.edit_bones['Tail 0 1'].tail = 0.4, 0.2, 1.7; bpy.ops.object.mode_set(mode='OBJECT'); "
+            f"bpy.ops.wm.save_as_mainfile(filepath={path!r})"
+        )
         status, output = support.run_blender(edit)
         self.assertEqual(status, 0, output)
         bpy.data.libraries[0].reload()

@@ -4,6 +4,7 @@ from unittest import mock
 
 import bpy
 import numpy as np
+
 import support
 from dynamics.dynamics_cases import add, link, matrix, moved, place, problem
 
@@ -41,7 +42,7 @@ class DynamicsLimitsTest(support.SceneTestCase):
 
     def test_jumps_in_a_loop_are_named(self):
         ball = moved(rows={1: (0.0, 0.0, 0.0), 10: (9.0, 0.0, 0.0), 24: (0.0, 0.0, 0.0)}, interpolation='CONSTANT')
-        entry, = add(ball, jump=3.0)
+        (entry,) = add(ball, jump=3.0)
         place(ball, 12)
         self.assertIsNone(problem(ball))
         entry.use_loop, entry.loop_start, entry.loop_end = True, 1, 24
@@ -63,7 +64,7 @@ class DynamicsLimitsTest(support.SceneTestCase):
         for name in ("delay", "jump", "weight"):
             with self.subTest(name=name):
                 ball = moved(f"Ball {name}")
-                entry, = add(ball)
+                (entry,) = add(ball)
                 entry[name] = float("nan")
                 ball.update_tag()
                 self.assertTrue(np.isfinite(matrix(ball, 25)).all())

@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+
 import solved_cases
 import support
 from dynamics import dynamics_cases as cases

@@ -5,6 +5,7 @@ from unittest import mock
 
 import bpy
 import numpy as np
+
 import support
 from dynamics import dynamics_cases as cases
 
@@ -61,8 +62,7 @@ class DynamicsPropertiesTest(support.SceneTestCase):
         cases.key(obj, "location", cases.STEP)
         self.add(obj, "data.color", style='BOUNCY')
         self.add(obj, "location[2]", style='BOUNCY')
-        self.assertEqual([(entry.data_path, entry.index) for entry in obj.motus.dynamics.entries],
-                         [("data.color", -1), ("location", 2)])
+        self.assertEqual([(entry.data_path, entry.index) for entry in obj.motus.dynamics.entries], [("data.color", -1), ("location", 2)])
         for frame in (14, 22, 31.25):
             wanted = [cases.filtered(keyed(obj.data, "color", index), BOUNCY, frame) for index in range(3)]
             np.testing.assert_allclose(value(obj.data, frame, "color"), wanted, atol=3e-4)
@@ -78,8 +78,9 @@ class DynamicsPropertiesTest(support.SceneTestCase):
         self.add(obj, '["glow"]', frequency=1.0, damping=0.5, response=0.0)
         self.assertEqual(len(obj.motus.dynamics.entries), 2)
         for frame in (16, 24):
-            self.assertAlmostEqual(value(obj, frame, '["glow"]'),
-                                   cases.filtered(keyed(obj, '["glow"]'), (1.0, 0.5, 0.0), frame), delta=3e-4)
+            self.assertAlmostEqual(
+                value(obj, frame, '["glow"]'), cases.filtered(keyed(obj, '["glow"]'), (1.0, 0.5, 0.0), frame), delta=3e-4
+            )
             wanted = cases.filtered(lambda frames: cases.own(obj)(frames).locations, BOUNCY, frame)
             np.testing.assert_allclose(cases.place(obj, frame), wanted, atol=3e-4)
 
@@ -95,8 +96,11 @@ class DynamicsPropertiesTest(support.SceneTestCase):
         cases.key(obj.modifiers["Displace"], "strength", ROWS)
         cases.key(socket, "default_value", ROWS)
         cases.key(obj.constraints[0], "influence", ROWS)
-        paths = ('modifiers["Displace"].strength', f"material_slots[0].material.node_tree.{socket.path_from_id()}.default_value",
-                 'constraints["Limit Location"].influence')
+        paths = (
+            'modifiers["Displace"].strength',
+            f"material_slots[0].material.node_tree.{socket.path_from_id()}.default_value",
+            'constraints["Limit Location"].influence',
+        )
         for path in paths:
             self.add(obj, path, style='BOUNCY')
         self.assertIsNone(cases.problem(obj))
@@ -105,8 +109,9 @@ class DynamicsPropertiesTest(support.SceneTestCase):
         self.assertAlmostEqual(value(obj, 22, paths[0]), wanted, delta=3e-4)
         found = obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).material_slots[0].material.node_tree
         self.assertAlmostEqual(found.nodes["Principled BSDF"].inputs["Roughness"].default_value, wanted, delta=3e-4)
-        self.assertAlmostEqual(value(obj, 14, paths[1]), cases.filtered(keyed(material.node_tree, paths[1].partition(
-            "node_tree.")[2]), BOUNCY, 14), delta=3e-4)
+        self.assertAlmostEqual(
+            value(obj, 14, paths[1]), cases.filtered(keyed(material.node_tree, paths[1].partition("node_tree.")[2]), BOUNCY, 14), delta=3e-4
+        )
         self.assertLess(value(obj, 14, paths[2]), 0.3)
 
     def test_weight_influence_mute_delay_loop_and_teleport(self):
@@ -209,13 +214,21 @@ class DynamicsPropertiesTest(support.SceneTestCase):
         self.add(obj, "data.energy")
         obj.data.driver_add("specular_factor")
         for path, sentence in (
-                ("name", "no number"), ("data.type", "no decimal"), ('["whole"]', "no decimal"), ('["name"]', "no number"),
-                ("data.gone", "no number"), ('["many"]', "first 32"), ('["many"][35]', "first 32"), ("data.specular_factor", "has a driver"),
-                ("motus.dynamics.influence", "themselves"), ("data.color[7]", "no number"), ("matrix_world", "no number")):
+            ("name", "no number"),
+            ("data.type", "no decimal"),
+            ('["whole"]', "no decimal"),
+            ('["name"]', "no number"),
+            ("data.gone", "no number"),
+            ('["many"]', "first 32"),
+            ('["many"][35]', "first 32"),
+            ("data.specular_factor", "has a driver"),
+            ("motus.dynamics.influence", "themselves"),
+            ("data.color[7]", "no number"),
+            ("matrix_world", "no number"),
+        ):
             with self.subTest(path=path), self.assertRaisesRegex(RuntimeError, sentence):
                 self.add(obj, path)
-        for keywords in ({"channels": {'SCALE'}}, {"follow": 'WORLD'}, {"whole_chains": True}, {"chain_delay": 0.1},
-                         {"bones": "Bone"}):
+        for keywords in ({"channels": {'SCALE'}}, {"follow": 'WORLD'}, {"whole_chains": True}, {"chain_delay": 0.1}, {"bones": "Bone"}):
             with self.subTest(**keywords), self.assertRaisesRegex(RuntimeError, "single property"):
                 self.add(obj, "data.energy", **keywords)
         with self.assertRaisesRegex(RuntimeError, "finite"):
@@ -231,8 +244,10 @@ class DynamicsPropertiesTest(support.SceneTestCase):
         obj.empty_display_type, obj.data = 'IMAGE', image
         bpy.context.view_layer.objects.active = obj
         menu = support.addon("dynamics.menu")
-        with mock.patch.object(menu.hovered, "find", return_value=(image, "generated_color", 0)), \
-                mock.patch.object(menu, "MOTUS_OT_dynamics_add") as offered:
+        with (
+            mock.patch.object(menu.hovered, "find", return_value=(image, "generated_color", 0)),
+            mock.patch.object(menu, "MOTUS_OT_dynamics_add") as offered,
+        ):
             menu._draw(mock.Mock(), bpy.context)
         self.assertFalse(offered.mock_calls)
         with self.assertRaisesRegex(RuntimeError, "can be driven"):
@@ -268,8 +283,7 @@ class DynamicsPropertiesTest(support.SceneTestCase):
         obj = lamp()
         cases.key(obj.data, "specular_factor", {1: 0.0, 20: 0.5})
         self.add(obj, "data.energy", style='BOUNCY')
-        bpy.ops.motus.driver_add(collection="lights", datablock=obj.data.name, data_path="specular_factor",
-                                 function='SECOND_ORDER')
+        bpy.ops.motus.driver_add(collection="lights", datablock=obj.data.name, data_path="specular_factor", function='SECOND_ORDER')
         self.assertTrue(math.isfinite(value(obj.data, 22)) and math.isfinite(value(obj.data, 23, "specular_factor")))
 
     def test_strips_that_are_mixed_are_named(self):

@@ -4,6 +4,7 @@ import math
 
 import bpy
 import numpy as np
+
 import support
 from dynamics import dynamics_cases as cases
 
@@ -27,8 +28,7 @@ class DynamicsSettingsTest(support.SceneTestCase):
     def test_mass_and_spring_both_ways(self):
         entry = cases.add(cases.moved(), mass=2.0, stiffness=80.0, resistance=6.0)[0]
         filter = cases.native().SecondOrder.from_mass_spring(2.0, 80.0, 6.0)
-        np.testing.assert_allclose((entry.frequency, entry.damping, entry.response), (filter.frequency, filter.damping, 2.0),
-                                   rtol=1e-5)
+        np.testing.assert_allclose((entry.frequency, entry.damping, entry.response), (filter.frequency, filter.damping, 2.0), rtol=1e-5)
         np.testing.assert_allclose((entry.mass, entry.stiffness, entry.resistance), (2.0, 80.0, 6.0), rtol=1e-5)
         entry.stiffness = 20.0
         self.assertAlmostEqual(entry.frequency, math.sqrt(10.0) / math.tau, places=5)
@@ -67,15 +67,21 @@ class DynamicsSettingsTest(support.SceneTestCase):
 
     def test_two_ways_at_once(self):
         ball = cases.moved()
-        for keywords in ({"overshoot": 0.2, "mass": 1.0}, {"frequency": 2.0, "settling": 1.0}, {"damping": 0.3, "stiffness": 9.0},
-                         {"response": 1.0, "mass": 1.0}, {"style": 'JELLY', "overshoot": 0.2}):
+        for keywords in (
+            {"overshoot": 0.2, "mass": 1.0},
+            {"frequency": 2.0, "settling": 1.0},
+            {"damping": 0.3, "stiffness": 9.0},
+            {"response": 1.0, "mass": 1.0},
+            {"style": 'JELLY', "overshoot": 0.2},
+        ):
             with self.subTest(**keywords), self.assertRaisesRegex(RuntimeError, "in two ways"):
                 cases.add(ball, **keywords)
         self.assertFalse(ball.is_property_set("motus"))
 
     def test_what_presets_keep_says_the_motion_in_one_way(self):
-        kept = [prop.identifier for prop in bpy.ops.motus.dynamics_add.get_rna_type().properties
-                if not (prop.is_hidden or prop.is_skip_save)]
+        kept = [
+            prop.identifier for prop in bpy.ops.motus.dynamics_add.get_rna_type().properties if not (prop.is_hidden or prop.is_skip_save)
+        ]
         self.assertIn("frequency", kept)
         for name in ("overshoot", "settling", "mass", "stiffness", "resistance"):
             self.assertNotIn(name, kept)

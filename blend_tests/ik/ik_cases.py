@@ -1,12 +1,13 @@
 """What the tests of inverse kinematics share: rigs of every make, and where their bones really stand."""
 
+import itertools
 import math
 
 import bpy
 import numpy as np
-import support
 from mathutils import Matrix, Quaternion, Vector
-import itertools
+
+import support
 
 ARM = ((0.0, 0.0, 1.0), (0.7, 0.15, 1.0), (1.3, 0.0, 1.0))
 """Joints of an arm that bends a little."""
@@ -41,12 +42,14 @@ class IkTestCase(support.SceneTestCase):
 
     def arm(self, joints=ARM, name="Rig", hand=True, **options):
         """Bones "Shoulder", "Bone 0", "Bone 1", ... through the joints, and "Hand" at their end."""
+
         def build(bones):
             shoulder = add_bone(bones, "Shoulder", (joints[0][0], joints[0][1], joints[0][2] - 0.5), joints[0])
             last = add_chain(bones, "Bone", joints, shoulder, **options)
             if hand:
                 along = (Vector(joints[-1]) - Vector(joints[-2])).normalized() * 0.2
                 add_bone(bones, "Hand", joints[-1], Vector(joints[-1]) + along, last)
+
         return self.rig(build, name)
 
     def target(self, place=REACHABLE, name="Target"):
@@ -78,8 +81,7 @@ class IkTestCase(support.SceneTestCase):
     def local(self, rig, name):
         """A bone's own evaluated rotation."""
         bone = self.evaluated(rig).pose.bones[name]
-        return rig.convert_space(
-            pose_bone=bone, matrix=bone.matrix, from_space='POSE', to_space='LOCAL').to_quaternion()
+        return rig.convert_space(pose_bone=bone, matrix=bone.matrix, from_space='POSE', to_space='LOCAL').to_quaternion()
 
     def tail(self, rig, bone="Bone 1", frame=None):
         evaluated = self.evaluated(rig, frame)
@@ -157,11 +159,16 @@ def state(obj):
     curves = support.addon("core.blender.actions").fcurves(obj)
     return {
         "matrix": np.array(obj.matrix_world).tolist(),
-        "bones": {bone.name: {
-            "basis": np.array(bone.matrix_basis).tolist(), "mode": bone.rotation_mode,
-            "constraints": [(one.type, one.name, one.influence, one.mute) for one in bone.constraints],
-            "properties": sorted(bone.keys()), "limits": (bone.use_ik_limit_x, bone.ik_min_x, bone.lock_ik_x),
-        } for bone in obj.pose.bones},
+        "bones": {
+            bone.name: {
+                "basis": np.array(bone.matrix_basis).tolist(),
+                "mode": bone.rotation_mode,
+                "constraints": [(one.type, one.name, one.influence, one.mute) for one in bone.constraints],
+                "properties": sorted(bone.keys()),
+                "limits": (bone.use_ik_limit_x, bone.ik_min_x, bone.lock_ik_x),
+            }
+            for bone in obj.pose.bones
+        },
         "constraints": [(one.type, one.name) for one in obj.constraints],
         "properties": sorted(obj.keys()),
         "drivers": [curve.data_path for curve in animation.drivers] if animation else None,

@@ -4,9 +4,11 @@ import math
 
 import bpy
 import numpy as np
+from mathutils import Quaternion, Vector
+
 import support
 from ik.ik_cases import ARM, REACHABLE, IkTestCase, add_chain, angle_between, rigid, tentacle, turn
-from mathutils import Quaternion, Vector
+
 
 class Reach(IkTestCase):
     def test_tail_and_head(self):
@@ -85,6 +87,7 @@ class Reach(IkTestCase):
             for leg in range(30):
                 joints = [(leg, 0.0, 1.0), (leg, 0.3, 0.6), (leg, 0.1, 0.0)]
                 add_chain(bones, f"Leg {leg}", joints)
+
         rig = self.rig(build)
         for leg in range(30):
             self.target((leg + 0.1, 0.2 + 0.01 * leg, 0.2), f"Foot {leg}")
@@ -136,8 +139,9 @@ class Reach(IkTestCase):
         self.assertNear(self.pose(rig, "Hand").to_scale(), (1.0, 1.0, 1.0), 5e-6)
         orientation = self.pose(rig, "Hand").to_quaternion()
         entry.stretch = 0.0
-        self.assertNear((self.tail(rig) - self.head(rig, "Bone 0")).length,
-                        sum(rig.data.bones[name].length for name in ("Bone 0", "Bone 1")), 5e-6)
+        self.assertNear(
+            (self.tail(rig) - self.head(rig, "Bone 0")).length, sum(rig.data.bones[name].length for name in ("Bone 0", "Bone 1")), 5e-6
+        )
         self.assertTurned(self.pose(rig, "Hand"), orientation)
         entry.stretch = 0.5
         reach = sum(rig.data.bones[name].length for name in ("Bone 0", "Bone 1"))
@@ -170,7 +174,6 @@ class Reach(IkTestCase):
         elbow.lock_ik_x = elbow.lock_ik_y = elbow.lock_ik_z = True
         rig.update_tag()
         self.assertLess(self.local(rig, "Bone 1").angle, 1e-3)
-
 
     def test_limits_of_the_bone_after_the_chain(self):
         """With Use Tail off they are not kept, and the panel says so where that matters."""

@@ -4,9 +4,10 @@ import math
 import random
 
 import bpy
+from mathutils import Quaternion, Vector
+
 import support
 from ik.ik_cases import ARM, IkTestCase, rigid, tentacle, turn
-from mathutils import Quaternion, Vector
 
 
 class OfAnOverride(IkTestCase):
@@ -117,8 +118,13 @@ class MadePole(IkTestCase):
             bone.rotation_quaternion = Quaternion([self.random.uniform(-0.5, 0.5) for _ in range(3)], most)
 
     def test_any_pose(self):
-        settings = ({}, {"use_limits": True}, {"bend": 'AWAY', "pole_angle": 0.7}, {"rotation_weight": 1.0},
-                    {"use_limits": True, "bend": 'AWAY', "pole_angle": 0.7})
+        settings = (
+            {},
+            {"use_limits": True},
+            {"bend": 'AWAY', "pole_angle": 0.7},
+            {"rotation_weight": 1.0},
+            {"use_limits": True, "bend": 'AWAY', "pole_angle": 0.7},
+        )
         for count in (1, 2, 3, 5):
             for is_bent in (False, True):
                 for keywords in settings * 2:

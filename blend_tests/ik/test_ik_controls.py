@@ -1,9 +1,10 @@
 """Control bones, poles that are made later, and what becomes of targets and poles when chains are removed."""
 
 import bpy
+from mathutils import Matrix, Vector
+
 import support
 from ik.ik_cases import IkTestCase
-from mathutils import Matrix, Vector
 
 MOVED = 2e-5
 
@@ -104,9 +105,11 @@ class ControlBones(Controls):
         self.arm_rig.data = found.armatures[0]
         bpy.context.view_layer.update()
         names = len(self.arm_rig.data.bones)
-        for operator, keywords in ((bpy.ops.motus.ik_control_bone_add, {}),
-                                   (bpy.ops.motus.ik_add, {"make_control_bone": True}),
-                                   (bpy.ops.motus.ik_pole_add, {"as_bone": True})):
+        for operator, keywords in (
+            (bpy.ops.motus.ik_control_bone_add, {}),
+            (bpy.ops.motus.ik_add, {"make_control_bone": True}),
+            (bpy.ops.motus.ik_pole_add, {"as_bone": True}),
+        ):
             self.assertRefused("linked from another file", operator, object="Rig", bone="Bone 1", **keywords)
         self.assertEqual(len(self.arm_rig.data.bones), names)
         self.assertEqual(self.arm_rig.motus.ik.entries["Bone 1"].target, bpy.data.objects["Target"])
@@ -128,8 +131,7 @@ class Poles(Controls):
                     self.assertEqual(entry.pole == self.arm_rig, as_bone)
                     for name, matrix in before.items():
                         found = self.pose(self.arm_rig, name)
-                        self.assertLess(
-                            max(abs(a - b) for one, other in zip(found, matrix) for a, b in zip(one, other)), MOVED, name)
+                        self.assertLess(max(abs(a - b) for one, other in zip(found, matrix) for a, b in zip(one, other)), MOVED, name)
 
     def test_of_the_second_chain(self):
         self.reach("Bone 0", chain_length=1)

@@ -3,9 +3,10 @@
 from unittest import mock
 
 import bpy
+from mathutils import Vector
+
 import support
 from ik.ik_cases import IkTestCase, add_bone, add_chain
-from mathutils import Vector
 
 ARMS = 3
 
@@ -26,8 +27,8 @@ class Copies(IkTestCase):
             for arm in range(ARMS):
                 place = Vector((2.0 * arm, 0.0, 0.0))
                 root = add_bone(bones, f"Root {arm}", place - Vector((0.0, 0.0, 0.4)), place)
-                add_chain(bones, f"Arm {arm}.", [place, place + Vector((0.7, 0.15, 0.0)), place + Vector((1.3, 0.0, 0.0))],
-                          root)
+                add_chain(bones, f"Arm {arm}.", [place, place + Vector((0.7, 0.15, 0.0)), place + Vector((1.3, 0.0, 0.0))], root)
+
         rig = self.rig(build)
         for arm in range(ARMS):
             target = self.target((2.0 * arm + 0.5, 0.4, 0.6), f"Target {arm}")
@@ -72,27 +73,32 @@ class Copies(IkTestCase):
     def test_assigned(self):
         def edit():
             self.entry(1).position_weight = 0.3
+
         self.run_edit(edit)
 
     def test_assigned_all_at_once(self):
         def edit():
             self.settings.entries.foreach_set("position_weight", [0.2] * ARMS)
             self.rig_object.update_tag()
+
         self.run_edit(edit)
 
     def test_muted(self):
         def edit():
             self.entry(2).is_muted = True
+
         self.run_edit(edit)
 
     def test_influence(self):
         def edit():
             self.settings.influence = 0.4
+
         self.run_edit(edit)
 
     def test_other_target(self):
         def edit():
             self.entry(0).target = self.target((0.2, -0.9, 0.1), "Other")
+
         self.run_edit(edit)
 
     def test_target_moved_by_hand(self):
@@ -100,6 +106,7 @@ class Copies(IkTestCase):
             target = self.entry(0).target
             target.animation_data_clear()
             target.location = (0.1, -0.8, 0.2)
+
         self.run_edit(edit)
 
     def test_target_deleted(self):
@@ -110,11 +117,13 @@ class Copies(IkTestCase):
 
     def test_objects_in_another_order(self):
         """The view layer's list changes, and nothing of the rig with it."""
+
         def edit():
             for name in ("Target 1", "Target 0"):
                 obj = bpy.data.objects[name]
                 self.scene.collection.objects.unlink(obj)
                 self.scene.collection.objects.link(obj)
+
         self.run_edit(edit, changes=False)
 
     def test_a_crowd_comes_and_goes(self):
@@ -124,6 +133,7 @@ class Copies(IkTestCase):
         def leave():
             for obj in crowd:
                 bpy.data.objects.remove(obj)
+
         for edit in (lambda: None, leave):
             self.run_edit(edit, changes=False)
             self.assertEqual(self.poses(self.rig_object, 4).tolist(), before.tolist())
@@ -132,6 +142,7 @@ class Copies(IkTestCase):
         def edit():
             bpy.data.objects["Target 1"].hide_viewport = True
             bpy.data.objects["Target 2"].hide_set(True)
+
         before = self.poses(self.rig_object, 4)
         self.run_edit(edit, changes=False)
         self.assertEqual(self.poses(self.rig_object, 4).tolist(), before.tolist())
@@ -156,6 +167,7 @@ class Copies(IkTestCase):
             self.entry(0).position_weight = 0.2
             self.settings.entries.move(0, 2)
             self.rig_object.update_tag()
+
         self.run_edit(edit)
 
     def test_keyed(self):
@@ -164,6 +176,7 @@ class Copies(IkTestCase):
             for frame, weight in ((1, 0.1), (40, 0.9)):
                 entry.position_weight = weight
                 entry.keyframe_insert("position_weight", frame=frame)
+
         self.run_edit(edit)
         self.assertGreater(abs(self.poses(self.rig_object, 5) - self.poses(self.rig_object, 39)).max(), 0.05)
 
@@ -187,6 +200,7 @@ class Copies(IkTestCase):
             curve = support.addon("core.blender.actions").fcurves(rig)[0]
             curve.data_path, curve.array_index = self.settings.path_from_id() + ".influence", 0
             rig.location.x = 0.0
+
         self.run_edit(edit)
 
     def test_keys_removed(self):
@@ -195,11 +209,13 @@ class Copies(IkTestCase):
         def edit():
             self.rig_object.animation_data_clear()
             self.entry(1).position_weight = 0.0
+
         self.run_edit(edit)
 
     def test_driven(self):
         def edit():
             self.entry(1).driver_add("position_weight").driver.expression = "0.01 * frame"
+
         self.run_edit(edit)
 
     def test_nla(self):
@@ -213,6 +229,7 @@ class Copies(IkTestCase):
             strip.use_animated_influence = True
             strip.influence = 0.5
             animation.action = None
+
         self.run_edit(edit, changes=False)
 
     def key_root(self):
@@ -234,6 +251,7 @@ class Copies(IkTestCase):
 
         def edit():
             bone.rotation_quaternion = (1.0, 0.3, 0.0, 0.2)
+
         self.run_edit(edit)
 
     def test_keyed_under_a_keyed_root(self):
@@ -244,6 +262,7 @@ class Copies(IkTestCase):
             for frame, turn in ((1, 0.5), (60, -0.5)):
                 bone.rotation_quaternion = (1.0, 0.0, 0.0, turn)
                 bone.keyframe_insert("rotation_quaternion", frame=frame)
+
         self.run_edit(edit)
         action = self.rig_object.animation_data.action
 
@@ -251,6 +270,7 @@ class Copies(IkTestCase):
             for curves in support.addon("core.blender.actions").all_fcurves(action):
                 for curve in [one for one in curves if "Arm 1" in one.data_path]:
                     curves.remove(curve)
+
         self.run_edit(take_away)
 
     def test_driven_under_a_driven_root(self):
@@ -260,6 +280,7 @@ class Copies(IkTestCase):
 
         def edit():
             bone.driver_add("rotation_quaternion", 1).driver.expression = "0.02 * frame"
+
         self.run_edit(edit)
 
     def test_a_bone_that_is_animated_by_its_number(self):
@@ -271,6 +292,7 @@ class Copies(IkTestCase):
             curve.driver.expression = "0.02 * frame"
             curve.data_path = f"pose.bones[{number}].rotation_quaternion"
             self.rig_object.update_tag()
+
         self.run_edit(edit)
 
     def test_a_bone_with_quotes_in_its_name(self):
@@ -282,6 +304,7 @@ class Copies(IkTestCase):
             for frame, turn in ((1, 0.5), (60, -0.5)):
                 bone.rotation_quaternion = (1.0, 0.0, 0.0, turn)
                 bone.keyframe_insert("rotation_quaternion", frame=frame)
+
         self.run_edit(edit)
 
     def lengthen(self):
@@ -292,8 +315,7 @@ class Copies(IkTestCase):
 
     def test_bone_made_longer(self):
         self.run_edit(self.lengthen, changes=False)
-        self.assertNear(self.tail(self.rig_object, "Arm 0. 1"),
-                        self.evaluated(self.entry(0).target).matrix_world.translation, 1e-4)
+        self.assertNear(self.tail(self.rig_object, "Arm 0. 1"), self.evaluated(self.entry(0).target).matrix_world.translation, 1e-4)
 
     def read(self):
         """How often all of the rig is read anew, in some frames."""

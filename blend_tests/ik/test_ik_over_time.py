@@ -2,9 +2,9 @@
 
 import bpy
 import numpy as np
+
 import solved_cases
 import support
-
 from ik.ik_cases import IkTestCase
 
 WAY = {1: (0.6, 0.3, 1.4), 20: (0.2, -0.5, 1.6), 60: (1.0, 0.4, 0.7)}

@@ -1,7 +1,7 @@
 """Inverse kinematics taken back without a trace, keys of later chains that stay theirs, and presets."""
 
-
 import bpy
+
 import support
 from ik.ik_cases import IkTestCase, counts, state, tentacle, turn
 
@@ -84,8 +84,9 @@ class Remove(IkTestCase):
         paths = [curve.data_path for curve in support.addon("core.blender.actions").fcurves(other)]
         bpy.ops.motus.ik_remove(object="Rig", bone="Bone 1")
         self.assertEqual([curve.data_path for curve in support.addon("core.blender.actions").fcurves(other)], paths)
-        self.assertEqual([curve.data_path for curve in support.addon("core.blender.actions").fcurves(rig)],
-                         ["motus.ik.entries[0].softness"])
+        self.assertEqual(
+            [curve.data_path for curve in support.addon("core.blender.actions").fcurves(rig)], ["motus.ik.entries[0].softness"]
+        )
 
     def keyed(self, name="softness"):
         """Three chains, of which a setting is 0.1, 0.2 and 0.3 by keys."""
@@ -123,7 +124,7 @@ class Remove(IkTestCase):
 
     def test_strips_of_another_rig_are_left_alone(self):
         rig = self.keyed()
-        strip, = self.push_down(rig)
+        (strip,) = self.push_down(rig)
         other = rig.copy()
         self.scene.collection.objects.link(other)
         before = self.curves_of(strip)
@@ -137,7 +138,7 @@ class Remove(IkTestCase):
         bpy.data.libraries.write(library, {rig.animation_data.action}, fake_user=True)
         with bpy.data.libraries.load(library, link=True) as (found, chosen):
             chosen.actions = found.actions
-        linked, = chosen.actions
+        (linked,) = chosen.actions
         actions = support.addon("core.blender.actions")
         actions.assign(rig, linked, actions.slot_identifier(rig))
         strip = rig.animation_data.nla_tracks.new().strips.new("Strip", 1, linked)
@@ -149,7 +150,7 @@ class Remove(IkTestCase):
 
     def test_tweaked_strips(self):
         rig = self.keyed()
-        strip, = self.push_down(rig)
+        (strip,) = self.push_down(rig)
         rig.animation_data.nla_tracks.active = rig.animation_data.nla_tracks[0]
         strip.select = True
         rig.animation_data.use_tweak_mode = True
@@ -162,7 +163,7 @@ class Remove(IkTestCase):
     def test_nothing_is_left_in_strips(self):
         rig = self.keyed()
         rig.pose.bones["Hand"].keyframe_insert("rotation_quaternion", frame=1)
-        strip, = self.push_down(rig)
+        (strip,) = self.push_down(rig)
         bpy.ops.motus.ik_remove(object="Rig")
         self.assertEqual(list(self.curves_of(strip)), ['pose.bones["Hand"].rotation_quaternion'])
 

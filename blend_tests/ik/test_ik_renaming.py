@@ -1,9 +1,10 @@
 """Targets and poles whose bones are given other names, on the rig itself and on others."""
 
 import bpy
+from mathutils import Vector
+
 import support
 from ik.ik_cases import ARM, REACHABLE, IkTestCase, add_bone, add_chain
-from mathutils import Vector
 
 POLE = (0.6, -1.0, 1.0)
 
@@ -16,6 +17,7 @@ class Renaming(IkTestCase):
                 add_chain(bones, f"Arm {index}", [shift + Vector(joint) for joint in ARM])
                 add_bone(bones, f"Goal {index}", shift + Vector(REACHABLE), shift + Vector((0.6, 0.3, 1.6)))
                 add_bone(bones, f"Side {index}", shift + Vector(POLE), shift + Vector((0.6, -1.0, 1.2)))
+
         return self.rig(build, name)
 
     def rename(self, rig, names):
@@ -36,8 +38,7 @@ class Renaming(IkTestCase):
                 self.setUp()
                 rig = self.rig_with_controls(arms=arms)
                 for index in range(arms):
-                    entry = self.reach(f"Arm {index} 1", target="Rig", target_bone=f"Goal {index}", pole="Rig",
-                                       pole_bone=f"Side {index}")
+                    entry = self.reach(f"Arm {index} 1", target="Rig", target_bone=f"Goal {index}", pole="Rig", pole_bone=f"Side {index}")
                 self.rename(rig, {"Goal 0": "Hand\"IK", "Side 0": "Elbow"})
                 entry = rig.motus.ik.entries[0]
                 self.assertEqual((entry.target_bone, entry.pole_bone), ("Hand\"IK", "Elbow"))
@@ -84,8 +85,17 @@ class Renaming(IkTestCase):
 
     def test_flipped_names(self):
         rig = self.rig_with_controls(arms=2)
-        self.rename(rig, {"Arm 0 0": "Upper.L", "Arm 0 1": "Lower.L", "Arm 1 0": "Upper.R", "Arm 1 1": "Lower.R",
-                          "Goal 0": "Goal.L", "Goal 1": "Goal.R"})
+        self.rename(
+            rig,
+            {
+                "Arm 0 0": "Upper.L",
+                "Arm 0 1": "Lower.L",
+                "Arm 1 0": "Upper.R",
+                "Arm 1 1": "Lower.R",
+                "Goal 0": "Goal.L",
+                "Goal 1": "Goal.R",
+            },
+        )
         left = self.reach("Lower.L", target="Rig", target_bone="Goal.L", softness=0.125)
         right = self.reach("Lower.R", target="Rig", target_bone="Goal.R")
         self.evaluated(rig)
@@ -97,15 +107,18 @@ class Renaming(IkTestCase):
         bpy.ops.object.mode_set(mode='OBJECT')
         bpy.context.view_layer.update()
         self.assertAlmostEqual(rig.data.bones["Lower.R"].head_local.y, before["L"])
-        self.assertEqual([(one.name, one.target_bone, one.softness) for one in (left, right)],
-                         [("Lower.R", "Goal.R", 0.125), ("Lower.L", "Goal.L", 0.0)])
+        self.assertEqual(
+            [(one.name, one.target_bone, one.softness) for one in (left, right)], [("Lower.R", "Goal.R", 0.125), ("Lower.L", "Goal.L", 0.0)]
+        )
         for end in "LR":
             self.assertFollows(rig, f"Lower.{end}", rig, f"Goal.{end}")
 
     def test_target_of_a_look(self):
         rig, other = self.rig_with_controls(), self.rig_with_controls("Other")
-        self.assertEqual(bpy.ops.motus.look_at_add(
-            object="Rig", bone="Arm 0 1", target="Other", target_bone="Goal 0", body_length=0, eyes=""), {'FINISHED'})
+        self.assertEqual(
+            bpy.ops.motus.look_at_add(object="Rig", bone="Arm 0 1", target="Other", target_bone="Goal 0", body_length=0, eyes=""),
+            {'FINISHED'},
+        )
         self.evaluated(rig)
         self.rename(other, {"Goal 0": "Lamp"})
         self.assertEqual(rig.motus.look_at.entries[0].target_bone, "Lamp")
@@ -114,20 +127,26 @@ class Renaming(IkTestCase):
         rig = self.rig_with_controls(arms=3)
         for index in range(3):
             self.target((1.0, 3.0 * index, 2.0), f"Seen {index}")
-            self.assertEqual(bpy.ops.motus.look_at_add(
-                object="Rig", bone=f"Arm {index} 1", target=f"Seen {index}", body_length=0, eyes=""), {'FINISHED'})
+            self.assertEqual(
+                bpy.ops.motus.look_at_add(object="Rig", bone=f"Arm {index} 1", target=f"Seen {index}", body_length=0, eyes=""), {'FINISHED'}
+            )
         self.evaluated(rig)
         with self.assertNoLogs():
             self.rename(rig, {"Arm 0 1": "Kept", "Arm 1 1": "Arm 0 1", "Arm 2 1": "Arm 1 1", "Kept": "Arm 2 1"})
-        self.assertEqual([(one.name, one.target.name) for one in rig.motus.look_at.entries],
-                         [("Arm 2 1", "Seen 0"), ("Arm 0 1", "Seen 1"), ("Arm 1 1", "Seen 2")])
+        self.assertEqual(
+            [(one.name, one.target.name) for one in rig.motus.look_at.entries],
+            [("Arm 2 1", "Seen 0"), ("Arm 0 1", "Seen 1"), ("Arm 1 1", "Seen 2")],
+        )
 
     def test_a_chain_behind_a_head(self):
         """IK of the spine, a head that turns on it, a chain that goes to the head: whichever is renamed, the order stays."""
         rig = self.rig_with_controls(arms=3)
-        self.assertEqual(bpy.ops.motus.look_at_add(
-            object="Rig", bone="Goal 1", target=self.target((0.0, 5.0, 1.0), "Seen").name, body_length=0, eyes=""),
-            {'FINISHED'})
+        self.assertEqual(
+            bpy.ops.motus.look_at_add(
+                object="Rig", bone="Goal 1", target=self.target((0.0, 5.0, 1.0), "Seen").name, body_length=0, eyes=""
+            ),
+            {'FINISHED'},
+        )
         self.reach("Arm 0 1", target="Rig", target_bone="Goal 1")
         rig.motus.look_at.entries[0].target, rig.motus.look_at.entries[0].target_bone = rig, "Arm 2 1"
         self.reach("Arm 2 1", target="Rig", target_bone="Goal 2")

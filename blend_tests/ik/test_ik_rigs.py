@@ -1,10 +1,11 @@
 """IK on rigs that nobody here made: where the tip really is in the evaluated pose, against where it was sent."""
 
 import bpy
+from mathutils import Matrix, Vector
+
 import rig_samples as samples
 import support
 import toy_system
-from mathutils import Matrix, Vector
 
 TOLERANCE = 2e-5  # of the chain's length: poses are single precision
 
@@ -93,7 +94,8 @@ class TestRigify(RigTestCase):
         rig = samples.generated_human()
         for side in "LR":
             status = bpy.ops.motus.ik_add(
-                object=rig.name, bone=f"forearm_fk.{side}", target=rig.name, target_bone=f"hand_ik.{side}", chain_length=2)
+                object=rig.name, bone=f"forearm_fk.{side}", target=rig.name, target_bone=f"hand_ik.{side}", chain_length=2
+            )
             self.assertEqual(status, {'FINISHED'})
         for _ in range(5):
             for side in "LR":
@@ -181,8 +183,9 @@ class TestRandomRigs(RigTestCase):
                     place = bone.matrix.translation + (near + generator.uniform(0.1, 0.95) * (far - near)) * direction
                     target.location = rig.matrix_world @ place
                     bpy.context.view_layer.update()
-                    self.assertLessEqual((samples.tip(rig, "Chain.1") - target.location).length,
-                                         TOLERANCE * max(abs(part) for part in scale) * far + 1e-6)
+                    self.assertLessEqual(
+                        (samples.tip(rig, "Chain.1") - target.location).length, TOLERANCE * max(abs(part) for part in scale) * far + 1e-6
+                    )
 
     def test_mirrored_parent_bone(self):
         generator = samples.new_generator("mirrored bone")
@@ -205,7 +208,8 @@ class TestRandomRigs(RigTestCase):
                 points = samples.joints(rig, "Chain.2", 3)
                 for share in (0.3, 0.5, 0.7):
                     target.location = points[0] + share * sum(samples.lengths(points)) * samples.random_rotation(
-                        generator).to_matrix() @ Vector((1.0, 0.0, 0.0))
+                        generator
+                    ).to_matrix() @ Vector((1.0, 0.0, 0.0))
                     bpy.context.view_layer.update()
                     self.assertLessEqual((samples.tip(rig, "Chain.2") - target.location).length, 1e-4)
 

@@ -1,22 +1,34 @@
 """Inverse kinematics' operators: adding without moving the pose, and what is refused."""
 
+import itertools
 import math
 
 import bpy
+from mathutils import Euler, Vector
+
 import support
 from ik.ik_cases import ARM, REACHABLE, IkTestCase, rigid, state, tentacle, turn
-from mathutils import Euler, Vector
-import itertools
 
 
 class Add(IkTestCase):
     def test_keywords_become_settings(self):
         rig = self.arm()
         given = {
-            "chain_length": 1, "use_tail": False, "bend": 'AWAY', "pole_angle": 0.25, "hinge_angle": 0.5,
-            "softness": 0.125, "stretch": 0.75,
-            "use_limits": True, "position_weight": 0.5, "rotation_weight": 0.25, "target_blend": 0.5,
-            "tolerance": 0.0009765625, "iterations": 7, "is_muted": True}
+            "chain_length": 1,
+            "use_tail": False,
+            "bend": 'AWAY',
+            "pole_angle": 0.25,
+            "hinge_angle": 0.5,
+            "softness": 0.125,
+            "stretch": 0.75,
+            "use_limits": True,
+            "position_weight": 0.5,
+            "rotation_weight": 0.25,
+            "target_blend": 0.5,
+            "tolerance": 0.0009765625,
+            "iterations": 7,
+            "is_muted": True,
+        }
         entry = self.reach(rotation_offset=(0.5, 0.25, 1.0), **given)
         self.assertEqual({name: getattr(entry, name) for name in given}, given)
         self.assertEqual(tuple(entry.rotation_offset), (0.5, 0.25, 1.0))
@@ -29,8 +41,7 @@ class Add(IkTestCase):
         self.reach(softness=0.25, pole="Pole")
         constraints = [len(bone.constraints) for bone in rig.pose.bones]
         entry = self.reach(target="", rotation_weight=0.5)
-        self.assertEqual((entry.softness, entry.rotation_weight, entry.target.name, entry.pole.name),
-                         (0.25, 0.5, "Target", "Pole"))
+        self.assertEqual((entry.softness, entry.rotation_weight, entry.target.name, entry.pole.name), (0.25, 0.5, "Target", "Pole"))
         self.assertEqual(len(rig.motus.ik.entries), 1)
         self.assertEqual([len(bone.constraints) for bone in rig.pose.bones], constraints)
         bpy.ops.motus.ik_add(object="Rig", bone="Bone 1", pole="")
@@ -99,6 +110,7 @@ class Add(IkTestCase):
                     bone = bones.new(f"{name}.{side}")
                     bone.head, bone.tail, bone.parent = (x, 0.0, low), (x, 0.1 * low - 0.1, low - 1.0), parent
                     parent = bone
+
         rig = self.rig(build, "Legs")
         before = self.poses(rig)
         bpy.ops.motus.ik_add(object="Legs", bones="lower.L, lower.R", chain_length=2)
@@ -175,7 +187,7 @@ class Add(IkTestCase):
         entry = self.reach(chain_length=9)
         chain = support.addon("ik.chains").find(rig, entry)
         self.assertEqual(chain.bones, ("Shoulder", "Bone 0", "Bone 1"))
-        warning, = support.addon("ik.targets").warnings(rig, chain, 9)
+        (warning,) = support.addon("ik.targets").warnings(rig, chain, 9)
         self.assertIn("only 3 bones", warning)
 
     def test_warnings(self):
@@ -197,8 +209,9 @@ class Add(IkTestCase):
         bpy.ops.motus.ik_target_remove(object="Rig", bone="Bone 1")
         self.assertNear(self.tail(rig), REACHABLE)
         self.assertRefused("no such target", bpy.ops.motus.ik_target_remove, object="Rig", bone="Bone 1")
-        self.assertRefused("moves with the chain", bpy.ops.motus.ik_target_add, object="Rig", bone="Bone 1",
-                           target="Rig", target_bone="Hand")
+        self.assertRefused(
+            "moves with the chain", bpy.ops.motus.ik_target_add, object="Rig", bone="Bone 1", target="Rig", target_bone="Hand"
+        )
 
 
 class Refusals(IkTestCase):
@@ -220,14 +233,14 @@ class Refusals(IkTestCase):
     def test_not_finite(self):
         self.arm()
         for name, value in (("softness", math.nan), ("pole_angle", math.nan), ("rotation_offset", (0, math.nan, 0))):
-            self.assertRefused(
-                f"{name} is not a finite", bpy.ops.motus.ik_add, object="Rig", bone="Bone 1", **{name: value})
+            self.assertRefused(f"{name} is not a finite", bpy.ops.motus.ik_add, object="Rig", bone="Bone 1", **{name: value})
 
     def test_shared_bones(self):
         self.arm(tentacle(5))
         self.reach("Bone 4", chain_length=3)
-        self.assertRefused("Bone 2 is driven by Inverse Kinematics of Bone 4", bpy.ops.motus.ik_add, object="Rig",
-                           bone="Bone 3", target="Target")
+        self.assertRefused(
+            "Bone 2 is driven by Inverse Kinematics of Bone 4", bpy.ops.motus.ik_add, object="Rig", bone="Bone 3", target="Target"
+        )
         self.reach("Bone 1", chain_length=2)
 
     def test_loops(self):
@@ -238,8 +251,7 @@ class Refusals(IkTestCase):
             self.assertRefused("moves with the chain", add, object="Rig", bone="Bone 1", target="Rig", target_bone=bone)
         held = self.target(name="Held")
         held.parent, held.parent_type, held.parent_bone = rig, 'BONE', "Hand"
-        self.assertRefused("Held moves with the chain of Bone 1", add, object="Rig",
-                           bone="Bone 1", target="Held")
+        self.assertRefused("Held moves with the chain of Bone 1", add, object="Rig", bone="Bone 1", target="Held")
         self.assertRefused("Held moves with the chain", add, object="Rig", bone="Bone 1", pole="Held")
         follower = self.target(name="Follower")
         follower.constraints.new('COPY_LOCATION').target = held
@@ -255,8 +267,7 @@ class Refusals(IkTestCase):
         other = self.arm(name="Other")
         other.location.x = -0.4
         self.reach("Bone 1", "Rig", target="Other", target_bone="Hand")
-        self.assertRefused("moves with the chain", bpy.ops.motus.ik_add, object="Other", bone="Bone 1", target="Rig",
-                           target_bone="Hand")
+        self.assertRefused("moves with the chain", bpy.ops.motus.ik_add, object="Other", bone="Bone 1", target="Rig", target_bone="Hand")
         self.assertFalse(other.motus.ik.is_active)
         self.assertNear(self.tail(rig), self.head(other))
 

@@ -4,6 +4,7 @@ import math
 
 import bpy
 import numpy as np
+
 import support
 from ik.ik_cases import IkTestCase, tentacle
 
@@ -22,8 +23,7 @@ class Orientation(IkTestCase):
         self.goal = self.target((distance, 0.0, 0.0))
         self.turn(angle)
         self.last = f"Bone {len(joints) - 2}"
-        return self.reach(self.last, chain_length=len(joints) - 1, keep_rotation=False,
-                          **{"rotation_weight": 1.0, **keywords})
+        return self.reach(self.last, chain_length=len(joints) - 1, keep_rotation=False, **{"rotation_weight": 1.0, **keywords})
 
     def turn(self, degrees):
         self.goal.rotation_euler = (0.0, 0.0, math.radians(degrees) - math.pi / 2.0)  # its Y along X

@@ -2,15 +2,18 @@
 
 import bpy
 import numpy as np
+from mathutils import Matrix, Vector
+
 import support
 from ik.ik_cases import ARM, REACHABLE, IkTestCase, add_bone, add_chain, tentacle, turn
-from mathutils import Matrix, Vector
+
 
 class Targets(IkTestCase):
     def test_bones_of_the_rig_itself_and_of_another(self):
         def build(bones):
             add_chain(bones, "Bone", ARM)
             add_bone(bones, "Control", REACHABLE, (0.6, 0.3, 1.6))
+
         rig = self.rig(build)
         entry = self.reach(target="Rig", target_bone="Control")
         rig.pose.bones["Control"].location = (0.1, -0.2, 0.05)
@@ -94,8 +97,7 @@ bpy.context.view_layer.update()
 print("BACK", *rig.evaluated_get(bpy.context.evaluated_depsgraph_get()).pose.bones["Bone 1"].tail)
 """)
         self.assertEqual(status, 0, output)
-        found = {line.split()[0]: list(map(float, line.split()[1:])) for line in output.splitlines()
-                 if line.startswith(("TAIL", "BACK"))}
+        found = {line.split()[0]: list(map(float, line.split()[1:])) for line in output.splitlines() if line.startswith(("TAIL", "BACK"))}
         self.assertNear(found["TAIL"], before)
         self.assertNear(found["BACK"], REACHABLE)
 
@@ -170,10 +172,12 @@ print("BACK", *rig.evaluated_get(bpy.context.evaluated_depsgraph_get()).pose.bon
 
     def test_dependent_chains(self):
         """An arm on a spine that reaches itself, and an arm that reaches for the other one's hand."""
+
         def build(bones):
             spine = add_chain(bones, "Spine", ((0, 0, 0), (0, 0.05, 0.5), (0, 0, 1.0)))
             for side, sign in (("L", 1.0), ("R", -1.0)):
                 add_chain(bones, f"Arm {side}", ((0, 0, 1.0), (0.4 * sign, 0.1, 1.0), (0.8 * sign, 0, 1.0)), spine)
+
         rig = self.rig(build)
         chest = self.target((0.2, 0.3, 0.8), "Chest")
         hand = self.target((0.5, 0.4, 1.2), "Left")
@@ -192,9 +196,11 @@ print("BACK", *rig.evaluated_get(bpy.context.evaluated_depsgraph_get()).pose.bon
 class Outputs(IkTestCase):
     def two_arms(self):
         """One rig with two chains, the first one's target keyed."""
+
         def build(bones):
             for name, place in (("Left", (0.0, 0.0, 0.0)), ("Right", (0.0, 2.0, 0.0))):
                 add_chain(bones, name, [Vector(place) + Vector(joint) for joint in ARM])
+
         rig = self.rig(build)
         left, right = self.target(REACHABLE, "Left Target"), self.target(Vector(REACHABLE) + Vector((0.0, 2.0, 0.0)), "Right Target")
         for frame, height in ((1, 1.4), (20, 1.0)):
@@ -207,6 +213,7 @@ class Outputs(IkTestCase):
 
     def test_a_target_that_comes_to_hang_on_another_chain(self):
         """Afterwards, by a parent or a constraint: the second chain is solved after the first one from then on."""
+
         def parent(rig, right):
             right.parent, right.parent_type, right.parent_bone = rig, 'BONE', "Left 1"
             right.matrix_world = Matrix.Translation((0.4, 1.5, 1.2))
@@ -290,7 +297,7 @@ class Outputs(IkTestCase):
 
         self.assertEqual(residuals(), [])
         entry.target_blend = 1.0
-        line, = residuals()
+        (line,) = residuals()
         self.assertNear(line, (self.tail(rig), (0.0, 0.0, 4.0)))
         entry.target_blend = 0.5
         self.assertEqual(residuals(), [])

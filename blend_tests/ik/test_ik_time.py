@@ -2,11 +2,13 @@
 
 import bpy
 import numpy as np
-import support
-from ik.ik_cases import ARM, REACHABLE, IkTestCase, add_bone, add_chain, tentacle, turn
 from mathutils import Vector
 
+import support
+from ik.ik_cases import ARM, REACHABLE, IkTestCase, add_bone, add_chain, tentacle, turn
+
 FRAMES = (30, 4, 17.5, 42, 1, 29)
+
 
 class Time(IkTestCase):
     def animated(self):
@@ -36,8 +38,10 @@ class Time(IkTestCase):
 
     def test_posed_by_hand(self):
         """A bone without a parent that is turned in Pose Mode: the solver sees it at once."""
+
         def build(bones):
             add_chain(bones, "Bone", ARM)
+
         rig = self.rig(build)
         self.reach(position_weight=0.5)
         for angle in (0.2, 0.9):
@@ -174,7 +178,7 @@ class Keyed(IkTestCase):
         for frame in (1, 11):
             entry.keyframe_insert("chain_length", frame=frame)
         self.evaluated(rig, 1)
-        curve, = support.addon("core.blender.actions").fcurves(rig)
+        (curve,) = support.addon("core.blender.actions").fcurves(rig)
         curve.keyframe_points[1].co.y = 4.0  # as in the graph editor, where nobody is told
         problem = lambda: self.wiring.problem(self.system, rig, bpy.context.evaluated_depsgraph_get())  # noqa: E731
         self.evaluated(rig, 11)
@@ -212,6 +216,7 @@ class Copies(IkTestCase):
         def build(bones):
             add_chain(bones, "Bone", ARM)
             add_bone(bones, "Control", REACHABLE, (0.6, 0.3, 1.6))
+
         rig = self.rig(build)
         self.reach(target="Rig", target_bone="Control")
         copy = rig.copy()

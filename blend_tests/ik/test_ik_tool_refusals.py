@@ -3,6 +3,7 @@
 import math
 
 import bpy
+
 from ik.ik_cases import IkTestCase, counts, state
 from ik.matching.ik_match_cases import MatchTestCase
 
@@ -18,8 +19,12 @@ class Unposed(MatchTestCase):
         self.rigged = self.animated_arm()
         self.reach()
         self.tools = {
-            "ik_match_fk": FRAMES, "fk_match_ik": {"switch": True, **FRAMES}, "ik_check": FRAMES,
-            "ik_drag": {"bone": "Bone 1", "location": (0.8, 0.2, 1.3)}, "bake": FRAMES}
+            "ik_match_fk": FRAMES,
+            "fk_match_ik": {"switch": True, **FRAMES},
+            "ik_check": FRAMES,
+            "ik_drag": {"bone": "Bone 1", "location": (0.8, 0.2, 1.3)},
+            "bake": FRAMES,
+        }
 
     def assertAllRefuse(self, sentence):
         before = state(self.rigged), counts()
@@ -92,9 +97,21 @@ class Keywords(IkTestCase):
     def test_no_such_object(self):
         self.arm()
         motus = bpy.ops.motus
-        for operator in (motus.ik_add, motus.ik_remove, motus.refresh, motus.ik_target_add, motus.ik_target_remove,
-                         motus.ik_match_fk, motus.fk_match_ik, motus.ik_check, motus.ik_drag, motus.ik_switch_target,
-                         motus.look_at_add, motus.look_at_remove, motus.look_at_eye_add,
-                         motus.look_at_eye_remove):
+        for operator in (
+            motus.ik_add,
+            motus.ik_remove,
+            motus.refresh,
+            motus.ik_target_add,
+            motus.ik_target_remove,
+            motus.ik_match_fk,
+            motus.fk_match_ik,
+            motus.ik_check,
+            motus.ik_drag,
+            motus.ik_switch_target,
+            motus.look_at_add,
+            motus.look_at_remove,
+            motus.look_at_eye_add,
+            motus.look_at_eye_remove,
+        ):
             with self.subTest(operator):
                 self.assertRefused("There is no object Nope", operator, object="Nope")

@@ -2,9 +2,10 @@
 
 import bpy
 import numpy as np
+from mathutils import Euler, Vector
+
 import support
 from ik.ik_cases import REACHABLE, IkTestCase, tentacle, turn
-from mathutils import Euler, Vector
 
 
 class Position(IkTestCase):
@@ -147,8 +148,7 @@ class Rotation(IkTestCase):
         other.matrix_world = self.wrist.matrix_world @ other.matrix_world
         other.location = (-0.4, 0.2, 0.6)
         turn(other.pose.bones["Shoulder"], (1.0, 1.0, 0.2), 0.6)
-        self.reach("Hand", target="Other", target_bone="Bone 0", use_tail=False, keep_rotation=False,
-                   rotation_weight=1.0)
+        self.reach("Hand", target="Other", target_bone="Bone 0", use_tail=False, keep_rotation=False, rotation_weight=1.0)
         self.assertTurned(self.pose(rig, "Hand"), self.pose(other, "Bone 0").to_quaternion())
 
     def test_scaled_rig_and_target(self):
@@ -214,4 +214,5 @@ def _angle(first, second):
 
 def _curves(rig):
     import support
+
     return support.addon("core.blender.actions").fcurves(rig)

@@ -35,8 +35,9 @@ def grid(name="Sheet", count=20, size=2.0):
     """A flat square mesh, count x count vertices, in the plane z = 0."""
     steps = np.linspace(-0.5 * size, 0.5 * size, count)
     vertices = [(x, y, 0.0) for y in steps for x in steps]
-    faces = [(i + j * count, i + 1 + j * count, i + 1 + (j + 1) * count, i + (j + 1) * count)
-             for j in range(count - 1) for i in range(count - 1)]
+    faces = [
+        (i + j * count, i + 1 + j * count, i + 1 + (j + 1) * count, i + (j + 1) * count) for j in range(count - 1) for i in range(count - 1)
+    ]
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(vertices, [], faces)
     return link(name, mesh)

@@ -5,8 +5,8 @@ import itertools
 import bpy
 import numpy as np
 
-from lattice import lattice_cases as cases
 import support
+from lattice import lattice_cases as cases
 
 TOLERANCE = 1e-5
 BASES = ('LINEAR', 'CARDINAL', 'CATMULL_ROM', 'BSPLINE')
@@ -33,8 +33,7 @@ class DeformTest(support.SceneTestCase):
         if group:
             weights = np.array([pulling._weight(vertex, group.index) for vertex in self.mesh.data.vertices])
             influence *= 1.0 - weights if self.modifier.invert_vertex_group else weights
-        return native.deform(
-            positions, (now - rest) @ matrix[:3, :3].T, influence, pulling._point_weights(self.lattice))
+        return native.deform(positions, (now - rest) @ matrix[:3, :3].T, influence, pulling._point_weights(self.lattice))
 
     def assert_same(self):
         bpy.context.view_layer.update()

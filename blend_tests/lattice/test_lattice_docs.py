@@ -16,17 +16,17 @@ class LatticePageTest(support.SceneTestCase):
         return re.findall(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
 
     def test_the_scripted_example(self):
-        scripted, = [code for code in self.examples() if "bpy.ops.motus" in code]
+        (scripted,) = [code for code in self.examples() if "bpy.ops.motus" in code]
         seen = []
         exec(compile(scripted, "lattice.md", "exec"), {"print": lambda *values: seen.append(values)})
-        (top, side), = seen
+        ((top, side),) = seen
         self.assertAlmostEqual(top, 1.5, delta=0.1)
         self.assertAlmostEqual(side, 1.4, delta=0.05)
-        ball, = bpy.data.objects
+        (ball,) = bpy.data.objects
         self.assertFalse(ball.modifiers)
 
     def test_the_native_example(self):
-        native_example, = [code for code in self.examples() if "import motus_native" in code]
+        (native_example,) = [code for code in self.examples() if "import motus_native" in code]
         sys.modules["motus_native"] = support.addon("core.native").module
         self.addCleanup(sys.modules.pop, "motus_native")
         scope = {}

@@ -7,15 +7,15 @@ import bpy
 import numpy as np
 from mathutils import Matrix, Vector
 
-from lattice import lattice_cases as cases
 import support
+from lattice import lattice_cases as cases
 
 
 def fit(**keywords):
     """The new lattice."""
     before = set(bpy.data.objects)
     assert bpy.ops.motus.lattice_fit(**keywords) == {'FINISHED'}
-    lattice, = set(bpy.data.objects) - before
+    (lattice,) = set(bpy.data.objects) - before
     bpy.context.view_layer.update()
     return lattice
 
@@ -28,9 +28,13 @@ def corners(lattice):
 def state(obj):
     """What must be as before when the lattice is gone."""
     return (
-        [modifier.name for modifier in obj.modifiers], [group.name for group in getattr(obj, "vertex_groups", ())],
-        getattr(obj.vertex_groups, "active_index", None), cases.evaluated(obj).tobytes(), obj.parent,
-        tuple(value for row in obj.matrix_world for value in row))
+        [modifier.name for modifier in obj.modifiers],
+        [group.name for group in getattr(obj, "vertex_groups", ())],
+        getattr(obj.vertex_groups, "active_index", None),
+        cases.evaluated(obj).tobytes(),
+        obj.parent,
+        tuple(value for row in obj.matrix_world for value in row),
+    )
 
 
 class FitTest(support.SceneTestCase):
@@ -40,8 +44,7 @@ class FitTest(support.SceneTestCase):
         mode = bpy.context.mode
         with self.assertRaisesRegex(RuntimeError, sentence):
             bpy.ops.motus.lattice_fit(**keywords)
-        self.assertEqual(
-            (len(bpy.data.objects), len(bpy.data.lattices), [len(obj.modifiers) for obj in bpy.data.objects]), before)
+        self.assertEqual((len(bpy.data.objects), len(bpy.data.lattices), [len(obj.modifiers) for obj in bpy.data.objects]), before)
         self.assertEqual(bpy.context.mode, mode)
 
     def test_it_goes_around_and_changes_nothing(self):
@@ -168,8 +171,7 @@ class FitTest(support.SceneTestCase):
         before = cases.evaluated(ball)
         ball.matrix_world = Matrix.Translation((5, 0, 0)) @ Matrix.Rotation(1.0, 4, 'Y')
         bpy.context.view_layer.update()
-        np.testing.assert_allclose(
-            cases.evaluated(ball), cases.shapes().in_world(before, ball.matrix_world), atol=1e-5)
+        np.testing.assert_allclose(cases.evaluated(ball), cases.shapes().in_world(before, ball.matrix_world), atol=1e-5)
         bpy.ops.motus.lattice_remove(objects=ball.name)
         self.assertIsNone(fit(objects=ball.name, use_parent=False).parent)
 
@@ -193,8 +195,7 @@ class FitTest(support.SceneTestCase):
         self.assertEqual((modifier.object, sheet.modifiers[1]), (lattice, subdivision))
         group = sheet.vertex_groups[modifier.vertex_group]
         self.assertEqual(sheet.vertex_groups.active.name, "Mine")
-        weighted = [
-            vertex.index for vertex in sheet.data.vertices if any(one.group == group.index for one in vertex.groups)]
+        weighted = [vertex.index for vertex in sheet.data.vertices if any(one.group == group.index for one in vertex.groups)]
         self.assertEqual(weighted, chosen)
         box = corners(lattice)
         self.assertGreater(box[:, :2].min(), 0.0)
@@ -379,8 +380,7 @@ class RemoveTest(support.SceneTestCase):
         keyed.shape_key_add(name="Basis")
         words = cases.text("Words")
         hidden = cases.ball("Hidden")
-        for obj, sentence in ((twin, "shares its shape"), (keyed, "has shape keys"), (words, "is a text"),
-                              (hidden, "is switched off")):
+        for obj, sentence in ((twin, "shares its shape"), (keyed, "has shape keys"), (words, "is a text"), (hidden, "is switched off")):
             fit(objects=obj.name)
             obj.modifiers[0].show_viewport = obj is not hidden
             with self.subTest(object=obj.name), self.assertRaisesRegex(RuntimeError, sentence):

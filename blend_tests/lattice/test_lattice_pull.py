@@ -6,8 +6,8 @@ import time
 import bpy
 import numpy as np
 
-from lattice import lattice_cases as cases
 import support
+from lattice import lattice_cases as cases
 
 
 class PullTest(support.SceneTestCase):
@@ -59,7 +59,7 @@ class PullTest(support.SceneTestCase):
             moved = self.pull(mirror=axes)
             np.testing.assert_allclose(moved[20], (0.1, -0.2, 0.4), atol=1e-5)
             matrix = self.lattice.matrix_world.to_3x3()
-            change = (cases.points_of(self.lattice) - cases.shapes().lattice_points(self.lattice.data, "co"))
+            change = cases.points_of(self.lattice) - cases.shapes().lattice_points(self.lattice.data, "co")
             world = (change @ np.array(matrix).T).reshape(4, 4, 4, 3)  # w, v, u
             np.testing.assert_allclose(world[:, :, ::-1] * (-1, 1, 1), world, atol=1e-5)
             if 'Z' in axes:

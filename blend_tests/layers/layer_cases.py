@@ -3,14 +3,25 @@
 import math
 
 import bpy
-import support
-from look_at.look_at_cases import BONES, LookAtTestCase, build_rig
 from mathutils import Quaternion, Vector
 
-WALKING = {"Hips": (0.2, 0.0, 0.3), "Chest": (0.1, 0.4, 0.0), "UpperArm.L": (0.5, 0.0, 0.1), "LowerArm.L": (0.3, 0.2, 0.0),
-           "Thigh.L": (0.7, 0.0, 0.0)}
-THROWING = {"Hips": (0.0, 0.0, 0.0), "Chest": (0.0, -0.6, 0.2), "UpperArm.L": (-1.4, 0.3, 0.6), "LowerArm.L": (-0.8, 0.0, 0.4),
-            "Thigh.L": (-0.3, 0.0, 0.5)}
+import support
+from look_at.look_at_cases import BONES, LookAtTestCase, build_rig
+
+WALKING = {
+    "Hips": (0.2, 0.0, 0.3),
+    "Chest": (0.1, 0.4, 0.0),
+    "UpperArm.L": (0.5, 0.0, 0.1),
+    "LowerArm.L": (0.3, 0.2, 0.0),
+    "Thigh.L": (0.7, 0.0, 0.0),
+}
+THROWING = {
+    "Hips": (0.0, 0.0, 0.0),
+    "Chest": (0.0, -0.6, 0.2),
+    "UpperArm.L": (-1.4, 0.3, 0.6),
+    "LowerArm.L": (-0.8, 0.0, 0.4),
+    "Thigh.L": (-0.3, 0.0, 0.5),
+}
 FIRST, LAST = 1, 21
 
 
@@ -45,7 +56,10 @@ def turning(name, turns, first=FIRST, last=LAST):
         end = quaternion(angles)
         for index in range(4):
             keys[f'pose.bones["{bone}"].rotation_quaternion', index] = [
-                (first, Quaternion()[index]), ((first + last) / 2, Quaternion().slerp(end, 0.7)[index]), (last, end[index])]
+                (first, Quaternion()[index]),
+                ((first + last) / 2, Quaternion().slerp(end, 0.7)[index]),
+                (last, end[index]),
+            ]
     return new_action(name, keys)
 
 

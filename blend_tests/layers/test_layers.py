@@ -4,10 +4,11 @@ import math
 import random
 
 import bpy
+from mathutils import Matrix, Quaternion, Vector
+
 import support
 from layers.layer_cases import FIRST, LayerTestCase, new_action, turning
 from look_at.look_at_cases import BONES
-from mathutils import Matrix, Quaternion, Vector
 
 FRAMES = (1, 21, 7, 13.5, 3.25, 30, 0)
 ARM = ("UpperArm.L", "LowerArm.L")
@@ -121,8 +122,10 @@ class Modes(LayerTestCase):
             wanted = walk["UpperArm.L"].to_quaternion() @ part
             self.assertSameTurn(self.own("UpperArm.L"), wanted.to_matrix())
         entry.reference, entry.reference_frame, entry.weight = 'FRAME', 16.0, 1.0
-        walk, throw, beyond = (self.played(action, frame)["UpperArm.L"].to_quaternion() for action, frame in (
-            (self.walk, 20), (self.throw, 20), (self.throw, 16)))
+        walk, throw, beyond = (
+            self.played(action, frame)["UpperArm.L"].to_quaternion()
+            for action, frame in ((self.walk, 20), (self.throw, 20), (self.throw, 16))
+        )
         self.go(20)
         self.assertSameTurn(self.own("UpperArm.L"), (walk @ beyond.inverted() @ throw).to_matrix())
 
@@ -218,7 +221,9 @@ class Time(LayerTestCase):
         self.assertTurns(lambda frame: -0.25 * way * (frame - 1), weight=0.25, after='REPEAT', speed=-1.0)
         self.assertTurns(lambda frame: 0.5 * way * min(frame - 1, 48), weight=0.5, in_armature=True)
         # Compared with its last pose it has nothing to add there.
-        self.assertTurns(lambda frame: 0.25 * way * min(frame - 49, 0), mode='ADDITIVE', weight=0.25, reference='FRAME', reference_frame=49.0)
+        self.assertTurns(
+            lambda frame: 0.25 * way * min(frame - 49, 0), mode='ADDITIVE', weight=0.25, reference='FRAME', reference_frame=49.0
+        )
 
     def test_turns_that_blender_eases(self):
         curves = self.actions.curves_for_object
@@ -260,7 +265,7 @@ class Curves(LayerTestCase):
         generator = random.Random(2)
         for kind in kinds:
             action = new_action(kind, {(path, 0): [(3 * i + 1, generator.uniform(-1.0, 1.0)) for i in range(6)]})
-            curve, = self.actions.curves_for_object(action)
+            (curve,) = self.actions.curves_for_object(action)
             for point in curve.keyframe_points:
                 point.interpolation = kind
                 if kind == 'BEZIER':
@@ -277,7 +282,7 @@ class Curves(LayerTestCase):
 
     def test_modifiers(self):
         action = new_action("Noisy", {('pose.bones["Hips"].location', 2): [(1, 0.0), (21, 1.0)]})
-        curve, = self.actions.curves_for_object(action)
+        (curve,) = self.actions.curves_for_object(action)
         curve.modifiers.new('NOISE').strength = 0.5
         curve.update()
         self.add(action="Noisy", bones="Hips")
@@ -291,8 +296,10 @@ class Curves(LayerTestCase):
         for mode in ('XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX', 'AXIS_ANGLE'):
             bone.rotation_mode = mode
             name, size = ("rotation_axis_angle", 4) if mode == 'AXIS_ANGLE' else ("rotation_euler", 3)
-            keys = {(f'pose.bones["UpperArm.L"].{name}', index): [
-                (frame, generator.uniform(-2.0, 2.0)) for frame in (1, 11, 21)] for index in range(size)}
+            keys = {
+                (f'pose.bones["UpperArm.L"].{name}', index): [(frame, generator.uniform(-2.0, 2.0)) for frame in (1, 11, 21)]
+                for index in range(size)
+            }
             action = new_action(mode, keys)
             self.add(action=mode, bones="UpperArm.L", layer="One")
             for frame in (6, 21):

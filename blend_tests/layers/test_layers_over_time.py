@@ -1,6 +1,7 @@
 """Where bones under layers are at any times, as other systems ask for it."""
 
 import bpy
+
 import support
 from layers.layer_cases import LayerTestCase
 

@@ -1,6 +1,7 @@
 """Adding, changing and removing layers: no trace, copies, names, files, flattening, baking, and what is refused."""
 
 import bpy
+
 import support
 from layers.layer_cases import LayerTestCase, turning
 from look_at.test_look_at_setup import state
@@ -11,9 +12,21 @@ ARM = ("UpperArm.L", "LowerArm.L")
 class Add(LayerTestCase):
     def test_keywords_become_settings(self):
         given = {
-            "weight": 0.75, "start": 12.5, "speed": 0.5, "after": 'REPEAT', "mode": 'ADDITIVE', "reference": 'FRAME',
-            "reference_frame": 4.0, "blend_in": 3.0, "blend_out": 5.0, "feather": 2, "in_armature": True, "use_range": True,
-            "first_frame": 2.0, "last_frame": 9.0}
+            "weight": 0.75,
+            "start": 12.5,
+            "speed": 0.5,
+            "after": 'REPEAT',
+            "mode": 'ADDITIVE',
+            "reference": 'FRAME',
+            "reference_frame": 4.0,
+            "blend_in": 3.0,
+            "blend_out": 5.0,
+            "feather": 2,
+            "in_armature": True,
+            "use_range": True,
+            "first_frame": 2.0,
+            "last_frame": 9.0,
+        }
         entry = self.add(bones="Chest", **given)
         self.assertEqual({name: getattr(entry, name) for name in given}, given)
         self.assertEqual((entry.name, entry.action), ("Throw", self.throw))
@@ -30,8 +43,11 @@ class Add(LayerTestCase):
             self.skipTest("actions have no slots")
         action = bpy.data.actions.new("Shot")
         strip = action.layers.new("Layer").strips.new(type='KEYFRAME')
-        for name, path, value in (("Prop", "location", 9.0), ("Double", 'pose.bones["Hips"].location', 2.0),
-                                  ("Rig", 'pose.bones["Hips"].location', 3.0)):
+        for name, path, value in (
+            ("Prop", "location", 9.0),
+            ("Double", 'pose.bones["Hips"].location', 2.0),
+            ("Rig", 'pose.bones["Hips"].location', 3.0),
+        ):
             slot = action.slots.new('OBJECT', name)
             strip.channelbag(slot, ensure=True).fcurves.new(path, index=2).keyframe_points.insert(1, value)
         for slot, value in (("", 3.0), ("OBDouble", 2.0)):
@@ -51,7 +67,7 @@ class Add(LayerTestCase):
             holder = bone if hasattr(bone, "select") else bone.bone
             holder.select = bone.name in {"UpperArm.L", "LowerArm.L", "Thigh.L"}
         self.assertEqual(bpy.ops.motus.layer_add(action="Throw"), {'FINISHED'})
-        entry, = self.rig.motus.layers.entries
+        (entry,) = self.rig.motus.layers.entries
         self.assertEqual(sorted(item.name for item in entry.mask), ["Thigh.L", "UpperArm.L"])
         self.assertEqual(entry.start, self.scene.frame_current)
         bpy.ops.object.mode_set(mode='OBJECT')
@@ -59,7 +75,7 @@ class Add(LayerTestCase):
     def test_again_by_name_changes_only_what_is_given(self):
         self.add(bones="Chest", weight=0.5, layer="Top")
         bpy.ops.motus.layer_add(object="Rig", layer="Top", feather=3)
-        entry, = self.rig.motus.layers.entries
+        (entry,) = self.rig.motus.layers.entries
         self.assertEqual((entry.weight, entry.feather, entry.mask[0].name), (0.5, 3, "Chest"))
 
     def test_names_are_free_ones(self):
@@ -121,7 +137,7 @@ class Edits(LayerTestCase):
         entry = self.add(bones="UpperArm.L")
         self.rig.data.bones["UpperArm.L"].name = "Humerus"
         bpy.context.view_layer.update()
-        entry, = self.rig.motus.layers.entries
+        (entry,) = self.rig.motus.layers.entries
         self.assertEqual(entry.mask[0].name, "Humerus")
         self.assertIsNone(self.sentence())
 

@@ -3,8 +3,9 @@
 import math
 
 import bpy
-import support
 from mathutils import Vector
+
+import support
 
 # Name: parent, head, tail. Metres. The spine is straight up, so that turns to the side simply add up.
 BONES = {
@@ -71,8 +72,7 @@ class LookAtTestCase(support.SceneTestCase):
         """Put the target in a direction from the head at rest, in degrees, in the rig's own space."""
         rig = rig or self.rig
         bpy.context.view_layer.update()
-        self.target.location = rig.matrix_world @ (
-            rig.data.bones["Head"].head_local + distance * direction(yaw, pitch))
+        self.target.location = rig.matrix_world @ (rig.data.bones["Head"].head_local + distance * direction(yaw, pitch))
 
     def look(self, rig="Rig", **keywords):
         """Let the head look; returns its entry."""
@@ -120,8 +120,7 @@ class LookAtTestCase(support.SceneTestCase):
 
     def told(self, name, head="Head", rig=None, group=""):
         """An output of a head."""
-        return self.wiring.output(
-            self.system, rig or self.rig, f"{head}.{name}", bpy.context.evaluated_depsgraph_get(), group=group)
+        return self.wiring.output(self.system, rig or self.rig, f"{head}.{name}", bpy.context.evaluated_depsgraph_get(), group=group)
 
     def sentence(self, rig=None):
         problem = self.wiring.problem(self.system, rig or self.rig, bpy.context.evaluated_depsgraph_get())

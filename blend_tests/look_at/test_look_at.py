@@ -4,9 +4,10 @@ import math
 import random
 
 import bpy
+from mathutils import Euler, Matrix, Quaternion
+
 import support
 from look_at.look_at_cases import BODY, EYES, LookAtTestCase, build_rig
-from mathutils import Euler, Matrix, Quaternion
 
 HIT = 2e-3  # degrees: what single precision leaves of a matrix' direction
 FRAMES = [1, 61, 33, 40.5, 12, 50.25, 21, 3]
@@ -50,8 +51,11 @@ class Gaze(LookAtTestCase):
         self.assertLess(self.off("Head"), 5 * HIT)
 
     def test_a_leaning_head_stays_as_it_is_before_a_target_in_front(self):
-        bones = {"Chest": ("", (0, 0, 1.0), (0, 0, 1.5)), "Neck": ("Chest", (0, 0, 1.5), (0, -0.05, 1.6)),
-                 "Head": ("Neck", (0, -0.05, 1.6), (0, -0.15, 1.8))}
+        bones = {
+            "Chest": ("", (0, 0, 1.0), (0, 0, 1.5)),
+            "Neck": ("Chest", (0, 0, 1.5), (0, -0.05, 1.6)),
+            "Head": ("Neck", (0, -0.05, 1.6), (0, -0.15, 1.8)),
+        }
         rig = build_rig(bones, "Leaning")
         before = self.poses(rig)
         bpy.ops.motus.look_at_add(object="Leaning")
@@ -167,8 +171,11 @@ class Shares(LookAtTestCase):
     def test_bones_that_do_not_turn_stay(self):
         before = self.poses()
         self.look(eyes_weight=1.0)
-        self.assertSamePoses({name: self.poses()[name] for name in ("Hips", "Thigh.L", "Shin.L")},
-                             {name: before[name] for name in ("Hips", "Thigh.L", "Shin.L")}, 0.0)
+        self.assertSamePoses(
+            {name: self.poses()[name] for name in ("Hips", "Thigh.L", "Shin.L")},
+            {name: before[name] for name in ("Hips", "Thigh.L", "Shin.L")},
+            0.0,
+        )
 
 
 class Limits(LookAtTestCase):
@@ -376,7 +383,12 @@ class Copies(LookAtTestCase):
         copy.rotation_euler.z = 0.3
         for _ in range(3):
             bpy.context.view_layer.update()
-        turned = math.degrees(Quaternion((1, 0, 0, 0)).rotation_difference(
-            self.evaluated(copy).pose.bones["Head"].matrix.to_quaternion()
-            @ copy.data.bones["Head"].matrix_local.to_quaternion().inverted()).angle)
+        turned = math.degrees(
+            Quaternion((1, 0, 0, 0))
+            .rotation_difference(
+                self.evaluated(copy).pose.bones["Head"].matrix.to_quaternion()
+                @ copy.data.bones["Head"].matrix_local.to_quaternion().inverted()
+            )
+            .angle
+        )
         self.assertAlmostEqual(turned, 20.0 - 0.5 * math.degrees(0.3), delta=0.05)

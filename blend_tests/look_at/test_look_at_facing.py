@@ -5,21 +5,29 @@ import json
 import math
 
 import bpy
+from mathutils import Matrix, Vector
+
 import rig_samples
 import support
 from look_at.look_at_cases import LookAtTestCase, build_rig, direction
-from mathutils import Matrix, Vector
 
-AXES = {f"{sign}_{letter}": Vector([(1.0 if sign == "POS" else -1.0) * (letter == axis) for axis in "XYZ"])
-        for sign in ("POS", "NEG") for letter in "XYZ"}
+AXES = {
+    f"{sign}_{letter}": Vector([(1.0 if sign == "POS" else -1.0) * (letter == axis) for axis in "XYZ"])
+    for sign in ("POS", "NEG")
+    for letter in "XYZ"
+}
 HIT = 5e-3  # degrees
 SPINE = {
-    "Hips": ("", (0, 0, 1.0), (0, 0, 1.1)), "Chest": ("Hips", (0, 0, 1.1), (0, 0, 1.5)),
-    "Neck": ("Chest", (0, 0, 1.5), (0, 0, 1.6)), "Head": ("Neck", (0, 0, 1.6), (0, 0, 1.8))}
+    "Hips": ("", (0, 0, 1.0), (0, 0, 1.1)),
+    "Chest": ("Hips", (0, 0, 1.1), (0, 0, 1.5)),
+    "Neck": ("Chest", (0, 0, 1.5), (0, 0, 1.6)),
+    "Head": ("Neck", (0, 0, 1.6), (0, 0, 1.8)),
+}
 LEGS = {
     f"{side}{name}": ((parent and side + parent) or "Hips", (x, *head), (x, *tail))
-    for side, x in (("Left", 0.1), ("Right", -0.1)) for name, parent, head, tail in (
-        ("UpLeg", "", (0.0, 1.0), (0.0, 0.5)), ("Leg", "UpLeg", (0.0, 0.5), (0.02, 0.08)))}
+    for side, x in (("Left", 0.1), ("Right", -0.1))
+    for name, parent, head, tail in (("UpLeg", "", (0.0, 1.0), (0.0, 0.5)), ("Leg", "UpLeg", (0.0, 0.5), (0.02, 0.08)))
+}
 FEET = {f"{side}Foot": (f"{side}Leg", (x, 0.02, 0.08), (x, -0.1, 0.02)) for side, x in (("Left", 0.1), ("Right", -0.1))}
 EYES = {f"{side}Eye": ("Head", (x, -0.08, 1.7), (x, -0.12, 1.7)) for side, x in (("Left", 0.03), ("Right", -0.03))}
 NOSE = {"Nose": ("Head", (0, -0.06, 1.66), (0, -0.13, 1.66))}
@@ -48,8 +56,7 @@ class Facing(LookAtTestCase):
         """The head, as it looks along this axis of the rig at rest, meets the target."""
         pose = self.pose(entry.name, rig)
         gaze = pose.to_3x3() @ rig.data.bones[entry.name].matrix_local.to_3x3().inverted() @ AXES[forward]
-        self.assertAlmostEqual(
-            math.degrees(gaze.angle(entry.target.matrix_world.translation - pose.translation)), off, delta=HIT)
+        self.assertAlmostEqual(math.degrees(gaze.angle(entry.target.matrix_world.translation - pose.translation)), off, delta=HIT)
 
     def test_every_turn_of_a_skeleton_that_stands_upright(self):
         """The object turns the skeleton back, as an importer does, so that in the world nothing differs from the figure with Z up."""
@@ -133,7 +140,7 @@ class Turning(LookAtTestCase):
         super().setUp()
         self.plain = build_rig(SPINE)
         bpy.ops.motus.look_at_add(object=self.plain.name)
-        self.entry, = self.plain.motus.look_at.entries
+        (self.entry,) = self.plain.motus.look_at.entries
         bpy.context.view_layer.update()
         self.before = self.poses(self.plain)
 
@@ -187,8 +194,10 @@ class Eyes(LookAtTestCase):
             self.assertLess(math.degrees(gaze.angle(self.target.location - pose.translation)), HIT, name)
 
     MIRRORED = {
-        "outwards": (((1, 0, 0), (0, 0, 1)), ((-1, 0, 0), (0, 0, 1))), "rolled": (((0, 0, 1), (0, -1, 0)), ((0, 0, 1), (0, 1, 0))),
-        "one ahead, one backwards": (((0, -1, 0), (0, 0, 1)), ((0, 1, 0), (0, 0, 1)))}
+        "outwards": (((1, 0, 0), (0, 0, 1)), ((-1, 0, 0), (0, 0, 1))),
+        "rolled": (((0, 0, 1), (0, -1, 0)), ((0, 0, 1), (0, 1, 0))),
+        "one ahead, one backwards": (((0, -1, 0), (0, 0, 1)), ((0, 1, 0), (0, 0, 1))),
+    }
 
     def test_eyes_that_mirror_each_other(self):
         self.target.location = (0.3, -1.0, 1.75)
@@ -215,9 +224,13 @@ class Makers(LookAtTestCase):
     HEADS = {
         "Mixamo": ("mixamorig:Head", ["mixamorig:HeadTop_End", "mixamorig:LeftEye", "mixamorig:RightEye"]),
         "glTF": ("mixamorig:Head", ["mixamorig:HeadTop_End", "mixamorig:HeadTop_End_end"]),
-        "3ds Max": ("Bip01 Head", ["Bip01 HeadNub"]), "leaf bones": ("Head", ["Head_end"]),
-        "VRM": ("J_Bip_C_Head", ["J_Adj_L_FaceEye", "J_Adj_R_FaceEye"]), "AdvancedSkeleton": ("Head_M", ["HeadEnd_M", "Eye_L", "Eye_R"]),
-        "Daz": ("head", ["lEye", "rEye"]), "Unreal": ("head", [])}
+        "3ds Max": ("Bip01 Head", ["Bip01 HeadNub"]),
+        "leaf bones": ("Head", ["Head_end"]),
+        "VRM": ("J_Bip_C_Head", ["J_Adj_L_FaceEye", "J_Adj_R_FaceEye"]),
+        "AdvancedSkeleton": ("Head_M", ["HeadEnd_M", "Eye_L", "Eye_R"]),
+        "Daz": ("head", ["lEye", "rEye"]),
+        "Unreal": ("head", []),
+    }
 
     def test_heads_and_eyes_by_their_names(self):
         for maker, (head, below) in self.HEADS.items():
@@ -229,7 +242,7 @@ class Makers(LookAtTestCase):
                     bones[name] = (parent, (side, -0.05, 1.6), (side, -0.09, 1.62))
                 rig = build_rig(bones)
                 bpy.ops.motus.look_at_add(object=rig.name, target="Target")
-                entry, = rig.motus.look_at.entries
+                (entry,) = rig.motus.look_at.entries
                 self.assertEqual(entry.name, head)
                 self.assertEqual({eye.name for eye in entry.eyes}, {name for name in below if "Eye" in name})
                 bpy.data.objects.remove(rig)
@@ -239,7 +252,7 @@ class Makers(LookAtTestCase):
         self.addCleanup(rig_samples.disable_rigify)
         rig = rig_samples.generated_human()
         bpy.ops.motus.look_at_add(object=rig.name)
-        entry, = rig.motus.look_at.entries
+        (entry,) = rig.motus.look_at.entries
         self.assertEqual((entry.name, entry.forward, entry.up), ("head", 'NEG_Y', 'POS_Z'))
         head = rig.data.bones["head"]
         entry.body_weight = entry.clamp = 0.0

@@ -1,7 +1,6 @@
 """Heads that look at something are known at any times, for systems that need their past."""
 
 import solved_cases
-
 from look_at.look_at_cases import LookAtTestCase
 
 

@@ -4,10 +4,11 @@ import math
 import sys
 
 import bpy
+from mathutils import Euler
+
 import rig_samples
 import support
 from look_at.look_at_cases import BODY, EYES, FAR, LookAtTestCase, build_rig, direction
-from mathutils import Euler
 
 
 def state(rig):
@@ -15,11 +16,13 @@ def state(rig):
     animation = rig.animation_data
     action = animation and animation.action
     return {
-        "matrix": rig.matrix_world.copy(), "properties": sorted(rig.keys()),
+        "matrix": rig.matrix_world.copy(),
+        "properties": sorted(rig.keys()),
         "constraints": [(bone.name, c.type, c.name) for bone in rig.pose.bones for c in bone.constraints],
         "own": [tuple(bone.matrix_basis.col[i]) for bone in rig.pose.bones for i in range(4)],
         "drivers": [curve.data_path for curve in animation.drivers] if animation else None,
-        "action": action.name if action else None, "settings": rig.is_property_set("motus"),
+        "action": action.name if action else None,
+        "settings": rig.is_property_set("motus"),
         "data": (len(bpy.data.meshes), len(bpy.data.objects)),
     }
 
@@ -27,9 +30,18 @@ def state(rig):
 class Add(LookAtTestCase):
     def test_keywords_become_settings(self):
         given = {
-            "weight": 0.75, "body_weight": 0.25, "head_weight": 0.5, "eyes_weight": 0.125, "clamp": 0.0625,
-            "body_limit": 0.5, "head_limit": 1.0, "eyes_limit": 0.25, "head_forward": 'NEG_Z', "eyes_forward": 'POS_Y',
-            "body_length": 2}
+            "weight": 0.75,
+            "body_weight": 0.25,
+            "head_weight": 0.5,
+            "eyes_weight": 0.125,
+            "clamp": 0.0625,
+            "body_limit": 0.5,
+            "head_limit": 1.0,
+            "eyes_limit": 0.25,
+            "head_forward": 'NEG_Z',
+            "eyes_forward": 'POS_Y',
+            "body_length": 2,
+        }
         entry = self.look(eyes="Eye.R", **given)
         self.assertEqual({name: getattr(entry, name) for name in given}, given)
         self.assertEqual([eye.name for eye in entry.eyes], ["Eye.R"])
@@ -42,7 +54,7 @@ class Add(LookAtTestCase):
 
     def test_the_figure_is_found_by_itself(self):
         bpy.ops.motus.look_at_add(object="Rig")
-        entry, = self.rig.motus.look_at.entries
+        (entry,) = self.rig.motus.look_at.entries
         self.assertEqual((entry.name, entry.body_length), ("Head", len(BODY)))
         self.assertEqual([eye.name for eye in entry.eyes], list(EYES), "the lid is no eye")
 
@@ -63,7 +75,7 @@ class Add(LookAtTestCase):
         entry = self.look(body_weight=0.5, eyes="Eye.L", body_length=1)
         constraints = [len(bone.constraints) for bone in self.rig.pose.bones]
         bpy.ops.motus.look_at_add(object="Rig", bone="Head", head_weight=0.25)
-        entry, = self.rig.motus.look_at.entries
+        (entry,) = self.rig.motus.look_at.entries
         self.assertEqual((entry.body_weight, entry.head_weight, entry.body_length), (0.5, 0.25, 1))
         self.assertEqual(([eye.name for eye in entry.eyes], entry.target), (["Eye.L"], self.target))
         self.assertEqual([len(bone.constraints) for bone in self.rig.pose.bones], constraints)
@@ -75,7 +87,7 @@ class Add(LookAtTestCase):
         bpy.ops.object.mode_set(mode='POSE')
         self.rig.data.bones.active = self.rig.data.bones["Neck"]
         self.assertEqual(bpy.ops.motus.look_at_add(), {'FINISHED'})
-        entry, = self.rig.motus.look_at.entries
+        (entry,) = self.rig.motus.look_at.entries
         self.assertEqual((entry.name, entry.target), ("Neck", self.target))
         self.assertEqual(bpy.ops.motus.look_at_remove(), {'FINISHED'})
         self.assertFalse(self.rig.motus.look_at.is_active)
@@ -83,8 +95,12 @@ class Add(LookAtTestCase):
         self.assertFalse(bpy.ops.motus.look_at_add.poll())
 
     def test_several_heads_at_once(self):
-        bones = {"Hips": ("", (0, 0, 1), (0, 0, 1.2)), "Chest": ("Hips", (0, 0, 1.2), (0, 0, 1.5)),
-                 "HeadA": ("Chest", (0.2, 0, 1.5), (0.2, 0, 1.7)), "HeadB": ("Chest", (-0.2, 0, 1.5), (-0.2, 0, 1.7))}
+        bones = {
+            "Hips": ("", (0, 0, 1), (0, 0, 1.2)),
+            "Chest": ("Hips", (0, 0, 1.2), (0, 0, 1.5)),
+            "HeadA": ("Chest", (0.2, 0, 1.5), (0.2, 0, 1.7)),
+            "HeadB": ("Chest", (-0.2, 0, 1.5), (-0.2, 0, 1.7)),
+        }
         rig = build_rig(bones, "Hydra")
         bpy.ops.motus.look_at_add(object="Hydra", bones="HeadA, HeadB")
         heads = rig.motus.look_at.entries
@@ -92,7 +108,9 @@ class Add(LookAtTestCase):
         self.assertNotEqual(heads[0].target, heads[1].target)
         for head in ("HeadA", "HeadB"):
             bpy.ops.motus.look_at_remove(object="Hydra", bone=head)
-        self.assertRefused("driven from HeadA and from HeadB", bpy.ops.motus.look_at_add, object="Hydra", bones="HeadA,HeadB", body_length=1)
+        self.assertRefused(
+            "driven from HeadA and from HeadB", bpy.ops.motus.look_at_add, object="Hydra", bones="HeadA,HeadB", body_length=1
+        )
         self.assertFalse(rig.motus.look_at.entries)
         self.assertRefused("has no bone Nose", bpy.ops.motus.look_at_add, object="Hydra", bones="HeadA,Nose")
 
@@ -114,8 +132,12 @@ class Add(LookAtTestCase):
         self.assertRefused("no eye of Head", bpy.ops.motus.look_at_eye_remove, object="Rig", bone="Head", eye="Eye.R")
 
     def test_two_heads_on_one_body(self):
-        bones = {"Hips": ("", (0, 0, 1), (0, 0, 1.2)), "Chest": ("Hips", (0, 0, 1.2), (0, 0, 1.5)),
-                 "HeadA": ("Chest", (0.2, 0, 1.5), (0.2, 0, 1.7)), "HeadB": ("Chest", (-0.2, 0, 1.5), (-0.2, 0, 1.7))}
+        bones = {
+            "Hips": ("", (0, 0, 1), (0, 0, 1.2)),
+            "Chest": ("Hips", (0, 0, 1.2), (0, 0, 1.5)),
+            "HeadA": ("Chest", (0.2, 0, 1.5), (0.2, 0, 1.7)),
+            "HeadB": ("Chest", (-0.2, 0, 1.5), (-0.2, 0, 1.7)),
+        }
         rig = build_rig(bones, "Hydra")
         other = self.link("Other")
         self.target.location, other.location = (1.0, -2.0, 1.5), (-2.0, -2.0, 1.7)
@@ -142,8 +164,16 @@ class Rigify(LookAtTestCase):
 
     def test_heads_of_all_metarigs(self):
         """Six of the eight have no bone that is called head."""
-        heads = {"basic_human": "spine.006", "human": "spine.006", "basic_quadruped": "spine.011", "bird": "head",
-                 "cat": "spine.006", "horse": "head", "shark": "spine.007", "wolf": "spine.011"}
+        heads = {
+            "basic_human": "spine.006",
+            "human": "spine.006",
+            "basic_quadruped": "spine.011",
+            "bird": "head",
+            "cat": "spine.006",
+            "horse": "head",
+            "shark": "spine.007",
+            "wolf": "spine.011",
+        }
         self.assertEqual(set(heads), set(rig_samples.METARIGS))
         for name, head in heads.items():
             with self.subTest(name):
@@ -151,7 +181,7 @@ class Rigify(LookAtTestCase):
                 rig = rig_samples.metarig(name)
                 self.target.location = rig.data.bones[head].head_local + 5.0 * direction(20.0, 5.0)
                 bpy.ops.motus.look_at_add(object=rig.name, target="Target")
-                entry, = rig.motus.look_at.entries
+                (entry,) = rig.motus.look_at.entries
                 self.assertEqual(entry.name, head)
                 bpy.context.view_layer.update()
                 self.assertLess(self.off(head, rig=rig), 2e-3)
@@ -181,7 +211,7 @@ class Rigify(LookAtTestCase):
     def test_spine_of_the_human(self):
         rig = rig_samples.metarig("basic_human")
         bpy.ops.motus.look_at_add(object=rig.name, bone="spine.006", target="Target")
-        entry, = rig.motus.look_at.entries
+        (entry,) = rig.motus.look_at.entries
         # Neck (two bones) and the two upper ones of the spine; the shoulders' bone among them, not the hips.
         self.assertEqual(entry.body_length, 4)
 
@@ -238,8 +268,11 @@ class Remove(LookAtTestCase):
         self.assertEqual(after, before)
 
     def test_keys_of_the_entries_behind_stay_with_them(self):
-        bones = {"Body": ("", (0, 0, 0), (0, 0, 1)), "HeadA": ("Body", (0.2, 0, 1), (0.2, 0, 1.2)),
-                 "HeadB": ("Body", (-0.2, 0, 1), (-0.2, 0, 1.2))}
+        bones = {
+            "Body": ("", (0, 0, 0), (0, 0, 1)),
+            "HeadA": ("Body", (0.2, 0, 1), (0.2, 0, 1.2)),
+            "HeadB": ("Body", (-0.2, 0, 1), (-0.2, 0, 1.2)),
+        }
         rig = build_rig(bones, "Two")
         for name, weight in (("HeadA", 0.25), ("HeadB", 0.75)):
             entry = self.look("Two", bone=name, weight=weight)
@@ -250,8 +283,11 @@ class Remove(LookAtTestCase):
         self.assertEqual([curve.data_path for curve in self.curves(rig)], ["motus.look_at.entries[0].weight"])
 
     def test_keys_in_strips_stay_with_their_heads(self):
-        bones = {"Body": ("", (0, 0, 0), (0, 0, 1)), "HeadA": ("Body", (0.2, 0, 1), (0.2, 0, 1.2)),
-                 "HeadB": ("Body", (-0.2, 0, 1), (-0.2, 0, 1.2))}
+        bones = {
+            "Body": ("", (0, 0, 0), (0, 0, 1)),
+            "HeadA": ("Body", (0.2, 0, 1), (0.2, 0, 1.2)),
+            "HeadB": ("Body", (-0.2, 0, 1), (-0.2, 0, 1.2)),
+        }
         rig = build_rig(bones, "Two")
         for name, weight in (("HeadA", 0.25), ("HeadB", 0.75)):
             self.look("Two", bone=name, weight=weight).keyframe_insert("weight", frame=1)
@@ -346,8 +382,11 @@ class Problems(LookAtTestCase):
         self.assertIn("moves with the head", self.sentence())
 
     def test_one_head_without_a_target_leaves_the_others_alone(self):
-        bones = {"Body": ("", (0, 0, 0), (0, 0, 1)), "HeadA": ("Body", (0.2, 0, 1), (0.2, 0, 1.2)),
-                 "HeadB": ("Body", (-0.2, 0, 1), (-0.2, 0, 1.2))}
+        bones = {
+            "Body": ("", (0, 0, 0), (0, 0, 1)),
+            "HeadA": ("Body", (0.2, 0, 1), (0.2, 0, 1.2)),
+            "HeadB": ("Body", (-0.2, 0, 1), (-0.2, 0, 1.2)),
+        }
         rig = build_rig(bones, "Two")
         self.target.location = (0.0, -2.0, 1.0)
         for name in ("HeadA", "HeadB"):
@@ -431,7 +470,7 @@ class EditedArmature(LookAtTestCase):
             self.rig.data.edit_bones[old].name = new
             bpy.ops.object.mode_set(mode='OBJECT')
         bpy.context.view_layer.update()
-        entry, = self.rig.motus.look_at.entries
+        (entry,) = self.rig.motus.look_at.entries
         self.assertEqual((entry.name, [eye.name for eye in entry.eyes]), ("Kopf", ["Auge.L", "Eye.R"]))
         self.target.location.x += 0.1 * FAR
         bpy.context.view_layer.update()
@@ -470,17 +509,19 @@ class Presets(LookAtTestCase):
 class Manual(LookAtTestCase):
     def test_the_scripted_example_looks_at_the_lantern(self):
         from test_docs import DOCS, examples
-        scripted, = [code for code in examples(DOCS / "look_at.md") if "bpy.ops.motus" in code]
+
+        (scripted,) = [code for code in examples(DOCS / "look_at.md") if "bpy.ops.motus" in code]
         seen = []
         scope = {"print": seen.append}
         exec(compile(scripted, "look_at.md", "exec"), scope)
-        off, = seen
+        (off,) = seen
         self.assertLess(off, 2e-3)
         self.assertFalse(scope["puppet"].motus.look_at.is_active)
 
     def test_the_native_example_runs(self):
         from test_docs import DOCS, examples
-        code, = [code for code in examples(DOCS / "look_at.md") if "import motus_native" in code]
+
+        (code,) = [code for code in examples(DOCS / "look_at.md") if "import motus_native" in code]
         sys.modules["motus_native"] = support.addon("core.native").module
         self.addCleanup(sys.modules.pop, "motus_native")
         scope = {}

@@ -3,6 +3,7 @@
 import math
 
 import bpy
+
 from look_at.look_at_cases import LookAtTestCase
 
 REACHED = 2e-5  # m
@@ -73,13 +74,14 @@ class WithIk(LookAtTestCase):
 
     def test_a_hand_cannot_be_looked_at_by_the_spine_that_carries_it(self):
         self.reach()
-        self.assertRefused("moves with Head", bpy.ops.motus.look_at_add, object="Rig", bone="Head", target="Rig",
-                           target_bone="LowerArm.L", body_length=3)
+        self.assertRefused(
+            "moves with Head", bpy.ops.motus.look_at_add, object="Rig", bone="Head", target="Rig", target_bone="LowerArm.L", body_length=3
+        )
 
     def test_bones_of_a_chain_are_refused(self):
         self.reach()
-        self.assertRefused("UpperArm.L is driven by", bpy.ops.motus.look_at_add, object="Rig", bone="UpperArm.L",
-                           target="Target", body_length=0)
+        self.assertRefused(
+            "UpperArm.L is driven by", bpy.ops.motus.look_at_add, object="Rig", bone="UpperArm.L", target="Target", body_length=0
+        )
         self.look()
-        self.assertRefused("Chest is driven by", bpy.ops.motus.ik_add, object="Rig", bone="LowerArm.L", target="Grip",
-                           chain_length=3)
+        self.assertRefused("Chest is driven by", bpy.ops.motus.ik_add, object="Rig", bone="LowerArm.L", target="Grip", chain_length=3)

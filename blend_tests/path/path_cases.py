@@ -4,6 +4,7 @@ import math
 
 import bpy
 import numpy as np
+
 import support
 
 CLIMB = [(0.0, 0.0, 0.0), (6.0, 0.0, 2.0), (6.0, 6.0, 4.0), (0.0, 6.0, 1.0)]

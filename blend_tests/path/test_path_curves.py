@@ -1,15 +1,27 @@
 """Follow Path on every kind of curve: positions against independent truth, in world space."""
 
+import itertools
 import math
 
 import bpy
 import numpy as np
-import support
 from mathutils import Matrix
+
+import support
 from path.path_cases import (
-    CLIMB, PathTestCase, add_bezier, add_points, bernstein, circle_knots, cubic_knots, curve_data, dense, dense_knots,
-    length_of, positions_at)
-import itertools
+    CLIMB,
+    PathTestCase,
+    add_bezier,
+    add_points,
+    bernstein,
+    circle_knots,
+    cubic_knots,
+    curve_data,
+    dense,
+    dense_knots,
+    length_of,
+    positions_at,
+)
 
 FRACTIONS = (0.0, 0.13, 0.5, 0.77, 1.0)
 
@@ -55,8 +67,8 @@ class Kinds(PathTestCase):
         self.points('NURBS', points, order_u=4, use_endpoint_u=False)
         basis = np.array([[1, 4, 1, 0], [-3, 0, 3, 0], [3, -6, 3, 0], [-1, 3, -3, 1]]) / 6.0
         t = np.linspace(0.0, 1.0, 50001)
-        powers = np.stack([t ** power for power in range(4)], axis=1)
-        self.assertFollows(np.concatenate([powers @ basis @ points[i:i + 4] for i in range(len(points) - 3)]))
+        powers = np.stack([t**power for power in range(4)], axis=1)
+        self.assertFollows(np.concatenate([powers @ basis @ points[i : i + 4] for i in range(len(points) - 3)]))
 
     def test_nurbs_through_its_ends(self):
         self.points('NURBS', CLIMB, order_u=4, use_endpoint_u=True)
@@ -199,7 +211,8 @@ class Refusals(PathTestCase):
             "case.scene.collection.objects.link(curve)\n"
             "case.at(car, 2)\n"
             "case.scene.collection.objects.unlink(curve)\n"
-            "assert 'no collection' in case.sentence(car, 3)\n")
+            "assert 'no collection' in case.sentence(car, 3)\n"
+        )
         status, output = support.run_blender(code)
         self.assertEqual(status, 0, output)
 
@@ -247,8 +260,7 @@ class Moved(PathTestCase):
         car = self.follow(timing='MANUAL')
         curve.matrix_world = Matrix.LocRotScale((3.0, -2.0, 1.0), Matrix.Rotation(0.7, 3, 'X'), (4.0, 0.3, -1.5))
         self.assertFollowsMatrix(car, self.at(curve))
-        self.assertAlmostEqual(
-            self.output(car, "length"), length_of(dense([self.at(curve) @ p for p in map(_vector, CLIMB)])), delta=1e-4)
+        self.assertAlmostEqual(self.output(car, "length"), length_of(dense([self.at(curve) @ p for p in map(_vector, CLIMB)])), delta=1e-4)
 
     def test_parented_curve(self):
         curve, carrier = self.cubic(), self.link("Carrier")
@@ -362,4 +374,5 @@ class Truth(PathTestCase):
 
 def _vector(point):
     from mathutils import Vector
+
     return Vector(point)

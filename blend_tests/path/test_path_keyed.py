@@ -1,13 +1,14 @@
 """Follow Path by a keyed speed: the distance is the integral of what Blender's F-curve says."""
 
+import itertools
 import time
 import tracemalloc
 
 import bpy
 import numpy as np
+
 import support
 from path.path_cases import PathTestCase, circle_knots
-import itertools
 
 LENGTH = 1e4
 STEPS = 400  # per frame, of the independent integral
@@ -199,15 +200,14 @@ class FarStart(KeyedCase):
         self.keyed([(1, 2.0), (11, 3.0)], 'LINEAR')
         noise = self.curve.modifiers.new('NOISE')
         noise.strength, noise.scale = 1.0, 30.0
-        self.assertAlmostEqual(
-            self.integral_from(-500.0, 1500.0) / integral(self.curve, -500.0, 1500.0, range(-500, 1500)), 1.0, places=5)
+        self.assertAlmostEqual(self.integral_from(-500.0, 1500.0) / integral(self.curve, -500.0, 1500.0, range(-500, 1500)), 1.0, places=5)
         far = [self.integral_from(-1e6, now) for now in (400.0, 400.001)]
         self.assertLess(far[1] - far[0], 0.01, "the distance grows by what is between")
         self.assertGreater(far[1], far[0])
         self.curve.modifiers.remove(noise)
         line = self.curve.modifiers.new('GENERATOR')
         line.use_additive, line.coefficients = True, (0.0, 0.01)
-        wanted = 2.0 * (1.0 + 9e5) + 25.0 + 0.5 * 0.01 * (11.0 ** 2 - 9e5 ** 2)
+        wanted = 2.0 * (1.0 + 9e5) + 25.0 + 0.5 * 0.01 * (11.0**2 - 9e5**2)
         self.assertAlmostEqual(self.integral_from(-9e5, 11.0) / wanted, 1.0, places=5)
         self.assertEqual(len(support.addon("core.animation.keys").bounds(self.curve, -5.0, 5.0)), 11)
 

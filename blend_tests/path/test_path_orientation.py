@@ -5,6 +5,7 @@ import math
 import bpy
 import numpy as np
 from mathutils import Euler
+
 from path.path_cases import PathTestCase, axis, circle_knots
 
 UP = np.array((0.0, 0.0, 1.0))
@@ -40,8 +41,9 @@ class Modes(PathTestCase):
         for forward in ('POS_X', 'POS_Y', 'POS_Z', 'NEG_X', 'NEG_Y', 'NEG_Z'):
             for up in ('POS_X', 'POS_Y', 'POS_Z', 'NEG_X', 'NEG_Y', 'NEG_Z'):
                 if forward[-1] == up[-1]:
-                    self.assertRefused("perpendicular", bpy.ops.motus.path_follow_add, object="Car", curve="Course",
-                                       forward_axis=forward, up_axis=up)
+                    self.assertRefused(
+                        "perpendicular", bpy.ops.motus.path_follow_add, object="Car", curve="Course", forward_axis=forward, up_axis=up
+                    )
                     continue
                 car = self.follow(forward_axis=forward, up_axis=up, orientation='WORLD_UP', duration=10.0)
                 with self.subTest(forward=forward, up=up):
@@ -100,12 +102,10 @@ class Modes(PathTestCase):
         self.assertLess(rolls[0], rolls[1])
         self.assertLess(rolls[1], rolls[2])
         speed = self.output(car, "speed", 50)
-        self.assertAlmostEqual(rolls[1], math.atan(speed ** 2 / (20.0 * 9.81)), delta=6e-3)
+        self.assertAlmostEqual(rolls[1], math.atan(speed**2 / (20.0 * 9.81)), delta=6e-3)
 
     def test_bank_smoothing_leans_before_the_bend(self):
-        knots = [
-            ((-9, 0, 0), (0, 0, 0), (9, 0, 0)), ((10, 0, 0), (20, 0, 0), (25, 0, 0)),
-            ((30, 5, 0), (30, 10, 0), (30, 20, 0))]
+        knots = [((-9, 0, 0), (0, 0, 0), (9, 0, 0)), ((10, 0, 0), (20, 0, 0), (25, 0, 0)), ((30, 5, 0), (30, 10, 0), (30, 20, 0))]
         self.bezier(knots, "Bend")
         sharp = self.follow("Sharp", "Bend", timing='SPEED', speed=10.0, orientation='BANKING')
         smooth = self.follow("Smooth", "Bend", timing='SPEED', speed=10.0, orientation='BANKING', bank_smoothing=12.0)
@@ -133,9 +133,14 @@ class Modes(PathTestCase):
             self.assertAlmostEqual(math.atan2(-found[1], found[2]), fraction, places=4)
 
     def test_tilt_of_every_kind_of_spline(self):
-        for index, options in enumerate((
-                {"kind": 'POLY'}, {"kind": 'POLY', "use_cyclic_u": True}, {"kind": 'NURBS', "use_endpoint_u": True},
-                {"kind": 'NURBS', "use_cyclic_u": True})):
+        for index, options in enumerate(
+            (
+                {"kind": 'POLY'},
+                {"kind": 'POLY', "use_cyclic_u": True},
+                {"kind": 'NURBS', "use_endpoint_u": True},
+                {"kind": 'NURBS', "use_cyclic_u": True},
+            )
+        ):
             corners = [(0, 0, 0), (4, 0, 0), (8, 2, 0), (8, 8, 0), (0, 8, 0)]
             curve = self.points(points=corners, name=f"Tilted {index}", **options)
             for point in curve.data.splines[0].points:

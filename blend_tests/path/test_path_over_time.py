@@ -2,8 +2,8 @@
 
 import bpy
 import numpy as np
-import support
 
+import support
 from path.path_cases import PathTestCase, circle_knots
 
 FRAMES = (-3.0, 1.0, 2.5, 13.0, 24.25, 60.0, 120.0, 300.0)

@@ -1,17 +1,21 @@
 """Follow Path's operators: adding, trains, removing without a trace, and what is refused."""
 
-
 import bpy
 import numpy as np
+
 import support
 from path.path_cases import CLIMB, PathTestCase, circle_knots, dense, positions_at
+
 
 def state(obj):
     """All of an object that a system could leave a trace in."""
     animation = obj.animation_data
     return {
-        "matrix": obj.matrix_world.copy(), "location": tuple(obj.location), "rotation": tuple(obj.rotation_euler),
-        "scale": tuple(obj.scale), "constraints": [(c.type, c.name, c.influence) for c in obj.constraints],
+        "matrix": obj.matrix_world.copy(),
+        "location": tuple(obj.location),
+        "rotation": tuple(obj.rotation_euler),
+        "scale": tuple(obj.scale),
+        "constraints": [(c.type, c.name, c.influence) for c in obj.constraints],
         "properties": sorted(obj.keys()),
         "drivers": [curve.data_path for curve in animation.drivers] if animation else None,
         "action": animation.action.name if animation and animation.action else None,
@@ -23,11 +27,29 @@ class Add(PathTestCase):
     def test_keywords_become_settings(self):
         self.cubic()
         given = {
-            "spline": -1, "timing": 'SPEED', "duration": 3.0, "speed": 7.0, "start_frame": 12.0, "offset": 0.5,
-            "distance_factor": 0.25, "ease_in": 0.25, "ease_out": 0.5, "extend": 'LOOP', "pins_by": 'DISTANCE',
-            "orientation": 'CURVATURE', "curvature_outward": True, "forward_axis": 'NEG_Z', "up_axis": 'POS_Y',
-            "lag_rate": 0.5, "lag_by": 'CURVATURE', "bank_strength": 0.75, "bank_limit": 0.5, "bank_smoothing": 1.5,
-            "gravity": 2.0, "influence": 0.5}
+            "spline": -1,
+            "timing": 'SPEED',
+            "duration": 3.0,
+            "speed": 7.0,
+            "start_frame": 12.0,
+            "offset": 0.5,
+            "distance_factor": 0.25,
+            "ease_in": 0.25,
+            "ease_out": 0.5,
+            "extend": 'LOOP',
+            "pins_by": 'DISTANCE',
+            "orientation": 'CURVATURE',
+            "curvature_outward": True,
+            "forward_axis": 'NEG_Z',
+            "up_axis": 'POS_Y',
+            "lag_rate": 0.5,
+            "lag_by": 'CURVATURE',
+            "bank_strength": 0.75,
+            "bank_limit": 0.5,
+            "bank_smoothing": 1.5,
+            "gravity": 2.0,
+            "influence": 0.5,
+        }
         settings = self.follow(**given).motus.path
         self.assertEqual({name: getattr(settings, name) for name in given}, given)
         self.assertEqual(settings.curve.name, "Course")
@@ -110,9 +132,16 @@ class Replaced(PathTestCase):
         car = self.link("Car")
         self.follow(orientation='NONE')
         self.assertFalse(replaces(car))
-        for number, (path, orientation, influence, is_told) in enumerate((
-                ("location", 'NONE', 1.0, True), ("location", 'NONE', 0.5, False), ("scale", 'BANKING', 1.0, False),
-                ("rotation_euler", 'NONE', 1.0, False), ("rotation_euler", 'BANKING', 1.0, True)), 1):
+        for number, (path, orientation, influence, is_told) in enumerate(
+            (
+                ("location", 'NONE', 1.0, True),
+                ("location", 'NONE', 0.5, False),
+                ("scale", 'BANKING', 1.0, False),
+                ("rotation_euler", 'NONE', 1.0, False),
+                ("rotation_euler", 'BANKING', 1.0, True),
+            ),
+            1,
+        ):
             with self.subTest(path=path, orientation=orientation, influence=influence):
                 car.motus.path.orientation, car.motus.path.influence = orientation, influence
                 self.at(car, 1)
@@ -287,8 +316,7 @@ class Train(PathTestCase):
         for wagon, place in zip(self.wagons, (50.0, 43.0, 45.0, 41.0)):
             self.assertPlace(wagon, np.array((place, 0.0, 0.0)))
         for index, direction in ((0, 'UP'), (2, 'DOWN')):
-            self.assertRefused("at the end of the train", bpy.ops.motus.path_wagon_move, object="Wagon 0", index=index,
-                               direction=direction)
+            self.assertRefused("at the end of the train", bpy.ops.motus.path_wagon_move, object="Wagon 0", index=index, direction=direction)
         self.assertRefused("no such wagon", bpy.ops.motus.path_wagon_move, object="Wagon 0", index=3)
 
     def test_a_lone_follower_with_its_first_wagon(self):

@@ -3,6 +3,7 @@
 from unittest import mock
 
 import bpy
+
 import support
 from path.path_cases import PathTestCase
 
@@ -16,8 +17,9 @@ class SharedTestCase(PathTestCase):
         self.line(20.0)
 
     def cars(self, count=4, **keywords):
-        return [self.follow(f"Car {index}", timing='SPEED', speed=1.0 + 0.1 * index, offset=0.5 * index, **keywords)
-                for index in range(count)]
+        return [
+            self.follow(f"Car {index}", timing='SPEED', speed=1.0 + 0.1 * index, offset=0.5 * index, **keywords) for index in range(count)
+        ]
 
     def hub(self, car):
         return car.motus.path.hub
@@ -61,10 +63,15 @@ class Sharing(SharedTestCase):
         self.cubic(name="Bend")
         found = []
         for is_shared in (True, False):
-            with mock.patch.object(rows, "can_share", wraps=rows.can_share) if is_shared else \
-                    mock.patch.object(rows, "can_share", return_value=False):
-                cars = [self.follow(f"Car {index} {is_shared}", curve="Bend", timing=timing, offset=0.3 * index, **keywords)
-                        for index, timing in enumerate(('SPEED', 'DURATION', 'MANUAL', 'SPEED'))]
+            with (
+                mock.patch.object(rows, "can_share", wraps=rows.can_share)
+                if is_shared
+                else mock.patch.object(rows, "can_share", return_value=False)
+            ):
+                cars = [
+                    self.follow(f"Car {index} {is_shared}", curve="Bend", timing=timing, offset=0.3 * index, **keywords)
+                    for index, timing in enumerate(('SPEED', 'DURATION', 'MANUAL', 'SPEED'))
+                ]
                 self.assertEqual([self.is_shared(car) for car in cars], [is_shared] * 4)
                 found.append([[self.at(car, frame) for car in cars] for frame in FRAMES])
         self.assertEqual(*found)
@@ -125,7 +132,6 @@ class Sharing(SharedTestCase):
         self.assertAlmostEqual(cars[3].evaluated_get(graph)["motus_path_out"][4], 2.8, places=5)
         path = self.wiring.output_path(self.system, "distance", cars[3])
         self.assertAlmostEqual(self.hub(cars[3]).data.evaluated_get(graph).path_resolve(path), 2.8, places=5)
-
 
     def test_reader_of_a_hubs_slot(self):
         """A driver that reads an output from the hub, as tools make it, reads it when the follower has left, too."""
@@ -301,7 +307,7 @@ class Files(SharedTestCase):
         self.scene = bpy.context.scene
         with bpy.data.libraries.load(path, link=True) as (_, wanted):
             wanted.objects = ["Car 2"]
-        car, = wanted.objects
+        (car,) = wanted.objects
         self.scene.collection.objects.link(car)
         self.assertRuns(car, 1.2, 1.0)
         self.assertEqual([obj.name for obj in bpy.data.objects if obj.name.startswith("Car")], ["Car 2"])

@@ -5,6 +5,7 @@ import logging
 
 import bpy
 import numpy as np
+
 import support
 from path.path_cases import PathTestCase
 
@@ -14,8 +15,7 @@ class Strays(PathTestCase):
         super().setUp()
         self.line(100.0)
         self.wagons = [self.link(f"Wagon {index}") for index in range(3)]
-        bpy.ops.motus.path_train_add(
-            objects="Wagon 0,Wagon 1,Wagon 2", curve="Course", gap=2.0, timing='MANUAL', distance_factor=0.5)
+        bpy.ops.motus.path_train_add(objects="Wagon 0,Wagon 1,Wagon 2", curve="Course", gap=2.0, timing='MANUAL', distance_factor=0.5)
         self.hubs = len(bpy.data.meshes)
 
     def copy(self, obj, name):
@@ -70,8 +70,7 @@ class Strays(PathTestCase):
     def test_a_copy_joins_another_train(self):
         copied = self.copy(self.wagons[1], "Copy")
         self.link("Other")
-        bpy.ops.motus.path_train_add(
-            objects="Other,Copy", curve="Course", gap=5.0, timing='MANUAL', distance_factor=0.3)
+        bpy.ops.motus.path_train_add(objects="Other,Copy", curve="Course", gap=5.0, timing='MANUAL', distance_factor=0.3)
         self.assertAlong(copied, 25.0)
         self.assertEqual(copied.motus.path.leader, bpy.data.objects["Other"])
         self.assertWhole()
@@ -156,16 +155,24 @@ class Said(PathTestCase):
             "case.link('Three')\n"
             "bpy.ops.motus.path_train_add(objects='Two,Three', curve='Course', timing='PINS')\n"
             "bpy.ops.motus.path_pin_add(object='Two', frame=7, fraction=0.5)\n"
-            "bpy.ops.motus.path_pin_add(object='Two', frame=7, fraction=0.6)\n")
+            "bpy.ops.motus.path_pin_add(object='Two', frame=7, fraction=0.6)\n"
+        )
         status, output = support.run_blender(code)
         self.assertEqual(status, 0, output)
         said = [line for line in output.splitlines() if line.startswith(("Info: ", "Warning: ", "Error: "))]
-        self.assertEqual(said, [
-            "Info: Car follows Course", "Warning: Add a pin: a frame and the place to be at",
-            "Info: Car follows Course",
-            "Info: Two follows Point", "Warning: A spline needs two points at least",
-            "Info: 2 objects follow Course", "Warning: Add a pin: a frame and the place to be at",
-            "Info: Replaced the pin at frame 7"])
+        self.assertEqual(
+            said,
+            [
+                "Info: Car follows Course",
+                "Warning: Add a pin: a frame and the place to be at",
+                "Info: Car follows Course",
+                "Info: Two follows Point",
+                "Warning: A spline needs two points at least",
+                "Info: 2 objects follow Course",
+                "Warning: Add a pin: a frame and the place to be at",
+                "Info: Replaced the pin at frame 7",
+            ],
+        )
 
     def test_refused_settings_change_nothing(self):
         self.line(10.0)
@@ -173,19 +180,20 @@ class Said(PathTestCase):
         car = self.follow(speed=3.0)
         before = len(car.constraints)
         for part, given in (
-                ("perpendicular", {"forward_axis": 'NEG_Z'}), ("no spline", {"spline": 1}),
-                ("more than 1", {"ease_in": 0.6, "ease_out": 0.6}), ("offset is not a finite", {"offset": float("nan")}),
-                ("speed is not a finite", {"speed": float("inf")})):
+            ("perpendicular", {"forward_axis": 'NEG_Z'}),
+            ("no spline", {"spline": 1}),
+            ("more than 1", {"ease_in": 0.6, "ease_out": 0.6}),
+            ("offset is not a finite", {"offset": float("nan")}),
+            ("speed is not a finite", {"speed": float("inf")}),
+        ):
             with self.subTest(part):
                 self.assertRefused(part, bpy.ops.motus.path_follow_add, object="Car", curve="Course", duration=9.0, **given)
-                self.assertRefused(
-                    part, bpy.ops.motus.path_train_add, objects="Car,Wagon", curve="Course", duration=9.0, **given)
+                self.assertRefused(part, bpy.ops.motus.path_train_add, objects="Car,Wagon", curve="Course", duration=9.0, **given)
         settings = car.motus.path
         self.assertEqual((settings.duration, settings.speed, settings.offset), (5.0, 3.0, 0.0))
         self.assertEqual((len(car.constraints), len(settings.wagons)), (before, 0))
         nan = float("nan")
-        self.assertRefused(
-            "gap is not a finite", bpy.ops.motus.path_wagon_add, object="Car", wagon="Wagon", gap=nan)
+        self.assertRefused("gap is not a finite", bpy.ops.motus.path_wagon_add, object="Car", wagon="Wagon", gap=nan)
         for name in ("frame", "fraction", "distance"):
             self.assertRefused(f"{name} is not", bpy.ops.motus.path_pin_add, object="Car", **{name: nan})
         self.assertEqual((len(settings.pins), settings.timing), (0, 'DURATION'))
@@ -204,8 +212,7 @@ class Said(PathTestCase):
         bpy.context.view_layer.objects.active = car
         overlay = support.addon("core.interface.overlay")
         nan = float("nan")
-        for name in ("offset", "duration", "speed", "start_frame", "distance_factor", "bank_strength", "gravity", "lag_rate",
-                     "influence"):
+        for name in ("offset", "duration", "speed", "start_frame", "distance_factor", "bank_strength", "gravity", "lag_rate", "influence"):
             with self.subTest(name), self.assertNoLogs():
                 good = getattr(car.motus.path, name)
                 setattr(car.motus.path, name, nan)

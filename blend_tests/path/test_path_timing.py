@@ -4,6 +4,7 @@ import random
 
 import bpy
 import numpy as np
+
 import support
 from path.path_cases import CLIMB, PathTestCase, circle_knots, dense, positions_at
 
@@ -12,8 +13,11 @@ LENGTH = 10.0
 
 def eased(u, ease_in, ease_out):
     """Fraction of the way, from the definition: speed up, go on, slow down."""
-    speeds = np.interp(np.linspace(0.0, 1.0, 400001), (0.0, max(ease_in, 1e-12), 1.0 - max(ease_out, 1e-12), 1.0), (
-        0.0 if ease_in else 1.0, 1.0, 1.0, 0.0 if ease_out else 1.0))
+    speeds = np.interp(
+        np.linspace(0.0, 1.0, 400001),
+        (0.0, max(ease_in, 1e-12), 1.0 - max(ease_out, 1e-12), 1.0),
+        (0.0 if ease_in else 1.0, 1.0, 1.0, 0.0 if ease_out else 1.0),
+    )
     way = np.concatenate(([0.0], np.cumsum(0.5 * (speeds[1:] + speeds[:-1]))))
     return float(np.interp(u, np.linspace(0.0, 1.0, len(way)), way / way[-1]))
 
@@ -115,8 +119,7 @@ class Ends(Straight):
                         self.assertDistance(lagging, self.place(exact, frame)[0], frame)
 
     def test_outputs_stay_on_the_path(self):
-        for extend, wanted, travelled in (
-                ('CLAMP', 10.0, 10.0), ('EXTRAPOLATE', 13.0, 13.0), ('LOOP', 3.0, 13.0), ('PING_PONG', 7.0, 7.0)):
+        for extend, wanted, travelled in (('CLAMP', 10.0, 10.0), ('EXTRAPOLATE', 13.0, 13.0), ('LOOP', 3.0, 13.0), ('PING_PONG', 7.0, 7.0)):
             car = self.follow(extend, timing='MANUAL', distance_factor=1.3, extend=extend)
             self.assertAlmostEqual(self.output(car, "distance"), travelled, places=4)
             self.assertAlmostEqual(self.output(car, "fraction"), wanted / 10.0, places=5)

@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+
 import support
 from path.path_cases import CLIMB, PathTestCase, circle_knots, dense, positions_at
 
@@ -86,7 +87,7 @@ class Overlay(PathTestCase):
         self.cubic()
         car = self.follow(duration=4.0)
         self.show("curve")
-        lines, = self.batches(car)
+        (lines,) = self.batches(car)
         course = dense(CLIMB)[::100]
         for point in lines.points[::9]:
             self.assertLess(np.linalg.norm(course - point, axis=1).min(), 1e-2)
@@ -96,7 +97,7 @@ class Overlay(PathTestCase):
         self.line(10.0)
         car = self.follow(duration=4.0, ease_in=0.5, ease_out=0.5)
         self.show("curve", "speed")
-        lines, = self.batches(car)
+        (lines,) = self.batches(car)
         red = lines.colors[:, 0]
         self.assertGreater(red[len(red) // 2], red[0])
         self.assertGreater(red[len(red) // 2], red[-1])
@@ -104,8 +105,13 @@ class Overlay(PathTestCase):
     def test_switches(self):
         self.cubic()
         car = self.follow(orientation='BANKING', timing='SPEED')
-        for names, count in (((), 0), (("control_points",), 2), (("tangents",), 1), (("frames",), 2),
-                             (("curve", "control_points", "tangents", "frames", "speed"), 6)):
+        for names, count in (
+            ((), 0),
+            (("control_points",), 2),
+            (("tangents",), 1),
+            (("frames",), 2),
+            (("curve", "control_points", "tangents", "frames", "speed"), 6),
+        ):
             self.show(*names)
             with self.subTest(names=names):
                 self.assertEqual(len(self.batches(car)), count)
@@ -122,7 +128,7 @@ class Overlay(PathTestCase):
         bpy.ops.motus.path_new_bezier(degree=5)
         curve = bpy.context.object
         self.show("curve")
-        lines, = self.batches(curve)
+        (lines,) = self.batches(curve)
         points = [point.co[:3] for point in curve.data.splines[0].points]
         middle = positions_at(dense(points), 0.5)[0]
         self.assertLess(np.linalg.norm(lines.points - middle, axis=1).min(), 0.1)

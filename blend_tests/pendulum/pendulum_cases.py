@@ -34,8 +34,9 @@ def seconds(frame, start=1.0, fps=24.0):
 
 def reach(*rods):
     """(x, 0, z) of the end of rods (length, angle)."""
-    return np.array((sum(length * math.sin(angle) for length, angle in rods), 0.0,
-                     -sum(length * math.cos(angle) for length, angle in rods)))
+    return np.array(
+        (sum(length * math.sin(angle) for length, angle in rods), 0.0, -sum(length * math.cos(angle) for length, angle in rods))
+    )
 
 
 class PendulumTestCase(support.SceneTestCase):

@@ -6,10 +6,9 @@ from types import SimpleNamespace
 
 import bpy
 import numpy as np
-import support
 
-from pendulum.pendulum_cases import (
-    OFF_THE_FRAMES, PendulumTestCase, go_to, native, place, reach, seconds, world)
+import support
+from pendulum.pendulum_cases import OFF_THE_FRAMES, PendulumTestCase, go_to, native, place, reach, seconds, world
 
 DIGEST = "37679ed8da62d73a2b661bcf96b092827149d800"
 
@@ -17,11 +16,12 @@ DIGEST = "37679ed8da62d73a2b661bcf96b092827149d800"
 class Motion(PendulumTestCase):
     def test_single(self):
         pivot = self.add(kind='SINGLE', length1=1.5, angle1=2.0, velocity1=0.5, damping=0.2, location=(1.0, 2.0, 3.0))
-        bob, = self.bobs(pivot)
+        (bob,) = self.bobs(pivot)
         for frame in OFF_THE_FRAMES:
             go_to(frame)
             angle, _ = native().single_pendulum(
-                seconds(frame), 2.0, 0.5, length=1.5, gravity=bpy.context.scene.gravity.length, damping=pivot.motus.pendulum.damping)
+                seconds(frame), 2.0, 0.5, length=1.5, gravity=bpy.context.scene.gravity.length, damping=pivot.motus.pendulum.damping
+            )
             self.assertPlace(bob, reach((1.5, angle)) + (1.0, 2.0, 3.0))
 
     def test_double(self):
@@ -30,7 +30,8 @@ class Motion(PendulumTestCase):
         for frame in OFF_THE_FRAMES:
             go_to(frame)
             first, second, *_ = native().double_pendulum(
-                seconds(frame), 2.0, -1.0, 0.0, 3.0, 2.0, 0.5, 1.5, 0.5, bpy.context.scene.gravity.length)
+                seconds(frame), 2.0, -1.0, 0.0, 3.0, 2.0, 0.5, 1.5, 0.5, bpy.context.scene.gravity.length
+            )
             self.assertPlace(upper, reach((1.5, first)))
             self.assertPlace(lower, reach((1.5, first), (0.5, second)), 4e-6)
 
@@ -42,18 +43,18 @@ class Motion(PendulumTestCase):
         self.assertAlmostEqual(settings.angle_step, math.radians(0.5), 7)
         for index, bob in enumerate(self.bobs(pivot)[1::2]):
             first, second, *_ = native().double_pendulum(
-                seconds(150), settings.angle1, settings.angle2 + index * settings.angle_step,
-                gravity=bpy.context.scene.gravity.length)
+                seconds(150), settings.angle1, settings.angle2 + index * settings.angle_step, gravity=bpy.context.scene.gravity.length
+            )
             self.assertPlace(bob, reach((1.0, first), (1.0, second)) + (0.0, 0.1 * (index - 3), 0.0), 4e-6)
         places = [place(bob) for bob in self.bobs(pivot)[1::2]]
         self.assertGreater(max(np.linalg.norm(a - b) for a in places for b in places), 0.5, "no chaos")
 
     def test_a_file_may_tell_of_any_number_of_pendulums(self):
         settings = self.add(kind='FAN', count=3).motus.pendulum
-        settings.count = 10 ** 9
+        settings.count = 10**9
         self.assertEqual(settings.count, 500)
         solve, keywords = support.addon("pendulum.solve"), support.addon("pendulum.properties").KEYWORDS
-        for count in (10 ** 9, 0, -1):
+        for count in (10**9, 0, -1):
             said = SimpleNamespace(**{name: getattr(settings, name) for name in (*keywords, "kind")} | {"count": count})
             self.assertIs(solve.swing_of(said, bpy.context.scene), solve.NO_FAN)
 
@@ -94,7 +95,7 @@ class Motion(PendulumTestCase):
             carrier.location.x = x
             carrier.keyframe_insert("location", index=0, frame=frame)
         self.add(kind='SINGLE', object="Carrier", angle1=1.0)
-        bob, = self.bobs(carrier)
+        (bob,) = self.bobs(carrier)
         go_to(20)
         angle, _ = native().single_pendulum(seconds(20), pivot_angle(carrier), gravity=bpy.context.scene.gravity.length)
         expected = world(carrier) @ np.array((*reach((1.0, angle)), 1.0))
@@ -109,7 +110,7 @@ class Motion(PendulumTestCase):
             carrier.keyframe_insert("location", index=0, frame=frame)
         bpy.context.scene.frame_end = 60
         self.add(kind='SINGLE', object="Carrier", angle1=0.0, use_pivot_motion=True)
-        rod, = self.rods(carrier)
+        (rod,) = self.rods(carrier)
         places = []
         for frame in range(1 - beside, 61 + beside):
             go_to(frame)
@@ -119,8 +120,8 @@ class Motion(PendulumTestCase):
         for frame in (30, 50, 12.5):
             go_to(frame)
             angle, _ = native().single_pendulum(
-                seconds(frame), 0.0, gravity=bpy.context.scene.gravity.length, pivot_step=1 / 24,
-                pivot_accelerations=pushed)
+                seconds(frame), 0.0, gravity=bpy.context.scene.gravity.length, pivot_step=1 / 24, pivot_accelerations=pushed
+            )
             # The system reads fewer frames beside its table than this test does.
             self.assertPlace(self.bobs(carrier)[0], place(rod) + reach((1.0, angle)), 1e-4)
             swings.append(abs(angle))
@@ -190,7 +191,7 @@ class Motion(PendulumTestCase):
 
     def test_the_rods_own_turns_stay(self):
         pivot = self.add(kind='SINGLE', angle1=0.5)
-        rod, = self.rods(pivot)
+        (rod,) = self.rods(pivot)
         rod.rotation_euler.y = -0.25
         self.assertPlace(self.bobs(pivot)[0], reach((1.0, 0.75)))
 
@@ -256,4 +257,5 @@ def pivot_name():
 
 def support_wiring():
     import support
+
     return support.addon("core.wiring"), support.addon("pendulum").SYSTEM

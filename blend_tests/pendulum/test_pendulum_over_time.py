@@ -2,9 +2,9 @@
 
 import bpy
 import numpy as np
+
 import solved_cases
 import support
-
 from pendulum.pendulum_cases import PendulumTestCase, go_to, world
 
 
@@ -21,7 +21,7 @@ class OverTime(solved_cases.Solved, PendulumTestCase):
 
     def test_a_rod_with_a_scale_of_its_own(self):
         pivot = self.add(kind='SINGLE')
-        rod, = self.rods(pivot)
+        (rod,) = self.rods(pivot)
         rod.scale, rod.rotation_euler = (1.0, 0.5, 3.0), (0.1, 0.2, 0.3)
         pivot.scale = (1.0, 2.0, 0.5)
         self.assertSolved(self.bobs(pivot)[0])
@@ -44,14 +44,14 @@ class OverTime(solved_cases.Solved, PendulumTestCase):
 
     def test_when_it_moves(self):
         pivot = self.add(kind='SINGLE', start_frame=12.0)
-        bob, = self.bobs(pivot)
+        (bob,) = self.bobs(pivot)
         self.assertEqual(solved_cases.track(bob).extent, (12.0, np.inf))
         pivot.motus.pendulum.is_playing = False
         self.assertIsNone(solved_cases.track(bob).extent)
 
     def test_what_is_not_known(self):
         pivot = self.add(kind='SINGLE')
-        bob, = self.bobs(pivot)
+        (bob,) = self.bobs(pivot)
         pivot.motus.pendulum.driver_add("speed").driver.expression = "frame / 10"
         self.assertUnknown(bob, "driver")
         pivot.motus.pendulum.driver_remove("speed")

@@ -4,19 +4,36 @@ import math
 
 import bpy
 import numpy as np
-import support
 
-from pendulum.pendulum_cases import PendulumTestCase, go_to, place, world
+import support
 from path.test_path_setup import state
+from pendulum.pendulum_cases import PendulumTestCase, go_to, place, world
 
 
 class Add(PendulumTestCase):
     def test_keywords_become_settings(self):
         given = {
-            "length1": 2.0, "length2": 3.0, "mass1": 0.5, "mass2": 0.25, "angle1": 0.5, "angle2": 0.25, "angle_step": 0.125,
-            "velocity1": 1.0, "velocity2": 2.0, "use_scene_gravity": False, "gravity": 2.0, "damping": 0.5,
-            "use_limits": True, "most_velocity": 8.0, "most_acceleration": 16.0, "use_pivot_motion": True,
-            "start_frame": 12.0, "speed": 2.0, "is_playing": False, "influence": 0.5}
+            "length1": 2.0,
+            "length2": 3.0,
+            "mass1": 0.5,
+            "mass2": 0.25,
+            "angle1": 0.5,
+            "angle2": 0.25,
+            "angle_step": 0.125,
+            "velocity1": 1.0,
+            "velocity2": 2.0,
+            "use_scene_gravity": False,
+            "gravity": 2.0,
+            "damping": 0.5,
+            "use_limits": True,
+            "most_velocity": 8.0,
+            "most_acceleration": 16.0,
+            "use_pivot_motion": True,
+            "start_frame": 12.0,
+            "speed": 2.0,
+            "is_playing": False,
+            "influence": 0.5,
+        }
         settings = self.add(**given).motus.pendulum
         self.assertEqual({name: getattr(settings, name) for name in given}, given)
         self.assertEqual((settings.kind, settings.count), ('DOUBLE', 1))
@@ -41,8 +58,10 @@ class Add(PendulumTestCase):
         self.assertGreater(abs(fan.angle1 - other.angle1), 1.0)
 
     def test_from_placed_objects(self):
-        pivot, first, second = (self.link(name, location) for name, location in (
-            ("Hook", (1.0, 2.0, 5.0)), ("Ball", (2.0, 2.0, 4.0)), ("Weight", (4.0, 2.0, 4.0))))
+        pivot, first, second = (
+            self.link(name, location)
+            for name, location in (("Hook", (1.0, 2.0, 5.0)), ("Ball", (2.0, 2.0, 4.0)), ("Weight", (4.0, 2.0, 4.0)))
+        )
         second.rotation_euler = (0.1, 0.2, 0.3)
         first.scale = (2.0, 1.0, 1.0)
         bpy.context.view_layer.update()
@@ -55,7 +74,9 @@ class Add(PendulumTestCase):
         self.assertEqual(settings.kind, 'DOUBLE')
         np.testing.assert_allclose(
             (settings.length1, settings.length2, settings.angle1, settings.angle2),
-            (math.sqrt(2.0), 2.0, math.pi / 4, math.pi / 2), rtol=1e-6)
+            (math.sqrt(2.0), 2.0, math.pi / 4, math.pi / 2),
+            rtol=1e-6,
+        )
         for obj, (_, matrix) in zip((first, second), before[1:]):
             np.testing.assert_allclose(world(obj), matrix, atol=2e-6)
         go_to(20)
@@ -82,14 +103,20 @@ class Add(PendulumTestCase):
     def test_refusals(self):
         add = bpy.ops.motus.pendulum_add
         for keywords, sentence in (
-                ({"length1": 0.0}, "length1 must be greater than 0"), ({"length2": -1.0}, "length2 must be greater than 0"),
-                ({"mass1": 0.0}, "mass1 must be greater than 0"), ({"mass2": -2.0}, "mass2 must be greater than 0"),
-                ({"angle1": math.nan}, "angle1 is not a finite number"),
-                ({"length1": math.inf}, "length1 is not a finite number"),
-                ({"gravity": -1.0}, "gravity must not be less than 0"), ({"damping": -1.0}, "damping must not be less than 0"),
-                ({"kind": 'FAN', "count": 0}, "A fan has 1 to"), ({"kind": 'FAN', "count": 100000}, "A fan has 1 to"),
-                ({"object": "Nobody"}, "There is no object Nobody"), ({"take": 'ACTIVE'}, "Select the object"),
-                ({"take": 'PLACED'}, "Select the bobs")):
+            ({"length1": 0.0}, "length1 must be greater than 0"),
+            ({"length2": -1.0}, "length2 must be greater than 0"),
+            ({"mass1": 0.0}, "mass1 must be greater than 0"),
+            ({"mass2": -2.0}, "mass2 must be greater than 0"),
+            ({"angle1": math.nan}, "angle1 is not a finite number"),
+            ({"length1": math.inf}, "length1 is not a finite number"),
+            ({"gravity": -1.0}, "gravity must not be less than 0"),
+            ({"damping": -1.0}, "damping must not be less than 0"),
+            ({"kind": 'FAN', "count": 0}, "A fan has 1 to"),
+            ({"kind": 'FAN', "count": 100000}, "A fan has 1 to"),
+            ({"object": "Nobody"}, "There is no object Nobody"),
+            ({"take": 'ACTIVE'}, "Select the object"),
+            ({"take": 'PLACED'}, "Select the bobs"),
+        ):
             self.assertRefused(add, sentence, **keywords)
         pivot, ball, _ = self.link("Hook"), self.link("Ball", (0.0, 1.0, -1.0)), self.link("Other")
         self.assertRefused(add, "beside the plane", object="Hook", bobs="Ball")
@@ -169,8 +196,14 @@ class BadInput(PendulumTestCase):
         settings = pivot.motus.pendulum
         rest = [world(rod).tobytes() for rod in self.rods(pivot)]
         for name, value, sentence in (
-                ("length1", 0.0, "lengths"), ("length2", -1.0, "lengths"), ("mass1", 0.0, "masses"), ("mass2", -1.0, "masses"),
-                ("angle1", math.nan, "finite"), ("gravity", math.inf, "finite"), ("start_frame", math.nan, "finite")):
+            ("length1", 0.0, "lengths"),
+            ("length2", -1.0, "lengths"),
+            ("mass1", 0.0, "masses"),
+            ("mass2", -1.0, "masses"),
+            ("angle1", math.nan, "finite"),
+            ("gravity", math.inf, "finite"),
+            ("start_frame", math.nan, "finite"),
+        ):
             before = getattr(settings, name)
             setattr(settings, name, value)
             self.assertIn(sentence, self.sentence(pivot), name)
@@ -180,8 +213,12 @@ class BadInput(PendulumTestCase):
         self.assertEqual([world(rod).tobytes() for rod in self.rods(pivot)], rest)
 
     def test_a_time_of_thirty_years(self):
-        for keywords in ({"kind": 'DOUBLE'}, {"kind": 'DOUBLE', "use_limits": True}, {"kind": 'FAN', "count": 3},
-                         {"kind": 'SINGLE', "damping": 0.1}):
+        for keywords in (
+            {"kind": 'DOUBLE'},
+            {"kind": 'DOUBLE', "use_limits": True},
+            {"kind": 'FAN', "count": 3},
+            {"kind": 'SINGLE', "damping": 0.1},
+        ):
             pivot = self.add(**keywords)
             pivot.motus.pendulum.speed = 1e9
             go_to(25)
@@ -213,7 +250,7 @@ class BadInput(PendulumTestCase):
 
     def test_a_deleted_pivot(self):
         pivot = self.add(kind='SINGLE', angle1=1.0)
-        rod, = self.rods(pivot)
+        (rod,) = self.rods(pivot)
         bpy.data.objects.remove(pivot)
         go_to(10)
         self.assertTrue(np.isfinite(world(rod)).all())
@@ -315,5 +352,3 @@ class BadInput(PendulumTestCase):
             go_to(30)
             self.assertEqual(self.sentence(pivot), "")
             self.assertEqual([world(bob).tobytes() for bob in self.bobs(pivot)], expected)
-
-

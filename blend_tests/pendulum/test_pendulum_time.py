@@ -3,9 +3,9 @@
 import math
 
 import bpy
-import support
 from mathutils import Vector
 
+import support
 from pendulum.pendulum_cases import PendulumTestCase, go_to, native, place, reach
 
 
@@ -14,7 +14,7 @@ class Clock(PendulumTestCase):
         super().setUp()
         self.pivot = self.add(kind='SINGLE', angle1=1.0)
         self.settings = self.pivot.motus.pendulum
-        self.bob, = self.bobs(self.pivot)
+        (self.bob,) = self.bobs(self.pivot)
 
     def assertTime(self, seconds):
         angle, _ = native().single_pendulum(seconds, self.settings.angle1, gravity=bpy.context.scene.gravity.length)
@@ -26,6 +26,7 @@ class Clock(PendulumTestCase):
             self.pivot.keyframe_insert(f"motus.pendulum.{name}", frame=frame)
         if interpolation:
             import support
+
             curve = support.addon("core.blender.actions").find(self.pivot, f"motus.pendulum.{name}")
             for point in curve.keyframe_points:
                 point.interpolation = interpolation
@@ -101,8 +102,7 @@ class Drag(PendulumTestCase):
         self.assertPlace(lower, (2.0, 0.0, 1.0))
         bpy.ops.motus.pendulum_play(play='PLAY')
         go_to(74)
-        first, second, *_ = native().double_pendulum(
-            1.0, settings.angle1, settings.angle2, gravity=bpy.context.scene.gravity.length)
+        first, second, *_ = native().double_pendulum(1.0, settings.angle1, settings.angle2, gravity=bpy.context.scene.gravity.length)
         self.assertPlace(lower, reach((1.0, first), (1.0, second)) + (1.0, 0.0, 2.0), 5e-6)
 
     def test_it_says_that_the_earlier_motion_is_replaced(self):

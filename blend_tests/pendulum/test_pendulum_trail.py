@@ -32,8 +32,7 @@ class Trail(PendulumTestCase):
         head = places[ages < 1e-6]
         np.testing.assert_allclose(head.mean(axis=0), place(bob), atol=1e-4)
         self.assertAlmostEqual(float(ages.max()), 1.0, 5)
-        first, second, *_ = native().double_pendulum(
-            1.0, settings.angle1, settings.angle2, gravity=bpy.context.scene.gravity.length)
+        first, second, *_ = native().double_pendulum(1.0, settings.angle1, settings.angle2, gravity=bpy.context.scene.gravity.length)
         tail = places[ages > 1.0 - 1e-6]
         np.testing.assert_allclose(tail.mean(axis=0), reach((1.0, first), (1.0, second)) + (1.0, 0.0, 2.0), atol=1e-4)
         np.testing.assert_allclose(colors[0, :3], bob.material_slots[0].material.diffuse_color[:3], atol=1e-6)

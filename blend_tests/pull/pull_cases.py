@@ -3,6 +3,7 @@
 import bmesh
 import bpy
 import numpy as np
+
 import support
 
 FORMULAS = {

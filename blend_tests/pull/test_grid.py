@@ -5,6 +5,7 @@ import time
 
 import bpy
 import numpy as np
+
 from pull.pull_cases import PullTestCase
 
 
@@ -60,8 +61,7 @@ class Grid(PullTestCase):
         self.assertEqual(len(obj.data.vertices), 9 + 16)
 
     def test_refusals(self):
-        for keywords, part in (({"spacing": math.inf}, "spacing is not a finite"),
-                               ({"width": 100_000, "height": 100_000}, "do not fit")):
+        for keywords, part in (({"spacing": math.inf}, "spacing is not a finite"), ({"width": 100_000, "height": 100_000}, "do not fit")):
             with self.assertRaisesRegex(RuntimeError, part):
                 bpy.ops.motus.grid_add(**keywords)
         self.assertEqual(len(bpy.data.objects), 0)

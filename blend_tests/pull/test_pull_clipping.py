@@ -4,8 +4,9 @@ import math
 
 import bpy
 import numpy as np
-from pull.pull_cases import PullTestCase
+
 import support
+from pull.pull_cases import PullTestCase
 
 SEAM = 10  # column of the plane's 21 that lies on X = 0
 

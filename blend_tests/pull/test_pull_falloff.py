@@ -4,6 +4,7 @@ import math
 
 import bpy
 import numpy as np
+
 from pull.pull_cases import FORMULAS, PullTestCase, forces
 
 
@@ -25,8 +26,7 @@ class Falloffs(PullTestCase):
             with self.subTest(factor=factor):
                 obj = self.plane()
                 squares = (self.places(obj) ** 2).sum(axis=1)
-                moved = self.moved_by(
-                    obj, vertex=self.middle(obj), radius=0.515, strength=0.5, falloff='CLASSIC', scale_factor=factor)
+                moved = self.moved_by(obj, vertex=self.middle(obj), radius=0.515, strength=0.5, falloff='CLASSIC', scale_factor=factor)
                 wanted = np.where(squares < 0.515, (1.0 - squares / 1.515) ** (1.0 + abs(factor)), 0.0)
                 self.assertGreater(np.sqrt(squares[wanted > 0.0]).max(), 0.6)
                 self.assertNear(moved[:, 2], 0.5 * wanted)
@@ -51,12 +51,12 @@ class Falloffs(PullTestCase):
         obj = self.plane()
         t = np.clip(1.0 - np.linalg.norm(self.places(obj), axis=1) / 0.8, 0.0, 1.0)
         samples = np.linspace(0.0, 1.0, 32) ** 3
-        moved = self.moved_by(
-            obj, vertex=self.middle(obj), radius=0.8, strength=1.0, falloff='CURVE', curve=tuple(samples))
+        moved = self.moved_by(obj, vertex=self.middle(obj), radius=0.8, strength=1.0, falloff='CURVE', curve=tuple(samples))
         self.assertNear(moved[:, 2], np.where(t > 0.0, np.interp(t, np.linspace(0.0, 1.0, 32), samples), 0.0))
 
     def test_without_a_curve_it_is_that_of_the_scene(self):
         """Whatever falloff the scene's brush has now; smooth, as a new curve is, where there is none. For pins too."""
+
         def moved(kind):
             obj = self.plane()
             if kind == 'PULL':
@@ -103,8 +103,7 @@ class Distances(PullTestCase):
         places = self.places(obj)
         root = 20 * count + 20
         straight = np.linalg.norm(places - places[root], axis=1)
-        moved = self.moved_by(obj, vertex=root, radius=0.5, strength=0.3, falloff='LINEAR', distance='SURFACE',
-                              direction='Z')
+        moved = self.moved_by(obj, vertex=root, radius=0.5, strength=0.3, falloff='LINEAR', distance='SURFACE', direction='Z')
         is_upper = np.arange(len(places)) < count * count
         self.assertEqual(np.count_nonzero(moved[~is_upper]), 0)
         self.assertNear(moved[is_upper, 2], 0.3 * forces('LINEAR', straight, 0.5)[is_upper], 0.02 * 0.3)
@@ -116,8 +115,7 @@ class Distances(PullTestCase):
         places = self.places(obj)
         root = int(places[:, 2].argmax())
         angles = np.arccos(np.clip(places @ places[root], -1.0, 1.0))
-        moved = self.moved_by(obj, vertex=root, radius=1.0, strength=1.0, falloff='LINEAR', distance='SURFACE',
-                              direction='X')
+        moved = self.moved_by(obj, vertex=root, radius=1.0, strength=1.0, falloff='LINEAR', distance='SURFACE', direction='X')
         found = 1.0 - moved[angles < 0.95, 0]
         self.assertNear(found, angles[angles < 0.95], 0.02)
 
@@ -126,8 +124,7 @@ class Distances(PullTestCase):
         obj = self.plane(count)
         row, column = np.divmod(np.arange(count * count), count)
         steps = np.abs(row - 10) + np.abs(column - 10)
-        moved = self.moved_by(
-            obj, vertex=self.middle(obj), radius=4.0, strength=0.5, falloff='LINEAR', distance='EDGES', direction='Z')
+        moved = self.moved_by(obj, vertex=self.middle(obj), radius=4.0, strength=0.5, falloff='LINEAR', distance='EDGES', direction='Z')
         self.assertNear(moved[:, 2], 0.5 * forces('LINEAR', steps.astype(float), 4.0))
 
 
@@ -164,8 +161,9 @@ class Directions(PullTestCase):
     def test_a_loose_vertex_has_no_normal(self):
         self.mesh([(0.0, 0.0, 0.0), (0.1, 0.0, 0.0), (1.0, 0.0, 0.0)])
         self.assertRefused("no normal", vertex=0)
-        self.assertNear(self.moved_by(bpy.context.object, vertex=0, radius=0.5, strength=0.2, direction='Z',
-                                      falloff='CONSTANT')[:, 2], (0.2, 0.2, 0.0))
+        self.assertNear(
+            self.moved_by(bpy.context.object, vertex=0, radius=0.5, strength=0.2, direction='Z', falloff='CONSTANT')[:, 2], (0.2, 0.2, 0.0)
+        )
 
 
 class Limits(PullTestCase):
@@ -174,15 +172,13 @@ class Limits(PullTestCase):
         distances = np.linalg.norm(self.places(obj), axis=1)
         moved = self.moved_by(obj, vertex=self.middle(obj), radius=0.7, strength=0.5, use_maximum=True, maximum=0.2)
         self.assertNear(moved[:, 2], np.minimum(0.5 * forces('SMOOTH', distances, 0.7), 0.2))
-        moved = self.moved_by(obj, vertex=220, radius=0.7, strength=-0.9, direction='Z', use_minimum=True,
-                              minimum=-0.1)
+        moved = self.moved_by(obj, vertex=220, radius=0.7, strength=-0.9, direction='Z', use_minimum=True, minimum=-0.1)
         self.assertAlmostEqual(self.places(obj)[:, 2].min(), -0.1, places=6)
 
     def test_along_another_axis(self):
         obj = self.plane()
         before = self.places(obj)
-        self.pull(vertex=220, radius=0.75, displacement=(0.5, 0.0, 0.0), use_maximum=True, maximum=0.3, clamp_axis='X',
-                  falloff='CONSTANT')
+        self.pull(vertex=220, radius=0.75, displacement=(0.5, 0.0, 0.0), use_maximum=True, maximum=0.3, clamp_axis='X', falloff='CONSTANT')
         is_near = np.linalg.norm(before, axis=1) < 0.75
         self.assertNear(self.places(obj)[:, 0], np.where(is_near, np.minimum(before[:, 0] + 0.5, 0.3), before[:, 0]))
 
@@ -194,8 +190,7 @@ class Limits(PullTestCase):
         obj.location = 0.0, 0.0, 5.0
         before = self.in_world(obj, self.places(obj))
         root = self.middle(obj)
-        self.pull(vertex=root, radius=1.5, strength=2.0, direction='Z', use_maximum=True, maximum=5.8,
-                  falloff='LINEAR')
+        self.pull(vertex=root, radius=1.5, strength=2.0, direction='Z', use_maximum=True, maximum=5.8, falloff='LINEAR')
         after = self.in_world(obj, self.places(obj))
         distances = np.linalg.norm(before - before[root], axis=1)
         heights = before[:, 2] + 2.0 * forces('LINEAR', distances, 1.5)
@@ -231,8 +226,7 @@ class Mirrors(PullTestCase):
         for distance, radius in (('SURFACE', 0.3), ('EDGES', 3.0)):
             with self.subTest(distance=distance):
                 obj = self.plane()
-                moved = self.moved_by(
-                    obj, vertex=10 * 21 + 16, radius=radius, strength=0.3, mirror={'X'}, distance=distance)
+                moved = self.moved_by(obj, vertex=10 * 21 + 16, radius=radius, strength=0.3, mirror={'X'}, distance=distance)
                 rows = moved.reshape(21, 21, 3)
                 self.assertNear(rows[:, ::-1, 2], rows[:, :, 2], 1e-5)
                 self.assertNear(rows[10, 4, 2], 0.3)

@@ -1,6 +1,7 @@
 """The brush that the mouse begins with suits the object's size."""
 
 import bpy
+
 import support
 
 

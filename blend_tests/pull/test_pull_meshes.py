@@ -5,6 +5,7 @@ import math
 import bmesh
 import bpy
 import numpy as np
+
 import support
 from pull.pull_cases import PullTestCase, forces
 
@@ -120,8 +121,7 @@ class ShapeKeys(PullTestCase):
         return {key.name: np.array([point.co[:] for point in key.data]) for key in obj.data.shape_keys.key_blocks}
 
     def test_the_active_key_is_written_and_those_relative_to_it_go_along(self):
-        for active, moving in (("Basis", {"Basis", "Hill", "Peak", "Other"}), ("Hill", {"Hill", "Peak", "Other"}),
-                               ("Other", {"Other"})):
+        for active, moving in (("Basis", {"Basis", "Hill", "Peak", "Other"}), ("Hill", {"Hill", "Peak", "Other"}), ("Other", {"Other"})):
             for mode in ('OBJECT', 'EDIT'):
                 with self.subTest(active=active, mode=mode):
                     obj = self.keyed()
@@ -251,8 +251,9 @@ class Defects(PullTestCase):
         for distance, radius in (('STRAIGHT', 0.5), ('SURFACE', 0.5), ('EDGES', 3.0)):
             with self.subTest(mesh=obj.name, distance=distance):
                 before = self.places(obj)
-                moved = self.moved_by(obj, object=obj.name, vertex=root, radius=radius, displacement=(0.0, 0.0, 0.25),
-                                      distance=distance, **keywords)
+                moved = self.moved_by(
+                    obj, object=obj.name, vertex=root, radius=radius, displacement=(0.0, 0.0, 0.25), distance=distance, **keywords
+                )
                 self.assertNear(moved[root], (0.0, 0.0, 0.25))
                 self.assertTrue(np.isfinite(self.places(obj)).all())
                 away = np.linalg.norm(before - before[root], axis=1)

@@ -3,6 +3,7 @@
 import math
 
 import bpy
+
 from pull.pull_cases import PullTestCase
 
 
@@ -39,8 +40,7 @@ class Refusals(PullTestCase):
 
     def test_numbers_that_are_too_large_together(self):
         obj = self.plane()
-        dab = {"name": "", "kind": 'PULL', "vertex": 220, "is_first": True, "strength": 0.0, "radius": 1.0,
-               "displacement": (0.0, 0.0, 1.0)}
+        dab = {"name": "", "kind": 'PULL', "vertex": 220, "is_first": True, "strength": 0.0, "radius": 1.0, "displacement": (0.0, 0.0, 1.0)}
         for mirror in (set(), {'X'}, {'X', 'Y'}):
             self.assertRefused("too large", dabs=[dab | {"displacement": (0.0, 0.0, 1e30)}], strength=9e17, mirror=mirror)
             self.assertRefused("too large", dabs=[dab | {"radius": 1e30}], radius=9e17, mirror=mirror)

@@ -15,6 +15,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+import support
 from chroma import chroma_cases
 from dynamics import dynamics_cases
 from ik import ik_cases
@@ -24,7 +25,6 @@ from look_at import look_at_cases
 from path import path_cases
 from pull.pins import pin_cases
 from saved import saved_cases
-import support
 from walker import walker_cases
 
 motus = bpy.ops.motus

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from snow import snow_cases
+
 import support
+from snow import snow_cases
 
 HERE = Path(__file__).resolve().parent
 ARCHIVE = "files.tar.xz"

@@ -10,8 +10,9 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from saved import saved_cases as cases
+
 import support
+from saved import saved_cases as cases
 
 SAME, OTHER = 1e-6, 1e-5
 """Of numbers up to 1, and else of the number: in the Blender that has saved a file, and in others, whose constraints round otherwise."""

@@ -61,8 +61,7 @@ class CoverTestCase(SnowTestCase):
         return bpy.context.object
 
     def output(self, cover, name):
-        return support.addon("core.wiring").output(
-            cover_system(), cover, name, bpy.context.evaluated_depsgraph_get())
+        return support.addon("core.wiring").output(cover_system(), cover, name, bpy.context.evaluated_depsgraph_get())
 
     def cover_sentence(self, cover):
         bpy.context.view_layer.update()

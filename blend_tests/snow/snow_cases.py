@@ -9,8 +9,14 @@ import support
 
 OFF_THE_FRAMES = (30, 1, 17, 60, 3.25, 24.5, 5, 100, 60, 30)
 MANY = {"rate": 200.0, "lifetime": 1.5}
-KINDS = {"position": ("vector", 3), "velocity": ("vector", 3), "tint": ("color", 4), "radius": ("value", 1), "age": ("value", 1),
-         "id": ("value", 1)}
+KINDS = {
+    "position": ("vector", 3),
+    "velocity": ("vector", 3),
+    "tint": ("color", 4),
+    "radius": ("value", 1),
+    "age": ("value", 1),
+    "id": ("value", 1),
+}
 """Attribute -> (name of an item's property, how many numbers that has)."""
 
 
@@ -77,8 +83,13 @@ def state(emitter):
 def instances(emitter):
     """World matrices (n, 4, 4) of the instances that an emitter shows."""
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    return np.array([np.array(one.matrix_world) for one in depsgraph.object_instances
-                     if one.is_instance and one.object.type == 'MESH' and one.parent.original == emitter])
+    return np.array(
+        [
+            np.array(one.matrix_world)
+            for one in depsgraph.object_instances
+            if one.is_instance and one.object.type == 'MESH' and one.parent.original == emitter
+        ]
+    )
 
 
 class SnowTestCase(support.SceneTestCase):

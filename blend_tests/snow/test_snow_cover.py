@@ -4,8 +4,7 @@ import bpy
 import numpy as np
 
 import support
-from snow.cover_cases import (
-    COARSE, FALLING, LUMP, SQUARE, CoverTestCase, cover_system, forget_work, layer, state, volume)
+from snow.cover_cases import COARSE, FALLING, LUMP, SQUARE, CoverTestCase, cover_system, forget_work, layer, state, volume
 from snow.snow_cases import OFF_THE_FRAMES, go_to, native, seconds
 
 
@@ -18,8 +17,8 @@ class Cover(CoverTestCase):
         for frame in (30, 60, 61, 200):
             go_to(frame)
             landed = max(0, int((seconds(frame) - 1.5) * 300.0 + 1e-6))
-            self.assertAlmostEqual(self.output(cover, "volume"), landed * LUMP ** 3, delta=2.0 * LUMP ** 3)
-            self.assertAlmostEqual(volume(layer(cover)), self.output(cover, "volume"), delta=0.02 * (0.1 + landed * LUMP ** 3))
+            self.assertAlmostEqual(self.output(cover, "volume"), landed * LUMP**3, delta=2.0 * LUMP**3)
+            self.assertAlmostEqual(volume(layer(cover)), self.output(cover, "volume"), delta=0.02 * (0.1 + landed * LUMP**3))
         self.assertEqual(self.cover_sentence(cover), "")
         self.assertEqual(emitter.motus.snow.collider.name, "Meadow")
 
@@ -265,7 +264,7 @@ class Cover(CoverTestCase):
         cover = self.cover("", collection="Yard", emitters="Snow,Snow.001", thinnest=0.0)
         self.assertEqual(len(cover.motus.snow_cover.emitters), 2)
         go_to(100)
-        self.assertAlmostEqual(self.output(cover, "volume"), 2 * 300.0 * (seconds(100) - 1.5) * LUMP ** 3, delta=0.005)
+        self.assertAlmostEqual(self.output(cover, "volume"), 2 * 300.0 * (seconds(100) - 1.5) * LUMP**3, delta=0.005)
         # What comes into the collection is covered, and what leaves it is not any more.
         shelf = self.mesh("Shelf", SQUARE, [(0, 1, 2, 3)], (0.0, 0.0, 1.0))
         collection.objects.link(shelf)
@@ -314,9 +313,16 @@ class Cover(CoverTestCase):
         matrix = np.diag((1.0, -1.0, -1.0, 1.0))[None]
         matrix[0, 2, 3] = 3.0
         snow = module.Snow(
-            rate=300.0, start_speed=2.0, lifetime=4.0, cone_radius=1.9, seed=3, emitter_times=[0.0], emitter_matrices=matrix,
-            collider=module.SnowCollider(positions, triangles))
-        lying = module.SnowCover(snow, end=seconds(250), flake_volume=LUMP ** 3, repose=cover.motus.snow_cover.repose, smoothing=rounds)
+            rate=300.0,
+            start_speed=2.0,
+            lifetime=4.0,
+            cone_radius=1.9,
+            seed=3,
+            emitter_times=[0.0],
+            emitter_matrices=matrix,
+            collider=module.SnowCollider(positions, triangles),
+        )
+        lying = module.SnowCover(snow, end=seconds(250), flake_volume=LUMP**3, repose=cover.motus.snow_cover.repose, smoothing=rounds)
         go_to(90)
         np.testing.assert_allclose(self.output(cover, "volume"), lying.volume(seconds(90)), rtol=1e-6)
         np.testing.assert_allclose(layer(cover)[1].max(), lying.heights(seconds(90)).max(), rtol=1e-5)

@@ -79,7 +79,10 @@ class Bounds(CoverTestCase):
         self.snow_cover.motus.snow_cover.smoothing = 1e6
         go_to(100)
         self.assertEqual(self.cover_sentence(self.snow_cover), "")
-        with mock.patch.object(self.work.native, "module", module), mock.patch.object(bounds, "AT_ONCE", 0.03 * len(layer(self.snow_cover)[0])):
+        with (
+            mock.patch.object(self.work.native, "module", module),
+            mock.patch.object(bounds, "AT_ONCE", 0.03 * len(layer(self.snow_cover)[0])),
+        ):
             self.emitter.motus.snow.seed += 1
             go_to(100)
             self.assertIn("spreads less far", self.cover_sentence(self.snow_cover))

@@ -67,8 +67,7 @@ class Setup(CoverTestCase):
         settings = cover.motus.snow_cover
         go_to(100)
         self.assertEqual(self.cover_sentence(cover), "")
-        for name, value, told, stays in (
-                ("resolution", 1e-4, "2 million vertices", True), ("lump", float("nan"), "finite number", False)):
+        for name, value, told, stays in (("resolution", 1e-4, "2 million vertices", True), ("lump", float("nan"), "finite number", False)):
             kept = getattr(settings, name)
             setattr(settings, name, value)
             self.assertIn(told, self.cover_sentence(cover))

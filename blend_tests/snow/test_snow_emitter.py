@@ -4,8 +4,7 @@ import bpy
 import numpy as np
 
 import support
-from snow.snow_cases import (
-    MANY, OFF_THE_FRAMES, SnowTestCase, actions, flakes, go_to, hub_mesh, key_places, native, seconds, state)
+from snow.snow_cases import MANY, OFF_THE_FRAMES, SnowTestCase, actions, flakes, go_to, hub_mesh, key_places, native, seconds, state
 
 SQUARE = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)]
 
@@ -45,8 +44,11 @@ class Moving(SnowTestCase):
         key_places(emitter, {1: (0.0, 0.0, 0.0), 25: (1.0, 0.0, 0.0)})
         animation = emitter.animation_data
         action = animation.action
-        curves = action.fcurves if hasattr(action, "fcurves") else [
-            curve for layer in action.layers for strip in layer.strips for bag in strip.channelbags for curve in bag.fcurves]
+        curves = (
+            action.fcurves
+            if hasattr(action, "fcurves")
+            else [curve for layer in action.layers for strip in layer.strips for bag in strip.channelbags for curve in bag.fcurves]
+        )
         for curve in curves:
             curve.extrapolation = 'LINEAR'
             for point in curve.keyframe_points:
@@ -56,8 +58,7 @@ class Moving(SnowTestCase):
             go_to(frame)
             found = flakes(emitter)
             self.assertEqual(len(found["id"]), 100)
-            np.testing.assert_allclose(
-                found["position"][:, 0], seconds(frame) - found["age"], rtol=1e-5, atol=1e-3)
+            np.testing.assert_allclose(found["position"][:, 0], seconds(frame) - found["age"], rtol=1e-5, atol=1e-3)
 
     def test_an_unknown_motion_is_said(self):
         emitter = self.add(**MANY)
@@ -296,9 +297,20 @@ class Wind(SnowTestCase):
             go_to(frame)
             found = flakes(emitter)
             times = [seconds(one) for one in (1.0, 20.0, 40.0)]
-            expected = native().Snow(
-                rate=200.0, lifetime=1.5, start_speed=0.0, cone_radius=0.0, drag=2.0, gusts=0.3, wind_times=times,
-                wind_values=[(0, 0, 0), (4, 0, 0), (0, -3, 0.5)]).evaluate(seconds(frame))
+            expected = (
+                native()
+                .Snow(
+                    rate=200.0,
+                    lifetime=1.5,
+                    start_speed=0.0,
+                    cone_radius=0.0,
+                    drag=2.0,
+                    gusts=0.3,
+                    wind_times=times,
+                    wind_values=[(0, 0, 0), (4, 0, 0), (0, -3, 0.5)],
+                )
+                .evaluate(seconds(frame))
+            )
             np.testing.assert_allclose(found["position"], expected["position"], atol=1e-4)
         self.assertEqual(self.sentence(emitter), "")
 
@@ -317,6 +329,8 @@ class Wind(SnowTestCase):
         go_to(30)
         self.assertIn("wind is not known ahead", self.sentence(emitter))
         self.assertGreater(len(flakes(emitter)["id"]), 0)
-        self.assertEqual(bpy.ops.motus.track_record(
-            datablock=emitter.name, data_path="motus.snow.wind", index=0, frame_start=1, frame_end=50), {'FINISHED'})
+        self.assertEqual(
+            bpy.ops.motus.track_record(datablock=emitter.name, data_path="motus.snow.wind", index=0, frame_start=1, frame_end=50),
+            {'FINISHED'},
+        )
         self.assertEqual(self.sentence(emitter), "")

@@ -3,6 +3,7 @@
 import os
 
 import bpy
+
 import support
 from snow.cover_cases import CoverTestCase, layer
 from snow.snow_cases import go_to

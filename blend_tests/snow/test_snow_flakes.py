@@ -3,13 +3,29 @@
 import bpy
 import numpy as np
 
-from snow.snow_cases import (
-    MANY, OFF_THE_FRAMES, SnowTestCase, flakes, go_to, hub_mesh, instances, native, seconds, state)
+from snow.snow_cases import MANY, OFF_THE_FRAMES, SnowTestCase, flakes, go_to, hub_mesh, instances, native, seconds, state
 
-EVERYTHING = {"random_speed": True, "random_orientation": True, "random_lifetime": True, "random_size": True,
-              "random_color": True, "snow": True, "snow_offsets": True, "gravity": True, "drag": 0.7, "wind": (1.0, 0.5, 0.0),
-              "gusts": 0.4, "turbulence": 0.3, "tumble": 2.0, "cone_angle": 0.4, "seed": 7, "max_angle": 1.2,
-              "snow_frequency": 0.8, "gust_frequency": 0.4, "turbulence_size": 1.5}
+EVERYTHING = {
+    "random_speed": True,
+    "random_orientation": True,
+    "random_lifetime": True,
+    "random_size": True,
+    "random_color": True,
+    "snow": True,
+    "snow_offsets": True,
+    "gravity": True,
+    "drag": 0.7,
+    "wind": (1.0, 0.5, 0.0),
+    "gusts": 0.4,
+    "turbulence": 0.3,
+    "tumble": 2.0,
+    "cone_angle": 0.4,
+    "seed": 7,
+    "max_angle": 1.2,
+    "snow_frequency": 0.8,
+    "gust_frequency": 0.4,
+    "turbulence_size": 1.5,
+}
 
 
 class Flakes(SnowTestCase):
@@ -40,15 +56,28 @@ class Flakes(SnowTestCase):
         stop.position, stop.color = 1.0, (0.0, 0.0, 1.0, 1.0)
         go_to(40)
         gravity = tuple(bpy.context.scene.gravity)
-        keywords = {name: tuple(value) if hasattr(value, "__len__") else value for name, value in (
-            (name, getattr(settings, name)) for name in (*MANY, *EVERYTHING))}
+        keywords = {
+            name: tuple(value) if hasattr(value, "__len__") else value
+            for name, value in ((name, getattr(settings, name)) for name in (*MANY, *EVERYTHING))
+        }
         expected = self.library(
-            emitter, 40, acceleration=gravity, start_size=0.5 * settings.flake_width,
-            start_color=([0.0, 1.0], [[1, 0, 0, 1], [0, 0, 1, 1]]), **keywords)
+            emitter,
+            40,
+            acceleration=gravity,
+            start_size=0.5 * settings.flake_width,
+            start_color=([0.0, 1.0], [[1, 0, 0, 1], [0, 0, 1, 1]]),
+            **keywords,
+        )
         found = flakes(emitter)
         self.assertGreater(len(found["id"]), 200)
-        for name, own in (("position", "position"), ("velocity", "velocity"), ("tint", "color"), ("radius", "size"),
-                          ("age", "age"), ("id", "id")):
+        for name, own in (
+            ("position", "position"),
+            ("velocity", "velocity"),
+            ("tint", "color"),
+            ("radius", "size"),
+            ("age", "age"),
+            ("id", "id"),
+        ):
             np.testing.assert_array_equal(found[name], expected[own], name)
 
     def test_attributes_that_a_look_needs(self):
@@ -57,8 +86,13 @@ class Flakes(SnowTestCase):
         go_to(40)
         before = instances(emitter)
         for look, all_attributes, missing in (
-                ('FLAKE', False, {"velocity"}), ('POINTS', False, {"turn"}), ('POINTS', True, set()), ('FLAKE', True, set()),
-                ('OBJECT', False, {"velocity"}), ('FLAKE', False, {"velocity"})):
+            ('FLAKE', False, {"velocity"}),
+            ('POINTS', False, {"turn"}),
+            ('POINTS', True, set()),
+            ('FLAKE', True, set()),
+            ('OBJECT', False, {"velocity"}),
+            ('FLAKE', False, {"velocity"}),
+        ):
             with self.subTest(look, all_attributes=all_attributes):
                 settings.look, settings.all_attributes = look, all_attributes
                 names = set(hub_mesh(emitter).attributes.keys())

@@ -6,8 +6,8 @@ from unittest import mock
 import bmesh
 import bpy
 import numpy as np
-import support
 
+import support
 from snow.snow_cases import SnowTestCase, flakes, go_to, key_places, state
 
 SQUARE = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)]
@@ -35,7 +35,6 @@ class LandingCase(SnowTestCase):
 
     def add(self, **keywords):
         return super().add(all_attributes=True, **{"location": (0.0, 0.0, 3.0)} | FALLING | keywords)
-
 
 
 class Landing(LandingCase):
@@ -341,8 +340,9 @@ class Moving(LandingCase):
 
         def scene_time(obj):
             group = bpy.data.node_groups.new("Time", 'GeometryNodeTree')
-            support.addon("core.blender.node_groups").add_sockets(group, (
-                ("Geometry", 'INPUT', "NodeSocketGeometry"), ("Geometry", 'OUTPUT', "NodeSocketGeometry")))
+            support.addon("core.blender.node_groups").add_sockets(
+                group, (("Geometry", 'INPUT', "NodeSocketGeometry"), ("Geometry", 'OUTPUT', "NodeSocketGeometry"))
+            )
             start, end = group.nodes.new("NodeGroupInput"), group.nodes.new("NodeGroupOutput")
             group.links.new(start.outputs[0], end.inputs[0])
             group.nodes.new("GeometryNodeInputSceneTime")
@@ -358,8 +358,7 @@ class Moving(LandingCase):
             boolean.operand_type, boolean.collection = 'COLLECTION', bpy.data.collections.new("Cutters")
             boolean.collection.objects.link(cutter)
 
-        for number, change in enumerate((
-                shape_key, keyed_modifier, moved_by_another, constraint, scene_time, wave, cut_by_a_collection)):
+        for number, change in enumerate((shape_key, keyed_modifier, moved_by_another, constraint, scene_time, wave, cut_by_a_collection)):
             with self.subTest(change.__name__):
                 roof = self.board(f"Roof {number}", (0.0, 0.0, 1.0))
                 emitter = self.add(collider=roof.name)
@@ -396,7 +395,9 @@ class Threads(LandingCase):
         bpy.ops.wm.save_as_mainfile(filepath=file, check_existing=False)
         for threads in (1, 2):
             out = os.path.join(self.folder, f"threads{threads}")
-            status, said = support.run_blender(THREADS.format(file=file, name=emitter.name, out=out), arguments=("--factory-startup", "-t", str(threads)))
+            status, said = support.run_blender(
+                THREADS.format(file=file, name=emitter.name, out=out), arguments=("--factory-startup", "-t", str(threads))
+            )
             self.assertEqual(status, 0, said)
             with open(out, "rb") as opened:
                 self.assertEqual(opened.read(), expected, threads)

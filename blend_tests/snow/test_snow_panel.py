@@ -16,8 +16,12 @@ class Panels(SnowTestCase):
 
     def test_the_emitter(self):
         emitter = self.add(**MANY)
-        for shape, extent in (('SQUARE', ["cone_radius"]), ('CONE', ["cone_radius", "cone_angle"]), ('SURFACE', ["surface"]),
-                              ('CAMERA', ["camera", "closest", "farthest"])):
+        for shape, extent in (
+            ('SQUARE', ["cone_radius"]),
+            ('CONE', ["cone_radius", "cone_angle"]),
+            ('SURFACE', ["surface"]),
+            ('CAMERA', ["camera", "closest", "farthest"]),
+        ):
             emitter.motus.snow.shape = shape
             self.assertEqual(self.drawn("emitter").named("prop"), ["shape", *extent])
 

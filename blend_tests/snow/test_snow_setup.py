@@ -80,8 +80,7 @@ class Setup(SnowTestCase):
         settings.flakes, settings.look = collection, 'COLLECTION'
         go_to(41)
         depsgraph = bpy.context.evaluated_depsgraph_get()
-        names = [one.object.name for one in depsgraph.object_instances
-                 if one.is_instance and one.parent.original == emitter]
+        names = [one.object.name for one in depsgraph.object_instances if one.is_instance and one.parent.original == emitter]
         self.assertEqual(len(names), len(flakes(emitter)["id"]))
         self.assertEqual(set(names), {"Ball", "Other"})
         settings.look = 'OBJECT'
@@ -102,8 +101,7 @@ class Setup(SnowTestCase):
         for frame in (40, 41, 60):
             go_to(frame)
             depsgraph = bpy.context.evaluated_depsgraph_get()
-            names = [one.object.name for one in depsgraph.object_instances
-                     if one.is_instance and one.parent.original == emitter]
+            names = [one.object.name for one in depsgraph.object_instances if one.is_instance and one.parent.original == emitter]
             for number, name in zip(flakes(emitter)["id"].tolist(), names):
                 self.assertEqual(shapes.setdefault(number, name), name)
 
@@ -182,8 +180,9 @@ class Setup(SnowTestCase):
             found = instances(emitter)
             self.assertEqual(len(found), 300 if shown else 0)
             depsgraph = bpy.context.evaluated_depsgraph_get()
-            self.assertEqual({one.object.name for one in depsgraph.object_instances if one.is_instance and shown},
-                             {shown} if shown else set())
+            self.assertEqual(
+                {one.object.name for one in depsgraph.object_instances if one.is_instance and shown}, {shown} if shown else set()
+            )
 
     def test_what_an_older_version_has_made(self):
         """Flakes were put on the points by a modifier of their own."""

@@ -6,7 +6,7 @@ import numpy as np
 from snow.snow_cases import SnowTestCase, actions, flakes, go_to, key_places, state
 
 FALLING = {"rate": 400.0, "lifetime": 2.0, "start_speed": 0.3, "closest": 1.0, "farthest": 15.0, "start_frame": -200.0}
-NOISE = 5.0 * 800.0 ** 0.5
+NOISE = 5.0 * 800.0**0.5
 """Of how many of the 800 flakes that live are in view: five deviations."""
 PLACES = {1: (1.0, -8.0, 3.0), 60: (60.0, 20.0, 5.0), 120: (1.0, -8.0, 3.0)}
 

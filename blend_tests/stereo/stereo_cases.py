@@ -65,8 +65,6 @@ def eyes(obj):
     return stereo.interocular_distance, stereo.convergence_distance
 
 
-
-
 class StereoTestCase(support.SceneTestCase):
     def setUp(self):
         super().setUp()

@@ -2,8 +2,8 @@
 
 import bpy
 import numpy as np
-import support
 
+import support
 from stereo.stereo_cases import StereoTestCase, camera, go_to, native, square
 
 
@@ -60,7 +60,7 @@ class Check(StereoTestCase):
             pillar.location.x = x
             pillar.keyframe_insert("location", frame=frame)
         found = self.check(frame_start=5, frame_end=25)
-        left, = [one for one in found if "window" in one]
+        (left,) = [one for one in found if "window" in one]
         self.assertIn("left edge", left)
         self.assertIn("frames 11-20", left)
 
@@ -101,7 +101,7 @@ class Cuts(StereoTestCase):
     def test_the_camera_of_each_frame_is_checked(self):
         self.check("Mild")
         self.assertEqual(sentences(self.mild), ())
-        found, = sentences(self.wild)
+        (found,) = sentences(self.wild)
         self.assertRegex(found, "^Diverges on a 12 m screen by .* in frames 11-20$")
 
     def test_a_camera_counts_on_its_own_frames_alone(self):
@@ -113,7 +113,7 @@ class Cuts(StereoTestCase):
         bpy.ops.motus.stereo_rig_remove(object="Wild")
         self.wild.data.stereo.interocular_distance, self.wild.data.stereo.convergence_distance = 0.3, 5.0
         self.check("Mild")
-        found, = sentences(self.wild)
+        (found,) = sentences(self.wild)
         self.assertRegex(found, "^Diverges on a 12 m screen by .* in frames 11-20$")
 
     def test_the_scene_keeps_its_camera(self):
@@ -202,5 +202,7 @@ class Overlay(StereoTestCase):
         parallax = native().parallax(marks[:, 1].astype(float), 0.1, 35.0, 36.0, 3.0)
         np.testing.assert_allclose(parallax / colors.STEP, np.round(parallax / colors.STEP), atol=1e-4)
         self.assertGreater(len(marks), 10)
-        self.assertEqual({tuple(np.round(line.points[1], 5).tolist()): line.colors for line in lines},
-                         {tuple(np.round(np.array(place, np.float32), 5).tolist()): color for place, color in places.items()})
+        self.assertEqual(
+            {tuple(np.round(line.points[1], 5).tolist()): line.colors for line in lines},
+            {tuple(np.round(np.array(place, np.float32), 5).tolist()): color for place, color in places.items()},
+        )

@@ -2,8 +2,8 @@
 
 import bpy
 import numpy as np
-import support
 
+import support
 from stereo.stereo_cases import LENS, SENSOR, StereoTestCase, camera, native, square
 
 POINTS = ((-0.35, 2.5, 0.2), (0.1, 4.0, -0.3), (0.9, 9.0, 0.5))
@@ -66,8 +66,9 @@ class Pictures(StereoTestCase):
         np.testing.assert_allclose(disparity[:, 0], expected[:, 0], atol=TOLERANCE)
         self.assertGreater(np.abs(expected[:, 0]).max(), 2.0)
         if mode != "toe_in":
-            np.testing.assert_allclose(disparity[:, 0], width * native().parallax(
-                points[:, 2], interocular, LENS, sensor, distance, mode=mode), atol=TOLERANCE)
+            np.testing.assert_allclose(
+                disparity[:, 0], width * native().parallax(points[:, 2], interocular, LENS, sensor, distance, mode=mode), atol=TOLERANCE
+            )
         return disparity, expected
 
     def test_pictures_in_each_convergence_mode(self):
@@ -91,9 +92,13 @@ class Pictures(StereoTestCase):
         data.sensor_height = 20.0
         self.add(interocular=0.2, distance=4.0)
         for fit, size, pixel_aspect, sensor in (
-                ('VERTICAL', (320, 240), (1.0, 1.0), 20.0 * 320 / 240), ('AUTO', (240, 320), (1.0, 1.0), SENSOR * 240 / 320),
-                ('HORIZONTAL', (240, 320), (1.0, 1.0), SENSOR), ('AUTO', (320, 240), (2.0, 1.0), SENSOR),
-                ('AUTO', (320, 240), (1.0, 2.0), SENSOR * 320 / 480), ('VERTICAL', (320, 240), (1.0, 1.5), 20.0 * 320 / 360)):
+            ('VERTICAL', (320, 240), (1.0, 1.0), 20.0 * 320 / 240),
+            ('AUTO', (240, 320), (1.0, 1.0), SENSOR * 240 / 320),
+            ('HORIZONTAL', (240, 320), (1.0, 1.0), SENSOR),
+            ('AUTO', (320, 240), (2.0, 1.0), SENSOR),
+            ('AUTO', (320, 240), (1.0, 2.0), SENSOR * 320 / 480),
+            ('VERTICAL', (320, 240), (1.0, 1.5), 20.0 * 320 / 360),
+        ):
             data.sensor_fit = fit
             render.resolution_x, render.resolution_y = size
             render.pixel_aspect_x, render.pixel_aspect_y = pixel_aspect

@@ -2,8 +2,8 @@
 
 import bpy
 import numpy as np
-import support
 
+import support
 from stereo.stereo_cases import LENS, SENSOR, StereoTestCase, camera, eyes, go_to, native, square
 
 STEREO = "convergence_mode", "pivot", "interocular_distance", "convergence_distance", "use_spherical_stereo"
@@ -12,9 +12,15 @@ STEREO = "convergence_mode", "pivot", "interocular_distance", "convergence_dista
 def state(obj):
     """What a rig may touch of a camera and its scene."""
     render = bpy.context.scene.render
-    return ([getattr(obj.data.stereo, name) for name in STEREO], obj.data.type, obj.data.lens, render.use_multiview,
-            sorted(obj.data.keys()), sorted(key for key in obj.keys() if key != "motus"),
-            bool(obj.data.animation_data and obj.data.animation_data.drivers))
+    return (
+        [getattr(obj.data.stereo, name) for name in STEREO],
+        obj.data.type,
+        obj.data.lens,
+        render.use_multiview,
+        sorted(obj.data.keys()),
+        sorted(key for key in obj.keys() if key != "motus"),
+        bool(obj.data.animation_data and obj.data.animation_data.drivers),
+    )
 
 
 class Eyes(StereoTestCase):
@@ -84,10 +90,12 @@ class Eyes(StereoTestCase):
         self.add(interocular=0.3, distance=3.0)
         settings = obj.motus.stereo
         for changes, word in (
-                ({"convergence": 'OBJECT'}, "Choose"), ({"focus": bpy.data.objects["Target"]}, "behind"),
-                ({"convergence": 'BUDGET', "near": 3.0, "far": 2.0}, "far greater"),
-                ({"far": 5.0, "near_parallax": 0.0, "far_parallax": 0.0}, "both 0"),
-                ({"convergence": 'DISTANCE', "distance": 0.0}, "behind")):
+            ({"convergence": 'OBJECT'}, "Choose"),
+            ({"focus": bpy.data.objects["Target"]}, "behind"),
+            ({"convergence": 'BUDGET', "near": 3.0, "far": 2.0}, "far greater"),
+            ({"far": 5.0, "near_parallax": 0.0, "far_parallax": 0.0}, "both 0"),
+            ({"convergence": 'DISTANCE', "distance": 0.0}, "behind"),
+        ):
             for name, value in changes.items():
                 setattr(settings, name, value)
             bpy.context.view_layer.update()
@@ -115,6 +123,7 @@ class Eyes(StereoTestCase):
                 go_to(frame)
                 found.append(eyes(obj))
             return found
+
         live = seen()
         bpy.ops.motus.bake(object="Camera", frame_start=1, frame_end=11)
         np.testing.assert_allclose(seen(), live, rtol=1e-5)
@@ -131,7 +140,6 @@ class Eyes(StereoTestCase):
         linked = self.load(path, True, "Camera")
         bpy.context.view_layer.update()
         np.testing.assert_allclose(eyes(linked), wanted, rtol=1e-6)
-
 
     def test_appended(self):
         self.add(convergence='BUDGET')
@@ -178,6 +186,7 @@ class Eyes(StereoTestCase):
 
         def local():
             return next(one for one in bpy.data.objects if one.type == 'CAMERA' and not one.library)
+
         self.assert_eyes(local(), 0.1, 3.0)
         local().motus.stereo.distance = 6.0
         bpy.context.view_layer.update()
@@ -200,7 +209,8 @@ class Eyes(StereoTestCase):
                 found = [0.01 * one for one in fit(near, far, seen, screen)]
                 interaxial, distance = native().solve_depth_budget(near, far, *found, LENS, SENSOR)
                 roundness = native().roundness(
-                    distance, interaxial=interaxial, focal_length=LENS, sensor_width=SENSOR, convergence=distance, **screen)
+                    distance, interaxial=interaxial, focal_length=LENS, sensor_width=SENSOR, convergence=distance, **screen
+                )
                 with self.subTest(name, near=near, far=far):
                     self.assertTrue(all(mine <= limit for mine, limit in zip(found, comfortable)), (found, comfortable))
                     # Two decimals of a percent are the least that the settings show.

@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+
 import support
 from walker import walker_cases as cases
 
@@ -27,7 +28,10 @@ class Spider(cases.WalkerTestCase):
         for name in ("stride", "clearance", "reach_up", "reach_down"):
             self.assertAlmostEqual(getattr(large.motus.walker, name), 4.0 * getattr(small.motus.walker, name), places=5)
         np.testing.assert_allclose(
-            [tuple(leg.rest) for leg in large.motus.walker.legs], 4.0 * np.array([tuple(leg.rest) for leg in small.motus.walker.legs]), atol=1e-5)
+            [tuple(leg.rest) for leg in large.motus.walker.legs],
+            4.0 * np.array([tuple(leg.rest) for leg in small.motus.walker.legs]),
+            atol=1e-5,
+        )
 
     def test_knees_are_up_and_legs_do_not_cross(self):
         spider = cases.spider(ground=cases.grid("Land", cases.waves).name)
@@ -50,8 +54,10 @@ class Spider(cases.WalkerTestCase):
         for vertex in skin.data.vertices:
             (only,) = vertex.groups
             self.assertEqual(only.weight, 1.0)
-        self.assertEqual({slot.material.name.partition(".")[0] for slot in skin.material_slots},
-                         {"Spider Fur", "Spider Bands", "Spider Eyes", "Spider Glint"})
+        self.assertEqual(
+            {slot.material.name.partition(".")[0] for slot in skin.material_slots},
+            {"Spider Fur", "Spider Bands", "Spider Eyes", "Spider Glint"},
+        )
         self.assertEqual({polygon.material_index for polygon in skin.data.polygons}, {0, 1, 2, 3})
         self.assertFalse(skin.data.validate())
 
@@ -60,8 +66,13 @@ class Spider(cases.WalkerTestCase):
         mesh = bpy.data.objects["Spider Mesh"].data
         # Signed volume of all closed parts.
         mesh.calc_loop_triangles()
-        volume = sum(float(np.dot(a, np.cross(b, c))) for a, b, c in (
-            [np.array(mesh.vertices[index].co) for index in triangle.vertices] for triangle in mesh.loop_triangles)) / 6.0
+        volume = (
+            sum(
+                float(np.dot(a, np.cross(b, c)))
+                for a, b, c in ([np.array(mesh.vertices[index].co) for index in triangle.vertices] for triangle in mesh.loop_triangles)
+            )
+            / 6.0
+        )
         self.assertGreater(volume, 0.0)
 
     def test_names_of_a_second_one(self):

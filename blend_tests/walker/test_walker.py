@@ -5,8 +5,9 @@ from unittest import mock
 
 import bpy
 import numpy as np
-import support
 from mathutils import Matrix
+
+import support
 from walker import walker_cases as cases
 
 
@@ -59,17 +60,45 @@ class Steps(cases.WalkerTestCase):
         settings = spider.motus.walker
         spider.scale = 3 * [2.0]
         changes = {
-            "gait": 'RIPPLE', "use_duty": True, "duty": 0.75, "stride": 0.3, "cadence": 2.0, "clearance": 0.05,
-            "minimum_step": 0.02, "reach_up": 0.25, "reach_down": 0.5, "body_height": 0.5, "body_tilt": 0.25, "frequency": 3.0,
-            "damping": 0.5, "jump": 2.0, "use_plane": True, "plane_height": -0.25}
+            "gait": 'RIPPLE',
+            "use_duty": True,
+            "duty": 0.75,
+            "stride": 0.3,
+            "cadence": 2.0,
+            "clearance": 0.05,
+            "minimum_step": 0.02,
+            "reach_up": 0.25,
+            "reach_down": 0.5,
+            "body_height": 0.5,
+            "body_tilt": 0.25,
+            "frequency": 3.0,
+            "damping": 0.5,
+            "jump": 2.0,
+            "use_plane": True,
+            "plane_height": -0.25,
+        }
         for name, value in changes.items():
             setattr(settings, name, value)
-        with mock.patch.object(native, "Walker", wraps=native.Walker) as made, \
-                mock.patch.object(native, "walker_gait", wraps=native.walker_gait) as gait:
+        with (
+            mock.patch.object(native, "Walker", wraps=native.Walker) as made,
+            mock.patch.object(native, "walker_gait", wraps=native.walker_gait) as gait,
+        ):
             bpy.context.view_layer.update()
         given = made.call_args.kwargs
-        wanted = {"duty": 0.75, "stride": 0.6, "cadence": 2.0, "clearance": 0.1, "minimum_step": 0.04, "reach_up": 0.5,
-                  "reach_down": 1.0, "height": 0.5, "tilt": 0.25, "frequency": 3.0, "damping": 0.5, "jump": 4.0}
+        wanted = {
+            "duty": 0.75,
+            "stride": 0.6,
+            "cadence": 2.0,
+            "clearance": 0.1,
+            "minimum_step": 0.04,
+            "reach_up": 0.5,
+            "reach_down": 1.0,
+            "height": 0.5,
+            "tilt": 0.25,
+            "frequency": 3.0,
+            "damping": 0.5,
+            "jump": 4.0,
+        }
         for name, value in wanted.items():
             self.assertAlmostEqual(given[name], value, places=6, msg=name)
         self.assertEqual(gait.call_args.args[0], "ripple")
@@ -238,8 +267,9 @@ class Objects(cases.WalkerTestCase):
     def test_feet_and_a_body_that_are_objects(self):
         body, shell, feet = cases.cross()
         land = cases.grid("Land", cases.waves)
-        self.assertEqual(bpy.ops.motus.walker_add(
-            object=body.name, feet=cases.names(feet), body=shell.name, ground=land.name, gait='TROT'), {'FINISHED'})
+        self.assertEqual(
+            bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name, ground=land.name, gait='TROT'), {'FINISHED'}
+        )
         cases.key_places(body, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
         found, swings = self.assertStands(body, list(range(1, 100)), 0.0)
         standing = found[swings == 0.0]
@@ -248,8 +278,7 @@ class Objects(cases.WalkerTestCase):
         walker = cases.plan_of(body).walker
         height, turn = walker.body(cases.seconds(44))
         about = np.array(cases.evaluated(body).matrix_world.translation)
-        np.testing.assert_allclose(
-            cases.body_of(body)[:3, 3], about + height + rotation(turn) @ (0.0, 0.0, 0.5), atol=2e-6)
+        np.testing.assert_allclose(cases.body_of(body)[:3, 3], about + height + rotation(turn) @ (0.0, 0.0, 0.5), atol=2e-6)
         self.assertWell(body)
 
     def test_a_body_that_hangs_on_something_else(self):
@@ -276,8 +305,7 @@ class Objects(cases.WalkerTestCase):
             own = np.array(cases.evaluated(body).matrix_world @ Matrix.Translation(seen.location))
             height, turn = cases.plan_of(body).walker.body(cases.seconds(frame))
             about = np.array(cases.evaluated(body).matrix_world.translation)
-            np.testing.assert_allclose(
-                cases.body_of(body)[:3, 3], about + height + rotation(turn) @ (own[:3, 3] - about), atol=2e-6)
+            np.testing.assert_allclose(cases.body_of(body)[:3, 3], about + height + rotation(turn) @ (own[:3, 3] - about), atol=2e-6)
 
     def test_a_deleted_foot(self):
         body, _, feet = cases.cross()
@@ -323,7 +351,10 @@ class Overlay(cases.WalkerTestCase):
 def rotation(turn):
     """3 x 3 of a quaternion."""
     w, x, y, z = turn
-    return np.array([
-        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )

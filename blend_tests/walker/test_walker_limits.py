@@ -5,6 +5,7 @@ from unittest import mock
 
 import bpy
 import numpy as np
+
 import support
 from walker import walker_cases as cases
 
@@ -171,10 +172,15 @@ class Bodies(cases.WalkerTestCase):
         leg = settings.legs[3]
         outside, infinite = "is outside of what a walk can be planned by", "is not a finite number"
         for place, name, number, said in (
-                (settings, "plane_height", math.nan, f"Height {infinite}"), (leg, "length", math.inf, f"Length {infinite}"),
-                (leg, "rest", (0.0, math.nan, 0.0), f"Rest {infinite}"), (settings, "stride", 1e30, f"Stride {outside}"),
-                (settings, "reach_up", 1e30, f"Reach Up {outside}"), (leg, "hip", (1e30, 0.0, 0.0), f"Hip {outside}"),
-                (leg, "length", 1e30, f"Length {outside}"), (leg, "rest", (0.0, 1e30, 0.0), f"Rest {outside}")):
+            (settings, "plane_height", math.nan, f"Height {infinite}"),
+            (leg, "length", math.inf, f"Length {infinite}"),
+            (leg, "rest", (0.0, math.nan, 0.0), f"Rest {infinite}"),
+            (settings, "stride", 1e30, f"Stride {outside}"),
+            (settings, "reach_up", 1e30, f"Reach Up {outside}"),
+            (leg, "hip", (1e30, 0.0, 0.0), f"Hip {outside}"),
+            (leg, "length", 1e30, f"Length {outside}"),
+            (leg, "rest", (0.0, 1e30, 0.0), f"Rest {outside}"),
+        ):
             with self.subTest(name=name, number=number):
                 kept = getattr(place, name)
                 kept = tuple(kept) if hasattr(kept, "__len__") else kept

@@ -1,8 +1,9 @@
 """A leg is said to be too short on exactly those frames on which its standing foot is not reached."""
 
 import bpy
-import support
 from mathutils import Matrix, Vector
+
+import support
 from walker import walker_cases as cases
 
 HIGH = 0.56
@@ -108,7 +109,13 @@ class Reach(cases.WalkerTestCase):
     def test_the_sentence_names_frames_that_are_missed(self):
         self.harden()
         _, seen = self.missed()
-        first, last = map(int, support.addon("walker.told").sentence(
-            bpy.context, self.spider, support.addon("walker.solve").UNREACHED).split(" on frames ")[1].split(",")[0].split("-"))
+        first, last = map(
+            int,
+            support.addon("walker.told")
+            .sentence(bpy.context, self.spider, support.addon("walker.solve").UNREACHED)
+            .split(" on frames ")[1]
+            .split(",")[0]
+            .split("-"),
+        )
         leg = min(cases.plan_of(self.spider).walker.problems, key=lambda one: one[1])[0]
         self.assertTrue(all((leg, frame) in seen for frame in range(max(first, 1), last + 1)))

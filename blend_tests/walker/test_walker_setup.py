@@ -4,6 +4,7 @@ from unittest import mock
 
 import bpy
 import numpy as np
+
 import support
 from core.test_habits import Layout
 from look_at.test_look_at_setup import state
@@ -13,9 +14,26 @@ from walker import walker_cases as cases
 class Add(cases.WalkerTestCase):
     def test_keywords_become_settings(self):
         given = {
-            "gait": 'WAVE', "use_duty": True, "duty": 0.75, "stride": 0.25, "cadence": 2.0, "clearance": 0.125, "minimum_step": 0.0625,
-            "reach_up": 0.375, "reach_down": 0.625, "use_plane": True, "plane_height": -1.0, "body_height": 0.5, "body_tilt": 0.25,
-            "frequency": 3.0, "damping": 0.5, "jump": 2.5, "forward_axis": 'NEG_Y', "up_axis": 'POS_Z', "influence": 0.75}
+            "gait": 'WAVE',
+            "use_duty": True,
+            "duty": 0.75,
+            "stride": 0.25,
+            "cadence": 2.0,
+            "clearance": 0.125,
+            "minimum_step": 0.0625,
+            "reach_up": 0.375,
+            "reach_down": 0.625,
+            "use_plane": True,
+            "plane_height": -1.0,
+            "body_height": 0.5,
+            "body_tilt": 0.25,
+            "frequency": 3.0,
+            "damping": 0.5,
+            "jump": 2.5,
+            "forward_axis": 'NEG_Y',
+            "up_axis": 'POS_Z',
+            "influence": 0.75,
+        }
         self.assertEqual(set(given), set(support.addon("walker.properties").KEYWORDS))
         spider = cases.spider(ahead=0.0, **given)
         self.assertEqual({name: getattr(spider.motus.walker, name) for name in given}, given)
@@ -238,7 +256,6 @@ class Remove(cases.WalkerTestCase):
             self.assertFalse(obj.constraints)
         bpy.data.objects.remove(land)
         self.assertEqual((len(bpy.data.objects), len([mesh for mesh in bpy.data.meshes if mesh.users])), counts)
-
 
     def test_no_trace_on_a_body_that_was_exchanged_or_unparented(self):
         for is_exchanged in (True, False):

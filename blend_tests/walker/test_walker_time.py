@@ -4,6 +4,7 @@ from unittest import mock
 
 import bpy
 import numpy as np
+
 import solved_cases
 import support
 from path import path_cases
@@ -99,8 +100,10 @@ class Motions(cases.WalkerTestCase):
             cases.go_to(21)
             self.assertIn(asked.call_count, (1, 2))  # two where both begin at once
         for stride in (0.2, 0.6):
-            for change in (lambda stride=stride: setattr(spider.motus.walker, "stride", stride),
-                           lambda: setattr(spider.pose.bones["body"], "location", (0.0, 0.01, 0.0))):
+            for change in (
+                lambda stride=stride: setattr(spider.motus.walker, "stride", stride),
+                lambda: setattr(spider.pose.bones["body"], "location", (0.0, 0.01, 0.0)),
+            ):
                 change()
                 bpy.context.view_layer.update()
                 found = cases.places(spider), cases.body_of(spider)

@@ -4,6 +4,7 @@ import math
 
 import bpy
 import numpy as np
+
 import support
 
 OFF_THE_FRAMES = (30, 1, 57, 90, 3.25, 24.5, 5, 100, 57, 30)
@@ -57,8 +58,11 @@ def grid(name, height, half=4.0, count=81):
     x, y = (part.ravel() for part in np.meshgrid(side, side))
     mesh = bpy.data.meshes.new(name)
     corner = (np.arange(count - 1)[:, None] * count + np.arange(count - 1)).ravel()
-    mesh.from_pydata(np.column_stack((x, y, height(x, y))).tolist(), [],
-                     np.column_stack((corner, corner + 1, corner + count + 1, corner + count)).tolist())
+    mesh.from_pydata(
+        np.column_stack((x, y, height(x, y))).tolist(),
+        [],
+        np.column_stack((corner, corner + 1, corner + count + 1, corner + count)).tolist(),
+    )
     return link(name, mesh)
 
 
@@ -70,8 +74,10 @@ def cross(name="Body", legs=4):
     """A body, an empty, with a child and feet that are objects around it; (body, child, feet)."""
     body = link(name)
     shell = link(f"{name} Shell", place=(0.0, 0.0, 0.5), parent=body)
-    feet = [link(f"{name} Foot {index}", place=(math.sin(turn), math.cos(turn), 0.0))
-            for index, turn in enumerate(np.arange(legs) * 2.0 * math.pi / legs + 0.5)]
+    feet = [
+        link(f"{name} Foot {index}", place=(math.sin(turn), math.cos(turn), 0.0))
+        for index, turn in enumerate(np.arange(legs) * 2.0 * math.pi / legs + 0.5)
+    ]
     bpy.context.view_layer.update()
     return body, shell, feet
 
@@ -99,9 +105,14 @@ def places(owner):
     """(legs, 3): where the feet are in the world."""
     depsgraph = bpy.context.evaluated_depsgraph_get()
     seen = owner.evaluated_get(depsgraph)
-    return np.array([
-        (seen.matrix_world @ seen.pose.bones[leg.name].matrix).translation if leg.name
-        else leg.foot.evaluated_get(depsgraph).matrix_world.translation for leg in owner.motus.walker.legs])
+    return np.array(
+        [
+            (seen.matrix_world @ seen.pose.bones[leg.name].matrix).translation
+            if leg.name
+            else leg.foot.evaluated_get(depsgraph).matrix_world.translation
+            for leg in owner.motus.walker.legs
+        ]
+    )
 
 
 def tips(owner):

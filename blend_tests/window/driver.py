@@ -18,6 +18,7 @@ sys.path.insert(0, str(HERE.parent))
 sys.dont_write_bytecode = True
 
 import bpy  # noqa: E402
+
 import support  # noqa: E402  (found by the line above)
 from window import window_support  # noqa: E402
 
@@ -31,8 +32,7 @@ def load_tests(patterns):
     """{file.test: function} of all files, in their order."""
     names = sorted(path.relative_to(HERE.parent).with_suffix("").parts for path in HERE.rglob("test_*.py"))
     modules = [importlib.import_module(".".join(parts)) for parts in names]
-    tests = {f"{module.__name__}.{name}": value for module in modules for name, value in vars(module).items()
-             if name.startswith("test_")}
+    tests = {f"{module.__name__}.{name}": value for module in modules for name, value in vars(module).items() if name.startswith("test_")}
     return {name: test for name, test in tests.items() if not patterns or any(pattern in name for pattern in patterns)}
 
 
@@ -76,6 +76,7 @@ def stepper(steps):
             return None
         turns = iter(range(TURNS - 1)) if seconds is None else iter(())
         return seconds or 0.0
+
     return step
 
 
@@ -97,4 +98,4 @@ def main(picture_folder, *patterns):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[sys.argv.index("--") + 1:])
+    main(*sys.argv[sys.argv.index("--") + 1 :])

@@ -1,6 +1,7 @@
 """The properties editor with an object's transform, and the mouse over one of its properties."""
 
 import bpy
+
 from window import window_support
 
 STEP = 6  # pixels

@@ -24,8 +24,19 @@ SIZE = 960, 600
 def x_server(folder, size):
     """A display of its own with a screen of (width, height), which keeps its pixels in a file in `folder`; gives its name."""
     read, write = os.pipe()
-    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "{}x{}x24".format(*size), "-fbdir", str(folder), "-nocursor",
-               "-nolisten", "tcp"]
+    command = [
+        "Xvfb",
+        "-displayfd",
+        str(write),
+        "-screen",
+        "0",
+        "{}x{}x24".format(*size),
+        "-fbdir",
+        str(folder),
+        "-nocursor",
+        "-nolisten",
+        "tcp",
+    ]
     with subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL) as server:
         os.close(write)
         try:
@@ -46,9 +57,22 @@ class Run:
     def __init__(self, version, folder, display, patterns):
         backend = () if version == "3.4" else ("--gpu-backend", "opengl")
         self._command = [
-            str(CLONE / "motus"), "blender", "--version", version, "--factory-startup", "--enable-event-simulate", *backend,
-            *window_of(SIZE), "--python-exit-code", "1", "--python", str(HERE / "driver.py"), "--",
-            str(folder), *patterns]
+            str(CLONE / "motus"),
+            "blender",
+            "--version",
+            version,
+            "--factory-startup",
+            "--enable-event-simulate",
+            *backend,
+            *window_of(SIZE),
+            "--python-exit-code",
+            "1",
+            "--python",
+            str(HERE / "driver.py"),
+            "--",
+            str(folder),
+            *patterns,
+        ]
         # Software rendering, whatever the machine has: the pictures are the same everywhere.
         self._environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1")
         self._environment.pop("WAYLAND_DISPLAY", None)
@@ -62,8 +86,9 @@ class Run:
         """Runs the tests that are left in one Blender; returns whether it got anywhere."""
         skip = dict(self._environment, MOTUS_ENDED=" ".join(self.ended))
         known, begun = len(self.ended), None
-        with subprocess.Popen(self._command, env=skip, text=True, errors="replace", stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT) as blender:
+        with subprocess.Popen(
+            self._command, env=skip, text=True, errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT
+        ) as blender:
             alarm = self._alarm(blender)
             for line in blender.stdout:
                 print(line, end="", flush=True)
@@ -88,6 +113,7 @@ class Run:
         def ring():
             print(f"no word from Blender for {HANGS_AFTER} s", flush=True)
             blender.kill()
+
         alarm = threading.Timer(HANGS_AFTER, ring)
         alarm.start()
         return alarm

@@ -3,6 +3,7 @@
 import contextlib
 
 import bpy
+
 import support
 from window import window_support
 
@@ -44,6 +45,7 @@ def noted():
     def noting(layout, identifier, icon, words, bones=()):
         found.setdefault(identifier, []).append((words, tuple(bones)))
         return draw(layout, identifier, icon, words, bones)
+
     entries.draw_add = noting
     try:
         yield found

@@ -1,13 +1,15 @@
 """The sidebar's Motus tab opens and draws."""
 
 import bpy
+
 import support
 from window import window_support
 
 SENTENCES = (
     "Landscape has a Multiresolution modifier: apply it or remove it first",
     "Some chains have no target that they could reach for: the list says why",
-    "A property that is to be driven is gone, has another driver, or is another file's; what is left is driven")
+    "A property that is to be driven is gone, has another driver, or is another file's; what is left is driven",
+)
 AROUND = 80.0
 """Pixels of the sidebar that its tabs, margins and a message's icon take."""
 

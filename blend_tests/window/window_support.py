@@ -9,6 +9,7 @@ from contextlib import contextmanager
 import blf
 import bpy
 import numpy as np
+
 import support
 
 picture_folder = None  # set by driver.py
@@ -32,8 +33,9 @@ def draw_little():
     """Lets the 3D viewport do without what no test looks at: drawn in software, it is a third of the time."""
     space = area().spaces.active
     for of, names in (
-            (space.overlay, ("show_floor", "show_axis_x", "show_axis_y", "show_outline_selected")),
-            (space.shading, ("show_object_outline", "show_specular_highlight"))):
+        (space.overlay, ("show_floor", "show_axis_x", "show_axis_y", "show_outline_selected")),
+        (space.shading, ("show_object_outline", "show_specular_highlight")),
+    ):
         for name in names:
             setattr(of, name, False)
 
@@ -74,6 +76,7 @@ def drawn_panels(category):
     def appended(panel):
         def mark(_panel, _context):
             drawn.append(panel.__name__)
+
         panel.append(mark)
 
     for panel in bpy.types.Panel.__subclasses__():
@@ -138,6 +141,7 @@ def _noting_draw(panel, found):
         stand_in = panel.__bases__[0]()  # Blender's own panels have layouts that cannot be replaced
         stand_in.layout = _NotingLayout(shown.layout, found.setdefault(panel.__name__, set()))
         stand_in.draw(context)
+
     return draw
 
 
@@ -160,6 +164,7 @@ class _NotingLayout:
             if name in {"prop", "prop_search"}:
                 self._names.add(arguments[1])
             return _NotingLayout(made, self._names) if isinstance(made, bpy.types.UILayout) else made
+
         return call
 
 
@@ -196,18 +201,24 @@ def screen():
     header = struct.unpack(">25I", content[:100])
     header_size, width, height, line, colours = (header[field] for field in (0, 4, 5, 12, 19))
     lines = np.frombuffer(content, np.uint8, height * line, header_size + 12 * colours).reshape(height, line)
-    return lines[:, :4 * width].reshape(height, width, 4)[:, :, 2::-1]
+    return lines[:, : 4 * width].reshape(height, width, 4)[:, :, 2::-1]
 
 
 def _png(screen):
     """The content of a PNG file."""
+
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
     height, width, _ = screen.shape
     lines = np.zeros((height, 1 + 3 * width), np.uint8)  # a byte before each line says how the line is filtered: not at all
     lines[:, 1:] = screen.reshape(height, -1)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)) +
-            chunk(b"IDAT", zlib.compress(lines.tobytes(), 1)) + chunk(b"IEND", b""))
+    return (
+        b"\x89PNG\r\n\x1a\n"
+        + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0))
+        + chunk(b"IDAT", zlib.compress(lines.tobytes(), 1))
+        + chunk(b"IEND", b"")
+    )
 
 
 def pixels(path):

@@ -17,7 +17,8 @@ def render_all(folder):
     bpy.ops.motus.demo_scene(system='CHROMA')
     scene = bpy.context.window.scene
     scene.render.engine = next(
-        item.identifier for item in scene.render.bl_rna.properties["engine"].enum_items if "EEVEE" in item.identifier)
+        item.identifier for item in scene.render.bl_rna.properties["engine"].enum_items if "EEVEE" in item.identifier
+    )
     scene.eevee.taa_render_samples = SAMPLES
     scene.render.resolution_x, scene.render.resolution_y = TILE
     scene.frame_set(FRAME)

@@ -83,8 +83,9 @@ def build(demo, progress):
     if bpy.ops.motus.demo_scene(system=demo.identifier) != {"FINISHED"}:
         sys.exit("The demo scene could not be built")
     scene = bpy.context.window.scene
-    progress.say(f"{demo.name}: a scene of {len(scene.objects)} objects and {scene.frame_end} frames, built in "
-                 f"{progress.seconds() - began:.0f} s")
+    progress.say(
+        f"{demo.name}: a scene of {len(scene.objects)} objects and {scene.frame_end} frames, built in {progress.seconds() - began:.0f} s"
+    )
     return scene
 
 
@@ -178,8 +179,7 @@ def render_film(shot, scene, folder, quality, progress):
     cost = _frame_cost(scene, last, progress)
     # The end is the best of it: a shorter film starts later.
     longest = min(last - first + 1, quality.film_frames)
-    frames, samples = demo_plan.fit_film(
-        shot.end - progress.seconds(), cost, quality.film_samples, scene.render.fps, longest)
+    frames, samples = demo_plan.fit_film(shot.end - progress.seconds(), cost, quality.film_samples, scene.render.fps, longest)
     cost *= samples / quality.film_samples
     scene.eevee.taa_render_samples = samples
     progress.say(f"{demo.name}: film of {frames} frames, {samples} samples, {cost:.1f} s each: {frames * cost / 60.0:.1f} minutes")

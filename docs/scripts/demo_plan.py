@@ -56,12 +56,20 @@ def plan(names, spent, scenes=SCENES):
     the next one's.
     """
     if names:
-        return [Shot(scene, still, NEVER) for name in dict.fromkeys(names) for scene in scenes if scene.name == name
-                for still in (*range(len(scene.stills)), FILM)]
+        return [
+            Shot(scene, still, NEVER)
+            for name in dict.fromkeys(names)
+            for scene in scenes
+            if scene.name == name
+            for still in (*range(len(scene.stills)), FILM)
+        ]
     seconds = max(TOTAL - spent, LEAST)
     share = (1.0 - FILM_SHARE) * seconds / len(scenes)
-    stills = [Shot(scene, still, spent + place * share, is_optional=still > 0)
-              for place, scene in enumerate(scenes, start=1) for still in range(min(len(scene.stills), STILLS))]
+    stills = [
+        Shot(scene, still, spent + place * share, is_optional=still > 0)
+        for place, scene in enumerate(scenes, start=1)
+        for still in range(min(len(scene.stills), STILLS))
+    ]
     return [*stills, Shot(scenes[0], FILM, spent + seconds)]
 
 

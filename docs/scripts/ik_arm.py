@@ -15,8 +15,10 @@ BONES = {
 # The fingers end before the bone's tail, where the ball's centre goes.
 # Place along and across the hand (m), turn from its direction (rad), half length, half width.
 FINGERS = (
-    (0.110, -0.030, -0.18, 0.048, 0.0115), (0.138, -0.0110, -0.05, 0.058, 0.0125),
-    (0.139, 0.0110, 0.03, 0.057, 0.0125), (0.125, 0.031, 0.14, 0.051, 0.0120),
+    (0.110, -0.030, -0.18, 0.048, 0.0115),
+    (0.138, -0.0110, -0.05, 0.058, 0.0125),
+    (0.139, 0.0110, 0.03, 0.057, 0.0125),
+    (0.125, 0.031, 0.14, 0.051, 0.0120),
 )
 THUMB = (0.064, 0.048, 0.62, 0.042, 0.0135)
 
@@ -62,8 +64,10 @@ def _add_limb(rig, bone, material, width):
 
 
 COLORS = {
-    "Wood": (figure.WOOD, 0.45), "Dark Wood": (figure.DARK_WOOD, 0.4),
-    "Ghost": ((0.78, 0.82, 0.86, 1.0), 0.9), "Dark Ghost": ((0.52, 0.58, 0.64, 1.0), 0.9),
+    "Wood": (figure.WOOD, 0.45),
+    "Dark Wood": (figure.DARK_WOOD, 0.4),
+    "Ghost": ((0.78, 0.82, 0.86, 1.0), 0.9),
+    "Dark Ghost": ((0.52, 0.58, 0.64, 1.0), 0.9),
 }
 
 

@@ -18,8 +18,11 @@ WALL_Y = 0.13
 SHOULDER = Vector((-0.37, 0.0, 0.36))  # from the middle of a cell
 TARGET = Vector((0.33, 0.0, 0.24))
 # Its Y axis points down to the right along the wall, Z up to the right, and X to the camera and a little aside.
-TARGET_TURN = (Euler((math.radians(90), 0.0, math.radians(24))).to_matrix()
-               @ Matrix.Rotation(math.radians(-140), 3, 'Z') @ Matrix.Rotation(math.radians(-90), 3, 'Y'))
+TARGET_TURN = (
+    Euler((math.radians(90), 0.0, math.radians(24))).to_matrix()
+    @ Matrix.Rotation(math.radians(-140), 3, 'Z')
+    @ Matrix.Rotation(math.radians(-90), 3, 'Y')
+)
 BALL = 0.040
 ARROW = 0.165
 RED, GREEN, BLUE = (0.80, 0.05, 0.05, 1.0), (0.14, 0.50, 0.05, 1.0), (0.05, 0.20, 0.75, 1.0)
@@ -72,8 +75,14 @@ def _add_arm(name, middle, target, position, rotation, is_ghost=False):
         goal.matrix_world = Matrix.Translation(depth) @ target.matrix_world
         target = goal
     bpy.ops.motus.ik_add(
-        object=rig.name, bone="Hand", target=target.name, chain_length=3, position_weight=position,
-        rotation_weight=rotation, keep_rotation=False)
+        object=rig.name,
+        bone="Hand",
+        target=target.name,
+        chain_length=3,
+        position_weight=position,
+        rotation_weight=rotation,
+        keep_rotation=False,
+    )
 
 
 def _add_target(place):
@@ -113,7 +122,8 @@ def _add_bar(name, value, color, place):
     ink = color if value else FADED
     labels = (
         stage.add_text(name, (x - 0.045, y, z + 0.004), 0.088, ink, align='RIGHT'),
-        stage.add_text(f"{value:g}", (x + BAR + 0.045, y, z + 0.004), 0.088, ink, align='LEFT'))
+        stage.add_text(f"{value:g}", (x + BAR + 0.045, y, z + 0.004), 0.088, ink, align='LEFT'),
+    )
     for label in labels:
         label.visible_shadow = False
     _add_plate((x, y + 0.005, z), BAR, 0.062, EMPTY)
@@ -124,8 +134,7 @@ def _add_bar(name, value, color, place):
 def _add_plate(corner, width, height, color):
     x, y, z = corner
     mesh = bpy.data.meshes.new("Plate")
-    mesh.from_pydata(
-        [(x, y, z), (x + width, y, z), (x + width, y, z + height), (x, y, z + height)], [], [(0, 1, 2, 3)])
+    mesh.from_pydata([(x, y, z), (x + width, y, z), (x + width, y, z + height), (x, y, z + height)], [], [(0, 1, 2, 3)])
     mesh.materials.append(stage.flat_material("Plate", color))
     plate = stage.link(bpy.data.objects.new("Plate", mesh))
     plate.visible_shadow = False
@@ -144,8 +153,9 @@ def _render_reach(file):
         _add_curve(0.0, distance, (tip - NEAREST) / (1.0 - NEAREST), color)
         _add_curve(right, distance, (_elbow(tip) - _elbow(NEAREST)) / (math.pi - _elbow(NEAREST)), color)
         for left in (0.0, right):
-            stage.add_text(f"softness {softness:g}", (left + PLOT.x - 0.1, 1.75 - 0.62 * row, 0.0), 0.46, color,
-                           align='RIGHT', upright=False)
+            stage.add_text(
+                f"softness {softness:g}", (left + PLOT.x - 0.1, 1.75 - 0.62 * row, 0.0), 0.46, color, align='RIGHT', upright=False
+            )
     middle = (0.5 * (right + PLOT.x) - 0.35, 1.83)
     stage.add_camera(scene, (*middle, 10.0), (*middle, 0.0), width=right + PLOT.x + 2.2)
     return stage.render(scene, file, (1280, 512), samples=32)

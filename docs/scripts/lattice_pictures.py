@@ -9,8 +9,7 @@ from mathutils import Vector
 import stage
 
 WIDTH = 4.1
-CLAY, STEEL, PULL, HOLD = (
-    (0.62, 0.30, 0.16, 1.0), (0.16, 0.20, 0.26, 1.0), (0.85, 0.20, 0.05, 1.0), (0.05, 0.30, 0.75, 1.0))
+CLAY, STEEL, PULL, HOLD = ((0.62, 0.30, 0.16, 1.0), (0.16, 0.20, 0.26, 1.0), (0.85, 0.20, 0.05, 1.0), (0.05, 0.30, 0.75, 1.0))
 EAR, CHIN, CROWN = Vector((1.35, 0.0, 0.3)), Vector((0.0, -0.55, -0.95)), Vector((0.15, -0.35, 0.9))
 RESOLUTION = (4, 4, 4)
 # Where it is taken, how far it is pulled, across which axes that is repeated, and which place is held.
@@ -54,8 +53,8 @@ def _add_head(place, start, displacement, mirror, held):
         before = _nearest(head, place + start)
         stays = [_nearest(head, place + held)[0]] if held else []
         bpy.ops.motus.lattice_pull(
-            object=head.name, vertex=before[0], displacement=displacement, mirror=mirror,
-            held=", ".join(map(str, stays)))
+            object=head.name, vertex=before[0], displacement=displacement, mirror=mirror, held=", ".join(map(str, stays))
+        )
         after = _points(head)
         # In front of the head, into which it would vanish.
         ends = [end + Vector((0.0, -1.5, 0.0)) for end in (before[1], Vector(after[before[0]].tolist()))]

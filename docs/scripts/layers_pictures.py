@@ -13,17 +13,39 @@ BONES = {
     "Waist": ("Hips", (0.0, 0.0, 1.04), (0.0, 0.0, 1.22)),
     "Chest": ("Waist", (0.0, 0.0, 1.22), (0.0, 0.0, 1.48)),
     "Head": ("Chest", (0.0, 0.0, 1.54), (0.0, 0.0, 1.78)),
-    "Arm.L": ("Chest", (0.21, 0.0, 1.43), (0.24, 0.01, 1.15)), "Hand.L": ("Arm.L", (0.24, 0.01, 1.15), (0.25, -0.03, 0.88)),
-    "Arm.R": ("Chest", (-0.21, 0.0, 1.43), (-0.24, 0.01, 1.15)), "Hand.R": ("Arm.R", (-0.24, 0.01, 1.15), (-0.25, -0.03, 0.88)),
-    "Thigh.L": ("Hips", (0.10, 0.0, 0.88), (0.10, -0.01, 0.47)), "Shin.L": ("Thigh.L", (0.10, -0.01, 0.47), (0.10, 0.02, 0.06)),
-    "Thigh.R": ("Hips", (-0.10, 0.0, 0.88), (-0.10, -0.01, 0.47)), "Shin.R": ("Thigh.R", (-0.10, -0.01, 0.47), (-0.10, 0.02, 0.06)),
+    "Arm.L": ("Chest", (0.21, 0.0, 1.43), (0.24, 0.01, 1.15)),
+    "Hand.L": ("Arm.L", (0.24, 0.01, 1.15), (0.25, -0.03, 0.88)),
+    "Arm.R": ("Chest", (-0.21, 0.0, 1.43), (-0.24, 0.01, 1.15)),
+    "Hand.R": ("Arm.R", (-0.24, 0.01, 1.15), (-0.25, -0.03, 0.88)),
+    "Thigh.L": ("Hips", (0.10, 0.0, 0.88), (0.10, -0.01, 0.47)),
+    "Shin.L": ("Thigh.L", (0.10, -0.01, 0.47), (0.10, 0.02, 0.06)),
+    "Thigh.R": ("Hips", (-0.10, 0.0, 0.88), (-0.10, -0.01, 0.47)),
+    "Shin.R": ("Thigh.R", (-0.10, -0.01, 0.47), (-0.10, 0.02, 0.06)),
 }
 THICK = {"Hips": 0.13, "Waist": 0.10, "Chest": 0.15, "Head": 0.115, "Thigh.L": 0.068, "Thigh.R": 0.068}
 THIN = 0.052
 # Degrees in the armature: about X (ahead is negative for what hangs down), Y, and the vertical.
-WALK = {"Hips": (14, 0, 26), "Waist": (4, 0, -12), "Chest": (4, 0, -26), "Thigh.L": (-34, 0, 0), "Shin.L": (8, 0, 0), "Thigh.R": (20, 0, 0),
-        "Shin.R": (28, 0, 0), "Arm.L": (26, 0, 0), "Hand.L": (-14, 0, 0), "Arm.R": (-30, 0, 0), "Hand.R": (-22, 0, 0)}
-THROW = {"Waist": (-4, 0, -10), "Chest": (-8, 0, -14), "Arm.R": (-172, 0, 0), "Hand.R": (-52, 0, 0), "Arm.L": (-62, 0, 0), "Hand.L": (-12, 0, 0)}
+WALK = {
+    "Hips": (14, 0, 26),
+    "Waist": (4, 0, -12),
+    "Chest": (4, 0, -26),
+    "Thigh.L": (-34, 0, 0),
+    "Shin.L": (8, 0, 0),
+    "Thigh.R": (20, 0, 0),
+    "Shin.R": (28, 0, 0),
+    "Arm.L": (26, 0, 0),
+    "Hand.L": (-14, 0, 0),
+    "Arm.R": (-30, 0, 0),
+    "Hand.R": (-22, 0, 0),
+}
+THROW = {
+    "Waist": (-4, 0, -10),
+    "Chest": (-8, 0, -14),
+    "Arm.R": (-172, 0, 0),
+    "Hand.R": (-52, 0, 0),
+    "Arm.L": (-62, 0, 0),
+    "Hand.L": (-12, 0, 0),
+}
 # Title, a line below it, and the keywords of the layer; none of the first figure.
 LAYERS = (
     ("Walk", "the rig's own action", None),
@@ -105,8 +127,7 @@ def key_pose(rig, turns, frame):
 def dress(rig):
     """A piece of wood for each bone; what the layer takes is orange."""
     driven = {bone.name for bone in rig.pose.bones if any(one.name.startswith("Motus") for one in bone.constraints)}
-    materials = {is_taken: stage.glossy_material(f"{rig.name} {is_taken}", TAKEN if is_taken else WOOD, 0.4)
-                 for is_taken in (False, True)}
+    materials = {is_taken: stage.glossy_material(f"{rig.name} {is_taken}", TAKEN if is_taken else WOOD, 0.4) for is_taken in (False, True)}
     for bone in rig.data.bones:
         bpy.ops.mesh.primitive_uv_sphere_add(segments=40, ring_count=24)
         part = bpy.context.object

@@ -10,8 +10,12 @@ import stage
 
 # Title, and the weights of body, head and eyes; a general weight of 0 first.
 LOOKS = (
-    ("At Rest", 0.0, 0.0, 0.0), ("Eyes", 0.0, 0.0, 1.0), ("Head", 0.0, 1.0, 0.0),
-    ("Body", 1.0, 0.0, 0.0), ("Default", 0.3, 1.0, 0.0), ("Everything", 0.3, 0.6, 1.0),
+    ("At Rest", 0.0, 0.0, 0.0),
+    ("Eyes", 0.0, 0.0, 1.0),
+    ("Head", 0.0, 1.0, 0.0),
+    ("Body", 1.0, 0.0, 0.0),
+    ("Default", 0.3, 1.0, 0.0),
+    ("Everything", 0.3, 0.6, 1.0),
 )
 SPACING = 0.98
 TARGET = Vector((0.43, -0.45, 1.60))  # m from the figure's stand
@@ -44,8 +48,7 @@ def _render_weights(file):
             _add_gaze(rig, target)
         _add_plate((x - 0.38, CARD_Y + 0.02, 0.02), 0.76, 0.52, CARD)
         stage.add_text(title, (x, CARD_Y, 0.415), 0.105)
-        for row, (name, value, color) in enumerate((
-                ("eyes", eyes, figure.EYES), ("head", head, figure.HEAD), ("body", body, figure.BODY))):
+        for row, (name, value, color) in enumerate((("eyes", eyes, figure.EYES), ("head", head, figure.HEAD), ("body", body, figure.BODY))):
             _add_bar(name, value, color, (x - 0.13, CARD_Y, 0.29 - 0.105 * row))
     stage.add_camera(scene, (0.0, -9.0, 1.75), (0.0, 0.0, 0.85), width=SPACING * len(LOOKS) + 0.1)
     return stage.render(scene, file, (1280, 410), samples=96)
@@ -120,7 +123,6 @@ def _add_bar(name, value, color, place):
 def _add_plate(corner, width, height, color):
     x, y, z = corner
     mesh = bpy.data.meshes.new("Plate")
-    mesh.from_pydata(
-        [(x, y, z), (x + width, y, z), (x + width, y, z + height), (x, y, z + height)], [], [(0, 1, 2, 3)])
+    mesh.from_pydata([(x, y, z), (x + width, y, z), (x + width, y, z + height), (x, y, z + height)], [], [(0, 1, 2, 3)])
     mesh.materials.append(stage.flat_material("Plate", color))
     stage.link(bpy.data.objects.new("Plate", mesh))

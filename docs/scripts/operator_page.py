@@ -35,16 +35,14 @@ def _section(identifier):
 
 
 def _row(prop):
-    return (f"| `{prop.identifier}` | {_kind(prop)} | {_default(prop)} | {_range(prop)} | "
-            f"{prop.description or prop.name} |\n")
+    return f"| `{prop.identifier}` | {_kind(prop)} | {_default(prop)} | {_range(prop)} | {prop.description or prop.name} |\n"
 
 
 def _kind(prop):
     if prop.type == 'ENUM':
         items = ", ".join(f"`{item.identifier}`" for item in prop.enum_items) or "text"
         return f"set of {items}" if prop.is_enum_flag else items
-    return {'FLOAT': "number", 'INT': "whole number", 'BOOLEAN': "true or false", 'STRING': "text"}.get(
-        prop.type, prop.type.lower())
+    return {'FLOAT': "number", 'INT': "whole number", 'BOOLEAN': "true or false", 'STRING': "text"}.get(prop.type, prop.type.lower())
 
 
 def _default(prop):
@@ -68,7 +66,7 @@ def _range(prop):
         return ""
     parts = [_UNITS.get(prop.unit, "")]
     low, high = prop.hard_min, prop.hard_max
-    if low > -1e30 and low > -2**31:
+    if low > -1e30 and low > -(2**31):
         parts.append(f"≥ {low:.4g}")
     if high < 1e30 and high < 2**31 - 1:
         parts.append(f"≤ {high:.4g}")

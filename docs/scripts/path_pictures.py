@@ -9,8 +9,11 @@ from mathutils import Vector
 import support
 
 LANES = (
-    ("World Up", 'WORLD_UP'), ("Minimal Twist", 'MINIMAL'), ("Banking", 'BANKING'),
-    ("Curvature", 'CURVATURE'), ("Curve Tilt", 'TILT'),
+    ("World Up", 'WORLD_UP'),
+    ("Minimal Twist", 'MINIMAL'),
+    ("Banking", 'BANKING'),
+    ("Curvature", 'CURVATURE'),
+    ("Curve Tilt", 'TILT'),
 )
 # A course over the lane's own axis: a bend to either side, then a hump. Metres; x, y, z.
 COURSE = ((0, 0, 0), (0, 12, 0), (7, 24, 0), (-7, 40, 1), (0, 54, 7), (0, 66, 2), (0, 78, 2))
@@ -38,10 +41,18 @@ def _render_modes(file):
     for index, (label, mode) in enumerate(LANES):
         x = (index - (len(LANES) - 1) / 2) * LANE_WIDTH
         course = _add_curve(f"Course {label}", COURSE, x, tilt=(mode == 'TILT'))
-        planes = fleet[index * PLANES:(index + 1) * PLANES]
+        planes = fleet[index * PLANES : (index + 1) * PLANES]
         bpy.ops.motus.path_train_add(
-            objects=",".join(plane.name for plane in planes), curve=course.name, gap=GAP, timing='SPEED', speed=SPEED,
-            offset=GAP * (PLANES - 0.5), orientation=mode, forward_axis='POS_Y', up_axis='POS_Z')
+            objects=",".join(plane.name for plane in planes),
+            curve=course.name,
+            gap=GAP,
+            timing='SPEED',
+            speed=SPEED,
+            offset=GAP * (PLANES - 0.5),
+            orientation=mode,
+            forward_axis='POS_Y',
+            up_axis='POS_Z',
+        )
         _add_label(label, (x, -6.0, 1.0), 2.5, CHALK, tilt=math.radians(42))
     _add_floor((0.20, 0.34, 0.36, 1.0))
     _add_sun((math.radians(48), 0, math.radians(35)), 2.6)

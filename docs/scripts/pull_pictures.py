@@ -14,11 +14,19 @@ PAPER = (0.90, 0.92, 0.94)
 
 # Falloff, its name, and keywords besides.
 FALLOFFS = (
-    ('SMOOTH', "Smooth", {}), ('SPHERE', "Sphere", {}), ('ROOT', "Root", {}),
-    ('LINEAR', "Linear", {}), ('SHARP', "Sharp", {}), ('CONSTANT', "Constant", {}),
-    ('GAUSSIAN', "Gaussian", {}), ('CLASSIC', "Classic, k = 0", {}),
-    ('CURVE', "Curve", {"curve": [
-        (0.62 + 0.38 * math.cos(3.0 * math.pi * (1.0 - t))) * min(1.0, 4.0 * t) for t in np.linspace(0.0, 1.0, 32)]}),
+    ('SMOOTH', "Smooth", {}),
+    ('SPHERE', "Sphere", {}),
+    ('ROOT', "Root", {}),
+    ('LINEAR', "Linear", {}),
+    ('SHARP', "Sharp", {}),
+    ('CONSTANT', "Constant", {}),
+    ('GAUSSIAN', "Gaussian", {}),
+    ('CLASSIC', "Classic, k = 0", {}),
+    (
+        'CURVE',
+        "Curve",
+        {"curve": [(0.62 + 0.38 * math.cos(3.0 * math.pi * (1.0 - t))) * min(1.0, 4.0 * t) for t in np.linspace(0.0, 1.0, 32)]},
+    ),
 )
 CELL = Vector((2.75, 1.82))
 HEIGHT = 0.9
@@ -42,8 +50,11 @@ HEAD_SPACING = 3.2
 def render_all(folder):
     """Render every picture into `folder`; returns the files."""
     folder.mkdir(exist_ok=True)
-    return [_render_falloffs(folder / "pull_falloffs.png"), _render_distances(folder / "pull_distances.png"),
-            _render_pins(folder / "pull_pins.png")]
+    return [
+        _render_falloffs(folder / "pull_falloffs.png"),
+        _render_distances(folder / "pull_distances.png"),
+        _render_pins(folder / "pull_pins.png"),
+    ]
 
 
 # --- falloffs --------------------------------------------------------------------------------------------------------
@@ -58,8 +69,17 @@ def _render_falloffs(file):
         place = Vector(((column - 1) * CELL.x, 0.0, (1 - row) * CELL.y))
         grid = _half_grid(place, clay)
         bpy.ops.motus.pick_pull(
-            object=grid.name, location=(0.0, 0.0, 0.0), displacement=(0.0, 0.0, HEIGHT), radius=1.0, unit='LOCAL',
-            falloff=falloff, distance='STRAIGHT', mirror=set(), scale_factor=0.0, **more)
+            object=grid.name,
+            location=(0.0, 0.0, 0.0),
+            displacement=(0.0, 0.0, HEIGHT),
+            radius=1.0,
+            unit='LOCAL',
+            falloff=falloff,
+            distance='STRAIGHT',
+            mirror=set(),
+            scale_factor=0.0,
+            **more,
+        )
         edge = sorted(tuple(vertex.co) for vertex in grid.data.vertices if vertex.co.y < 1e-6)
         stage.add_tube([place + Vector(point) + Vector((0.0, -0.01, 0.0)) for point in edge], 0.016, line)
         stage.add_text(name, place + Vector((0.0, -0.4, -0.33)), 0.22)
@@ -92,8 +112,15 @@ def _render_distances(file):
         bpy.context.view_layer.update()
         before = _places(sheet)
         bpy.ops.motus.pick_pull(
-            object=sheet.name, location=SHEET_ROOT, displacement=(0.0, 0.0, SHEET_LIFT), radius=radius, unit='LOCAL',
-            falloff='SMOOTH', distance=distance, mirror=set())
+            object=sheet.name,
+            location=SHEET_ROOT,
+            displacement=(0.0, 0.0, SHEET_LIFT),
+            radius=radius,
+            unit='LOCAL',
+            falloff='SMOOTH',
+            distance=distance,
+            mirror=set(),
+        )
         after = _places(sheet)
         moved = np.linalg.norm(after - before, axis=1) / SHEET_LIFT
         sheet.data.attributes.new("moved", 'FLOAT', 'POINT').data.foreach_set("value", moved.astype(np.float32))
@@ -158,8 +185,17 @@ def _render_pins(file):
         bpy.context.view_layer.update()
         for name, place, way, radius, is_mirrored in PINS:
             bpy.ops.motus.pin_add(
-                object=head.name, name=name, location=place, displacement=way, radius=radius, unit='LOCAL',
-                falloff='SMOOTH', distance='SURFACE', strength=strength, mirror={'X'} if is_mirrored else set())
+                object=head.name,
+                name=name,
+                location=place,
+                displacement=way,
+                radius=radius,
+                unit='LOCAL',
+                falloff='SMOOTH',
+                distance='SURFACE',
+                strength=strength,
+                mirror={'X'} if is_mirrored else set(),
+            )
         bpy.context.view_layer.update()
         seen = head.evaluated_get(bpy.context.evaluated_depsgraph_get())
         for pin in head.motus.pull.pins:

@@ -9,18 +9,19 @@ import stage
 
 NIGHT = (0.012, 0.02, 0.05)
 LABEL = (0.9, 0.93, 1.0, 1.0)
-PRESETS = (('GENTLE', "gentle"), ('BLIZZARD', "blizzard"), ('WET', "wet"), ('DUST', "dust"), ('PETALS', "petals"),
-           ('SPARKS', "sparks"))
-SHAPES = (('SQUARE', "square"), ('DISC', "disc"), ('BOX', "box"), ('SPHERE', "sphere"), ('CONE', "cone"),
-          ('SURFACE', "mesh surface"))
+PRESETS = (('GENTLE', "gentle"), ('BLIZZARD', "blizzard"), ('WET', "wet"), ('DUST', "dust"), ('PETALS', "petals"), ('SPARKS', "sparks"))
+SHAPES = (('SQUARE', "square"), ('DISC', "disc"), ('BOX', "box"), ('SPHERE', "sphere"), ('CONE', "cone"), ('SURFACE', "mesh surface"))
 CELL = 3.4
 
 
 def render_all(folder):
     """Render every picture into `folder`; returns the files."""
     folder.mkdir(exist_ok=True)
-    return [_render_presets(folder / "snow_presets.png"), _render_emitters(folder / "snow_emitters.png"),
-            _render_cover(folder / "snow_cover.png")]
+    return [
+        _render_presets(folder / "snow_presets.png"),
+        _render_emitters(folder / "snow_emitters.png"),
+        _render_cover(folder / "snow_cover.png"),
+    ]
 
 
 def _scene():
@@ -58,8 +59,18 @@ def _render_emitters(file):
     scene = _scene()
     for column, (shape, label) in enumerate(SHAPES):
         x = (column - 0.5 * (len(SHAPES) - 1)) * CELL
-        keywords = {"shape": shape, "rate": 260.0, "lifetime": 1.2, "start_speed": 1.2, "look": 'SPECK', "flake_width": 0.05,
-                    "cone_radius": 0.7, "cone_angle": math.radians(35.0), "tumble": 2.0, "start_frame": -60.0}
+        keywords = {
+            "shape": shape,
+            "rate": 260.0,
+            "lifetime": 1.2,
+            "start_speed": 1.2,
+            "look": 'SPECK',
+            "flake_width": 0.05,
+            "cone_radius": 0.7,
+            "cone_angle": math.radians(35.0),
+            "tumble": 2.0,
+            "start_frame": -60.0,
+        }
         if shape == 'SURFACE':
             bpy.ops.mesh.primitive_torus_add(location=(x, 0.0, 0.0), major_radius=0.75, minor_radius=0.28)
             torus = bpy.context.object
@@ -76,19 +87,31 @@ def _render_emitters(file):
 def _render_cover(file):
     """The same roof, fence and tree after some, more, and much snow."""
     scene = _scene()
-    materials = [stage.glossy_material(name, color, 0.8) for name, color in (
-        ("Roof", (0.16, 0.05, 0.035, 1.0)), ("Wood", (0.10, 0.06, 0.035, 1.0)), ("Needles", (0.02, 0.07, 0.04, 1.0)),
-        ("Grass", (0.06, 0.07, 0.03, 1.0)))]
+    materials = [
+        stage.glossy_material(name, color, 0.8)
+        for name, color in (
+            ("Roof", (0.16, 0.05, 0.035, 1.0)),
+            ("Wood", (0.10, 0.06, 0.035, 1.0)),
+            ("Needles", (0.02, 0.07, 0.04, 1.0)),
+            ("Grass", (0.06, 0.07, 0.03, 1.0)),
+        )
+    ]
     for column, seconds in enumerate((2.0, 5.0, 10.0)):
         x = (column - 1) * 7.2
         surfaces = _yard(x, *materials)
         bpy.ops.motus.snow_add(
-            preset='GENTLE', location=(x, 0.0, 6.0), rate=2500.0, cone_radius=3.4, lifetime=8.0, seed=column,
-            start_frame=1.0 - (6.0 + seconds) * scene.render.fps, preview=6.0)
+            preset='GENTLE',
+            location=(x, 0.0, 6.0),
+            rate=2500.0,
+            cone_radius=3.4,
+            lifetime=8.0,
+            seed=column,
+            start_frame=1.0 - (6.0 + seconds) * scene.render.fps,
+            preview=6.0,
+        )
         emitter = bpy.context.object
         emitter.motus.snow.influence = 0.0
-        bpy.ops.motus.snow_cover_add(
-            surfaces=",".join(surfaces), emitters=emitter.name, lump=0.042 * 2.0, resolution=0.07, smoothing=0.14)
+        bpy.ops.motus.snow_cover_add(surfaces=",".join(surfaces), emitters=emitter.name, lump=0.042 * 2.0, resolution=0.07, smoothing=0.14)
         stage.add_text(f"{seconds:g} s", Vector((x, -3.7, -0.75)), 0.4, LABEL)
     stage.add_camera(scene, (0.0, -19.0, 8.5), (0.0, 0.0, 0.95), width=22.5)
     return stage.render(scene, file, (1280, 440), samples=64)
@@ -114,6 +137,14 @@ def _yard(x, roof, wood, needles, grass):
         add('cube', wood, (-2.4 + 1.2 * post, -1.9, 0.35), (0.06, 0.06, 0.35))
     add('cube', wood, (0.0, -1.9, 0.5), (2.4, 0.04, 0.06))
     for level in range(4):
-        add('cone', needles, (1.9, 0.7, 0.75 + 0.55 * level), (1.0, 1.0, 1.0), vertices=24, radius1=1.0 - 0.2 * level,
-            radius2=0.0, depth=0.9)
+        add(
+            'cone',
+            needles,
+            (1.9, 0.7, 0.75 + 0.55 * level),
+            (1.0, 1.0, 1.0),
+            vertices=24,
+            radius1=1.0 - 0.2 * level,
+            radius2=0.0,
+            depth=0.9,
+        )
     return found

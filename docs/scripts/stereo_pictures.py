@@ -45,10 +45,11 @@ def _render_tile(file, ball, pillar, keywords):
     stage.add_sun((0.7, -0.35, 0.5), 1.5, softness=4.0)
     stage.add_floor(stage.glossy_material("Floor", (0.50, 0.46, 0.40, 1.0), 0.9))
     for add, (depth, aside, height), color, size in (
-            (bpy.ops.mesh.primitive_cylinder_add, pillar, (0.70, 0.62, 0.48, 1.0), (0.22, 0.22, 1.6)),
-            (bpy.ops.mesh.primitive_uv_sphere_add, ball, (0.55, 0.30, 0.22, 1.0), (0.07 * ball[0],) * 3),
-            (bpy.ops.mesh.primitive_cube_add, (WALL, 0.0, 3.0), (0.40, 0.46, 0.52, 1.0), (20.0, 0.1, 4.0)),
-            (bpy.ops.mesh.primitive_cylinder_add, (10.0, 2.2, 2.0), (0.36, 0.46, 0.40, 1.0), (0.3, 0.3, 2.2))):
+        (bpy.ops.mesh.primitive_cylinder_add, pillar, (0.70, 0.62, 0.48, 1.0), (0.22, 0.22, 1.6)),
+        (bpy.ops.mesh.primitive_uv_sphere_add, ball, (0.55, 0.30, 0.22, 1.0), (0.07 * ball[0],) * 3),
+        (bpy.ops.mesh.primitive_cube_add, (WALL, 0.0, 3.0), (0.40, 0.46, 0.52, 1.0), (20.0, 0.1, 4.0)),
+        (bpy.ops.mesh.primitive_cylinder_add, (10.0, 2.2, 2.0), (0.36, 0.46, 0.40, 1.0), (0.3, 0.3, 2.2)),
+    ):
         add(location=(aside, depth, height))
         obj = bpy.context.object
         obj.scale = size

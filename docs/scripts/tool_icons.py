@@ -4,11 +4,11 @@ Blender's icon geometry: the letters VCO and a zero byte, width and height, an u
 corners of all triangles (two bytes each, from the lower left), then their colours (RGBA, one byte each).
 """
 
+import itertools
 import math
 import struct
 import sys
 from pathlib import Path
-import itertools
 
 FOLDER = Path(__file__).resolve().parents[2] / "addon" / "motus"
 SIZE = 255
@@ -97,8 +97,10 @@ def bone(head, tail):
 
 def disc(middle, radius, color):
     """A round joint."""
-    rim = [(middle[0] + radius * math.cos(angle), middle[1] + radius * math.sin(angle))
-           for angle in (2.0 * math.pi * step / STEPS for step in range(STEPS))]
+    rim = [
+        (middle[0] + radius * math.cos(angle), middle[1] + radius * math.sin(angle))
+        for angle in (2.0 * math.pi * step / STEPS for step in range(STEPS))
+    ]
     return [(place, color) for first, second in zip(rim, rim[1:] + rim[:1]) for place in (middle, first, second)]
 
 

@@ -88,7 +88,9 @@ def _disc(place, radius, material):
 
 def _bar(x, y, first, last, material):
     left, right = x + 1.16 * first, x + 1.16 * last
-    _flat("Bar", [(left, y - 0.5 * BAR, 0.0), (right, y - 0.5 * BAR, 0.0), (right, y + 0.5 * BAR, 0.0), (left, y + 0.5 * BAR, 0.0)], material)
+    _flat(
+        "Bar", [(left, y - 0.5 * BAR, 0.0), (right, y - 0.5 * BAR, 0.0), (right, y + 0.5 * BAR, 0.0), (left, y + 0.5 * BAR, 0.0)], material
+    )
 
 
 def _flat(name, corners, material):

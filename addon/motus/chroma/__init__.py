@@ -10,5 +10,11 @@ FEATURE = Feature(
     scene_settings=properties.MOTUS_PG_chroma,
     classes=(properties.MOTUS_PG_chroma, *operators.classes, *panel.classes),
     add_menu=("motus.chroma_key_setup",),
-    object_menu=("motus.chroma_key_setup", "motus.chroma_key_measure", "motus.chroma_key_add", "motus.chroma_key_show", "motus.chroma_key_remove"),
+    object_menu=(
+        "motus.chroma_key_setup",
+        "motus.chroma_key_measure",
+        "motus.chroma_key_add",
+        "motus.chroma_key_show",
+        "motus.chroma_key_remove",
+    ),
 )

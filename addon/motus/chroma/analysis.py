@@ -76,9 +76,11 @@ def sentences(noted):
         yield tr("The screen fills only {percent} % of the picture").format(percent=f"{100.0 * noted.share:.0f}")
     if noted.luminance_spread > UNEVEN:
         yield tr("The screen is lit unevenly, by {percent} %: raise Clip Black until the status shows it black").format(
-            percent=f"{100.0 * noted.luminance_spread:.0f}")
+            percent=f"{100.0 * noted.luminance_spread:.0f}"
+        )
     if noted.chroma_spread > COLORED:
         yield tr("The screen's colour is not the same everywhere: raise Smooth Color")
     if noted.spill > SPILLED:
         yield tr("The screen shines on the subject, by {percent} %: lower Clip White until the status shows it white").format(
-            percent=f"{100.0 * noted.spill:.0f}")
+            percent=f"{100.0 * noted.spill:.0f}"
+        )

@@ -73,7 +73,8 @@ def _is_as_made(scene, tree):
     """Whether a tree has nothing but the scene's render and an output, as Blender creates it."""
     kinds = sorted(node.bl_idname for node in tree.nodes)
     return kinds == ["CompositorNodeComposite", "CompositorNodeRLayers"] and all(
-        node.scene == scene and node.layer == scene.view_layers[0].name for node in tree.nodes if node.type == 'R_LAYERS')
+        node.scene == scene and node.layer == scene.view_layers[0].name for node in tree.nodes if node.type == 'R_LAYERS'
+    )
 
 
 def _show_render(scene, tree):
@@ -307,8 +308,11 @@ def _target(tree):
     if found is not None:
         return found
     if capabilities.has_compositing_group():
-        if not any(item.in_out == 'OUTPUT' and item.socket_type == "NodeSocketColor" for item in tree.interface.items_tree
-                   if item.item_type == 'SOCKET'):
+        if not any(
+            item.in_out == 'OUTPUT' and item.socket_type == "NodeSocketColor"
+            for item in tree.interface.items_tree
+            if item.item_type == 'SOCKET'
+        ):
             node_groups.add_sockets(tree, [("Image", 'OUTPUT', "NodeSocketColor")])
         if not any(node.bl_idname == "NodeGroupOutput" for node in tree.nodes):
             _mark(tree.nodes.new("NodeGroupOutput"), "Output", "")
@@ -355,11 +359,23 @@ def _link_image(scene, tree, role, image, framing, target):
     node_groups.link(tree, scale.outputs["Image"], target)
 
 
-_COLUMNS = {FOREGROUND: (-180.0, 200.0), f"{FOREGROUND} Alpha": (0.0, 200.0), f"{FOREGROUND} Size": (200.0, 200.0),
-            BACKGROUND: (-180.0, -180.0), RENDER: (0.0, -180.0), f"{BACKGROUND} Alpha": (0.0, -180.0),
-            f"{BACKGROUND} Size": (200.0, -180.0), MASK: (0.0, -560.0), f"{MASK} Alpha": (100.0, -560.0), f"{MASK} Size": (200.0, -560.0),
-            settings.CORE_MASK: (0.0, -900.0), f"{settings.CORE_MASK} Alpha": (100.0, -900.0),
-            f"{settings.CORE_MASK} Size": (200.0, -900.0), _KEY: (420.0, 60.0), VIEWER: (700.0, -60.0)}
+_COLUMNS = {
+    FOREGROUND: (-180.0, 200.0),
+    f"{FOREGROUND} Alpha": (0.0, 200.0),
+    f"{FOREGROUND} Size": (200.0, 200.0),
+    BACKGROUND: (-180.0, -180.0),
+    RENDER: (0.0, -180.0),
+    f"{BACKGROUND} Alpha": (0.0, -180.0),
+    f"{BACKGROUND} Size": (200.0, -180.0),
+    MASK: (0.0, -560.0),
+    f"{MASK} Alpha": (100.0, -560.0),
+    f"{MASK} Size": (200.0, -560.0),
+    settings.CORE_MASK: (0.0, -900.0),
+    f"{settings.CORE_MASK} Alpha": (100.0, -900.0),
+    f"{settings.CORE_MASK} Size": (200.0, -900.0),
+    _KEY: (420.0, 60.0),
+    VIEWER: (700.0, -60.0),
+}
 """Positions of nodes relative to the key, by their roles."""
 
 

@@ -223,7 +223,7 @@ def _pixels(image):
     if values.shape[2] < 3:  # type: ignore[misc]
         raise Refused(tr("{object} has no colours").format(object=image.name))
     found = np.ones((*values.shape[:2], 4), np.float32)
-    found[..., :values.shape[2]] = np.nan_to_num(values, posinf=0.0, neginf=0.0)  # type: ignore[misc]
+    found[..., : values.shape[2]] = np.nan_to_num(values, posinf=0.0, neginf=0.0)  # type: ignore[misc]
     # Pixels of 8 bits are stored as in the file, others scene-linear.
     if not image.is_float and image.colorspace_settings.name not in _LINEAR:
         found[..., :3] = linear(found[..., :3])

@@ -75,13 +75,20 @@ def _add_sockets(group):
     """Add the group's sockets. Their order must not change: keys of inputs have the index in their data paths."""
     has_whole = capabilities.has_compositor_sockets()
     shown = [one for one in settings.OF_KEYING if has_whole or one.keyword != "grow"]
-    node_groups.add_sockets(group, (
-        ("Image", 'INPUT', "NodeSocketColor"), ("Background", 'INPUT', "NodeSocketColor"),
-        (settings.COLOR, 'INPUT', "NodeSocketColor"), (settings.MASK, 'INPUT', "NodeSocketFloat"),
-        (settings.WRAP, 'INPUT', "NodeSocketFloat"),
-        *((one.label, 'INPUT', "NodeSocketInt" if one.is_whole and has_whole else "NodeSocketFloat") for one in shown),
-        (settings.CORE_MASK, 'INPUT', "NodeSocketFloat"),
-        ("Image", 'OUTPUT', "NodeSocketColor"), ("Matte", 'OUTPUT', "NodeSocketFloat")))
+    node_groups.add_sockets(
+        group,
+        (
+            ("Image", 'INPUT', "NodeSocketColor"),
+            ("Background", 'INPUT', "NodeSocketColor"),
+            (settings.COLOR, 'INPUT', "NodeSocketColor"),
+            (settings.MASK, 'INPUT', "NodeSocketFloat"),
+            (settings.WRAP, 'INPUT', "NodeSocketFloat"),
+            *((one.label, 'INPUT', "NodeSocketInt" if one.is_whole and has_whole else "NodeSocketFloat") for one in shown),
+            (settings.CORE_MASK, 'INPUT', "NodeSocketFloat"),
+            ("Image", 'OUTPUT', "NodeSocketColor"),
+            ("Matte", 'OUTPUT', "NodeSocketFloat"),
+        ),
+    )
     inputs = node_groups.input_items(group)
     inputs["Background"].default_value = (0.0, 0.0, 0.0, 0.0)
     for name in (settings.MASK, settings.WRAP, settings.CORE_MASK):
@@ -226,8 +233,12 @@ def _views(sheet, foreground, matte):
     background, above = _layers(over)
     node_groups.link(sheet.group, sheet.input("Background"), background)
     node_groups.link(sheet.group, foreground, above)
-    for name, label, source in ((COMPOSITE, "Composite", over.outputs[0]), (MATTE, "Matte", matte),
-                                (STATUS, "Status", _status(sheet, matte)), (SOURCE, "Source", sheet.input("Image"))):
+    for name, label, source in (
+        (COMPOSITE, "Composite", over.outputs[0]),
+        (MATTE, "Matte", matte),
+        (STATUS, "Status", _status(sheet, matte)),
+        (SOURCE, "Source", sheet.input("Image")),
+    ):
         node_groups.link(sheet.group, source, sheet.node("NodeReroute", label, name).inputs[0])
     node_groups.link(sheet.group, matte, sheet.output().inputs["Matte"])
 

@@ -14,10 +14,18 @@ def _number(keyword):
     one = settings.BY_KEYWORD[keyword]
     if one.is_whole:
         return bpy.props.IntProperty(
-            name=one.label, description=one.description, default=one.default, min=one.least, max=one.most, soft_max=20,
-            soft_min=max(one.least, -20), subtype='PIXEL')
+            name=one.label,
+            description=one.description,
+            default=one.default,
+            min=one.least,
+            max=one.most,
+            soft_max=20,
+            soft_min=max(one.least, -20),
+            subtype='PIXEL',
+        )
     return bpy.props.FloatProperty(
-        name=one.label, description=one.description, default=one.default, min=one.least, max=one.most, subtype='FACTOR')
+        name=one.label, description=one.description, default=one.default, min=one.least, max=one.most, subtype='FACTOR'
+    )
 
 
 class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
@@ -28,42 +36,80 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
     needs_native = True
     redo = (
         Rows(("underneath", "view", "use_scene", "use_plane", Row("plane_distance", when=lambda op: op.use_plane)), title="Set Up"),
-        Rows((Row("color", when=is_given("color")), Row("black", when=is_given("black")), Row("white", when=is_given("white")),
-              "balance", "gain", "smooth", "core", "grow", "feather", "despill", "despill_limit", "luminance", "light_wrap"), title="Key"),
+        Rows(
+            (
+                Row("color", when=is_given("color")),
+                Row("black", when=is_given("black")),
+                Row("white", when=is_given("white")),
+                "balance",
+                "gain",
+                "smooth",
+                "core",
+                "grow",
+                "feather",
+                "despill",
+                "despill_limit",
+                "luminance",
+                "light_wrap",
+            ),
+            title="Key",
+        ),
     )
 
     clip: bpy.props.StringProperty(
-        name="Clip", options={'SKIP_SAVE'},
-        description="Footage: name of an image or movie clip of this file, or path of a file")
+        name="Clip", options={'SKIP_SAVE'}, description="Footage: name of an image or movie clip of this file, or path of a file"
+    )
     background: bpy.props.StringProperty(
-        name="Background", options={'SKIP_SAVE'},
-        description="Name of the clip or image, or path of the file, that is laid underneath; empty for the render")
+        name="Background",
+        options={'SKIP_SAVE'},
+        description="Name of the clip or image, or path of the file, that is laid underneath; empty for the render",
+    )
     mask: bpy.props.StringProperty(
-        name="Garbage Mask", options={'SKIP_SAVE'}, description="Name of a mask, within which all is made transparent")
+        name="Garbage Mask", options={'SKIP_SAVE'}, description="Name of a mask, within which all is made transparent"
+    )
     camera: bpy.props.StringProperty(
-        name="Camera", options={'SKIP_SAVE'}, description="Name of the camera that the plane stands before; empty takes the scene's")
+        name="Camera", options={'SKIP_SAVE'}, description="Name of the camera that the plane stands before; empty takes the scene's"
+    )
     filepath: bpy.props.StringProperty(
-        name="File", subtype='FILE_PATH', options={'SKIP_SAVE'}, description="Path of the footage, as the file browser gives it")
+        name="File", subtype='FILE_PATH', options={'SKIP_SAVE'}, description="Path of the footage, as the file browser gives it"
+    )
     directory: bpy.props.StringProperty(subtype='DIR_PATH', options={'HIDDEN', 'SKIP_SAVE'})
     files: bpy.props.CollectionProperty(type=bpy.types.OperatorFileListElement, options={'HIDDEN', 'SKIP_SAVE'})
     filter_image: bpy.props.BoolProperty(default=True, options={'HIDDEN', 'SKIP_SAVE'})
     filter_movie: bpy.props.BoolProperty(default=True, options={'HIDDEN', 'SKIP_SAVE'})
     filter_folder: bpy.props.BoolProperty(default=True, options={'HIDDEN', 'SKIP_SAVE'})
     underneath: bpy.props.EnumProperty(
-        name="Underneath", description="Picture that shows where the screen was", items=UNDERNEATH, default='RENDER')
+        name="Underneath", description="Picture that shows where the screen was", items=UNDERNEATH, default='RENDER'
+    )
     view: bpy.props.EnumProperty(name="View", description="Picture that the compositor shows", items=VIEWS, default=group.COMPOSITE)
     use_scene: bpy.props.BoolProperty(
-        name="Set Scene", default=True,
-        description="Give the scene the footage's size, frames and frame rate, and colours that leave the footage as it is")
+        name="Set Scene",
+        default=True,
+        description="Give the scene the footage's size, frames and frame rate, and colours that leave the footage as it is",
+    )
     use_plane: bpy.props.BoolProperty(
-        name="Viewport Plane", default=False,
-        description="Show the key in the viewport too, on a plane that fills the camera's view and is not rendered")
+        name="Viewport Plane",
+        default=False,
+        description="Show the key in the viewport too, on a plane that fills the camera's view and is not rendered",
+    )
     plane_distance: bpy.props.FloatProperty(
-        name="Plane Distance", description="Distance from the camera to the plane", default=plane.DISTANCE, min=0.001, soft_max=1000.0,
-        subtype='DISTANCE')
+        name="Plane Distance",
+        description="Distance from the camera to the plane",
+        default=plane.DISTANCE,
+        min=0.001,
+        soft_max=1000.0,
+        subtype='DISTANCE',
+    )
     color: bpy.props.FloatVectorProperty(
-        name="Screen Color", description="Colour of the screen; by default it is found in the footage", subtype='COLOR', size=3,
-        default=(0.05, 0.45, 0.08), min=0.0, soft_max=1.0, options={'SKIP_SAVE'})
+        name="Screen Color",
+        description="Colour of the screen; by default it is found in the footage",
+        subtype='COLOR',
+        size=3,
+        default=(0.05, 0.45, 0.08),
+        min=0.0,
+        soft_max=1.0,
+        options={'SKIP_SAVE'},
+    )
     black: _number("black")
     white: _number("white")
     balance: _number("balance")
@@ -74,11 +120,17 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
     gain: _number("gain")
     core: _number("core")
     despill_limit: bpy.props.EnumProperty(
-        name="Despill Limit", description="What the screen's channel is limited by on the subject", items=LIMITS)
+        name="Despill Limit", description="What the screen's channel is limited by on the subject", items=LIMITS
+    )
     luminance: _number("luminance")
     light_wrap: bpy.props.FloatProperty(
-        name=settings.WRAP, description="How much of the background's light falls around the subject's edge", default=0.0, min=0.0,
-        max=1.0, subtype='FACTOR')
+        name=settings.WRAP,
+        description="How much of the background's light falls around the subject's edge",
+        default=0.0,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+    )
 
     _is_by_hand = False
 
@@ -127,8 +179,12 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
             noted.plane = plane.add(scene, camera, image, plane.Key(found[0], *levels, self.balance, self.gain), self.plane_distance)
         setup.note_gaps(scene, image, background)
         setup.apply_measured(key, noted, found, levels)
-        self.report({'INFO'}, tr("{object} is keyed by its {kind} screen").format(
-            object=image.name, kind=tr("blue") if found[0][2] > found[0][1] else tr("green")))
+        self.report(
+            {'INFO'},
+            tr("{object} is keyed by its {kind} screen").format(
+                object=image.name, kind=tr("blue") if found[0][2] > found[0][1] else tr("green")
+            ),
+        )
         _warn(self, scene)
 
     def _image(self):
@@ -183,7 +239,8 @@ class MOTUS_OT_chroma_key_measure(_OnKey, bpy.types.Operator):
     redo = (Rows(("keep_color",)),)
 
     keep_color: bpy.props.BoolProperty(
-        name="Keep Color", description="Find the levels alone, for the colour that was picked", default=False)
+        name="Keep Color", description="Find the levels alone, for the colour that was picked", default=False
+    )
 
     def run(self, context):
         color = None
@@ -205,7 +262,12 @@ class MOTUS_OT_chroma_key_add(_OnKey, bpy.types.Operator):
         name="Screen Color",
         description="Colour that is keyed; by default that of the next screen that is found in the picture behind the other keys",
         subtype='COLOR',
-        size=3, default=(0.05, 0.45, 0.08), min=0.0, soft_max=1.0, options={'SKIP_SAVE'})
+        size=3,
+        default=(0.05, 0.45, 0.08),
+        min=0.0,
+        soft_max=1.0,
+        options={'SKIP_SAVE'},
+    )
 
     def run(self, context):
         check_finite(self, ("color",))
@@ -270,9 +332,13 @@ class MOTUS_OT_chroma_mask_add(_OnKey, bpy.types.Operator):
 
     kind: bpy.props.EnumProperty(name="Kind", description="Effect of the mask's white part", items=MASKS)
     mask: bpy.props.StringProperty(
-        name="Mask", options={'SKIP_SAVE'}, description="Name of a mask of this file; without it a new one is made, to be drawn on")
+        name="Mask", options={'SKIP_SAVE'}, description="Name of a mask of this file; without it a new one is made, to be drawn on"
+    )
     picture: bpy.props.StringProperty(
-        name="Picture", options={'SKIP_SAVE'}, description="Name of an image, or path of a file, whose white part counts, in place of a mask")
+        name="Picture",
+        options={'SKIP_SAVE'},
+        description="Name of an image, or path of a file, whose white part counts, in place of a mask",
+    )
 
     def run(self, context):
         scene = context.scene
@@ -338,5 +404,14 @@ class MOTUS_OT_chroma_key_remove(_OnKey, bpy.types.Operator):
 
 
 classes = (
-    MOTUS_OT_chroma_key_setup, MOTUS_OT_chroma_key_measure, MOTUS_OT_chroma_key_add, MOTUS_OT_chroma_key_drop, MOTUS_OT_chroma_key_choose,
-    MOTUS_OT_chroma_key_refresh, MOTUS_OT_chroma_mask_add, MOTUS_OT_chroma_mask_remove, MOTUS_OT_chroma_key_show, MOTUS_OT_chroma_key_remove)
+    MOTUS_OT_chroma_key_setup,
+    MOTUS_OT_chroma_key_measure,
+    MOTUS_OT_chroma_key_add,
+    MOTUS_OT_chroma_key_drop,
+    MOTUS_OT_chroma_key_choose,
+    MOTUS_OT_chroma_key_refresh,
+    MOTUS_OT_chroma_mask_add,
+    MOTUS_OT_chroma_mask_remove,
+    MOTUS_OT_chroma_key_show,
+    MOTUS_OT_chroma_key_remove,
+)

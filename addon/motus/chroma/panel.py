@@ -97,9 +97,15 @@ def _draw_mask(column, kind, name, node):
 def draw_readouts(layout, context):
     """Draw what was measured of the screen."""
     noted = context.scene.motus.chroma
-    ui.draw_readouts(layout, [
-        ui.Readout("Screen", _percent(noted.share)), ui.Readout("Unevenness", _percent(noted.luminance_spread)),
-        ui.Readout("Color Noise", _percent(noted.chroma_spread)), ui.Readout("Spill", _percent(noted.spill))])
+    ui.draw_readouts(
+        layout,
+        [
+            ui.Readout("Screen", _percent(noted.share)),
+            ui.Readout("Unevenness", _percent(noted.luminance_spread)),
+            ui.Readout("Color Noise", _percent(noted.chroma_spread)),
+            ui.Readout("Spill", _percent(noted.spill)),
+        ],
+    )
     for sentence in (*analysis.sentences(noted), *([noted.gap] if noted.gap else ())):
         ui.draw_message(layout, sentence, 'INFO')
     changed = scene_settings.changes(context.scene) if noted.is_scene_set else ()
@@ -137,14 +143,22 @@ def _draw_input(layout, key, name):
 
 
 PANEL = panels.SystemPanel(
-    name="chroma", prefix="MOTUS_PT_chroma", label="Chroma Key",
+    name="chroma",
+    prefix="MOTUS_PT_chroma",
+    label="Chroma Key",
     editors={"": ui.Sidebar, "_compositor": ui.CompositorSidebar},
     owner=lambda context: context.scene,
     suits=lambda owner: isinstance(owner, bpy.types.Scene),
     is_used=lambda scene: compositor.key_of(scene) is not None,
     draw=draw_main,
-    parts=(panels.Part("edge", "Edge", draw_edge, is_open=True), panels.Part("light", "Light", draw_light, is_open=True),
-           panels.Part("pictures", "Pictures and Masks", draw_pictures)),
-    readouts=draw_readouts, actions=draw_actions, adders=("motus.chroma_key_setup",))
+    parts=(
+        panels.Part("edge", "Edge", draw_edge, is_open=True),
+        panels.Part("light", "Light", draw_light, is_open=True),
+        panels.Part("pictures", "Pictures and Masks", draw_pictures),
+    ),
+    readouts=draw_readouts,
+    actions=draw_actions,
+    adders=("motus.chroma_key_setup",),
+)
 
 classes = panels.classes(PANEL)

@@ -9,7 +9,6 @@ from ..core.blender import capabilities
 from . import footage, group
 
 
-
 class Key(NamedTuple):
     """Settings of a key that the plane shows."""
 
@@ -80,12 +79,20 @@ def _material(scene, image, key):
     taken.blend_type, least.blend_type = 'SUBTRACT', 'LIGHTEN'
     least.inputs["Fac"].default_value, least.inputs["Color2"].default_value = 1.0, (0.0, 0.0, 0.0, 1.0)
     emission, clear, both, end = (
-        add_node(kind) for kind in ("ShaderNodeEmission", "ShaderNodeBsdfTransparent", "ShaderNodeAddShader", "ShaderNodeOutputMaterial"))
-    for source, target in ((rest, taken.inputs["Fac"]), (texture.outputs["Color"], taken.inputs["Color1"]),
-                           (screen.outputs[0], taken.inputs["Color2"]), (taken.outputs[0], least.inputs["Color1"]),
-                           (least.outputs[0], emission.inputs["Color"]), (texture.outputs["Alpha"], emission.inputs["Strength"]),
-                           (rest, clear.inputs["Color"]), (emission.outputs[0], both.inputs[0]), (clear.outputs[0], both.inputs[1]),
-                           (both.outputs[0], end.inputs["Surface"])):
+        add_node(kind) for kind in ("ShaderNodeEmission", "ShaderNodeBsdfTransparent", "ShaderNodeAddShader", "ShaderNodeOutputMaterial")
+    )
+    for source, target in (
+        (rest, taken.inputs["Fac"]),
+        (texture.outputs["Color"], taken.inputs["Color1"]),
+        (screen.outputs[0], taken.inputs["Color2"]),
+        (taken.outputs[0], least.inputs["Color1"]),
+        (least.outputs[0], emission.inputs["Color"]),
+        (texture.outputs["Alpha"], emission.inputs["Strength"]),
+        (rest, clear.inputs["Color"]),
+        (emission.outputs[0], both.inputs[0]),
+        (clear.outputs[0], both.inputs[1]),
+        (both.outputs[0], end.inputs["Surface"]),
+    ):
         links.new(source, target)
     _set(tree, key)
     return material

@@ -73,32 +73,47 @@ def _before(kind, name, **more):
 class MOTUS_PG_chroma(bpy.types.PropertyGroup):
     # Stored as the link in the group, which undo and copies of the scene keep right.
     view: bpy.props.EnumProperty(
-        name="View", description="Picture that the compositor shows", items=VIEWS, get=_view, set=_show, options=set())
+        name="View", description="Picture that the compositor shows", items=VIEWS, get=_view, set=_show, options=set()
+    )
     underneath: bpy.props.EnumProperty(
-        name="Underneath", description="Picture that shows where the screen was", items=UNDERNEATH, get=_underneath, set=_lay_underneath,
-        options=set())
+        name="Underneath",
+        description="Picture that shows where the screen was",
+        items=UNDERNEATH,
+        get=_underneath,
+        set=_lay_underneath,
+        options=set(),
+    )
     despill_limit: bpy.props.EnumProperty(
-        name="Despill Limit", description="What the screen's channel is limited by on the subject", items=LIMITS, get=_limit, set=_set_limit,
-        options=set())
+        name="Despill Limit",
+        description="What the screen's channel is limited by on the subject",
+        items=LIMITS,
+        get=_limit,
+        set=_set_limit,
+        options=set(),
+    )
     background: bpy.props.PointerProperty(
-        type=bpy.types.Image, name="Background", description="The clip or image that lies underneath", update=_play_background)
+        type=bpy.types.Image, name="Background", description="The clip or image that lies underneath", update=_play_background
+    )
     active_key: bpy.props.IntProperty(
-        name="Key", description="Index of the key that the panel shows", min=0, options=set(), override=OVERRIDABLE)
+        name="Key", description="Index of the key that the panel shows", min=0, options=set(), override=OVERRIDABLE
+    )
     gap: bpy.props.StringProperty(
-        name="Gap", description="Pictures that are missing in sequences, and the frames in which they are", options=set())
+        name="Gap", description="Pictures that are missing in sequences, and the frames in which they are", options=set()
+    )
     plane: to_object('MESH', name="Plane", description="Plane before the camera that shows the key in the viewport")
     share: _measured("Screen", "Share of the picture that the screen fills")
     luminance_spread: _measured("Unevenness", "Spread of the screen's luminance, over its median")
     chroma_spread: _measured("Color Noise", "Spread of the screen's chromaticity")
     spill: _measured("Spill", "Light of the screen on the subject, 1 for as much as on the screen itself")
-    is_tree_made: bpy.props.BoolProperty(
-        name="Tree Made", description="The compositor's nodes were made for the key", options=set())
+    is_tree_made: bpy.props.BoolProperty(name="Tree Made", description="The compositor's nodes were made for the key", options=set())
     is_switched_on: bpy.props.BoolProperty(
-        name="Nodes Switched On", description="The compositor was switched on for the key", options=set())
+        name="Nodes Switched On", description="The compositor was switched on for the key", options=set()
+    )
     before_node: _before(bpy.props.StringProperty, "Node Before")
     before_socket: _before(bpy.props.StringProperty, "Socket Before")
     is_scene_set: bpy.props.BoolProperty(
-        name="Scene Set", description="The scene was given the footage's size, frames and colours", options=set())
+        name="Scene Set", description="The scene was given the footage's size, frames and colours", options=set()
+    )
     before_resolution: _before(bpy.props.IntVectorProperty, "Resolution Before", size=3, min=1)
     before_aspect: _before(bpy.props.FloatVectorProperty, "Pixel Aspect Before", size=2, min=1.0)
     before_frames: _before(bpy.props.IntVectorProperty, "Frames Before", size=2)

@@ -2,7 +2,14 @@
 
 from . import footage
 
-_NEUTRAL = {"view_transform": "Standard", "look": "None", "exposure": 0.0, "gamma": 1.0, "use_curve_mapping": False, "use_white_balance": False}
+_NEUTRAL = {
+    "view_transform": "Standard",
+    "look": "None",
+    "exposure": 0.0,
+    "gamma": 1.0,
+    "use_curve_mapping": False,
+    "use_white_balance": False,
+}
 """View settings that leave colours as they are."""
 
 

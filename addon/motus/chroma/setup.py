@@ -41,8 +41,11 @@ def note_gaps(scene, *images):
     """Store a sentence on the gaps of sequences in the scene's settings; empty if there are no gaps."""
     found = [(image, gap) for image in images if image is not None and (gap := footage.gap(image))]
     scene.motus.chroma.gap = " ".join(
-        tr("{object} lacks pictures {numbers}: frames {frames} show the ones before").format(object=image.name, numbers=numbers, frames=frames)
-        for image, (numbers, frames) in found)
+        tr("{object} lacks pictures {numbers}: frames {frames} show the ones before").format(
+            object=image.name, numbers=numbers, frames=frames
+        )
+        for image, (numbers, frames) in found
+    )
 
 
 def color_of(node):

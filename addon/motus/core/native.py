@@ -43,15 +43,20 @@ def _import_failure(error: str) -> Status:
     this_python = f"{sys.version_info.major}.{sys.version_info.minor}"
     files = sorted(path.name for path in PACKAGE_FOLDER.glob("motus_native.*") if path.suffix in {".so", ".pyd"})
     if not files:
-        return Status(MISSING, "The native module is missing from this copy of Motus: "
-                               "remove the add-on and install it from a release zip")
+        return Status(MISSING, "The native module is missing from this copy of Motus: remove the add-on and install it from a release zip")
     if not any(f"motus_native{suffix}" in files for suffix in importlib.machinery.EXTENSION_SUFFIXES):
         pythons = ", ".join(".".join(found) for found in re.findall(r"cpython-(\d)(\d+)", " ".join(files)))
-        return Status(WRONG_ABI, "This copy of Motus is built for Python {pythons}, but this Blender runs Python {python}: "
-                                 "install a Motus release that contains it",
-                      {"pythons": pythons or "?", "python": this_python})
-    return Status(LOAD_ERROR, "The native module could not be loaded ({error}): reinstall Motus, "
-                              "and report this line if that does not help", {"error": error})
+        return Status(
+            WRONG_ABI,
+            "This copy of Motus is built for Python {pythons}, but this Blender runs Python {python}: "
+            "install a Motus release that contains it",
+            {"pythons": pythons or "?", "python": this_python},
+        )
+    return Status(
+        LOAD_ERROR,
+        "The native module could not be loaded ({error}): reinstall Motus, and report this line if that does not help",
+        {"error": error},
+    )
 
 
 def _load() -> tuple[Any, Status]:
@@ -61,9 +66,11 @@ def _load() -> tuple[Any, Status]:
         return None, _import_failure(str(error))
     found, wanted = motus_native.__version__, addon_version()
     if found != wanted:
-        return None, Status(VERSION_MISMATCH, "The native module is version {found} but the add-on is {wanted}: "
-                                              "restart Blender, and reinstall Motus if that does not help",
-                            {"found": found, "wanted": wanted})
+        return None, Status(
+            VERSION_MISMATCH,
+            "The native module is version {found} but the add-on is {wanted}: restart Blender, and reinstall Motus if that does not help",
+            {"found": found, "wanted": wanted},
+        )
     return motus_native, Status(OK, "Native module {found}", {"found": found})
 
 

@@ -52,8 +52,7 @@ def check_bone(rig: bpy.types.Object, name: str) -> None:
 def check_local(obj: bpy.types.Object) -> None:
     """Refuse an object that is another file's."""
     if obj.library:
-        raise Refused(
-            tr("{object} is linked from another file: make a library override of it first").format(object=obj.name))
+        raise Refused(tr("{object} is linked from another file: make a library override of it first").format(object=obj.name))
 
 
 def check_unbaked(owner: Any, settings: Any) -> None:

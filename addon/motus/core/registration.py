@@ -7,8 +7,7 @@ from .blender import handlers
 from .evaluated import read_keys
 from .file import deleted
 from .interface import baking, bone_entries, menus, overlay, panels, refreshing, ui
-from .interface.tracks import operators as track_operators
-from .interface.tracks import panel as track_panel
+from .interface.tracks import operators as track_operators, panel as track_panel
 from .interface.view import playback, viewports
 from .scenery import meshes
 
@@ -42,8 +41,17 @@ def _register(systems, languages, extra_classes, extra_add_menu):
         _undo.append(lambda name=one.name: declare.registered.pop(name))
         _register_classes(one.classes)
     _register_classes(
-        overlay.classes + ui.classes + bake.classes + baking.classes + refreshing.classes + track_operators.classes + panels.classes_of_core + bone_entries.classes + menus.classes
-        + extra_classes)
+        overlay.classes
+        + ui.classes
+        + bake.classes
+        + baking.classes
+        + refreshing.classes
+        + track_operators.classes
+        + panels.classes_of_core
+        + bone_entries.classes
+        + menus.classes
+        + extra_classes
+    )
     _register_settings(systems)
     _call(deleted.register, deleted.unregister)
     _call(wiring.register, wiring.unregister)
@@ -76,8 +84,10 @@ def _register_classes(classes):
 def _register_settings(systems):
     """Object.motus holds one group a system and what baking remembers; Scene.motus the viewport switches and tools."""
     annotations = {
-        one.name: bpy.props.PointerProperty(type=one.settings, override={'LIBRARY_OVERRIDABLE'}) for one in systems
-        if one.settings is not None}
+        one.name: bpy.props.PointerProperty(type=one.settings, override={'LIBRARY_OVERRIDABLE'})
+        for one in systems
+        if one.settings is not None
+    }
     annotations["bake"] = bpy.props.PointerProperty(type=bake.MOTUS_PG_bake)
     group = type("MOTUS_PG_object", (bpy.types.PropertyGroup,), {"__annotations__": annotations})
     _register_classes((group,))

@@ -10,11 +10,13 @@ OWN_SENSE = "Motus"
 
 def register(languages: dict[str, dict[str, dict[str, str]]]) -> None:
     """Register languages: {language: {context: {English: translation}}}."""
-    bpy.app.translations.register(_KEY, {
-        language: {
-            (context, english): translated
-            for context, messages in contexts.items() for english, translated in messages.items()}
-        for language, contexts in languages.items()})
+    bpy.app.translations.register(
+        _KEY,
+        {
+            language: {(context, english): translated for context, messages in contexts.items() for english, translated in messages.items()}
+            for language, contexts in languages.items()
+        },
+    )
 
 
 def tr(text: str) -> str:

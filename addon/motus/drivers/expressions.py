@@ -28,23 +28,41 @@ class Function:
 
 FUNCTIONS = (
     Function(
-        'PENDULUM', "motus_pendulum", "Pendulum", "Swing like a bob on a rod; the value is its angle",
-        ("theta", "length", "omega", "gravity", "damping", "speed"), (0.0, 9.81, 0.0, 1.0)),
+        'PENDULUM',
+        "motus_pendulum",
+        "Pendulum",
+        "Swing like a bob on a rod; the value is its angle",
+        ("theta", "length", "omega", "gravity", "damping", "speed"),
+        (0.0, 9.81, 0.0, 1.0),
+    ),
     Function(
-        'DOUBLE_PENDULUM', "motus_double_pendulum", "Double Pendulum",
+        'DOUBLE_PENDULUM',
+        "motus_double_pendulum",
+        "Double Pendulum",
         "Swing like one of two bobs, the second of which hangs on the first: chaotic, and the same every time",
-        ("which", "theta1", "theta2", "omega1", "omega2", "mass1", "mass2", "length1", "length2", "gravity", "damping",
-         "speed"), (0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 9.81, 0.0, 1.0)),
+        ("which", "theta1", "theta2", "omega1", "omega2", "mass1", "mass2", "length1", "length2", "gravity", "damping", "speed"),
+        (0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 9.81, 0.0, 1.0),
+    ),
     Function(
-        'EASE', "motus_ease", "Ease", "Go from 0 to 1 with a soft start and a soft stop",
-        ("frame_start", "frame_end", "ease_in", "ease_out"), (0.3, 0.3), has_start=False),
+        'EASE',
+        "motus_ease",
+        "Ease",
+        "Go from 0 to 1 with a soft start and a soft stop",
+        ("frame_start", "frame_end", "ease_in", "ease_out"),
+        (0.3, 0.3),
+        has_start=False,
+    ),
+    Function('NOISE', "motus_noise", "Noise", "Wander smoothly between -1 and 1", ("speed", "seed"), (1.0, 0)),
     Function(
-        'NOISE', "motus_noise", "Noise", "Wander smoothly between -1 and 1",
-        ("speed", "seed"), (1.0, 0)),
-    Function(
-        'SECOND_ORDER', "motus_second_order", "Follow Keys",
+        'SECOND_ORDER',
+        "motus_second_order",
+        "Follow Keys",
         "Follow the keys of a property like a mass on a spring: late, with a swing, or ahead of them",
-        ("frequency", "damping_ratio", "response"), (1.0, 0.5, 0.0), has_start=False, follows=True),
+        ("frequency", "damping_ratio", "response"),
+        (1.0, 0.5, 0.0),
+        has_start=False,
+        follows=True,
+    ),
 )
 BY_IDENTIFIER = {one.identifier: one for one in FUNCTIONS}
 BY_NAME = {one.name: one for one in FUNCTIONS}
@@ -105,7 +123,7 @@ def read(expression):
     least = len(function.arguments) - len(function.defaults)
     if start is None or None in given or not least <= len(given) <= len(function.arguments):
         return None
-    given += function.defaults[len(given) - least:]
+    given += function.defaults[len(given) - least :]
     keywords = {"function": function.identifier, "base": base, "amplitude": amplitude, "start": start}
     for name, value in zip(function.arguments, given):
         if name in _ENUMS:
@@ -123,8 +141,7 @@ def _read_follower(function, given):
     numbers = [_constant(one) for one in given[4:]]
     if not isinstance(source, str) or not isinstance(index, int) or None in numbers:
         return None
-    return {"function": function.identifier, "source": source, "source_index": index,
-            **dict(zip(function.arguments, numbers))}
+    return {"function": function.identifier, "source": source, "source_index": index, **dict(zip(function.arguments, numbers))}
 
 
 def _split(tree, operator, neutral):

@@ -42,16 +42,32 @@ def motus_pendulum(frame, theta, length, omega=0.0, gravity=9.81, damping=0.0, s
         return _at_rest("motus_pendulum", error, theta)
 
 
-def motus_double_pendulum(frame, which, theta1, theta2, omega1=0.0, omega2=0.0, mass1=1.0, mass2=1.0, length1=1.0,
-                          length2=1.0, gravity=9.81, damping=0.0, speed=1.0):
+def motus_double_pendulum(
+    frame,
+    which,
+    theta1,
+    theta2,
+    omega1=0.0,
+    omega2=0.0,
+    mass1=1.0,
+    mass2=1.0,
+    length1=1.0,
+    length2=1.0,
+    gravity=9.81,
+    damping=0.0,
+    speed=1.0,
+):
     """One value of a double pendulum. which: 0 upper angle, 1 lower angle, 2 upper and 3 lower angular velocity.
 
     Angles are radians from hanging down; theta1, theta2, omega1 and omega2 are the state at frame 0. Units are those of motus_pendulum.
     """
     try:
         keep_state()
-        return _held(native.module.double_pendulum_value(
-            seconds(frame) * speed, which, theta1, theta2, omega1, omega2, mass1, mass2, length1, length2, gravity, damping))
+        return _held(
+            native.module.double_pendulum_value(
+                seconds(frame) * speed, which, theta1, theta2, omega1, omega2, mass1, mass2, length1, length2, gravity, damping
+            )
+        )
     except Exception as error:
         rest = theta1 if which == 0 else theta2 if which == 1 else 0.0
         return _at_rest("motus_double_pendulum", error, rest)
@@ -88,8 +104,9 @@ def motus_second_order(self, data_path, index, frame, f=1.0, zeta=0.5, r=0.0):
     """
     try:
         keep_state()
-        return _held(history.followed(
-            self, data_path, index, frame, bpy.app.driver_namespace["depsgraph"].scene, (float(f), float(zeta), float(r))))
+        return _held(
+            history.followed(self, data_path, index, frame, bpy.app.driver_namespace["depsgraph"].scene, (float(f), float(zeta), float(r)))
+        )
     except Exception as error:
         return _at_rest("motus_second_order", error, history.present(self, data_path, index))
 
@@ -110,8 +127,7 @@ def _at_rest(name, error, value):
     return float(value) if isinstance(value, (int, float)) and math.isfinite(value) else 0.0
 
 
-FUNCTIONS = {one.__name__: one for one in (
-    motus_pendulum, motus_double_pendulum, motus_ease, motus_noise, motus_second_order)}
+FUNCTIONS = {one.__name__: one for one in (motus_pendulum, motus_double_pendulum, motus_ease, motus_noise, motus_second_order)}
 
 
 @persistent

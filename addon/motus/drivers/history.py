@@ -18,8 +18,7 @@ def track_of(owner, data_path, index):
     """The Track of a property of the owner's datablock. Raises Refused if the property is no number."""
     id_data = owner.id_data
     value = id_data.path_resolve(data_path)
-    return tracks.property_track(
-        id_data, data_path, max(index, 0) if hasattr(value, "__len__") else -1, is_beneath_driver=True)
+    return tracks.property_track(id_data, data_path, max(index, 0) if hasattr(value, "__len__") else -1, is_beneath_driver=True)
 
 
 def check(id_data, data_path, index):
@@ -66,8 +65,7 @@ def _kept(id_data, data_path, index, what):
         track = track_of(id_data, data_path, index)
         return tracks.kept(track, ("second_order", what), lambda: _made(track, *what))
     # Compared without a Track, since making one takes longer than the rest.
-    return tracks.kept_by(
-        stamp, ("second_order", data_path, index, what), lambda: _made(track_of(id_data, data_path, index), *what))
+    return tracks.kept_by(stamp, ("second_order", data_path, index, what), lambda: _made(track_of(id_data, data_path, index), *what))
 
 
 def _made(track, *what):
@@ -82,8 +80,7 @@ def _made(track, *what):
 def _followed(track, numbers, first, pieces, length):
     # Samples stand at the same times in pieces of any length, so that a later frame does not change what earlier frames gave.
     frames = first + np.arange(pieces * PIECE * PARTS + 1) / PARTS
-    return native.module.Track(
-        native.module.SecondOrder(*numbers), (frames - first) * length, track.values(frames))
+    return native.module.Track(native.module.SecondOrder(*numbers), (frames - first) * length, track.values(frames))
 
 
 def present(owner, data_path, index):

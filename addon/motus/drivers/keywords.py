@@ -17,78 +17,117 @@ class DriverKeywords:
     """Mixin of operators: keywords that choose the driver function and give its arguments."""
 
     function: bpy.props.EnumProperty(
-        name="Motion", description="Motion that the property is given",
-        items=[(one.identifier, one.label, one.description) for one in expressions.FUNCTIONS])
+        name="Motion",
+        description="Motion that the property is given",
+        items=[(one.identifier, one.label, one.description) for one in expressions.FUNCTIONS],
+    )
     base: bpy.props.FloatProperty(
-        name="Base", description="Value that the motion is added to; by default the property's own value",
-        options={'SKIP_SAVE'})
-    amplitude: bpy.props.FloatProperty(
-        name="Amplitude", description="Factor that the motion is multiplied by", default=1.0)
-    start: bpy.props.FloatProperty(
-        name="Start", description="Frame at which the motion begins", subtype='TIME')
-    theta: bpy.props.FloatProperty(
-        name="Angle", description="Angle at the start, from hanging down", subtype='ANGLE', default=0.5)
-    omega: bpy.props.FloatProperty(
-        name="Push", description="Angular velocity at the start, per second", subtype='ANGLE')
+        name="Base", description="Value that the motion is added to; by default the property's own value", options={'SKIP_SAVE'}
+    )
+    amplitude: bpy.props.FloatProperty(name="Amplitude", description="Factor that the motion is multiplied by", default=1.0)
+    start: bpy.props.FloatProperty(name="Start", description="Frame at which the motion begins", subtype='TIME')
+    theta: bpy.props.FloatProperty(name="Angle", description="Angle at the start, from hanging down", subtype='ANGLE', default=0.5)
+    omega: bpy.props.FloatProperty(name="Push", description="Angular velocity at the start, per second", subtype='ANGLE')
     length: bpy.props.FloatProperty(
-        name="Length", description="Length of the rod: a long pendulum swings slowly", subtype='DISTANCE', default=1.0, min=0.0,
-        soft_min=0.01)
+        name="Length",
+        description="Length of the rod: a long pendulum swings slowly",
+        subtype='DISTANCE',
+        default=1.0,
+        min=0.0,
+        soft_min=0.01,
+    )
     which: bpy.props.EnumProperty(name="Value", description="Value of the double pendulum that the property is given", items=WHICH)
     theta1: bpy.props.FloatProperty(
-        name="Upper Angle", description="Angle of the upper rod at the start, from hanging down", subtype='ANGLE', default=2.0)
+        name="Upper Angle", description="Angle of the upper rod at the start, from hanging down", subtype='ANGLE', default=2.0
+    )
     theta2: bpy.props.FloatProperty(
-        name="Lower Angle", description="Angle of the lower rod at the start, from hanging down", subtype='ANGLE', default=2.0)
+        name="Lower Angle", description="Angle of the lower rod at the start, from hanging down", subtype='ANGLE', default=2.0
+    )
     omega1: bpy.props.FloatProperty(
-        name="Upper Push", description="Angular velocity of the upper rod at the start, per second", subtype='ANGLE')
+        name="Upper Push", description="Angular velocity of the upper rod at the start, per second", subtype='ANGLE'
+    )
     omega2: bpy.props.FloatProperty(
-        name="Lower Push", description="Angular velocity of the lower rod at the start, per second", subtype='ANGLE')
-    mass1: bpy.props.FloatProperty(
-        name="Upper Mass", description="Mass of the upper bob", unit='MASS', default=1.0, min=0.0, soft_min=0.01)
-    mass2: bpy.props.FloatProperty(
-        name="Lower Mass", description="Mass of the lower bob", unit='MASS', default=1.0, min=0.0, soft_min=0.01)
+        name="Lower Push", description="Angular velocity of the lower rod at the start, per second", subtype='ANGLE'
+    )
+    mass1: bpy.props.FloatProperty(name="Upper Mass", description="Mass of the upper bob", unit='MASS', default=1.0, min=0.0, soft_min=0.01)
+    mass2: bpy.props.FloatProperty(name="Lower Mass", description="Mass of the lower bob", unit='MASS', default=1.0, min=0.0, soft_min=0.01)
     length1: bpy.props.FloatProperty(
-        name="Upper Length", description="Length of the upper rod", subtype='DISTANCE', default=1.0, min=0.0, soft_min=0.01)
+        name="Upper Length", description="Length of the upper rod", subtype='DISTANCE', default=1.0, min=0.0, soft_min=0.01
+    )
     length2: bpy.props.FloatProperty(
-        name="Lower Length", description="Length of the lower rod", subtype='DISTANCE', default=1.0, min=0.0, soft_min=0.01)
+        name="Lower Length", description="Length of the lower rod", subtype='DISTANCE', default=1.0, min=0.0, soft_min=0.01
+    )
     gravity: bpy.props.FloatProperty(
-        name="Gravity", description="Gravity that pulls the bobs down", unit='ACCELERATION', default=9.81, min=0.0)
+        name="Gravity", description="Gravity that pulls the bobs down", unit='ACCELERATION', default=9.81, min=0.0
+    )
     damping: bpy.props.FloatProperty(
-        name="Damping", description="Rate at which velocity is lost, in 1/s; 0 swings for ever", default=0.0, min=0.0, soft_max=5.0)
+        name="Damping", description="Rate at which velocity is lost, in 1/s; 0 swings for ever", default=0.0, min=0.0, soft_max=5.0
+    )
     speed: bpy.props.FloatProperty(
-        name="Speed", description="Speed of time; for noise the approximate number of ups and downs per second", default=1.0,
-        soft_min=0.0, soft_max=10.0)
+        name="Speed",
+        description="Speed of time; for noise the approximate number of ups and downs per second",
+        default=1.0,
+        soft_min=0.0,
+        soft_max=10.0,
+    )
     frame_start: bpy.props.FloatProperty(name="Start", description="Frame at which the motion has the value 0", default=1.0)
     frame_end: bpy.props.FloatProperty(name="End", description="Frame at which the motion has the value 1", default=50.0)
     ease_in: bpy.props.FloatProperty(
-        name="Ease In", description="Fraction of the time in which the motion speeds up", subtype='FACTOR', default=0.3,
-        min=0.0, max=1.0)
+        name="Ease In", description="Fraction of the time in which the motion speeds up", subtype='FACTOR', default=0.3, min=0.0, max=1.0
+    )
     ease_out: bpy.props.FloatProperty(
-        name="Ease Out", description="Fraction of the time in which the motion slows down", subtype='FACTOR', default=0.3,
-        min=0.0, max=1.0)
+        name="Ease Out", description="Fraction of the time in which the motion slows down", subtype='FACTOR', default=0.3, min=0.0, max=1.0
+    )
     source: bpy.props.StringProperty(
-        name="Source", description="Data path of the property of the same datablock whose keys are followed; empty takes the "
-        "driven property's own keys")
+        name="Source",
+        description="Data path of the property of the same datablock whose keys are followed; empty takes the driven property's own keys",
+    )
     source_index: bpy.props.IntProperty(
-        name="Source Index", description="Component of the source, if the source is an array", default=0, min=0)
+        name="Source Index", description="Component of the source, if the source is an array", default=0, min=0
+    )
     frequency: bpy.props.FloatProperty(
-        name="Frequency", description="Frequency, in swings per second", default=1.0, min=0.0, soft_min=0.1,
-        soft_max=10.0)
+        name="Frequency", description="Frequency, in swings per second", default=1.0, min=0.0, soft_min=0.1, soft_max=10.0
+    )
     damping_ratio: bpy.props.FloatProperty(
-        name="Damping Ratio", description="Damping: 0 swings for ever, 1 comes to rest without a swing", default=0.5, min=0.0,
-        soft_max=2.0)
+        name="Damping Ratio", description="Damping: 0 swings for ever, 1 comes to rest without a swing", default=0.5, min=0.0, soft_max=2.0
+    )
     response: bpy.props.FloatProperty(
-        name="Response", description="Initial response: 0 starts slowly, 1 at once, above 1 overshoots, below 0 goes the other way first",
-        default=0.0, soft_min=-2.0, soft_max=3.0)
-    seed: bpy.props.IntProperty(
-        name="Seed", description="Seed of the noise: each number gives a different noise", default=0, min=0)
+        name="Response",
+        description="Initial response: 0 starts slowly, 1 at once, above 1 overshoots, below 0 goes the other way first",
+        default=0.0,
+        soft_min=-2.0,
+        soft_max=3.0,
+    )
+    seed: bpy.props.IntProperty(name="Seed", description="Seed of the noise: each number gives a different noise", default=0, min=0)
 
 
 NAMES = tuple(DriverKeywords.__annotations__)
 
 _ORDER = (
-    "which", "theta", "theta1", "theta2", "length", "length1", "length2", "omega", "omega1", "omega2", "mass1", "mass2",
-    "gravity", "damping", "frame_start", "frame_end", "ease_in", "ease_out", "speed", "seed",
-    "frequency", "damping_ratio", "response")
+    "which",
+    "theta",
+    "theta1",
+    "theta2",
+    "length",
+    "length1",
+    "length2",
+    "omega",
+    "omega1",
+    "omega2",
+    "mass1",
+    "mass2",
+    "gravity",
+    "damping",
+    "frame_start",
+    "frame_end",
+    "ease_in",
+    "ease_out",
+    "speed",
+    "seed",
+    "frequency",
+    "damping_ratio",
+    "response",
+)
 
 
 def _row(name):
@@ -101,10 +140,13 @@ def _follows(operator):
 
 REDO = (
     Rows((Row("channel", when=is_not("channel", places.BY_PATH)), "function", *map(_row, _ORDER))),
-    Rows((
-        Row("start", when=is_one_of("function", *(one.identifier for one in expressions.FUNCTIONS if one.has_start))),
-        Row("base", when=lambda operator: operator.is_given("base") and not _follows(operator)),
-        Row("amplitude", when=lambda operator: not _follows(operator)))),
+    Rows(
+        (
+            Row("start", when=is_one_of("function", *(one.identifier for one in expressions.FUNCTIONS if one.has_start))),
+            Row("base", when=lambda operator: operator.is_given("base") and not _follows(operator)),
+            Row("amplitude", when=lambda operator: not _follows(operator)),
+        )
+    ),
 )
 """Rows of keywords in the dialog and in the redo panel."""
 

@@ -15,7 +15,8 @@ def _draw(menu, context):
     animation = getattr(datablock, "animation_data", None)
     is_ours = any(
         curve.data_path == path and index in (-1, curve.array_index) and expressions.names_ours(curve.driver.expression)
-        for curve in (animation.drivers if animation else ()))
+        for curve in (animation.drivers if animation else ())
+    )
     layout = menu.layout
     layout.separator()
     layout.operator_context = 'INVOKE_DEFAULT'

@@ -19,8 +19,12 @@ class _OnProperty(datablocks.OfADatablock):
     """Mixin of operators: keywords that name the property."""
 
     channel: bpy.props.EnumProperty(
-        name="Channel", description="Property of the object that is driven, if no data path is given", items=places.CHANNELS,
-        default=places.BY_PATH, options={'SKIP_SAVE'})
+        name="Channel",
+        description="Property of the object that is driven, if no data path is given",
+        items=places.CHANNELS,
+        default=places.BY_PATH,
+        options={'SKIP_SAVE'},
+    )
 
     def properties_meant(self, context):
         """Places of the property that the keywords name. Raises Refused."""
@@ -53,8 +57,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
     redo = REDO
     for_scripts = ("replace", "source_index")
 
-    replace: bpy.props.BoolProperty(
-        name="Replace", description="Replace the driver that the property has", options={'SKIP_SAVE'})
+    replace: bpy.props.BoolProperty(name="Replace", description="Replace the driver that the property has", options={'SKIP_SAVE'})
 
     @classmethod
     def check_offer(cls, context):
@@ -114,8 +117,9 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
             except TypeError as error:
                 raise Refused(str(error)) from error
         function = expressions.BY_IDENTIFIER[self.function]
-        self.report({'INFO'}, tr("{property} is now driven by {function}").format(
-            property=places.label(found), function=tr(function.label)))
+        self.report(
+            {'INFO'}, tr("{property} is now driven by {function}").format(property=places.label(found), function=tr(function.label))
+        )
 
     def _text(self, place, number, keywords):
         keywords = self._for_component(keywords, place, number)
@@ -123,8 +127,11 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
             history.check(place.holder, keywords["source"], keywords["source_index"])
         text = expressions.compose(keywords)
         if len(text) > expressions.LONGEST:
-            raise Refused(tr("The expression has {count} characters, of which a driver takes {most}: shorten the names").format(
-                count=len(text), most=expressions.LONGEST))
+            raise Refused(
+                tr("The expression has {count} characters, of which a driver takes {most}: shorten the names").format(
+                    count=len(text), most=expressions.LONGEST
+                )
+            )
         return text
 
     def _for_component(self, keywords, place, number):
@@ -153,8 +160,7 @@ def _is_driven(place):
 class MOTUS_OT_driver_remove(_OnProperty, Operator, bpy.types.Operator):  # type: ignore[misc]
     bl_idname = "motus.driver_remove"
     bl_label = "Remove Motion Driver"
-    bl_description = (
-        "Remove the motion drivers of a property, or of all properties of the object; the properties keep their present values")
+    bl_description = "Remove the motion drivers of a property, or of all properties of the object; the properties keep their present values"
     for_scripts = ("channel",)
 
     @classmethod

@@ -18,7 +18,8 @@ BY_PATH, FIRST = 'PATH', 'ROTATION_X'
 CHANNELS = [(BY_PATH, "By Path", "The property that the data path names")] + [
     (f"{kind}_{axis}", f"{label} {axis}", f"{label} {where} this axis of the object")
     for kind, label, where in (('LOCATION', "Location", "along"), ('ROTATION', "Rotation", "about"), ('SCALE', "Scale", "along"))
-    for axis in "XYZ"]
+    for axis in "XYZ"
+]
 """Enum items: channels of an object that an operator drives if no property is under the mouse."""
 
 
@@ -98,8 +99,7 @@ def of_channel(obj, channel):
     if not isinstance(obj, bpy.types.Object):
         raise Refused(tr("Only objects and bones have a transform: give a data path"))
     if kind == 'ROTATION' and obj.rotation_mode in {'QUATERNION', 'AXIS_ANGLE'}:
-        raise Refused(tr("{object} is not turned by angles about X, Y and Z: choose another rotation mode").format(
-            object=obj.name))
+        raise Refused(tr("{object} is not turned by angles about X, Y and Z: choose another rotation mode").format(object=obj.name))
     return ("rotation_euler" if kind == 'ROTATION' else kind.lower()), "XYZ".index(axis)
 
 
@@ -107,7 +107,7 @@ def free_channel(obj):
     """The first item of CHANNELS without a driver, rotations first; FIRST if all channels have drivers."""
     for channel in sorted((name for name, *_ in CHANNELS if name != BY_PATH), key=lambda name: not name.startswith('ROTATION')):
         try:
-            place, = find(obj, *of_channel(obj, channel))
+            (place,) = find(obj, *of_channel(obj, channel))
         except Refused:
             continue  # quaternion and axis-angle rotations have no such channels
         if place.curve is None:
@@ -132,7 +132,7 @@ def find(id_data, data_path, index=-1):
     path = data_path
     found = _INDEX.search(path)
     if found and index < 0:
-        path, index = path[:found.start()], int(found[1])
+        path, index = path[: found.start()], int(found[1])
     match = _PATH.match(path)
     if match is None:
         raise Refused(_unknown(id_data, data_path))
@@ -147,8 +147,11 @@ def find(id_data, data_path, index=-1):
     if size is None:
         raise Refused(tr("{path} is no number that can be driven").format(path=data_path))
     if index >= max(size, 1):
-        raise Refused(tr("{path} has {count} components: index goes from 0 to {last}").format(
-            path=data_path, count=max(size, 1), last=max(size, 1) - 1))
+        raise Refused(
+            tr("{path} has {count} components: index goes from 0 to {last}").format(
+                path=data_path, count=max(size, 1), last=max(size, 1) - 1
+            )
+        )
     indices = [-1] if size == 0 else range(size) if index < 0 else [index]
     return [Place(struct, name, one) for one in indices]
 

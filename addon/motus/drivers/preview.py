@@ -22,8 +22,18 @@ def _pendulum(call, k, times):
 
 def _double_pendulum(call, k, times):
     states = call(
-        times * k["speed"], k["theta1"], k["theta2"], k["omega1"], k["omega2"], k["mass1"], k["mass2"], k["length1"],
-        k["length2"], k["gravity"], k["damping"])
+        times * k["speed"],
+        k["theta1"],
+        k["theta2"],
+        k["omega1"],
+        k["omega2"],
+        k["mass1"],
+        k["mass2"],
+        k["length1"],
+        k["length2"],
+        k["gravity"],
+        k["damping"],
+    )
     return states[:, ('THETA1', 'THETA2', 'OMEGA1', 'OMEGA2').index(k["which"])]
 
 
@@ -40,9 +50,12 @@ def _second_order(call, k, times):
 
 
 _NATIVE = {
-    'PENDULUM': ("single_pendulum", _pendulum), 'DOUBLE_PENDULUM': ("double_pendulum", _double_pendulum),
-    'EASE': ("ease", _ease), 'NOISE': ("noise1", _noise),
-    'SECOND_ORDER': ("step_response", _second_order)}
+    'PENDULUM': ("single_pendulum", _pendulum),
+    'DOUBLE_PENDULUM': ("double_pendulum", _double_pendulum),
+    'EASE': ("ease", _ease),
+    'NOISE': ("noise1", _noise),
+    'SECOND_ORDER': ("step_response", _second_order),
+}
 
 
 def draw(layout, operator):
@@ -51,8 +64,7 @@ def draw(layout, operator):
         return
     function = expressions.BY_IDENTIFIER[operator.function]
     try:
-        values = sample({name: getattr(operator, name) for name in (*function.arguments, "function")},
-                        np.linspace(0.0, SECONDS, COUNT))
+        values = sample({name: getattr(operator, name) for name in (*function.arguments, "function")}, np.linspace(0.0, SECONDS, COUNT))
     except ValueError as error:
         ui.draw_message(layout, str(error), 'ERROR')
         return

@@ -102,8 +102,7 @@ def _tail_units(owner, tails, others):
         by_top.setdefault(top, []).append(name)
     for top, names in by_top.items():
         names.sort(key=lambda name: len(owner.pose.bones[name].parent_recursive))
-        yield Unit(f"bone {top}", 'TAILS', tuple(tails[name] for name in names),
-                   tuple(owner.pose.bones[name] for name in names))
+        yield Unit(f"bone {top}", 'TAILS', tuple(tails[name] for name in names), tuple(owner.pose.bones[name] for name in names))
 
 
 def entries(owner):
@@ -129,8 +128,10 @@ def groups(owner):
     properties = [unit.entries[0] for unit in present if unit.kind == 'PROPERTY']
     if properties or not parts:  # without any there is one group, to say what is wrong
         parts.append((PROPERTIES, (), properties))
-    wrong = {LOOPED: sum(level is None for level, _ in placed),
-             MISSING: sum(is_missing(owner, entry) for entry in owner.motus.dynamics.entries)}
+    wrong = {
+        LOOPED: sum(level is None for level, _ in placed),
+        MISSING: sum(is_missing(owner, entry) for entry in owner.motus.dynamics.entries),
+    }
     return tuple(_group(owner, key if index else "", *found, wrong) for index, (key, *found) in enumerate(parts))  # type: ignore[call-arg]
 
 
@@ -155,23 +156,31 @@ def bone_renamed(owner, rig, old, new):
                 entry.chain = new
             before, after = (f'pose.bones["{bpy.utils.escape_identifier(name)}"]' for name in (old, new))
             if entry.data_path.startswith(before):
-                entry.data_path = after + entry.data_path[len(before):]
+                entry.data_path = after + entry.data_path[len(before) :]
 
 
 def _group(owner, key, found, properties, wrong):
     things = [(thing, entry, unit.kind) for unit in found for thing, entry in zip(unit.things, unit.entries)]
     reads = dict.fromkeys(pair for unit in found for pair in unit.reads(owner))
     bones = [thing.name for thing, _, kind in things if kind != 'OBJECT']
-    plan = {"fingerprint": rigs.fingerprint(owner) if bones else 0,
-            "units": [[unit.kind, [entry.name for entry in unit.entries]] for unit in found]}
+    plan = {
+        "fingerprint": rigs.fingerprint(owner) if bones else 0,
+        "units": [[unit.kind, [entry.name for entry in unit.entries]] for unit in found],
+    }
     driven = []
     if properties:
         indices = [inputs.indices_of(owner, entry.data_path, entry.index) or [entry.index] for entry in properties]
         plan[PROPERTIES] = [[entry.data_path, entry.index, len(one)] for entry, one in zip(properties, indices)]
-        driven = [Property(f"{entry.data_path}[{index}]", owner, entry.data_path, index)
-                  for entry, one in zip(properties, indices) for index in one]
+        driven = [
+            Property(f"{entry.data_path}[{index}]", owner, entry.data_path, index)
+            for entry, one in zip(properties, indices)
+            for index in one
+        ]
     return Group(
         key=key,
         members=tuple(Member(thing, channels(entry, thing), 'LOCAL', is_relative=True) for thing, entry, _ in things),
         inputs=(*(Transform(*pair) for pair in reads), *(BonesOwn(owner, name) for name in dict.fromkeys(bones))),
-        outputs=tuple(one.output for one in driven), properties=tuple(driven), data={PLAN: json.dumps(plan), **wrong})
+        outputs=tuple(one.output for one in driven),
+        properties=tuple(driven),
+        data={PLAN: json.dumps(plan), **wrong},
+    )

@@ -148,8 +148,13 @@ class OwnInput(_Input):
         """Samples at frames (n,)."""
         found = self.tracks[0].values(frames)
         turns = rotations.product(found.rotations, _mirrored(found.scales))
-        return Samples(seconds_of(frames, self._scene), found.locations, turns, found.scales,
-                       sampling.resets(frames, found.locations, self._entry.jump))
+        return Samples(
+            seconds_of(frames, self._scene),
+            found.locations,
+            turns,
+            found.scales,
+            sampling.resets(frames, found.locations, self._entry.jump),
+        )
 
 
 def _mirrored(scales):
@@ -191,8 +196,13 @@ class WorldInput(_Input):
         space = rotations.chained(carried, transforms.parent_offset(self._thing))
         found = rotations.chained(space, own.matrices)
         places = found[:, :3, 3]
-        return Samples(seconds_of(frames, self._scene), places, rotations.of_axes(found[:, :3, :3]), own.scales,
-                       sampling.resets(frames, places, self._entry.jump))
+        return Samples(
+            seconds_of(frames, self._scene),
+            places,
+            rotations.of_axes(found[:, :3, :3]),
+            own.scales,
+            sampling.resets(frames, places, self._entry.jump),
+        )
 
 
 class ValueInput(_Input):
@@ -202,8 +212,9 @@ class ValueInput(_Input):
     def listed(self):
         """As OwnInput.listed; a property cannot be recorded while it is driven."""
         places = numbers_of(self._thing, self._entry)
-        return [(tracks.property_track(place.id_data, place.data_path, place.number.index, is_beneath_driver=True), None)
-                for place in places]
+        return [
+            (tracks.property_track(place.id_data, place.data_path, place.number.index, is_beneath_driver=True), None) for place in places
+        ]
 
     @property
     def reason(self):
@@ -254,11 +265,12 @@ class TailInput(_Input):
             while bone is not None and bone.name not in found:
                 if names.isdisjoint(one.name for one in (bone, *bone.parent_recursive)):
                     # Above all that follow.
-                    found[bone.name] = tracks.world_track(bone, scene, registered["dynamics"]), {
-                        "datablock": rig.name, "bone": bone.name, "transform": 'WORLD'}
+                    found[bone.name] = (
+                        tracks.world_track(bone, scene, registered["dynamics"]),
+                        {"datablock": rig.name, "bone": bone.name, "transform": 'WORLD'},
+                    )
                     break
-                found[bone.name] = tracks.own_track(bone), {
-                    "datablock": rig.name, "bone": bone.name, "transform": 'OWN'}
+                found[bone.name] = tracks.own_track(bone), {"datablock": rig.name, "bone": bone.name, "transform": 'OWN'}
                 bone = bone.parent
         self._places = dict(zip(found, range(len(found))))
         return list(found.values())
@@ -267,8 +279,7 @@ class TailInput(_Input):
     def carriers(self):
         """As of every input: the bones above all that follow which constraints turn, and the rig."""
         rig = self._rig
-        bases = {keywords["bone"]: track for track, keywords in self.listed
-                 if keywords["transform"] == 'WORLD' and "bone" in keywords}
+        bases = {keywords["bone"]: track for track, keywords in self.listed if keywords["transform"] == 'WORLD' and "bone" in keywords}
         found = [name for name in bases if _is_turned(rig.pose.bones[name])]
         if any(bases[name].is_known for name in found):  # what is read of them says the same of the rig
             return found
@@ -286,8 +297,7 @@ class TailInput(_Input):
         for bone in self._thing:
             pose = self._pose(bone, frames, inverse, poses)
             tail = rotations.chained(world, pose)
-            tails[bone.name] = np.broadcast_to(
-                tail[:, :3, 3] + bone.bone.length * tail[:, :3, 1], (len(frames), 3))
+            tails[bone.name] = np.broadcast_to(tail[:, :3, 3] + bone.bone.length * tail[:, :3, 1], (len(frames), 3))
         return tails
 
     def _pose(self, bone, frames, inverse, poses):
@@ -304,8 +314,7 @@ class TailInput(_Input):
                 poses[one.name] = rotations.chained(inverse, track.values(frames))
             else:
                 above = poses[one.parent.name] if one.parent else None
-                poses[one.name] = np.broadcast_to(
-                    transforms.posed(one, track.values(frames), above), (len(frames), 4, 4))
+                poses[one.name] = np.broadcast_to(transforms.posed(one, track.values(frames), above), (len(frames), 4, 4))
         return poses[way[0].name] if way else poses[bone.name]
 
     def _is_base(self, bone):
@@ -332,5 +341,6 @@ def _inverse(matrices):
 
 
 def _cross(a, b):
-    return np.stack((a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1], a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2],
-                     a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]), axis=1)
+    return np.stack(
+        (a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1], a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2], a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]), axis=1
+    )

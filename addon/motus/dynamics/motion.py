@@ -119,11 +119,16 @@ def part_of(thing, entry, row, place, scene, reach):
     channels = entry.channels
     turns = _closed(samples.rotations) if is_loop and 'ROTATION' in channels else samples.rotations
     return Part(
-        row, place, entry.delay, is_object, is_object and inputs.follows_parent(thing, entry),
+        row,
+        place,
+        entry.delay,
+        is_object,
+        is_object and inputs.follows_parent(thing, entry),
         is_loop and len(samples.resets) > 0,
         module.Track(follower, samples.seconds, samples.locations, resets, is_loop) if 'LOCATION' in channels else None,
         module.RotationTrack(follower, samples.seconds, turns, resets, is_loop) if 'ROTATION' in channels else None,
-        module.Track(follower, samples.seconds, samples.scales, resets, is_loop) if 'SCALE' in channels else None)
+        module.Track(follower, samples.seconds, samples.scales, resets, is_loop) if 'SCALE' in channels else None,
+    )
 
 
 def values_of(source, entry, outputs, place, scene, reach):
@@ -134,8 +139,8 @@ def values_of(source, entry, outputs, place, scene, reach):
     numbers = source.values(frames)
     is_loop, jumps = inputs.has_loop(entry), inputs.sampling.resets(frames, numbers, entry.jump)
     track = native.module.Track(
-        filters.second_order(filters.numbers(entry)), inputs.seconds_of(frames, scene), numbers, [] if is_loop else jumps,
-        is_loop)
+        filters.second_order(filters.numbers(entry)), inputs.seconds_of(frames, scene), numbers, [] if is_loop else jumps, is_loop
+    )
     return Values(outputs, place, entry.delay, is_loop and len(jumps) > 0, track)
 
 
@@ -168,8 +173,19 @@ def tails_of(bones, entries, rows, places, scene, reach):
         names = [bones[index].name for index in members]
         jumps = inputs.sampling.resets(frames, tails[bones[0].name], jump)
         track = native.module.Track(
-            filters.second_order(numbers), inputs.seconds_of(frames, scene),
-            np.concatenate([tails[name] for name in names], axis=1), [] if loop else jumps, loop is not None)
-        found.append(Tails(track, delay, np.array([rows[index] for index in members]),
-                           np.array([places[index] for index in members]), loop is not None and len(jumps) > 0))
+            filters.second_order(numbers),
+            inputs.seconds_of(frames, scene),
+            np.concatenate([tails[name] for name in names], axis=1),
+            [] if loop else jumps,
+            loop is not None,
+        )
+        found.append(
+            Tails(
+                track,
+                delay,
+                np.array([rows[index] for index in members]),
+                np.array([places[index] for index in members]),
+                loop is not None and len(jumps) > 0,
+            )
+        )
     return found

@@ -22,19 +22,21 @@ def _bones(description):
 
 def _only_active():
     return bpy.props.BoolProperty(
-        name="Only Active", description="Act on the active entry of the list alone", default=False,
-        options={'SKIP_SAVE', 'HIDDEN'})
+        name="Only Active", description="Act on the active entry of the list alone", default=False, options={'SKIP_SAVE', 'HIDDEN'}
+    )
 
 
 class _OnProperty:
     """Mixin: the keywords that name a single property."""
 
     data_path: bpy.props.StringProperty(
-        name="Data Path", description="Path from the object of a single property, which follows in place of the object",
-        options={'SKIP_SAVE'})
+        name="Data Path",
+        description="Path from the object of a single property, which follows in place of the object",
+        options={'SKIP_SAVE'},
+    )
     index: bpy.props.IntProperty(
-        name="Index", description="Index of a number in an array property; -1 for all of it", default=-1, min=-1,
-        options={'SKIP_SAVE'})
+        name="Index", description="Index of a number in an array property; -1 for all of it", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
 
 
 class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.types.Operator):
@@ -50,28 +52,54 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
     object: object_keyword("Name of the object; empty takes the selected ones, in Pose Mode the selected bones")
     bones: _bones("Names of bones of the object, with commas between")
     style: bpy.props.EnumProperty(
-        name="Style", description="Named set of frequency, damping and response, in place of those that are given",
-        items=styles.ITEMS, default=styles.CUSTOM)
+        name="Style",
+        description="Named set of frequency, damping and response, in place of those that are given",
+        items=styles.ITEMS,
+        default=styles.CUSTOM,
+    )
     whole_chains: bpy.props.BoolProperty(
-        name="Whole Chains", description="Add dynamics to all bones below the selected ones too", default=False)
+        name="Whole Chains", description="Add dynamics to all bones below the selected ones too", default=False
+    )
     chain_delay: bpy.props.FloatProperty(
-        name="Delay per Bone", description="Time by which each bone of a chain follows later than its parent", default=0.0,
-        min=0.0, soft_max=0.2, unit='TIME_ABSOLUTE', precision=3)
+        name="Delay per Bone",
+        description="Time by which each bone of a chain follows later than its parent",
+        default=0.0,
+        min=0.0,
+        soft_max=0.2,
+        unit='TIME_ABSOLUTE',
+        precision=3,
+    )
     # Not in presets, which keep all that is saved: each of these ways says what frequency and damping say as well.
     overshoot: bpy.props.FloatProperty(
         name="Overshoot",
         description="How far the motion goes beyond a step, as a part of the step; with Settling in place of frequency and damping",
-        default=0.2, min=0.0, max=0.95, options={'SKIP_SAVE'})
+        default=0.2,
+        min=0.0,
+        max=0.95,
+        options={'SKIP_SAVE'},
+    )
     settling: bpy.props.FloatProperty(
-        name="Settling", description="Time until the motion comes to rest", default=1.0, min=filters.LEAST_SETTLING,
-        unit='TIME_ABSOLUTE', options={'SKIP_SAVE'})
+        name="Settling",
+        description="Time until the motion comes to rest",
+        default=1.0,
+        min=filters.LEAST_SETTLING,
+        unit='TIME_ABSOLUTE',
+        options={'SKIP_SAVE'},
+    )
     mass: bpy.props.FloatProperty(
-        name="Mass", description="Mass that hangs on a spring, in place of frequency, damping and response", default=1.0,
-        min=1e-3, unit='MASS', options={'SKIP_SAVE'})
+        name="Mass",
+        description="Mass that hangs on a spring, in place of frequency, damping and response",
+        default=1.0,
+        min=1e-3,
+        unit='MASS',
+        options={'SKIP_SAVE'},
+    )
     stiffness: bpy.props.FloatProperty(
-        name="Stiffness", description="Stiffness of the spring, in N/m", default=100.0, min=1e-6, options={'SKIP_SAVE'})
+        name="Stiffness", description="Stiffness of the spring, in N/m", default=100.0, min=1e-6, options={'SKIP_SAVE'}
+    )
     resistance: bpy.props.FloatProperty(
-        name="Resistance", description="Damping of the damper, in N·s/m", default=5.0, min=0.0, options={'SKIP_SAVE'})
+        name="Resistance", description="Damping of the damper, in N·s/m", default=5.0, min=0.0, options={'SKIP_SAVE'}
+    )
 
     @classmethod
     def check_offer(cls, context):
@@ -115,8 +143,7 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
             given.append("style")
         if len(given) > 1:
             first, second = map(self._label, given[:2])
-            raise Refused(tr("{first} and {second} say the same in two ways: give one of them").format(
-                first=first, second=second))
+            raise Refused(tr("{first} and {second} say the same in two ways: give one of them").format(first=first, second=second))
 
     def _label(self, name):
         return tr(self.properties.bl_rna.properties[name].name)
@@ -167,7 +194,7 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
     def _report(self, context, made):
         count = sum(map(len, made.values()))
         if count == 1:
-            (owner, found), = made.items()
+            ((owner, found),) = made.items()
             settings = owner.motus.dynamics
             entry = settings.entries[setup.find(settings, next(iter(found)))]
             self.report({'INFO'}, tr("Dynamics added to {object}").format(object=setup.label(entry)))
@@ -177,8 +204,9 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
             self.report({'INFO'}, sentence.format(count=count))
         context.view_layer.update()
         depsgraph = context.view_layer.depsgraph
-        problems = [(owner, wiring.problem(setup.system(), owner, depsgraph)) for owner in made
-                    if owner.evaluated_get(depsgraph).is_evaluated]
+        problems = [
+            (owner, wiring.problem(setup.system(), owner, depsgraph)) for owner in made if owner.evaluated_get(depsgraph).is_evaluated
+        ]
         for sentence in sorted({told.sentence(owner, problem, context.scene) for owner, problem in problems if problem}):
             self.report({'WARNING'}, sentence)
 

@@ -37,8 +37,7 @@ class _OverTime:
 
     def _channels(self, indices=()):
         entries = self._owner.motus.dynamics.entries
-        prefixes = [entry_keys.animated_prefix(self._owner, "motus.dynamics.entries", entries, index)
-                    for index in (self._index, *indices)]
+        prefixes = [entry_keys.animated_prefix(self._owner, "motus.dynamics.entries", entries, index) for index in (self._index, *indices)]
         paths = ["motus.dynamics.influence", *(prefix + name for prefix in prefixes for name in ("weight", "is_muted"))]
         return [Channel(self._owner, path, -1) for path in paths]
 
@@ -125,9 +124,15 @@ class OverTime(_OverTime):
         """As Channel.stamp, of what no parent brings: whoever asks for the object asks for its parents too."""
         entry = self._entry
         settings = (getattr(entry, name) for name in KEYWORDS)
-        return together((
-            *self._time, self._owner.motus.dynamics.influence, entry.is_muted, self._input.tracks[0].stamp,
-            *(tuple(sorted(value)) if isinstance(value, set) else value for value in settings)))
+        return together(
+            (
+                *self._time,
+                self._owner.motus.dynamics.influence,
+                entry.is_muted,
+                self._input.tracks[0].stamp,
+                *(tuple(sorted(value)) if isinstance(value, set) else value for value in settings),
+            )
+        )
 
 
 class _OwnBone(_OverTime):
@@ -151,7 +156,8 @@ class _OwnBone(_OverTime):
         return transforms._replace(
             locations=transforms.locations if moves is None else transforms.locations + moves,
             rotations=transforms.rotations if turns is None else rotations.product(transforms.rotations, turns),
-            scales=transforms.scales if ratios is None else transforms.scales * ratios)
+            scales=transforms.scales if ratios is None else transforms.scales * ratios,
+        )
 
     @property
     def stamp(self):
@@ -185,16 +191,18 @@ class _Tail(_OverTime):
     def applied(self, times, transforms):
         """See core/tracks/solved.py."""
         turns = once(self._owner, ("dynamics", self._unit.name), times, lambda: self._turns(times))
-        return transforms if turns is None else transforms._replace(
-            rotations=rotations.product(transforms.rotations, turns[:, self._row]))
+        return transforms if turns is None else transforms._replace(rotations=rotations.product(transforms.rotations, turns[:, self._row]))
 
     def _turns(self, times):
         """(n, bones of the unit, 4); None where nothing moves."""
         names = [bone.name for bone in self._unit.things]
         count, places = len(times), [setup.find(self._owner.motus.dynamics, name) for name in names]
         try:
-            tails = motion.tails_of(
-                self._unit.things, self._unit.entries, range(len(names)), places, self._scene, self._reach(times)) if count else []
+            tails = (
+                motion.tails_of(self._unit.things, self._unit.entries, range(len(names)), places, self._scene, self._reach(times))
+                if count
+                else []
+            )
         except ValueError:
             return None
         if not tails:
@@ -207,9 +215,12 @@ class _Tail(_OverTime):
         all_names = rigs.names_of(self._owner)
         still, worlds = rigs.still(self._owner, all_names), self._rig.worlds(times)
         plan = native.module.TailPlan(rigs.parents(self._owner, all_names), [all_names.index(name) for name in names])
-        return np.stack([
-            plan.solve(still.rest, poses, basis, still.inheritance, worlds[index], targets[index], shares)
-            for index, (poses, basis) in enumerate(self._rig.rows(times, all_names))])
+        return np.stack(
+            [
+                plan.solve(still.rest, poses, basis, still.inheritance, worlds[index], targets[index], shares)
+                for index, (poses, basis) in enumerate(self._rig.rows(times, all_names))
+            ]
+        )
 
     @property
     def stamp(self):

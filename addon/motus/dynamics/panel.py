@@ -4,8 +4,8 @@ import bpy
 
 from ..core import native
 from ..core.interface import bone_entries, panels, ui
-from ..core.interface.view import graph, widths
 from ..core.interface.tracks import panel as track_panel
+from ..core.interface.view import graph, widths
 from ..core.lazy import numpy as np
 from ..core.translations import OWN_SENSE, counted, tr
 from . import filters, presets, rows, styles, told
@@ -24,8 +24,9 @@ def draw_main(layout, context):
         ui.draw_rig_influence(layout, settings)
     else:
         ui.split(layout).prop(settings, "influence", slider=True)
-    _, remove, _ = ui.draw_list(layout, "MOTUS_UL_dynamics_entries", settings, "entries", "active_entry",
-                                "motus.dynamics_add", "motus.dynamics_remove", rows=2)
+    _, remove, _ = ui.draw_list(
+        layout, "MOTUS_UL_dynamics_entries", settings, "entries", "active_entry", "motus.dynamics_add", "motus.dynamics_remove", rows=2
+    )
     entry = active_entry(owner)
     remove.object, remove.only_active = owner.name, True
     ui.draw_problem(layout, context, system(), owner, lambda problem: told.sentence(owner, problem, context.scene))
@@ -101,8 +102,7 @@ def draw_input(layout, context):
         ui.draw_message(layout, tr("{object} has no bone {bone}").format(object=context.object.name, bone=entry.name), 'ERROR')
         return
     if not source.tracks:
-        ui.draw_message(
-            layout, tr("{object} has no number {path}").format(object=context.object.name, path=entry.data_path), 'ERROR')
+        ui.draw_message(layout, tr("{object} has no number {path}").format(object=context.object.name, path=entry.data_path), 'ERROR')
         return
     if source.reason is not None:
         ui.draw_message(layout, source.reason.sentence, 'ERROR')
@@ -160,7 +160,9 @@ class MOTUS_UL_dynamics_entries(bpy.types.UIList):
 
 
 PANEL = panels.SystemPanel(
-    name="dynamics", prefix="MOTUS_PT_dynamics", label="Dynamics",
+    name="dynamics",
+    prefix="MOTUS_PT_dynamics",
+    label="Dynamics",
     editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints, "_bone_constraint": ui.BoneConstraints},
     suits=lambda obj: True,
     is_used=lambda obj: len(obj.motus.dynamics.entries) > 0,
@@ -170,6 +172,10 @@ PANEL = panels.SystemPanel(
         panels.Part("loop", "Loop", draw_loop, draw_header=_draw_loop_switch),
         panels.Part("input", "Input", draw_input, is_open=True),
     ),
-    actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL, draw_add=draw_add)
+    actions=draw_actions,
+    refresh=panels.REFRESH,
+    presets=presets.PANEL,
+    draw_add=draw_add,
+)
 
 classes = (MOTUS_UL_dynamics_entries, *panels.classes(PANEL))

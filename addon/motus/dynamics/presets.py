@@ -9,9 +9,8 @@ ENTRY = "bpy.context.object.motus.dynamics.entries[bpy.context.object.motus.dyna
 OF_A_STYLE = "frequency", "damping", "response", "mass", "shape"
 """What belongs to one thing or one shot is not part of a style."""
 
-BROUGHT = [Preset(identifier, label, told, dict(zip(filters.NUMBERS, numbers)))
-           for identifier, label, told, numbers in styles.STYLES]
+BROUGHT = [Preset(identifier, label, told, dict(zip(filters.NUMBERS, numbers))) for identifier, label, told, numbers in styles.STYLES]
 
 classes = OPERATOR, PANEL, USE = presets.classes(
-    "dynamics", "Dynamics", (f"{ENTRY}.{name}" for name in OF_A_STYLE), BROUGHT,
-    lambda context: selected(context, "dynamics"))
+    "dynamics", "Dynamics", (f"{ENTRY}.{name}" for name in OF_A_STYLE), BROUGHT, lambda context: selected(context, "dynamics")
+)

@@ -17,15 +17,23 @@ def _has_channels(settings):
 _CHANNELS = Row("channels", when=_has_channels, expand=True, stacks=True)
 FOLLOW = Rows((Row("follow", when=_is_thing), _CHANNELS), title="Follow")
 BY_FREQUENCY = Rows(("frequency", "damping", "response"), title="Motion")
-MOTION = Rows((
-    Row("frequency", when=is_one_of("shape", 'FREQUENCY')), Row("damping", when=is_one_of("shape", 'FREQUENCY')),
-    Row("overshoot", when=is_one_of("shape", 'OVERSHOOT')), Row("settling", when=is_one_of("shape", 'OVERSHOOT')),
-    Row("response", when=is_one_of("shape", 'FREQUENCY', 'OVERSHOOT')),
-    Row("mass", when=is_one_of("shape", 'SPRING')), Row("stiffness", when=is_one_of("shape", 'SPRING')),
-    Row("resistance", when=is_one_of("shape", 'SPRING'))), title="Motion")
+MOTION = Rows(
+    (
+        Row("frequency", when=is_one_of("shape", 'FREQUENCY')),
+        Row("damping", when=is_one_of("shape", 'FREQUENCY')),
+        Row("overshoot", when=is_one_of("shape", 'OVERSHOOT')),
+        Row("settling", when=is_one_of("shape", 'OVERSHOOT')),
+        Row("response", when=is_one_of("shape", 'FREQUENCY', 'OVERSHOOT')),
+        Row("mass", when=is_one_of("shape", 'SPRING')),
+        Row("stiffness", when=is_one_of("shape", 'SPRING')),
+        Row("resistance", when=is_one_of("shape", 'SPRING')),
+    ),
+    title="Motion",
+)
 AMOUNT = Rows((Row("weight", text="Weight", text_ctxt=OWN_SENSE), "delay"), title="Amount")
-LOOP = Rows((Row("loop_start", when=lambda settings: settings.use_loop),
-             Row("loop_end", when=lambda settings: settings.use_loop)), title="Loop")
+LOOP = Rows(
+    (Row("loop_start", when=lambda settings: settings.use_loop), Row("loop_end", when=lambda settings: settings.use_loop)), title="Loop"
+)
 JUMP = Rows(("jump",))
 ADDING = (
     Rows(("style",), title="Style"),

@@ -1,12 +1,12 @@
 """When inputs are looked at, and what makes up an entry's samples: the same for a time, whichever frame is asked for."""
 
+import itertools
 import math
 from typing import Any, NamedTuple
 
 from ..core.animation.keys import union
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
-import itertools
 
 RATE = 192.0
 """Samples in a second, about: between them an input is taken for linear, by which it is 3e-5 of its amplitude off at 2 Hz."""

@@ -24,16 +24,29 @@ LOOP_IS_OPEN = Problem("A rotation does not come back to where its loop began", 
 BAD_NUMBERS = Problem("Some numbers are outside of what a motion can be computed from", blocking=False)
 JUMPS_LOOPED = Problem("Where the motion loops, jumps of what it follows are swung through", blocking=False)
 CONSTRAINED = Problem(
-    "Constraints of its own are not followed, and may undo it: let an empty have them, and a child of that the dynamics", blocking=False)
+    "Constraints of its own are not followed, and may undo it: let an empty have them, and a child of that the dynamics", blocking=False
+)
 EMPTY_LOOP = Problem("A loop ends before it begins, and is none: set its end behind its start", blocking=False)
 MISSING_BONES = Problem("Some bones that follow are not there any more: remove them from the list", blocking=False)
 LOOPED_BONES = Problem("Some bones move with what they follow, and are left out", blocking=False)
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
 TOO_LONG = Problem(
     "What is followed goes on for too long, and only its beginning counts: raise Damping or Frequency, shorten Delay, or have fewer dynamics",
-    blocking=False)
-PROBLEMS = (NEEDS_RECORDING, LOOP_IS_OPEN, BAD_NUMBERS, JUMPS_LOOPED, CONSTRAINED, LOOPED_BONES, BONES_CHANGED, EMPTY_LOOP,
-            MISSING_BONES, NOT_KNOWN, TOO_LONG)
+    blocking=False,
+)
+PROBLEMS = (
+    NEEDS_RECORDING,
+    LOOP_IS_OPEN,
+    BAD_NUMBERS,
+    JUMPS_LOOPED,
+    CONSTRAINED,
+    LOOPED_BONES,
+    BONES_CHANGED,
+    EMPTY_LOOP,
+    MISSING_BONES,
+    NOT_KNOWN,
+    TOO_LONG,
+)
 
 _FORM = {"fingerprint": int, "units": [(str, [str])], "properties?": [(str, lambda index: type(index) is int, int)]}
 """Of what groups.py notes."""
@@ -105,7 +118,8 @@ def _turn(context, made, seconds, weights):
         places[tails.rows] = tails.track.evaluate(seconds - tails.delay).reshape(-1, 3)
         shares[tails.rows] = [weights[place] for place in tails.places]
     context.rotations[plan.members] = plan.solver.solve(
-        arrays.rest, arrays.poses, arrays.basis, arrays.inheritance, arrays.world, places, shares)
+        arrays.rest, arrays.poses, arrays.basis, arrays.inheritance, arrays.world, places, shares
+    )
 
 
 def _made(context):
@@ -114,8 +128,12 @@ def _made(context):
     copy = copies.of(owner)
     place = "dynamics", context.group
     found = copy.found.get(place) if copy else None
-    if (found is None or found.stamp is None or not found.reach.low <= context.frame < found.reach.high
-            or found.stamp != _stamp(owner, copy, scene, found.asked)):
+    if (
+        found is None
+        or found.stamp is None
+        or not found.reach.low <= context.frame < found.reach.high
+        or found.stamp != _stamp(owner, copy, scene, found.asked)
+    ):
         found = _make(context, copy, scene)
         if copy:
             copy.found[place] = found
@@ -175,8 +193,9 @@ class _Making:
         self._owner, self._settings, self._scene = owner, settings, scene
         self._ready, self.reach = [], None
         self.parts, self.tails, self.values, self.members, self.problems, self.carriers, self.laid = [], [], [], [], [], [], []
-        self._places = {(entry.name, entry.data_path, entry.index if entry.data_path else -1): place
-                        for place, entry in enumerate(settings.entries)}
+        self._places = {
+            (entry.name, entry.data_path, entry.index if entry.data_path else -1): place for place, entry in enumerate(settings.entries)
+        }
 
     def unit(self, kind, names, rows):
         """Take in what has members."""
@@ -264,15 +283,25 @@ def _make(context, copy, scene):
     answered((making, "all"), lambda: making.make(context.frame))
     asked = Asked(tuple(dict.fromkeys(making.carriers)), tuple(path for path, _, _ in properties), tuple(dict.fromkeys(making.laid)))
     is_still = copy is not None and not copy.has_animated_settings
-    return Made(_stamp(owner, copy, scene, asked), asked, making.reach, making.parts, making.tails, making.values,
-                tuple(making.members), next(iter(making.problems), None), _weights(settings) if is_still else None)
+    return Made(
+        _stamp(owner, copy, scene, asked),
+        asked,
+        making.reach,
+        making.parts,
+        making.tails,
+        making.values,
+        tuple(making.members),
+        next(iter(making.problems), None),
+        _weights(settings) if is_still else None,
+    )
 
 
 def _are_constrained(thing):
     """Whether constraints act on an evaluated Object or PoseBone that are neither of dynamics nor of what poses bones beneath it."""
     followed = [registered["dynamics"], *(system for system in systems() if system.lays_pose)]
-    return any(not one.mute and one.influence > 0.0 and not any(wiring.is_sink(system, one) for system in followed)
-               for one in thing.constraints)
+    return any(
+        not one.mute and one.influence > 0.0 and not any(wiring.is_sink(system, one) for system in followed) for one in thing.constraints
+    )
 
 
 def _weights(settings):
@@ -281,8 +310,7 @@ def _weights(settings):
     weights, muted = np.empty(count, np.float32), np.empty(count, bool)
     settings.entries.foreach_get("weight", weights)
     settings.entries.foreach_get("is_muted", muted)
-    return [0.0 if is_muted or not weight > 0.0 else weight
-            for weight, is_muted in zip(weights.tolist(), muted.tolist())]
+    return [0.0 if is_muted or not weight > 0.0 else weight for weight, is_muted in zip(weights.tolist(), muted.tolist())]
 
 
 def _to_local(owner, moves, is_in_world):

@@ -54,8 +54,9 @@ def property_of(context, name, path, index):
         return obj, (path, index)
     indices = inputs.indices_of(obj, path, index, inputs.MOST_NUMBERS + 1) or [index]
     if len(indices) > inputs.MOST_NUMBERS or index >= inputs.MOST_NUMBERS:
-        raise Refused(tr("Only the first {count} numbers of an array can follow: give an index below that").format(
-            count=inputs.MOST_NUMBERS))
+        raise Refused(
+            tr("Only the first {count} numbers of an array can follow: give an index below that").format(count=inputs.MOST_NUMBERS)
+        )
     for one in indices:
         wiring.check_property(obj, path, one)
     return obj, (path, index)
@@ -70,8 +71,7 @@ def _parted(path, index):
 def property_indices(owner, path, index):
     """Indices of the entries of a property, of all its numbers where index is -1."""
     path, index = _parted(path, index)
-    found = [place for place, entry in enumerate(owner.motus.dynamics.entries)
-             if entry.data_path == path and index in (-1, entry.index)]
+    found = [place for place, entry in enumerate(owner.motus.dynamics.entries) if entry.data_path == path and index in (-1, entry.index)]
     if not found:
         raise Refused(tr("Nothing here has dynamics"))
     return found
@@ -80,8 +80,12 @@ def property_indices(owner, path, index):
 def path_from(obj, id_data, data_path):
     """Path from an object of a property of a datablock that it uses; None where it leads nowhere there."""
     data = obj.data
-    ways = {"": obj, "data.": data, "data.shape_keys.": getattr(data, "shape_keys", None),
-            "data.node_tree.": getattr(data, "node_tree", None)}
+    ways = {
+        "": obj,
+        "data.": data,
+        "data.shape_keys.": getattr(data, "shape_keys", None),
+        "data.node_tree.": getattr(data, "node_tree", None),
+    }
     for index, slot in enumerate(obj.material_slots):
         ways[f"material_slots[{index}].material."] = slot.material
         ways[f"material_slots[{index}].material.node_tree."] = slot.material and slot.material.node_tree
@@ -151,13 +155,17 @@ def check_free(owner, names):
         if system.name == "dynamics":
             continue
         if "" in names and any(thing == owner for thing, *_ in wiring.on_object(system, owner)):
-            raise Refused(tr("{object} is driven by {system} already: let a child of it follow").format(
-                object=owner.name, system=tr(system.label)))
+            raise Refused(
+                tr("{object} is driven by {system} already: let a child of it follow").format(object=owner.name, system=tr(system.label))
+            )
         for entry in system.entries(owner) if system.entries and not system.lays_pose else ():
             shared = set(names) & {one for one in entry.drives if isinstance(one, str)}
             if shared:
-                raise Refused(tr("{bone} is driven by {system} of {other} already").format(
-                    bone=min(shared), system=tr(system.label), other=entry.name))
+                raise Refused(
+                    tr("{bone} is driven by {system} of {other} already").format(
+                        bone=min(shared), system=tr(system.label), other=entry.name
+                    )
+                )
 
 
 def loop_of(scene):
@@ -187,8 +195,9 @@ def check_removable(owner, indices):
     """Refuse to remove what an override has from its library."""
     count = libraries.count_from_library(owner, "motus.dynamics.entries")
     if any(index < count for index in indices):
-        raise Refused(tr("{object} has these dynamics from its library, so that they cannot be removed here: mute them").format(
-            object=owner.name))
+        raise Refused(
+            tr("{object} has these dynamics from its library, so that they cannot be removed here: mute them").format(object=owner.name)
+        )
 
 
 def has_own_animation(thing):

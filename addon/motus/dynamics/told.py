@@ -9,8 +9,10 @@ def sentence(owner, problem, scene):
     if problem == solve.MISSING_BONES:
         gone = next((entry.name for entry in owner.motus.dynamics.entries if groups.is_missing(owner, entry)), "")
         return tr("{object} has no bone {bone}: remove it from the list").format(object=owner.name, bone=gone)
-    spoken = {solve.NEEDS_RECORDING: lambda: tr("What {thing} follows needs recording: {reason}"),
-              solve.NOT_KNOWN: lambda: tr("What {thing} follows is not known on other frames: {reason}")}.get(problem)
+    spoken = {
+        solve.NEEDS_RECORDING: lambda: tr("What {thing} follows needs recording: {reason}"),
+        solve.NOT_KNOWN: lambda: tr("What {thing} follows is not known on other frames: {reason}"),
+    }.get(problem)
     for unit in groups.units(owner) if spoken else ():
         entry = next((one for one in unit.entries if not one.is_muted), None)
         if entry is None:

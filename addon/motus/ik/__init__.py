@@ -3,8 +3,7 @@
 from ..core.declare import System
 from . import groups, offers, operators, over_time, overlay, panel, presets, properties, solve
 from .checking import operators as checking_operators
-from .dragging import operators as dragging_operators
-from .dragging import tool as dragging_tool
+from .dragging import operators as dragging_operators, tool as dragging_tool
 from .matching import operators as matching_operators
 from .switching import operators as switching_operators
 
@@ -14,9 +13,14 @@ SYSTEM = System(
     settings=properties.MOTUS_PG_ik,
     classes=(
         # Groups before the group that holds them.
-        *properties.classes, *operators.classes,
-        *presets.classes, *panel.classes,
-        *matching_operators.classes, *switching_operators.classes, *dragging_operators.classes, *checking_operators.classes,
+        *properties.classes,
+        *operators.classes,
+        *presets.classes,
+        *panel.classes,
+        *matching_operators.classes,
+        *switching_operators.classes,
+        *dragging_operators.classes,
+        *checking_operators.classes,
     ),
     owner_types=frozenset({'ARMATURE'}),
     solve=solve.solve,
@@ -31,6 +35,14 @@ SYSTEM = System(
     extras=(dragging_tool,),
     object_menu=("motus.ik_add", "motus.ik_remove"),
     pose_menu=(
-        "motus.ik_add", "motus.ik_remove", "motus.ik_drag", None, "motus.ik_match_fk", "motus.fk_match_ik",
-        "motus.ik_switch_target", "motus.ik_check", None),
+        "motus.ik_add",
+        "motus.ik_remove",
+        "motus.ik_drag",
+        None,
+        "motus.ik_match_fk",
+        "motus.fk_match_ik",
+        "motus.ik_switch_target",
+        "motus.ik_check",
+        None,
+    ),
 )

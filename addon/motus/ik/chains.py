@@ -88,5 +88,11 @@ def prefixes(rig, index):
 
 def driven_elsewhere(rig, name):
     """bone -> (label of the system, entry) of all bones that Motus drives, but for those of the IK entry `name`."""
-    return {bone: (system.label, entry.name) for system in systems() if system.entries and not system.lays_pose
-            for entry in system.entries(rig) if (system.name, entry.name) != ("ik", name) for bone in entry.drives}
+    return {
+        bone: (system.label, entry.name)
+        for system in systems()
+        if system.entries and not system.lays_pose
+        for entry in system.entries(rig)
+        if (system.name, entry.name) != ("ik", name)
+        for bone in entry.drives
+    }

@@ -17,9 +17,11 @@ def around(curve, frame):
 def _divided(curve, first, last):
     """The keys before two frames, from one to the other, and after them."""
     points = curve.keyframe_points
-    return ([point for point in points if point.co.x < first - SAME_FRAME],
-            [point for point in points if first - SAME_FRAME <= point.co.x <= last + SAME_FRAME],
-            [point for point in points if point.co.x > last + SAME_FRAME])
+    return (
+        [point for point in points if point.co.x < first - SAME_FRAME],
+        [point for point in points if first - SAME_FRAME <= point.co.x <= last + SAME_FRAME],
+        [point for point in points if point.co.x > last + SAME_FRAME],
+    )
 
 
 def beside(curve, first, last):

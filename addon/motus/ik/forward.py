@@ -67,8 +67,15 @@ class Solver:
     def solve(self):
         """Solve with settings, targets and poles as they are now."""
         return self._plan.solve(
-            self._own, *self._posed, self.settings, self.targets, self.poles, limits=self._limits,
-            rotations=self.rotations, scales=self.scales)
+            self._own,
+            *self._posed,
+            self.settings,
+            self.targets,
+            self.poles,
+            limits=self._limits,
+            rotations=self.rotations,
+            scales=self.scales,
+        )
 
     def match(self):
         """(C, 16) targets and (C, 3) poles for which the solution is the animated pose."""
@@ -102,5 +109,4 @@ def in_pose(bone, basis, above):
     """Pose matrix of a bone from its own transform and its parent's pose matrix (None without a parent)."""
     if above is None:
         return bone.convert_local_to_pose(basis, bone.matrix_local)
-    return bone.convert_local_to_pose(
-        basis, bone.matrix_local, parent_matrix=above, parent_matrix_local=bone.parent.matrix_local)
+    return bone.convert_local_to_pose(basis, bone.matrix_local, parent_matrix=above, parent_matrix_local=bone.parent.matrix_local)

@@ -19,11 +19,14 @@ class OverFrames(OfABone, over_frames.OverFrames):
     """Mixin of core's OverFrames with the keywords that operators on chains have."""
 
     bone: bpy.props.StringProperty(
-        name="Bone", description="Name of the last bone of the chain; empty takes all chains of the object",
-        options={'SKIP_SAVE'})
+        name="Bone", description="Name of the last bone of the chain; empty takes all chains of the object", options={'SKIP_SAVE'}
+    )
     use_range: bpy.props.BoolProperty(
-        name="Frame Range", description="All frames from the start to the end; otherwise the current frame alone",
-        default=True, options={'SKIP_SAVE'})
+        name="Frame Range",
+        description="All frames from the start to the end; otherwise the current frame alone",
+        default=True,
+        options={'SKIP_SAVE'},
+    )
     for_scripts = ("use_range",)
 
     def frames(self, scene):

@@ -38,8 +38,7 @@ class Found(NamedTuple):
 
 def entries(owner):
     """For the order of evaluation: what each entry reads and drives."""
-    return [Entry(found.entry.name, tuple(found.reads(owner)), (*found.chain.driven, *found.guards))
-            for found in survey(owner)]
+    return [Entry(found.entry.name, tuple(found.reads(owner)), (*found.chain.driven, *found.guards)) for found in survey(owner)]
 
 
 def groups(owner):
@@ -77,8 +76,7 @@ def survey(owner):
     animated = chains.animated_paths(owner, "stretch")
     result = []
     for index, entry, chain in present:
-        stretches = entry.stretch > 0.0 or (bool(animated) and any(
-            path + "stretch" in animated for path in chains.prefixes(owner, index)))
+        stretches = entry.stretch > 0.0 or (bool(animated) and any(path + "stretch" in animated for path in chains.prefixes(owner, index)))
         result.append(Found(entry, chain, stretches, _children(owner, chain, taken) if stretches else []))
     return result
 
@@ -108,8 +106,7 @@ def _group(owner, key, entries_found, driven):
     on_chains, effectors, guards = [], [], []
     for found in entries_found:
         chain = found.chain
-        on_chains += [Member(bones[name], STRETCHED if found.stretches else RELATIVE, 'LOCAL', is_relative=True)
-                      for name in chain.bones]
+        on_chains += [Member(bones[name], STRETCHED if found.stretches else RELATIVE, 'LOCAL', is_relative=True) for name in chain.bones]
         if not chain.use_tail:
             effector = bones[chain.effector]
             effectors.append(_kept(effector) if found.stretches else Member(effector, RELATIVE, 'LOCAL', is_relative=True))
@@ -119,22 +116,31 @@ def _group(owner, key, entries_found, driven):
         members=(*on_chains, *effectors, *guards),  # in the order of IkPlan.rows
         inputs=_inputs(owner, entries_found, driven),
         outputs=tuple(f"{found.entry.name}.{name}" for found in entries_found for name in OUTPUTS),
-        data={PLAN: plan_of(owner, entries_found)})
+        data={PLAN: plan_of(owner, entries_found)},
+    )
 
 
 def plan_of(owner, entries_found):
     """What wired.Wired is made of, as text."""
     # An effector that must not be stretched counts as a guard in IkPlan; it has one row all the same.
-    kept = [(found.chain.effector, index) for index, found in enumerate(entries_found)
-            if found.stretches and not found.chain.use_tail]
+    kept = [(found.chain.effector, index) for index, found in enumerate(entries_found) if found.stretches and not found.chain.use_tail]
     guards = [(name, index) for index, found in enumerate(entries_found) for name in found.guards]
-    chains_found = [{
-        "name": found.entry.name, "bones": found.chain.bones, "effector": found.chain.effector, "stretches": found.stretches,
-        "all": len(chains.of_bone(owner, found.entry.name, 0, found.chain.use_tail).bones),
-        "target": _where(owner, pointed(found.entry, "target")), "target_bone": found.entry.target_bone,
-        "pole": _where(owner, pointed(found.entry, "pole")), "pole_bone": found.entry.pole_bone, "extras": len(found.entry.extra_targets),
-        "settings": {name: float(getattr(found.entry, name)) for name in ("tolerance", "iterations")},
-    } for found in entries_found]
+    chains_found = [
+        {
+            "name": found.entry.name,
+            "bones": found.chain.bones,
+            "effector": found.chain.effector,
+            "stretches": found.stretches,
+            "all": len(chains.of_bone(owner, found.entry.name, 0, found.chain.use_tail).bones),
+            "target": _where(owner, pointed(found.entry, "target")),
+            "target_bone": found.entry.target_bone,
+            "pole": _where(owner, pointed(found.entry, "pole")),
+            "pole_bone": found.entry.pole_bone,
+            "extras": len(found.entry.extra_targets),
+            "settings": {name: float(getattr(found.entry, name)) for name in ("tolerance", "iterations")},
+        }
+        for found in entries_found
+    ]
     return json.dumps({"fingerprint": rigs.fingerprint(owner), "chains": chains_found, "guards": kept + guards})
 
 
@@ -152,8 +158,7 @@ def _inputs(owner, entries_found, driven):
     """What must stand before the group is solved: what its entries read, and those of their bones that are driven."""
     read = [(owner, ""), *(pair for found in entries_found for pair in found.reads(owner))]
     own = [name for found in entries_found for name in (*found.chain.driven, *found.guards)]
-    return (*(Transform(*pair) for pair in dict.fromkeys(read)),
-            *(BonesOwn(owner, name) for name in dict.fromkeys(own) if name in driven))
+    return (*(Transform(*pair) for pair in dict.fromkeys(read)), *(BonesOwn(owner, name) for name in dict.fromkeys(own) if name in driven))
 
 
 def _bones_with_drivers(owner):

@@ -12,8 +12,19 @@ from ..core.blender.frames import assign
 from ..core.lazy import numpy as np
 from .curve_cut import SAME_FRAME, around, beside, cut, hold
 
-_KEY = ("co", "handle_left", "handle_right", "handle_left_type", "handle_right_type", "interpolation", "easing", "back",
-        "amplitude", "period", "type")
+_KEY = (
+    "co",
+    "handle_left",
+    "handle_right",
+    "handle_left_type",
+    "handle_right_type",
+    "interpolation",
+    "easing",
+    "back",
+    "amplitude",
+    "period",
+    "type",
+)
 
 
 def rotation_values(thing, rotation, last):
@@ -165,8 +176,13 @@ def _between(curve, frames):
 
 def _keys(points):
     """All that makes keys what they are, by attribute."""
-    return [{name: value if isinstance(value, (str, float)) else tuple(value)
-             for name, value in ((name, getattr(point, name)) for name in _KEY)} for point in points]
+    return [
+        {
+            name: value if isinstance(value, (str, float)) else tuple(value)
+            for name, value in ((name, getattr(point, name)) for name in _KEY)
+        }
+        for point in points
+    ]
 
 
 def _clear(curve, frames):
@@ -184,7 +200,7 @@ def _replace(curve, frames, values, interpolation):
     points.add(len(frames))
     places = np.empty(2 * len(points), np.float32)
     points.foreach_get("co", places)
-    places[2 * before::2], places[2 * before + 1::2] = frames, values
+    places[2 * before :: 2], places[2 * before + 1 :: 2] = frames, values
     points.foreach_set("co", places)
     for point in points[before:]:
         point.interpolation = interpolation

@@ -14,7 +14,6 @@ from .goals import control_bones, made, placing
 from .properties import KEYWORDS, IkKeywords
 from .switching import blend_keys, blend_trigger
 
-
 MOST_SHOWN = 8
 """Controls whose names are listed before they are deleted."""
 MADE_WIDTH = 320
@@ -31,8 +30,8 @@ class OfABone(OfARig):
     """And the last bone of a chain, for operators that change it."""
 
     bone: bpy.props.StringProperty(
-        name="Bone", description="Name of the last bone of the chain; empty takes the active one",
-        options={'SKIP_SAVE'})
+        name="Bone", description="Name of the last bone of the chain; empty takes the active one", options={'SKIP_SAVE'}
+    )
 
 
 class MOTUS_OT_ik_add(operators.FindsValues, OfABone, IkKeywords, bpy.types.Operator):
@@ -42,25 +41,35 @@ class MOTUS_OT_ik_add(operators.FindsValues, OfABone, IkKeywords, bpy.types.Oper
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     bones: bpy.props.StringProperty(
-        name="Bones", description="Names of the last bones of several chains, with commas between: all are added at once",
-        options={'SKIP_SAVE'})
+        name="Bones",
+        description="Names of the last bones of several chains, with commas between: all are added at once",
+        options={'SKIP_SAVE'},
+    )
     target: bpy.props.StringProperty(
-        name="Target", description="Name of the object that the chain reaches for; empty takes what is selected along "
-        "with the bone, and else makes an empty at the end of the chain", options={'SKIP_SAVE'})
-    target_bone: bpy.props.StringProperty(
-        name="Target Bone", description="Name of a bone of the target", options={'SKIP_SAVE'})
-    pole: bpy.props.StringProperty(
-        name="Pole", description="Name of the object that the chain bends towards", options={'SKIP_SAVE'})
-    pole_bone: bpy.props.StringProperty(
-        name="Pole Bone", description="Name of a bone of the pole", options={'SKIP_SAVE'})
+        name="Target",
+        description="Name of the object that the chain reaches for; empty takes what is selected along "
+        "with the bone, and else makes an empty at the end of the chain",
+        options={'SKIP_SAVE'},
+    )
+    target_bone: bpy.props.StringProperty(name="Target Bone", description="Name of a bone of the target", options={'SKIP_SAVE'})
+    pole: bpy.props.StringProperty(name="Pole", description="Name of the object that the chain bends towards", options={'SKIP_SAVE'})
+    pole_bone: bpy.props.StringProperty(name="Pole Bone", description="Name of a bone of the pole", options={'SKIP_SAVE'})
     make_pole: bpy.props.BoolProperty(
-        name="Make a Pole", description="Make an empty at the side that the chain bends to", default=False,
-        options={'SKIP_SAVE'})
+        name="Make a Pole", description="Make an empty at the side that the chain bends to", default=False, options={'SKIP_SAVE'}
+    )
     keep_rotation: bpy.props.BoolProperty(
-        name="Keep Rotation", description="Set the rotation offset so that the bone keeps its present rotation", default=True, options={'SKIP_SAVE'})
+        name="Keep Rotation",
+        description="Set the rotation offset so that the bone keeps its present rotation",
+        default=True,
+        options={'SKIP_SAVE'},
+    )
     make_control_bone: bpy.props.BoolProperty(
-        name="New Control Bone", description="Make a bone of the armature itself the target, which stands at the end of the "
-        "chain, has no parent and deforms nothing; a pole that is made is such a bone too", default=False, options={'SKIP_SAVE'})
+        name="New Control Bone",
+        description="Make a bone of the armature itself the target, which stands at the end of the "
+        "chain, has no parent and deforms nothing; a pole that is made is such a bone too",
+        default=False,
+        options={'SKIP_SAVE'},
+    )
 
     redo = rows.ADDING
     for_scripts = ("hinge_angle", "target_blend", "is_muted")
@@ -90,10 +99,10 @@ class MOTUS_OT_ik_add(operators.FindsValues, OfABone, IkKeywords, bpy.types.Oper
     def _chain(self, rig, bone):
         """The chain that a bone is given; refuses one that is not free."""
         changes, before = self.given(KEYWORDS), rig.motus.ik.entries.get(bone)
-        chain = targets.chain_for(rig, bone, *(
-            changes.get(name, getattr(before or self, name)) for name in ("chain_length", "use_tail")))
+        chain = targets.chain_for(rig, bone, *(changes.get(name, getattr(before or self, name)) for name in ("chain_length", "use_tail")))
         targets.check_free(rig, chain)
         return chain
+
     def _add(self, context, rig, bone):
         """Give a bone its entry."""
         changes = self.given(KEYWORDS)
@@ -164,8 +173,8 @@ class MOTUS_OT_ik_pole_add(OfABone, bpy.types.Operator):
     bl_description = "Give the chain a pole at the side that it bends to; nothing moves by that"
 
     as_bone: bpy.props.BoolProperty(
-        name="As Bone", description="Make a control bone of the armature instead of an empty", default=False,
-        options={'SKIP_SAVE'})
+        name="As Bone", description="Make a control bone of the armature instead of an empty", default=False, options={'SKIP_SAVE'}
+    )
     redo = (Rows(("as_bone",)),)
 
     def run(self, context):
@@ -209,11 +218,14 @@ class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
     bl_description = "Remove Inverse Kinematics, so that the chains have their own animation again"
 
     bone: bpy.props.StringProperty(
-        name="Bone", description="Name of the last bone of the chain; empty takes all chains of the object",
-        options={'SKIP_SAVE'})
+        name="Bone", description="Name of the last bone of the chain; empty takes all chains of the object", options={'SKIP_SAVE'}
+    )
     remove_controls: bpy.props.BoolProperty(
-        name="Remove Controls", description="Delete the targets and poles too that were made along with the chains",
-        default=False, options={'SKIP_SAVE'})
+        name="Remove Controls",
+        description="Delete the targets and poles too that were made along with the chains",
+        default=False,
+        options={'SKIP_SAVE'},
+    )
     redo = (Rows(("remove_controls",)),)
 
     _made: Sequence[str] = ()
@@ -265,10 +277,9 @@ class MOTUS_OT_ik_target_add(OfABone, bpy.types.Operator):
     bl_description = "Give the chain a further target, which Blend passes to"
 
     target: bpy.props.StringProperty(
-        name="Target", description="Name of the object; empty takes what is selected along with the bone",
-        options={'SKIP_SAVE'})
-    target_bone: bpy.props.StringProperty(
-        name="Target Bone", description="Name of a bone of the target", options={'SKIP_SAVE'})
+        name="Target", description="Name of the object; empty takes what is selected along with the bone", options={'SKIP_SAVE'}
+    )
+    target_bone: bpy.props.StringProperty(name="Target Bone", description="Name of a bone of the target", options={'SKIP_SAVE'})
 
     def run(self, context):
         rig = targets.rig_with_ik(context, self.object)
@@ -291,8 +302,8 @@ class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
     bl_description = "Take a further target off the chain"
 
     index: bpy.props.IntProperty(
-        name="Index", description="Index of the further target; -1 is the active one", default=-1, min=-1,
-        options={'SKIP_SAVE'})
+        name="Index", description="Index of the further target; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
 
     def run(self, context):
         rig = targets.rig_with_ik(context, self.object)
@@ -311,6 +322,10 @@ class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
 
 
 classes = (
-    MOTUS_OT_ik_add, MOTUS_OT_ik_pole_add, MOTUS_OT_ik_control_bone_add, MOTUS_OT_ik_remove,
-    MOTUS_OT_ik_target_add, MOTUS_OT_ik_target_remove,
+    MOTUS_OT_ik_add,
+    MOTUS_OT_ik_pole_add,
+    MOTUS_OT_ik_control_bone_add,
+    MOTUS_OT_ik_remove,
+    MOTUS_OT_ik_target_add,
+    MOTUS_OT_ik_target_remove,
 )

@@ -54,7 +54,8 @@ class OverTime(SolvedBone):
         place, turns, factors = self._chain.solved(times)
         row = place[self._bone]
         return transforms._replace(
-            rotations=rotations.product(transforms.rotations, turns[:, row]), scales=transforms.scales * factors[:, row])
+            rotations=rotations.product(transforms.rotations, turns[:, row]), scales=transforms.scales * factors[:, row]
+        )
 
 
 class _Chain:
@@ -64,11 +65,13 @@ class _Chain:
         self._owner, self._found, self._index = owner, found, index
         entry, chain = found.entry, found.chain
         parent = owner.data.bones[chain.bones[0]].parent
-        goals = [(pointed(entry, "pole"), entry.pole_bone), (pointed(entry, "target"), entry.target_bone),
-                 *((pointed(extra, "object"), extra.bone) for extra in entry.extra_targets)]
+        goals = [
+            (pointed(entry, "pole"), entry.pole_bone),
+            (pointed(entry, "target"), entry.target_bone),
+            *((pointed(extra, "object"), extra.bone) for extra in entry.extra_targets),
+        ]
         self._goals = list(map(_goal, goals))
-        self.inputs = RigInputs(
-            owner, scene, ("ik", index), chain.driven, parent.name if parent else "", self._goals, self._paths)
+        self.inputs = RigInputs(owner, scene, ("ik", index), chain.driven, parent.name if parent else "", self._goals, self._paths)
 
     def _paths(self):
         prefix = entry_keys.animated_prefix(self._owner, "motus.ik.entries", self._owner.motus.ik.entries, self._index)
@@ -102,8 +105,16 @@ class _Chain:
         for index, (poses, basis) in enumerate(inputs.rows(times, names)):
             if settings[index, wired.columns["is_on"]]:
                 wired.plan.solve(
-                    wired.bones_of(basis), poses, worlds[index], settings[index:index + 1], targets[index:index + 1],
-                    poles[index:index + 1], limits=limits, rotations=turns[index], scales=factors[index])
+                    wired.bones_of(basis),
+                    poses,
+                    worlds[index],
+                    settings[index : index + 1],
+                    targets[index : index + 1],
+                    poles[index : index + 1],
+                    limits=limits,
+                    rotations=turns[index],
+                    scales=factors[index],
+                )
         return place, turns, factors
 
     @property

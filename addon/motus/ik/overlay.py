@@ -1,5 +1,6 @@
 """What the viewport shows of a rig's chains: how far they reach, their poles, and what is left to their targets."""
 
+import itertools
 import math
 
 from mathutils import Quaternion
@@ -9,9 +10,7 @@ from ..core.file.pointers import pointed
 from ..core.interface.overlay import Batch, Overlay, Switch
 from ..core.lazy import numpy as np
 from . import chains, status
-from .goals import controls, placing
-from .goals import places as goal_places
-import itertools
+from .goals import controls, places as goal_places, placing
 
 STEPS = 64  # of a circle
 LEAST_RESIDUAL = 1e-4  # of the chain's length: less is not drawn
@@ -102,7 +101,11 @@ def _lines(points, color, width):
     return Batch('LINES', np.array(points, dtype=np.float32), color, width)
 
 
-overlay = Overlay(_batches, (
-    Switch("show_reach", "Reach", "Draw how far a chain reaches, and how near"),
-    Switch("show_pole", "Pole", "Draw the line from the middle of a chain to its pole"),
-    Switch("show_residual", "What Is Missing", "Draw what is left between the end of a chain and its target")))
+overlay = Overlay(
+    _batches,
+    (
+        Switch("show_reach", "Reach", "Draw how far a chain reaches, and how near"),
+        Switch("show_pole", "Pole", "Draw the line from the middle of a chain to its pole"),
+        Switch("show_residual", "What Is Missing", "Draw what is left between the end of a chain and its target"),
+    ),
+)

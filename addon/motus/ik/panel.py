@@ -17,8 +17,7 @@ def draw_main(layout, context):
         return
     settings = rig.motus.ik
     ui.draw_rig_influence(layout, settings)
-    _, remove, _ = ui.draw_list(
-        layout, "MOTUS_UL_ik_entries", settings, "entries", "active_entry", "motus.ik_add", "motus.ik_remove")
+    _, remove, _ = ui.draw_list(layout, "MOTUS_UL_ik_entries", settings, "entries", "active_entry", "motus.ik_add", "motus.ik_remove")
     remove.object, remove.bone = rig.name, entry.name
     bone_entries.draw_shown(layout, system(), entry.name)
     icon, sentence = status.sentence(context, rig, entry)
@@ -82,8 +81,15 @@ def draw_target(layout, context):
     layout.use_property_split = False
     layout.label(text="Further Targets")
     add, remove, _ = ui.draw_list(
-        layout, "MOTUS_UL_ik_targets", entry, "extra_targets", "active_extra_target", "motus.ik_target_add",
-        "motus.ik_target_remove", rows=2)
+        layout,
+        "MOTUS_UL_ik_targets",
+        entry,
+        "extra_targets",
+        "active_extra_target",
+        "motus.ik_target_add",
+        "motus.ik_target_remove",
+        rows=2,
+    )
     for button in (add, remove):
         button.object, button.bone = context.object.name, entry.name
     if not entry.extra_targets:
@@ -124,7 +130,8 @@ def draw_readouts(layout, context):
     found = [
         ui.Readout(text="Reach", value=ui.length(context, report.reach)),
         ui.Readout(text="Distance", value=ui.length(context, report.distance)),
-        ui.Readout(text="Falls Short By", value=ui.length(context, report.residual))]
+        ui.Readout(text="Falls Short By", value=ui.length(context, report.residual)),
+    ]
     if entry.rotation_weight > 0.0:
         found.append(ui.Readout(text="Angle Left", value=status.angle(report.angle)))
     ui.draw_readouts(layout, found)
@@ -152,7 +159,9 @@ def _draw_limits(layout, context):
 
 
 PANEL = panels.SystemPanel(
-    name="ik", prefix="MOTUS_PT_ik", label="Inverse Kinematics",
+    name="ik",
+    prefix="MOTUS_PT_ik",
+    label="Inverse Kinematics",
     editors={"": ui.Sidebar, "_constraint": ui.BoneConstraints},
     suits=lambda obj: obj.type == 'ARMATURE',
     is_used=lambda rig: len(rig.motus.ik.entries) > 0,
@@ -162,11 +171,17 @@ PANEL = panels.SystemPanel(
         panels.Part("weights", "Weights", _draw_rows(rows.WEIGHTS), is_open=True),
         panels.Part("pole", "Pole", draw_pole, is_open=True),
         panels.Part("reach", "Reach", _draw_rows(rows.REACH)),
-        panels.Part("limits", "Limits", _draw_limits, draw_header=lambda layout, context: layout.prop(
-            shown_entry(context), "use_limits", text="")),
+        panels.Part(
+            "limits", "Limits", _draw_limits, draw_header=lambda layout, context: layout.prop(shown_entry(context), "use_limits", text="")
+        ),
         panels.Part("precision", "Precision", _draw_rows(rows.PRECISION)),
         panels.Part("tools", "Tools", tools_panel.draw, is_open=True, is_action=True),
     ),
-    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL, draw_add=draw_add)
+    readouts=draw_readouts,
+    actions=draw_actions,
+    refresh=panels.REFRESH,
+    presets=presets.PANEL,
+    draw_add=draw_add,
+)
 
 classes = (MOTUS_UL_ik_entries, MOTUS_UL_ik_targets, *panels.classes(PANEL))

@@ -32,8 +32,7 @@ _WIRED = {"update": rewire, "options": set()}
 
 def _number(name, description, default, **options):
     options = {"update": touch, "options": ANIMATED, **options}
-    return bpy.props.FloatProperty(
-        name=name, description=description, default=default, override=OVERRIDABLE, **options)
+    return bpy.props.FloatProperty(name=name, description=description, default=default, override=OVERRIDABLE, **options)
 
 
 def _factor(name, description, default, **options):
@@ -49,50 +48,100 @@ def _object(name, description):
 
 
 def _bone(description):
-    return bpy.props.StringProperty(
-        name="Bone", description=description, update=rewire, options=set(), override=OVERRIDABLE)
+    return bpy.props.StringProperty(name="Bone", description=description, update=rewire, options=set(), override=OVERRIDABLE)
 
 
 class IkKeywords:
     """What both the entries and the operator have: the names are the keywords of scripts."""
 
     chain_length: bpy.props.IntProperty(
-        name="Chain Length", description="Bones in the chain, counted upwards; 0 takes all of them up to the root",
-        default=2, min=0, max=LONGEST_CHAIN, update=rewire, options=ANIMATED, override=OVERRIDABLE)
+        name="Chain Length",
+        description="Bones in the chain, counted upwards; 0 takes all of them up to the root",
+        default=2,
+        min=0,
+        max=LONGEST_CHAIN,
+        update=rewire,
+        options=ANIMATED,
+        override=OVERRIDABLE,
+    )
     use_tail: bpy.props.BoolProperty(
-        name="Use Tail", description="The bone's tail goes to the target; off, its head does, and the chain ends with "
-        "the bone above it", default=True, update=rewire, options=set(), override=OVERRIDABLE)
+        name="Use Tail",
+        description="The bone's tail goes to the target; off, its head does, and the chain ends with the bone above it",
+        default=True,
+        update=rewire,
+        options=set(),
+        override=OVERRIDABLE,
+    )
     bend: bpy.props.EnumProperty(
-        name="Bend", description="Which side of the line from root to target the chain bends to", items=BENDS,
-        default='TOWARDS', override=OVERRIDABLE, update=touch, options=ANIMATED)
+        name="Bend",
+        description="Which side of the line from root to target the chain bends to",
+        items=BENDS,
+        default='TOWARDS',
+        override=OVERRIDABLE,
+        update=touch,
+        options=ANIMATED,
+    )
     pole_angle: _angle("Pole Angle", "Turns the chain about the line from its root to the target")
     hinge_angle: _angle(
-        "Bend Axis", "Angle about the first bone, from its X axis, of the axis that a chain bends about if its animated pose is straight")
-    softness: _factor(
-        "Softness", "Share of the chain's length over which it slows down before it is straight", 0.0)
+        "Bend Axis", "Angle about the first bone, from its X axis, of the axis that a chain bends about if its animated pose is straight"
+    )
+    softness: _factor("Softness", "Share of the chain's length over which it slows down before it is straight", 0.0)
     stretch: _factor("Stretch", "Share of the missing distance by which the bones lengthen", 0.0, update=_change_stretch)
     use_limits: bpy.props.BoolProperty(
-        name="Use Limits", description="Keep the limits that the bones have for inverse kinematics", default=False,
-        override=OVERRIDABLE, update=touch, options=ANIMATED)
-    position_weight: _factor(
-        "Position", "Blend from the animated pose (0) to the one that reaches the target (1)", 1.0)
-    rotation_weight: _factor(
-        "Rotation", "How far the last bone takes the target's orientation; the rest of the chain still reaches", 0.0)
+        name="Use Limits",
+        description="Keep the limits that the bones have for inverse kinematics",
+        default=False,
+        override=OVERRIDABLE,
+        update=touch,
+        options=ANIMATED,
+    )
+    position_weight: _factor("Position", "Blend from the animated pose (0) to the one that reaches the target (1)", 1.0)
+    rotation_weight: _factor("Rotation", "How far the last bone takes the target's orientation; the rest of the chain still reaches", 0.0)
     rotation_offset: bpy.props.FloatVectorProperty(
-        name="Offset", description="Turns the last bone away from the target's orientation, in the target's own space", size=3,
-        subtype='EULER', update=touch, options=ANIMATED, override=OVERRIDABLE)
+        name="Offset",
+        description="Turns the last bone away from the target's orientation, in the target's own space",
+        size=3,
+        subtype='EULER',
+        update=touch,
+        options=ANIMATED,
+        override=OVERRIDABLE,
+    )
     target_blend: _number(
-        "Blend", "0 is the target, 1 the first of the further targets, and between them the way from one to the other",
-        0.0, min=0.0, soft_max=4.0)
+        "Blend",
+        "0 is the target, 1 the first of the further targets, and between them the way from one to the other",
+        0.0,
+        min=0.0,
+        soft_max=4.0,
+    )
     tolerance: _number(
-        "Tolerance", "Distance from the target that counts as reached, as a fraction of the chain's length", 1e-6,
-        min=1e-12, max=1.0, soft_min=1e-7, soft_max=0.01, precision=7, **_WIRED)
+        "Tolerance",
+        "Distance from the target that counts as reached, as a fraction of the chain's length",
+        1e-6,
+        min=1e-12,
+        max=1.0,
+        soft_min=1e-7,
+        soft_max=0.01,
+        precision=7,
+        **_WIRED,
+    )
     iterations: bpy.props.IntProperty(
-        name="Iterations", description="Number of iterations after which the search for a chain of more than two bones stops", default=100, min=1,
-        max=10000, soft_max=500, override=OVERRIDABLE, **_WIRED)
+        name="Iterations",
+        description="Number of iterations after which the search for a chain of more than two bones stops",
+        default=100,
+        min=1,
+        max=10000,
+        soft_max=500,
+        override=OVERRIDABLE,
+        **_WIRED,
+    )
     is_muted: bpy.props.BoolProperty(
-        name="Mute", description="Switch the chain off: it keeps its own animation", default=False, update=touch, options=ANIMATED,
-        override=OVERRIDABLE)
+        name="Mute",
+        description="Switch the chain off: it keeps its own animation",
+        default=False,
+        update=touch,
+        options=ANIMATED,
+        override=OVERRIDABLE,
+    )
 
 
 KEYWORDS = tuple(IkKeywords.__annotations__)
@@ -104,23 +153,30 @@ class MOTUS_PG_ik_target(bpy.types.PropertyGroup):
 
 
 class MOTUS_PG_ik_entry(IkKeywords, check_results.CheckResults, bpy.types.PropertyGroup):
-    name: bpy.props.StringProperty(
-        name="Bone", description="Bone at the end of the chain", update=rewire, override=OVERRIDABLE)
+    name: bpy.props.StringProperty(name="Bone", description="Bone at the end of the chain", update=rewire, override=OVERRIDABLE)
     target: _object("Target", "Object that the end of the chain goes to")
     target_bone: _bone("Bone of the target; empty takes its origin")
-    extra_targets: bpy.props.CollectionProperty(
-        type=MOTUS_PG_ik_target, name="Further Targets", override=EXTENDABLE)
+    extra_targets: bpy.props.CollectionProperty(type=MOTUS_PG_ik_target, name="Further Targets", override=EXTENDABLE)
     active_extra_target: bpy.props.IntProperty(name="Active Further Target", options=set())
-    pole: _object("Pole", "Object that the middle of the chain bends towards; without a pole the chain bends in the plane of the animated pose")
+    pole: _object(
+        "Pole", "Object that the middle of the chain bends towards; without a pole the chain bends in the plane of the animated pose"
+    )
     pole_bone: _bone("Bone of the pole; empty takes its origin")
-    is_elastic: bpy.props.BoolProperty(
-        name="Elastic", description="Stretch is not 0", options={'HIDDEN'}, override=OVERRIDABLE)
+    is_elastic: bpy.props.BoolProperty(name="Elastic", description="Stretch is not 0", options={'HIDDEN'}, override=OVERRIDABLE)
 
 
 class MOTUS_PG_ik(SystemSettings, bpy.types.PropertyGroup):
     influence: bpy.props.FloatProperty(
-        name="Influence", description="How much all chains of the rig act; 0 leaves the rig to its animation", default=1.0,
-        min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE, update=touch)
+        name="Influence",
+        description="How much all chains of the rig act; 0 leaves the rig to its animation",
+        default=1.0,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+        options=ANIMATED,
+        override=OVERRIDABLE,
+        update=touch,
+    )
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_ik_entry, name="Chains", override=EXTENDABLE)
     chosen_entry: bpy.props.IntProperty(name="Chosen Chain", options={'HIDDEN'})
     active_entry: bone_entries.active_property("Active Chain", lambda settings, bone: chains.entry_with(settings.id_data, bone))

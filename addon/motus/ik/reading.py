@@ -10,14 +10,20 @@ from ..core import native, rigs
 from ..core.evaluated import copies
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from .goals import stations
-from .goals import places as goal_places
+from .goals import places as goal_places, stations
 from .groups import PLAN
 from .reasons import MUTED
 from .wired import RigChanged, Wired
 
-ANIMATED = {"position_weight": "f4", "rotation_weight": "f4", "softness": "f4", "stretch": "f4", "pole_angle": "f4",
-            "hinge_angle": "f4", "use_limits": "?"}
+ANIMATED = {
+    "position_weight": "f4",
+    "rotation_weight": "f4",
+    "softness": "f4",
+    "stretch": "f4",
+    "pole_angle": "f4",
+    "hinge_angle": "f4",
+    "use_limits": "?",
+}
 """Settings that are read at every frame, with the types that foreach_get has quickly. Others are known when it is wired."""
 
 
@@ -118,8 +124,7 @@ class _Source:
         return self._still_settings
 
     def _bones(self):
-        is_still = self._copy is not None and not (
-            rigs.is_laid(self._copy) or self._copy.has_animated_poses(self.wired.moved))
+        is_still = self._copy is not None and not (rigs.is_laid(self._copy) or self._copy.has_animated_poses(self.wired.moved))
         if not is_still or self._still_bones is None:
             self._still_bones = self.wired.bones(self._rig)
         return self._still_bones
@@ -141,9 +146,13 @@ def _read_settings(settings, places, wired, is_animated):
     weights = numbers[:, wired.columns["rotation_weight"]]
     is_turned = np.count_nonzero(weights) > 0
     return _Settings(
-        numbers, np.flatnonzero(muted).tolist(), weights if is_turned else None,
+        numbers,
+        np.flatnonzero(muted).tolist(),
+        weights if is_turned else None,
         _column(settings.entries, "rotation_offset", places, 3) if is_turned else None,
-        np.count_nonzero(numbers[:, wired.columns["use_limits"]]) > 0, is_stiff)
+        np.count_nonzero(numbers[:, wired.columns["use_limits"]]) > 0,
+        is_stiff,
+    )
 
 
 def _numbers(settings, places, wired, is_animated):

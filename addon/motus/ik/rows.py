@@ -18,11 +18,22 @@ PRECISION = Rows(("tolerance", "iterations"), title="Precision")
 
 ADDING = (
     Rows((*CHAIN.rows, "make_control_bone"), title="Chain"),
-    Rows((Row("make_pole", when=lambda operator: not operator.pole),
-          Row("bend", when=lambda operator: operator.make_pole or bool(operator.pole)), "pole_angle"), title="Pole"),
-    Rows((*WEIGHTS.rows, Row("keep_rotation", when=is_positive("rotation_weight")),
-          Row("rotation_offset", when=lambda operator: operator.rotation_weight > 0.0 and not operator.keep_rotation)),
-         title="Weights"),
+    Rows(
+        (
+            Row("make_pole", when=lambda operator: not operator.pole),
+            Row("bend", when=lambda operator: operator.make_pole or bool(operator.pole)),
+            "pole_angle",
+        ),
+        title="Pole",
+    ),
+    Rows(
+        (
+            *WEIGHTS.rows,
+            Row("keep_rotation", when=is_positive("rotation_weight")),
+            Row("rotation_offset", when=lambda operator: operator.rotation_weight > 0.0 and not operator.keep_rotation),
+        ),
+        title="Weights",
+    ),
     Rows((*REACH.rows, "use_limits"), title="Reach"),
     Rows(tuple(Row(name, when=lambda operator: operator.chain_length != 2) for name in PRECISION.rows), title="Precision"),
 )

@@ -26,8 +26,15 @@ def solve(context):
     if (wired.members, wired.told_numbers) != (len(context.rotations), len(context.outputs)):
         raise Damaged("another number of members or outputs")
     report = wired.plan.solve(
-        found.bones, *found.posed, found.settings, found.targets, found.poles, limits=found.limits,
-        rotations=context.rotations, scales=context.scales)
+        found.bones,
+        *found.posed,
+        found.settings,
+        found.targets,
+        found.poles,
+        limits=found.limits,
+        rotations=context.rotations,
+        scales=context.scales,
+    )
     table = context.outputs.reshape(-1, len(OUTPUTS))
     report.take(wired.told, axis=1, out=table, mode='clip')  # 'raise' would make a copy first
     reasons = table[:, REASON]

@@ -9,8 +9,7 @@ from ..core.file.pointers import pointed
 from ..core.interface.ui import length
 from ..core.translations import tr
 from . import chains, reasons
-from .goals import stations
-from .goals import places as goal_places
+from .goals import places as goal_places, stations
 from .groups import OUTPUTS
 from .setup import system
 
@@ -84,7 +83,8 @@ def _unwired(owner, entry):
     if shared:
         label, other = others[shared[0]]
         return tr("{bone} is driven by {system} of {other} already: shorten the chain").format(
-            bone=shared[0], system=tr(label), other=other)
+            bone=shared[0], system=tr(label), other=other
+        )
     if wiring.levels(owner).get(("ik", entry.name), 0) is None:
         return tr("The target moves with the chain itself: choose another one")
     return ""
@@ -109,8 +109,7 @@ def _astray(context, owner, entry):
     goals = [(pointed(now, "target"), now.target_bone), *((pointed(extra, "object"), extra.bone) for extra in now.extra_targets)]
     places = [goal_places.world_matrix(goal, bone) if goal and not deleted.is_deleted(goal) else None for goal, bone in goals]
     missing = [number for number in stations.needed(now.target_blend, places)[0] if places[number] is None]
-    return tr("Further target {number} is missing: the one before it counts instead").format(
-        number=missing[0]) if missing else ""
+    return tr("Further target {number} is missing: the one before it counts instead").format(number=missing[0]) if missing else ""
 
 
 def _without_pole(entry):

@@ -63,15 +63,17 @@ def check_removable(rig, indices):
     """Refuse to remove entries that an override has from its library."""
     first = min(indices, default=None)
     if first is not None and first < libraries.count_from_library(rig, "motus.ik.entries"):
-        raise Refused(tr("{bone} of {object} is from its library and cannot be removed here: mute it").format(
-            bone=rig.motus.ik.entries[first].name, object=rig.name))
+        raise Refused(
+            tr("{bone} of {object} is from its library and cannot be removed here: mute it").format(
+                bone=rig.motus.ik.entries[first].name, object=rig.name
+            )
+        )
 
 
 def check_target_removable(rig, entry, index):
     """The same for a further target."""
     if index < libraries.count_from_library(rig, f"{entry.path_from_id()}.extra_targets"):
-        raise Refused(tr("This target is from the library of {object} and cannot be removed here").format(
-            object=rig.name))
+        raise Refused(tr("This target is from the library of {object} and cannot be removed here").format(object=rig.name))
 
 
 def goal_for(context, object_name, bone_name, rig=None):
@@ -96,8 +98,11 @@ def goal_place(context, entry):
 
 def selected_goal(context, rig):
     """The one other selected bone, or the one other selected object with its active bone; None without."""
-    bones = [bone for bone in context.selected_pose_bones or () if context.mode == 'POSE'
-             and (bone.id_data != rig or bone.name != active_bone(context, rig))]
+    bones = [
+        bone
+        for bone in context.selected_pose_bones or ()
+        if context.mode == 'POSE' and (bone.id_data != rig or bone.name != active_bone(context, rig))
+    ]
     if len(bones) == 1:
         return bones[0].id_data, bones[0].name
     objects = [found for found in context.selected_objects if found != rig]
@@ -118,8 +123,9 @@ def check_free(rig, chain):
     for name in chain.driven:
         if name in others:
             label, entry = others[name]
-            raise Refused(tr("{bone} is driven by {system} of {other} already: shorten the chain").format(
-                bone=name, system=tr(label), other=entry))
+            raise Refused(
+                tr("{bone} is driven by {system} of {other} already: shorten the chain").format(bone=name, system=tr(label), other=entry)
+            )
 
 
 def ends(rig, names):
@@ -145,22 +151,41 @@ def warnings(rig, chain, chain_length):
     """Sentences about what will not act as one might expect."""
     found = []
     if len(chain.bones) < chain_length:
-        found.append(tr("There are only {count} bones up to the root: the chain takes all of them").format(
-            count=len(chain.bones)))
+        found.append(tr("There are only {count} bones up to the root: the chain takes all of them").format(count=len(chain.bones)))
     for name in chain.driven:
         constraint = _overriding(rig.pose.bones[name])
         if constraint:
-            found.append(tr("{bone} has a constraint of its own that overrides its rotation: {constraint}").format(
-                bone=name, constraint=constraint.name))
+            found.append(
+                tr("{bone} has a constraint of its own that overrides its rotation: {constraint}").format(
+                    bone=name, constraint=constraint.name
+                )
+            )
     return found
 
 
 OVERRIDING = {
-    'IK', 'SPLINE_IK', 'COPY_ROTATION', 'COPY_TRANSFORMS', 'DAMPED_TRACK', 'TRACK_TO', 'LOCKED_TRACK', 'STRETCH_TO',
-    'ARMATURE', 'CHILD_OF', 'ACTION', 'TRANSFORM_CACHE'}
+    'IK',
+    'SPLINE_IK',
+    'COPY_ROTATION',
+    'COPY_TRANSFORMS',
+    'DAMPED_TRACK',
+    'TRACK_TO',
+    'LOCKED_TRACK',
+    'STRETCH_TO',
+    'ARMATURE',
+    'CHILD_OF',
+    'ACTION',
+    'TRANSFORM_CACHE',
+}
 
 
 def _overriding(bone):
     """A constraint of the user's that turns the bone; those of Motus come from drivers and are of other types."""
-    return next((constraint for constraint in bone.constraints
-                 if constraint.type in OVERRIDING and not constraint.mute and constraint.influence > 0.0), None)
+    return next(
+        (
+            constraint
+            for constraint in bone.constraints
+            if constraint.type in OVERRIDING and not constraint.mute and constraint.influence > 0.0
+        ),
+        None,
+    )

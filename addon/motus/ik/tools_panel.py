@@ -17,8 +17,7 @@ def draw(layout, context):
     column.operator("motus.ik_drag", icon='VIEW_PAN').object = rig.name
     _of_chain(column.operator("motus.ik_switch_target", icon='UV_SYNC_SELECT'), rig, entry)
     column = layout.column(align=True)
-    for name, icon in (("motus.ik_match_fk", 'CON_KINEMATIC'), ("motus.fk_match_ik", 'BONE_DATA'),
-                       ("motus.ik_check", 'VIEWZOOM')):
+    for name, icon in (("motus.ik_match_fk", 'CON_KINEMATIC'), ("motus.fk_match_ik", 'BONE_DATA'), ("motus.ik_check", 'VIEWZOOM')):
         _of_chain(column.operator(name, icon=icon), rig, entry)
     sentence = check_results.sentence(entry, lambda value: status.length(context, value))
     if sentence and is_outdated(context, rig, entry):

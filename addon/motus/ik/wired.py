@@ -5,13 +5,24 @@ from ..core.file import stored
 from ..core.lazy import numpy as np
 from .groups import OUTPUTS
 
-
 _WHERE = ("", 'OWN', 'OTHER').__contains__
 _FORM = {
     "fingerprint": int,
-    "chains": [{
-        "name": str, "bones": [str], "effector": str, "stretches": bool, "all?": int, "target": _WHERE, "target_bone": str,
-        "pole": _WHERE, "pole_bone": str, "extras": int, "settings": {"tolerance": float, "iterations": float}}],
+    "chains": [
+        {
+            "name": str,
+            "bones": [str],
+            "effector": str,
+            "stretches": bool,
+            "all?": int,
+            "target": _WHERE,
+            "target_bone": str,
+            "pole": _WHERE,
+            "pole_bone": str,
+            "extras": int,
+            "settings": {"tolerance": float, "iterations": float},
+        }
+    ],
     "guards": [(str, int)],
 }
 """Of what groups.py notes."""

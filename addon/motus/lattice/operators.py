@@ -17,15 +17,18 @@ class MOTUS_OT_lattice_fit(Operator, FitKeywords, bpy.types.Operator):
     bl_label = "Fit Lattice"
     bl_description = (
         "Lay a lattice around the selected objects, or the selected vertices in Edit Mode, and let it deform them; the meshes themselves "
-        "are not changed")
+        "are not changed"
+    )
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     objects: bpy.props.StringProperty(
-        name="Objects", options={'SKIP_SAVE'},
-        description="Names of the objects with commas between, or a collection's name; empty takes the selected objects")
+        name="Objects",
+        options={'SKIP_SAVE'},
+        description="Names of the objects with commas between, or a collection's name; empty takes the selected objects",
+    )
     vertex_group: bpy.props.StringProperty(
-        name="Vertex Group", description="Deform only the vertices of the vertex group of this name",
-        options={'SKIP_SAVE'})
+        name="Vertex Group", description="Deform only the vertices of the vertex group of this name", options={'SKIP_SAVE'}
+    )
 
     modes = OBJECT_OR_EDIT_MODE
     needs_native = True
@@ -40,8 +43,9 @@ class MOTUS_OT_lattice_fit(Operator, FitKeywords, bpy.types.Operator):
     def run(self, context):
         lattice, objects = self._fit(context)
         select_only(context, lattice)
-        self.report({'INFO'}, tr("{lattice} deforms {objects}").format(
-            lattice=lattice.name, objects=", ".join(obj.name for obj in objects)))
+        self.report(
+            {'INFO'}, tr("{lattice} deforms {objects}").format(lattice=lattice.name, objects=", ".join(obj.name for obj in objects))
+        )
 
     def _fit(self, context):
         check_finite(self, ("margin",))
@@ -80,13 +84,16 @@ class MOTUS_OT_lattice_remove(Operator, bpy.types.Operator):
     bl_description = "Remove fitted lattices: the objects get their shape without a lattice back, or keep the deformation"
 
     objects: bpy.props.StringProperty(
-        name="Objects", options={'SKIP_SAVE'},
-        description="Names of the objects with commas between, or a collection's name; empty takes the selected objects")
+        name="Objects",
+        options={'SKIP_SAVE'},
+        description="Names of the objects with commas between, or a collection's name; empty takes the selected objects",
+    )
     modifier: bpy.props.StringProperty(
-        name="Modifier", description="Name of the lattice's modifier; empty takes all lattice modifiers that Motus has added",
-        options={'SKIP_SAVE'})
-    use_apply: bpy.props.BoolProperty(
-        name="Apply", description="Keep the deformation when the lattice is removed", options={'SKIP_SAVE'})
+        name="Modifier",
+        description="Name of the lattice's modifier; empty takes all lattice modifiers that Motus has added",
+        options={'SKIP_SAVE'},
+    )
+    use_apply: bpy.props.BoolProperty(name="Apply", description="Keep the deformation when the lattice is removed", options={'SKIP_SAVE'})
 
     modes = OBJECT_MODE
     needs_native = True
@@ -104,8 +111,12 @@ class MOTUS_OT_lattice_remove(Operator, bpy.types.Operator):
         removal.remove(context, uses, self.use_apply)
         self.report({'INFO'}, tr("{objects} without a lattice").format(objects=names))
         if bent:
-            self.report({'WARNING'}, tr("Of {objects} the control points keep the deformation: what lies between them can look "
-                                        "different").format(objects=", ".join(bent)))
+            self.report(
+                {'WARNING'},
+                tr("Of {objects} the control points keep the deformation: what lies between them can look different").format(
+                    objects=", ".join(bent)
+                ),
+            )
 
 
 def _fitted(context, names="", modifier=""):

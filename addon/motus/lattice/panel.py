@@ -83,12 +83,16 @@ def _draw_points(layout, data):
 
 
 PANEL = panels.SystemPanel(
-    name="lattice", prefix="MOTUS_PT_lattice", label="Lattice",
+    name="lattice",
+    prefix="MOTUS_PT_lattice",
+    label="Lattice",
     editors={"": ui.Sidebar, "_object": ObjectProperties},
     labels={"_object": "Motus Lattice"},
     suits=lambda obj: obj.type in targets.KINDS,
     is_used=lambda obj: obj.type == 'LATTICE' or bool(_modifiers(obj)),
-    draw=draw_main, actions=draw_actions,
-    adders=("motus.lattice_fit",))
+    draw=draw_main,
+    actions=draw_actions,
+    adders=("motus.lattice_fit",),
+)
 
 classes = panels.classes(PANEL)

@@ -32,35 +32,53 @@ def _objects(context, name=""):
 class MOTUS_OT_lattice_pull(PointDrag, Operator, bpy.types.Operator):
     bl_idname = "motus.lattice_pull"
     bl_label = "Pull Lattice"
-    bl_description = (
-        "Drag any point of a surface that a lattice deforms; the lattice's points move so that the point follows the mouse")
+    bl_description = "Drag any point of a surface that a lattice deforms; the lattice's points move so that the point follows the mouse"
 
     object: bpy.props.StringProperty(
-        name="Object", options={'SKIP_SAVE'},
-        description="Name of the object that the lattice deforms; empty takes the active one, or those of the active "
-                    "lattice")
+        name="Object",
+        options={'SKIP_SAVE'},
+        description="Name of the object that the lattice deforms; empty takes the active one, or those of the active lattice",
+    )
     modifier: bpy.props.StringProperty(
-        name="Modifier", description="Name of the lattice's modifier; empty takes the last lattice modifier", options={'SKIP_SAVE'})
+        name="Modifier", description="Name of the lattice's modifier; empty takes the last lattice modifier", options={'SKIP_SAVE'}
+    )
     vertex: bpy.props.IntProperty(
-        name="Vertex", description="Index of the pulled vertex, on the object with all its modifiers",
-        default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Vertex",
+        description="Index of the pulled vertex, on the object with all its modifiers",
+        default=-1,
+        min=-1,
+        options={'SKIP_SAVE'},
+    )
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Place in the world; the vertex nearest to it is pulled if no vertex is given",
-        size=3, subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
+        name="Location",
+        description="Place in the world; the vertex nearest to it is pulled if no vertex is given",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
     displacement: bpy.props.FloatVectorProperty(
-        name="Displacement", description="Displacement of the vertex, in the world", size=3, subtype='XYZ', unit='LENGTH',
-        options={'SKIP_SAVE'})
+        name="Displacement",
+        description="Displacement of the vertex, in the world",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
     held: bpy.props.StringProperty(
-        name="Held", description="Indices, with commas between, of vertices that stay where they are",
-        options={'SKIP_SAVE'})
+        name="Held", description="Indices, with commas between, of vertices that stay where they are", options={'SKIP_SAVE'}
+    )
     mirror: bpy.props.EnumProperty(
-        name="Mirror", description="Axes of the lattice across whose middle the pull is repeated", default=set(),
-        options={'ENUM_FLAG'}, items=(('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", "")))
+        name="Mirror",
+        description="Axes of the lattice across whose middle the pull is repeated",
+        default=set(),
+        options={'ENUM_FLAG'},
+        items=(('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", "")),
+    )
 
     modes = OBJECT_MODE
     needs_native = True
-    redo = (Rows((Row("displacement", when=is_given("displacement")),
-                  Row("mirror", expand=True))),)
+    redo = (Rows((Row("displacement", when=is_given("displacement")), Row("mirror", expand=True))),)
 
     @classmethod
     def check_offer(cls, context):
@@ -124,12 +142,13 @@ class MOTUS_OT_lattice_pull(PointDrag, Operator, bpy.types.Operator):
 
     def _show_keys(self, context):
         context.workspace.status_text_set(
-            tr("Press the left mouse button on the surface and drag it; X, Y, Z: mirror ({axes}); Esc or the right "
-               "button cancels").format(axes=", ".join(sorted(self.mirror)) or "-"))
+            tr("Press the left mouse button on the surface and drag it; X, Y, Z: mirror ({axes}); Esc or the right button cancels").format(
+                axes=", ".join(sorted(self.mirror)) or "-"
+            )
+        )
 
     def _hold(self, context, region, view, mouse):
-        shapes = [
-            pulling.Shape(context, obj, pulling.modifier_of(obj, self.modifier)) for obj in _objects(context, self.object)]
+        shapes = [pulling.Shape(context, obj, pulling.modifier_of(obj, self.modifier)) for obj in _objects(context, self.object)]
         picked = picking.pick(shapes, region, view, mouse, picking.NEAR * context.preferences.system.ui_scale)
         if picked is None:
             return None

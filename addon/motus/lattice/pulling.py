@@ -20,8 +20,7 @@ NEAR = 1e-5
 def check_pullable(lattice):
     """Refuse a lattice whose points cannot be set."""
     if lattice.library or lattice.data.library:
-        raise Refused(
-            tr("{object} is linked from another file: make a library override of it first").format(object=lattice.name))
+        raise Refused(tr("{object} is linked from another file: make a library override of it first").format(object=lattice.name))
     if lattice.data.is_editmode:
         raise Refused(tr("Leave Edit Mode of {object} first").format(object=lattice.name))
     if lattice.data.shape_keys:
@@ -56,8 +55,11 @@ class Shape:
         if not len(self.after):
             raise Refused(tr("{object} has no geometry").format(object=obj.name))
         if len(self.before) != len(self.after):
-            raise Refused(tr("Other modifiers give {object} another number of vertices when {modifier} deforms it: "
-                             "switch them off first").format(object=obj.name, modifier=modifier.name))
+            raise Refused(
+                tr("Other modifiers give {object} another number of vertices when {modifier} deforms it: switch them off first").format(
+                    object=obj.name, modifier=modifier.name
+                )
+            )
 
     def triangles(self):
         """Triangles of the deformed surface, (t, 3) int32 indices of vertices."""
@@ -118,15 +120,18 @@ class Held:
         self._pulls, vertices, self._shares = (list(column) for column in zip(*parts))
         self._places = shape.before[vertices].astype(np.float64)
         self._influence = shape.influence(vertices)
-        if not self._influence[:len(corners)].any():
-            raise Refused(tr("{modifier} of {object} has no influence there").format(
-                modifier=shape.modifier.name, object=shape.object.name))
+        if not self._influence[: len(corners)].any():
+            raise Refused(
+                tr("{modifier} of {object} has no influence there").format(modifier=shape.modifier.name, object=shape.object.name)
+            )
         self._mirror(mirror)
         most = native.module.Lattice.MAX_PULLS
         if len(self._turns) * self._count > most < len(self._start):
             raise Refused(tr("At most {count} vertices can be held").format(count=most // len(self._turns) - 1))
         self.point = self._measure_in(shape.after)
-        self._is_sum = False  # whether displacements are a weighted sum of those of the lattice's points, so that the weights need no measuring
+        self._is_sum = (
+            False  # whether displacements are a weighted sum of those of the lattice's points, so that the weights need no measuring
+        )
 
     def _mirror(self, axes):
         linear = self._matrix[:3, :3]
@@ -171,8 +176,14 @@ class Held:
         for image, turn in enumerate(self._turns):
             wanted[image, 0] = turn @ displacement
         moves, left = self._native.pull(
-            self._places, wanted.reshape(-1, 3), self._pulls, self._shares, self._influence, self._weights,
-            outside_only=self._lattice.data.use_outside)
+            self._places,
+            wanted.reshape(-1, 3),
+            self._pulls,
+            self._shares,
+            self._influence,
+            self._weights,
+            outside_only=self._lattice.data.use_outside,
+        )
         self._left = float(np.linalg.norm(left[0]))
         return (self._start + moves @ np.linalg.inv(self._matrix[:3, :3]).T).astype(np.float32)
 

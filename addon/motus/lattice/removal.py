@@ -17,9 +17,10 @@ def fitted(modifier):
 
 def deformed_by(lattice):
     """Objects that a lattice deforms, sorted by name."""
-    return sorted((obj for obj in bpy.data.objects if any(
-        modifier.type == 'LATTICE' and modifier.object == lattice for modifier in obj.modifiers)),
-        key=lambda obj: obj.name)
+    return sorted(
+        (obj for obj in bpy.data.objects if any(modifier.type == 'LATTICE' and modifier.object == lattice for modifier in obj.modifiers)),
+        key=lambda obj: obj.name,
+    )
 
 
 def uses_for(objects):
@@ -28,8 +29,12 @@ def uses_for(objects):
     for obj in objects:
         own = [(obj, modifier.name) for modifier in obj.modifiers if fitted(modifier)]
         if obj.type == 'LATTICE' and obj.motus.lattice.is_fitted:
-            own += [(one, modifier.name) for one in deformed_by(obj) for modifier in one.modifiers
-                    if modifier.type == 'LATTICE' and modifier.object == obj]
+            own += [
+                (one, modifier.name)
+                for one in deformed_by(obj)
+                for modifier in one.modifiers
+                if modifier.type == 'LATTICE' and modifier.object == obj
+            ]
         found.update(dict.fromkeys(own))
     return list(found)
 
@@ -45,27 +50,27 @@ def check_removable(uses, is_applied):
 
 def _check_applicable(obj, name):
     if obj.type == 'FONT':
-        raise Refused(tr("{object} is a text, to which nothing can be applied: convert it to a mesh first").format(
-            object=obj.name))
+        raise Refused(tr("{object} is a text, to which nothing can be applied: convert it to a mesh first").format(object=obj.name))
     if obj.data.library:
-        raise Refused(tr("The shape of {object} is linked from another file: make it local first").format(
-            object=obj.name))
+        raise Refused(tr("The shape of {object} is linked from another file: make it local first").format(object=obj.name))
     if obj.data.users > 1:
-        raise Refused(tr("{object} shares its shape with other objects: make it a single user first").format(
-            object=obj.name))
+        raise Refused(tr("{object} shares its shape with other objects: make it a single user first").format(object=obj.name))
     if getattr(obj.data, "shape_keys", None):
         raise Refused(tr("{object} has shape keys, to which nothing can be applied").format(object=obj.name))
     if not obj.modifiers[name].show_viewport:
-        raise Refused(tr("The modifier {modifier} of {object} is switched off in the viewport").format(
-            modifier=name, object=obj.name))
+        raise Refused(tr("The modifier {modifier} of {object} is switched off in the viewport").format(modifier=name, object=obj.name))
 
 
 def _check_first(obj, name, applied):
     """Refuse to apply a modifier behind one that changes the shape and is not applied: an applied modifier acts before all others."""
-    for other in obj.modifiers[:obj.modifiers.find(name)]:
+    for other in obj.modifiers[: obj.modifiers.find(name)]:
         if other.name not in applied and other.type not in KEEP_SHAPES and (other.show_viewport or other.show_render):
-            raise Refused(tr("{other} of {object} acts before {modifier}, and would act on the applied shape afterwards: apply {other} "
-                             "first, or move {modifier} above it").format(object=obj.name, modifier=name, other=other.name))
+            raise Refused(
+                tr(
+                    "{other} of {object} acts before {modifier}, and would act on the applied shape afterwards: apply {other} "
+                    "first, or move {modifier} above it"
+                ).format(object=obj.name, modifier=name, other=other.name)
+            )
 
 
 def remove(context, uses, is_applied):
@@ -90,8 +95,9 @@ def _apply(context, obj, name):
         try:
             bpy.ops.object.modifier_apply(modifier=name)
         except RuntimeError as error:
-            raise Refused(tr("{modifier} of {object} cannot be applied: {error}").format(
-                modifier=name, object=obj.name, error=str(error).strip())) from error
+            raise Refused(
+                tr("{modifier} of {object} cannot be applied: {error}").format(modifier=name, object=obj.name, error=str(error).strip())
+            ) from error
 
 
 def _remove_group(obj, name):

@@ -30,8 +30,9 @@ def objects_for(context, names):
 def check_fittable(obj):
     """Refuse an object that no lattice can deform."""
     if obj.type not in KINDS:
-        raise Refused(tr("{object} has no shape that a lattice deforms: meshes, curves, surfaces, texts and lattices "
-                         "have").format(object=obj.name))
+        raise Refused(
+            tr("{object} has no shape that a lattice deforms: meshes, curves, surfaces, texts and lattices have").format(object=obj.name)
+        )
     check_local(obj)
     check_scale(obj)
 
@@ -47,11 +48,9 @@ def check_scale(obj):
 def check_grouped(obj):
     """Refuse an object to which no vertex group can be added."""
     if obj.type != 'MESH':
-        raise Refused(tr("{object} has no vertices to choose from: only meshes have vertex groups").format(
-            object=obj.name))
+        raise Refused(tr("{object} has no vertices to choose from: only meshes have vertex groups").format(object=obj.name))
     if obj.data.library:
-        raise Refused(tr("The mesh of {object} is linked from another file: make it local first").format(
-            object=obj.name))
+        raise Refused(tr("The mesh of {object} is linked from another file: make it local first").format(object=obj.name))
 
 
 def selected_vertices(context):
@@ -76,8 +75,11 @@ def group_vertices(objects, name):
         group = obj.vertex_groups.get(name)
         if group is None:
             raise Refused(tr("{object} has no vertex group {group}").format(object=obj.name, group=name))
-        indices = [vertex.index for vertex in obj.data.vertices
-                   if any(entry.group == group.index and entry.weight > 0.0 for entry in vertex.groups)]
+        indices = [
+            vertex.index
+            for vertex in obj.data.vertices
+            if any(entry.group == group.index and entry.weight > 0.0 for entry in vertex.groups)
+        ]
         if not indices:
             raise Refused(tr("The vertex group {group} of {object} is empty").format(object=obj.name, group=name))
         found[obj] = np.array(indices)

@@ -9,9 +9,14 @@ SYSTEM = System(
     settings=properties.MOTUS_PG_layers,
     classes=(
         # Groups before the group that holds them.
-        properties.MOTUS_PG_layers_mask, properties.MOTUS_PG_layers_entry, properties.MOTUS_PG_layers,
-        *operators.classes, *list_operators.classes, *flattening.classes,
-        *presets.classes, *panel.classes,
+        properties.MOTUS_PG_layers_mask,
+        properties.MOTUS_PG_layers_entry,
+        properties.MOTUS_PG_layers,
+        *operators.classes,
+        *list_operators.classes,
+        *flattening.classes,
+        *presets.classes,
+        *panel.classes,
     ),
     owner_types=frozenset({'ARMATURE'}),
     solve=solve.solve,

@@ -41,9 +41,11 @@ class Clip:
                     keys.append(points[0])
                     kinds.append(points[1])
         self.native = native.module.LayerClip(
-            np.array([MODES.index(mode) for mode in used], np.int32), np.array(curves, np.int32).reshape(-1, 5),
+            np.array([MODES.index(mode) for mode in used], np.int32),
+            np.array(curves, np.int32).reshape(-1, 5),
             np.concatenate(keys) if keys else np.empty((0, 6), np.float32),
-            np.concatenate(kinds) if kinds else np.empty(0, np.int32))
+            np.concatenate(kinds) if kinds else np.empty(0, np.int32),
+        )
         self._kept = {}
 
     @property
@@ -71,8 +73,9 @@ class Clip:
         if not self.native.spins:
             return None
         start = begin if reference is None else reference
-        return self._found("laps", (begin, end, start), lambda: np.hstack((
-            self._numbers(start), self._numbers(end) - self._numbers(begin))))
+        return self._found(
+            "laps", (begin, end, start), lambda: np.hstack((self._numbers(start), self._numbers(end) - self._numbers(begin)))
+        )
 
     def _numbers(self, frame):
         return self.native.numbers(frame, self.given(frame))

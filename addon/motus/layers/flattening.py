@@ -64,8 +64,7 @@ def _apply(rig, tracks, frames):
         animation.action.use_fake_user = True  # or it would be gone with the file's next saving
     bag = actions.assign_copy(rig, f"{rig.name} Flattened")
     write_curves(bag, tracks, frames)
-    for curve in [one for one in bag.fcurves if one.data_path.startswith(f"{targets.LIST}[") and
-                  one.data_path.endswith(".is_muted")]:
+    for curve in [one for one in bag.fcurves if one.data_path.startswith(f"{targets.LIST}[") and one.data_path.endswith(".is_muted")]:
         bag.fcurves.remove(curve)
     if animation.nla_tracks:  # what is keyed now is what all of them gave
         animation.action_blend_type, animation.action_influence = 'REPLACE', 1.0
@@ -78,8 +77,7 @@ def _drop_still(track, keyed):
     """Leave channels alone that neither have keys nor move."""
     for name, rows in list(track.values.items()):
         own = getattr(track.thing, name)
-        if track.data_path(name) not in keyed and all(
-                abs(value - rest) < SAME for row in rows for value, rest in zip(row, own)):
+        if track.data_path(name) not in keyed and all(abs(value - rest) < SAME for row in rows for value, rest in zip(row, own)):
             del track.values[name]
 
 
@@ -102,12 +100,17 @@ class MOTUS_OT_layers_flatten(OverFrames, bpy.types.Operator):
         return flatten(context.scene, context.view_layer, rig, frames)
 
     def result(self, context):
-        self.report({'INFO'}, tr("Flattened the layers of {object} into the action {action}: {first}-{last}").format(
-            object=self._rig, action=bpy.data.objects[self._rig].animation_data.action.name,
-            first=f"{self._frames[0]:g}", last=f"{self._frames[-1]:g}"))
+        self.report(
+            {'INFO'},
+            tr("Flattened the layers of {object} into the action {action}: {first}-{last}").format(
+                object=self._rig,
+                action=bpy.data.objects[self._rig].animation_data.action.name,
+                first=f"{self._frames[0]:g}",
+                last=f"{self._frames[-1]:g}",
+            ),
+        )
         if self._left:
-            self.report({'WARNING'}, tr("Keyframes do not reach bones that have drivers: {bones}").format(
-                bones=", ".join(self._left)))
+            self.report({'WARNING'}, tr("Keyframes do not reach bones that have drivers: {bones}").format(bones=", ".join(self._left)))
 
 
 def _editable(context, name):

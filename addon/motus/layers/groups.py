@@ -46,8 +46,7 @@ def groups(owner):
         else:
             by_level.setdefault(level, []).append(name)
     # The first group is there even without a bone, to say what is wrong.
-    return tuple(_group(owner, str(level) if level else "", names, driven, looped)
-                 for level, names in sorted(by_level.items()))
+    return tuple(_group(owner, str(level) if level else "", names, driven, looped) for level, names in sorted(by_level.items()))
 
 
 def members(owner):
@@ -74,7 +73,8 @@ def _group(owner, key, names, driven, looped):
         key=key,
         members=tuple(Member(bones[name], channels_of(bones[name]), 'LOCAL', is_relative=True) for name in names),
         inputs=(Transform(owner), *(BonesOwn(owner, name) for name in names if name in driven)),
-        data={PLAN: plan_of(owner, names, driven), LOOPED: looped})
+        data={PLAN: plan_of(owner, names, driven), LOOPED: looped},
+    )
 
 
 def plan_of(owner, names, driven):

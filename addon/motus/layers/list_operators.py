@@ -8,8 +8,10 @@ from ..core.translations import tr
 from . import setup, targets
 from .operators import MaskKeywords, OfALayer
 
-DIRECTIONS = (('UP', "Up", "Move towards the top of the list, beneath the other layer"),
-              ('DOWN', "Down", "Move towards the end of the list, above the other layer"))
+DIRECTIONS = (
+    ('UP', "Up", "Move towards the top of the list, beneath the other layer"),
+    ('DOWN', "Down", "Move towards the end of the list, above the other layer"),
+)
 
 
 class MOTUS_OT_layer_move(OfALayer, bpy.types.Operator):
@@ -17,7 +19,9 @@ class MOTUS_OT_layer_move(OfALayer, bpy.types.Operator):
     bl_label = "Move Layer"
     bl_description = "Exchange a layer with its neighbour: layers further down in the list act on top"
 
-    direction: bpy.props.EnumProperty(name="Direction", description="Direction in which the item moves in the list", items=DIRECTIONS, default='UP')
+    direction: bpy.props.EnumProperty(
+        name="Direction", description="Direction in which the item moves in the list", items=DIRECTIONS, default='UP'
+    )
     redo = (Rows(("direction",)),)
 
     def run(self, context):
@@ -64,7 +68,8 @@ class MOTUS_OT_layer_mask_remove(OfALayer, bpy.types.Operator):
     bl_description = "Take a bone or collection out of the layer's mask; without any the layer acts on all bones"
 
     index: bpy.props.IntProperty(
-        name="Index", description="Index in the mask's list; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Index", description="Index in the mask's list; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
 
     def run(self, context):
         rig, index = self.chosen(context)
@@ -75,5 +80,4 @@ class MOTUS_OT_layer_mask_remove(OfALayer, bpy.types.Operator):
         setup.remove_from_mask(rig, index, place)
 
 
-classes = (
-    MOTUS_OT_layer_move, MOTUS_OT_layer_duplicate, MOTUS_OT_layer_mask_add, MOTUS_OT_layer_mask_remove)
+classes = (MOTUS_OT_layer_move, MOTUS_OT_layer_duplicate, MOTUS_OT_layer_mask_add, MOTUS_OT_layer_mask_remove)

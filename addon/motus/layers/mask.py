@@ -35,8 +35,7 @@ def bones_of(rig, item):
         found = [name for name in collections(rig).get(item.name, ()) if name in bones]
     if not item.with_children:
         return found
-    return list(dict.fromkeys(below for name in found for below in (name, *(
-        child.name for child in bones[name].children_recursive))))
+    return list(dict.fromkeys(below for name in found for below in (name, *(child.name for child in bones[name].children_recursive))))
 
 
 def names(rig, entry):

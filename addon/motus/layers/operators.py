@@ -25,8 +25,7 @@ class OfARig(operators.OfARig):
 class OfALayer(OfARig):
     """And a layer."""
 
-    layer: bpy.props.StringProperty(
-        name="Layer", description="Name of the layer; empty takes the active one", options={'SKIP_SAVE'})
+    layer: bpy.props.StringProperty(name="Layer", description="Name of the layer; empty takes the active one", options={'SKIP_SAVE'})
 
     def chosen(self, context):
         """(rig, index of the layer); refuses a rig whose set-up must not be changed."""
@@ -38,13 +37,11 @@ class OfALayer(OfARig):
 class MaskKeywords:
     """How scripts name what a mask holds."""
 
-    bones: bpy.props.StringProperty(
-        name="Bones", description="Names of bones for the mask, with commas between", options={'SKIP_SAVE'})
+    bones: bpy.props.StringProperty(name="Bones", description="Names of bones for the mask, with commas between", options={'SKIP_SAVE'})
     collections: bpy.props.StringProperty(
-        name="Collections", description="Names of bone collections for the mask, with commas between",
-        options={'SKIP_SAVE'})
-    with_children: bpy.props.BoolProperty(
-        name="With Children", description="All bones below those of the mask count as well", default=True)
+        name="Collections", description="Names of bone collections for the mask, with commas between", options={'SKIP_SAVE'}
+    )
+    with_children: bpy.props.BoolProperty(name="With Children", description="All bones below those of the mask count as well", default=True)
 
     def items(self, context, rig, selected=True):
         """What is named, else selected: (name, kind, with children)."""
@@ -52,8 +49,7 @@ class MaskKeywords:
         found = targets.collections_named(rig, self.collections)
         if not bones and not found and selected:
             bones = targets.selected_bones(context, rig)
-        return [(name, kind, self.with_children) for kind, names in (('BONE', bones), ('COLLECTION', found))
-                for name in names]
+        return [(name, kind, self.with_children) for kind, names in (('BONE', bones), ('COLLECTION', found)) for name in names]
 
 
 class MOTUS_OT_layer_add(operators.FindsValues, MaskKeywords, LayerKeywords, OfARig, bpy.types.Operator):  # type: ignore[misc]
@@ -61,20 +57,25 @@ class MOTUS_OT_layer_add(operators.FindsValues, MaskKeywords, LayerKeywords, OfA
     bl_label = "Add Layer"
     bl_description = "Lay an action over the rig's own animation, on the selected bones and those below, or on all bones"
 
-    action: bpy.props.StringProperty(
-        name="Action", description="Name of the action; empty leaves it to be chosen", options={'SKIP_SAVE'})
+    action: bpy.props.StringProperty(name="Action", description="Name of the action; empty leaves it to be chosen", options={'SKIP_SAVE'})
     slot: bpy.props.StringProperty(
-        name="Slot", description="Identifier of the action's slot; empty takes the rig's own or one of its name, else the first one that animates its bones",
-        options={'SKIP_SAVE'})
+        name="Slot",
+        description="Identifier of the action's slot; empty takes the rig's own or one of its name, else the first one that animates its bones",
+        options={'SKIP_SAVE'},
+    )
     layer: bpy.props.StringProperty(
-        name="Layer", description="Name of the layer; empty takes the action's. One that is there is changed",
-        options={'SKIP_SAVE'})
+        name="Layer", description="Name of the layer; empty takes the action's. One that is there is changed", options={'SKIP_SAVE'}
+    )
     start: bpy.props.FloatProperty(
-        name="Start", description="Frame of the scene on which the action begins to play; not given, the current frame",
-        default=1.0, step=100, precision=1)
+        name="Start",
+        description="Frame of the scene on which the action begins to play; not given, the current frame",
+        default=1.0,
+        step=100,
+        precision=1,
+    )
     mask: bpy.props.EnumProperty(
-        name="Mask", description="Bones that the layer acts on if neither bones nor collections are named", items=MASKS,
-        default='SELECTED')
+        name="Mask", description="Bones that the layer acts on if neither bones nor collections are named", items=MASKS, default='SELECTED'
+    )
     redo = (Rows((Row("mask"), Row("with_children")), title="Mask"), *rows.ALL)
 
     @classmethod

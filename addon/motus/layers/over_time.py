@@ -52,8 +52,10 @@ class OverTime(SolvedBone):
         self.bounds = self._bounds
 
     def _paths(self):
-        prefixes = [entry_keys.animated_prefix(self._owner, "motus.layers.entries", self._owner.motus.layers.entries, index)
-                    for index in range(len(self._layers))]
+        prefixes = [
+            entry_keys.animated_prefix(self._owner, "motus.layers.entries", self._owner.motus.layers.entries, index)
+            for index in range(len(self._layers))
+        ]
         found = {(index, name): (prefix + name, -1) for index, prefix in enumerate(prefixes) for name in _KEYED}
         return found | {"influence": ("motus.layers.influence", -1)}
 
@@ -91,15 +93,19 @@ class OverTime(SolvedBone):
         is_free = "location" in groups.channels_of(self._bone)
         return transforms._replace(
             locations=transforms.locations + moves if is_free else transforms.locations,
-            rotations=rotations.product(transforms.rotations, turns), scales=transforms.scales * sizes)
+            rotations=rotations.product(transforms.rotations, turns),
+            scales=transforms.scales * sizes,
+        )
 
     def _together(self, times):
         """Names of the bones that are solved at once: where they are not too many, all in masks that can be, since others ask for those."""
         masked = _masked(self._owner)
         if len(masked) * len(times) > MOST_AT_ONCE:
             return (self._bone.name,)
-        return answered((hash(self._owner), "layers"), lambda: tuple(
-            bone.name for bone in self._owner.pose.bones if bone.name in masked and self._is_known(bone)))
+        return answered(
+            (hash(self._owner), "layers"),
+            lambda: tuple(bone.name for bone in self._owner.pose.bones if bone.name in masked and self._is_known(bone)),
+        )
 
     def _is_known(self, bone):
         return not any(Own(one).reason for one in (bone, *(bone.parent_recursive if self._is_steady else ())))
@@ -123,6 +129,8 @@ class OverTime(SolvedBone):
     def _weights(self, times):
         """(n, L) of the layers."""
         numbers = self._inputs.numbers(times)
-        found = [np.where(numbers[index, "is_muted"] != 0.0, 0.0, numbers["influence"] * numbers[index, "weight"])
-                 for index in range(len(self._layers))]
+        found = [
+            np.where(numbers[index, "is_muted"] != 0.0, 0.0, numbers["influence"] * numbers[index, "weight"])
+            for index in range(len(self._layers))
+        ]
         return np.stack(found, axis=1)

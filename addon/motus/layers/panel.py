@@ -34,8 +34,9 @@ def draw_main(layout, context):
     settings = rig.motus.layers
     entry = active_entry(rig)
     ui.draw_rig_influence(layout, settings)
-    add, remove, column = ui.draw_list(layout, "MOTUS_UL_layers_entries", settings, "entries", "active_entry",
-                                       "motus.layer_add", "motus.layer_remove", rows=4)
+    add, remove, column = ui.draw_list(
+        layout, "MOTUS_UL_layers_entries", settings, "entries", "active_entry", "motus.layer_add", "motus.layer_remove", rows=4
+    )
     add.object = remove.object = rig.name
     column.separator()
     column.operator("motus.layer_duplicate", text="", icon='DUPLICATE').object = rig.name
@@ -69,8 +70,9 @@ def draw_mask(layout, context):
     entry = active_entry(rig)
     if entry is None:
         return
-    add, remove, _ = ui.draw_list(layout, "MOTUS_UL_layers_mask", entry, "mask", "active_mask", "motus.layer_mask_add",
-                                  "motus.layer_mask_remove", rows=2)
+    add, remove, _ = ui.draw_list(
+        layout, "MOTUS_UL_layers_mask", entry, "mask", "active_mask", "motus.layer_mask_add", "motus.layer_mask_remove", rows=2
+    )
     for button in (add, remove):
         button.object = rig.name
     if not entry.mask:
@@ -117,12 +119,18 @@ class MOTUS_UL_layers_mask(bpy.types.UIList):
 
 
 PANEL = panels.SystemPanel(
-    name="layers", prefix="MOTUS_PT_layers", label="Animation Layers",
+    name="layers",
+    prefix="MOTUS_PT_layers",
+    label="Animation Layers",
     editors={"": ui.Sidebar, "_data": ui.ArmatureData},
     suits=lambda obj: obj.type == 'ARMATURE',
     is_used=lambda rig: is_owner(system(), rig),
     draw=draw_main,
     parts=(panels.Part("mask", "Mask", draw_mask, is_open=True), panels.Part("timing", "Timing", draw_timing, is_open=True)),
-    actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL, adders=("motus.layer_add",))
+    actions=draw_actions,
+    refresh=panels.REFRESH,
+    presets=presets.PANEL,
+    adders=("motus.layer_add",),
+)
 
 classes = (MOTUS_UL_layers_entries, MOTUS_UL_layers_mask, *panels.classes(PANEL))

@@ -28,13 +28,22 @@ MOST_LAYERS = 64
 
 def _enum(name, description, items, default, update=touch):
     return bpy.props.EnumProperty(
-        name=name, description=description, items=items, default=default, update=update, options=set(), override=OVERRIDABLE)
+        name=name, description=description, items=items, default=default, update=update, options=set(), override=OVERRIDABLE
+    )
 
 
 def _frames(name, description, default, **limits):
     return bpy.props.FloatProperty(
-        name=name, description=description + NO_KEYS, default=default, step=100, precision=1, update=touch, options=set(),
-        override=OVERRIDABLE, **limits)
+        name=name,
+        description=description + NO_KEYS,
+        default=default,
+        step=100,
+        precision=1,
+        update=touch,
+        options=set(),
+        override=OVERRIDABLE,
+        **limits,
+    )
 
 
 class LayerKeywords:
@@ -42,12 +51,27 @@ class LayerKeywords:
 
     mode: _enum("Mode", "How the layer acts on what lies beneath it", MODES, 'OVERRIDE')
     weight: bpy.props.FloatProperty(
-        name="Weight", description="How much the layer acts; 0 leaves what lies beneath as it is", default=1.0, min=0.0,
-        max=1.0, subtype='FACTOR', update=touch, options=ANIMATED, override=OVERRIDABLE)
+        name="Weight",
+        description="How much the layer acts; 0 leaves what lies beneath as it is",
+        default=1.0,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+        update=touch,
+        options=ANIMATED,
+        override=OVERRIDABLE,
+    )
     start: _frames("Start", "Frame of the scene on which the action begins to play", 1.0)
     speed: bpy.props.FloatProperty(
-        name="Speed", description="How fast the action plays; a negative speed plays it backwards, from its last frame" + NO_KEYS, default=1.0,
-        soft_min=-4.0, soft_max=4.0, update=touch, options=set(), override=OVERRIDABLE)
+        name="Speed",
+        description="How fast the action plays; a negative speed plays it backwards, from its last frame" + NO_KEYS,
+        default=1.0,
+        soft_min=-4.0,
+        soft_max=4.0,
+        update=touch,
+        options=set(),
+        override=OVERRIDABLE,
+    )
     after: _enum("After", "What follows the last frame of the action", AFTERS, 'STOP')
     blend_in: _frames("Blend In", "Number of frames from the start over which the weight grows", 0.0, min=0.0)
     blend_out: _frames("Blend Out", "Number of frames before the end over which the weight of a layer that stops fades", 0.0, min=0.0)
@@ -56,13 +80,30 @@ class LayerKeywords:
     in_armature: bpy.props.BoolProperty(
         name="Steady in Armature",
         description="Blend rotations as they are in the armature, so that hips outside of the mask do not swing the bones in it",
-        default=False, update=touch, options=set(), override=OVERRIDABLE)
+        default=False,
+        update=touch,
+        options=set(),
+        override=OVERRIDABLE,
+    )
     feather: bpy.props.IntProperty(
-        name="Feather", description="Number of bones from the border of the mask over which the weight rises" + NO_KEYS, default=0,
-        min=0, soft_max=8, max=255, update=touch, options=set(), override=OVERRIDABLE)
+        name="Feather",
+        description="Number of bones from the border of the mask over which the weight rises" + NO_KEYS,
+        default=0,
+        min=0,
+        soft_max=8,
+        max=255,
+        update=touch,
+        options=set(),
+        override=OVERRIDABLE,
+    )
     use_range: bpy.props.BoolProperty(
-        name="Frame Range", description="Play a part of the action, and not all of its frames", default=False, update=touch,
-        options=set(), override=OVERRIDABLE)
+        name="Frame Range",
+        description="Play a part of the action, and not all of its frames",
+        default=False,
+        update=touch,
+        options=set(),
+        override=OVERRIDABLE,
+    )
     first_frame: _frames("First", "First frame of the part of the action that is played", 1.0)
     last_frame: _frames("Last", "Last frame of the part of the action that is played", 25.0)
 
@@ -73,33 +114,53 @@ KEYWORDS = tuple(LayerKeywords.__annotations__)
 class MOTUS_PG_layers_mask(bpy.types.PropertyGroup):
     """Bones of a layer's mask: later ones of the list count for bones that several name."""
 
-    name: bpy.props.StringProperty(
-        name="Name", description="Name of the bone or the collection", update=rewire, override=OVERRIDABLE)
+    name: bpy.props.StringProperty(name="Name", description="Name of the bone or the collection", update=rewire, override=OVERRIDABLE)
     kind: _enum("Kind", "Whether the name is that of a bone or of a collection", KINDS, 'BONE', rewire)
     with_children: bpy.props.BoolProperty(
-        name="With Children", description="All bones below count as well", default=True, update=rewire, options=set(),
-        override=OVERRIDABLE)
+        name="With Children", description="All bones below count as well", default=True, update=rewire, options=set(), override=OVERRIDABLE
+    )
     weight: bpy.props.FloatProperty(
-        name="Weight", description="How much the layer acts on these bones" + NO_KEYS, default=1.0, min=0.0, max=1.0,
-        subtype='FACTOR', update=touch, options=set(), override=OVERRIDABLE)
+        name="Weight",
+        description="How much the layer acts on these bones" + NO_KEYS,
+        default=1.0,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+        update=touch,
+        options=set(),
+        override=OVERRIDABLE,
+    )
 
 
 class MOTUS_PG_layers_entry(LayerKeywords, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(name="Layer", description="Name of the layer", override=OVERRIDABLE)
     action: bpy.props.PointerProperty(
-        type=bpy.types.Action, name="Action", description="Action that the layer plays", update=touch, override=OVERRIDABLE)
+        type=bpy.types.Action, name="Action", description="Action that the layer plays", update=touch, override=OVERRIDABLE
+    )
     slot: bpy.props.StringProperty(
-        name="Slot", description="Slot of the action, where it has several; empty takes the first one that animates bones of the rig",
-        update=touch, override=OVERRIDABLE)
+        name="Slot",
+        description="Slot of the action, where it has several; empty takes the first one that animates bones of the rig",
+        update=touch,
+        override=OVERRIDABLE,
+    )
     mask: bpy.props.CollectionProperty(type=MOTUS_PG_layers_mask, name="Mask", override=EXTENDABLE)
     active_mask: bpy.props.IntProperty(name="Active Mask", options=set())
     is_muted: bpy.props.BoolProperty(
-        name="Mute", description="Switch the layer off", default=False, update=touch, options=ANIMATED, override=OVERRIDABLE)
+        name="Mute", description="Switch the layer off", default=False, update=touch, options=ANIMATED, override=OVERRIDABLE
+    )
 
 
 class MOTUS_PG_layers(SystemSettings, bpy.types.PropertyGroup):
     influence: bpy.props.FloatProperty(
-        name="Influence", description="How much all layers of the rig act; 0 leaves it to its own animation", default=1.0,
-        min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE, update=touch)
+        name="Influence",
+        description="How much all layers of the rig act; 0 leaves it to its own animation",
+        default=1.0,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+        options=ANIMATED,
+        override=OVERRIDABLE,
+        update=touch,
+    )
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_layers_entry, name="Layers", override=EXTENDABLE)
     active_entry: bpy.props.IntProperty(name="Active Layer", options=set())

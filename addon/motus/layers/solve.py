@@ -50,8 +50,7 @@ class Source:
         self.wired = wired
         self.entries = list(rig.motus.layers.entries)
         self.modes = tuple(bone.rotation_mode for bone in rig.pose.bones)
-        masks = [native.module.layer_mask(wired.parents, mask.chosen(rig, entry, wired.places), entry.feather)
-                 for entry in self.entries]
+        masks = [native.module.layer_mask(wired.parents, mask.chosen(rig, entry, wired.places), entry.feather) for entry in self.entries]
         self.masks = np.array(masks).reshape(len(masks), len(wired.places))
 
     def clips(self):
@@ -74,8 +73,9 @@ def solve(context):
         raise stored.Damaged("another number of members")
     found = source.clips()
     settings = context.kept("layers", (source, tuple(found)), lambda: _settings(context.settings, found))
-    laid = lay(source, found, settings, context.frame, rigs.own_basis(rig, wired.still), context.locations, context.rotations,
-               context.scales)
+    laid = lay(
+        source, found, settings, context.frame, rigs.own_basis(rig, wired.still), context.locations, context.rotations, context.scales
+    )
     rigs.lay(rig, context.group, wired.rows, laid)
     if any(clip is None or not clip.native.bones for clip in found):
         return SOME_ARE_OFF
@@ -114,8 +114,20 @@ class Playing:
             frames = native.module.layer_moments(settings, frame)[:, 0].tolist()
             given = [clip.given(at) for at, clip in zip(frames, self._clips)]
         wired.stack.solve(
-            frame, basis, self._natives, settings, self._masks, self._references, given, wired.rows, locations, rotations, scales,
-            laid, self._laps)
+            frame,
+            basis,
+            self._natives,
+            settings,
+            self._masks,
+            self._references,
+            given,
+            wired.rows,
+            locations,
+            rotations,
+            scales,
+            laid,
+            self._laps,
+        )
 
 
 def _reference_frame(entry, clip):
@@ -153,8 +165,18 @@ def still_settings(entries, found):
 
 def _numbers(entry, clip):
     first, last = span(entry, clip.frames) if clip else (1.0, 1.0)
-    return (entry.start, first, last, entry.speed, _AFTERS[chosen(entry, "after")], entry.blend_in, entry.blend_out,
-            0.0 if entry.is_muted else entry.weight, entry.mode == 'ADDITIVE', entry.in_armature)
+    return (
+        entry.start,
+        first,
+        last,
+        entry.speed,
+        _AFTERS[chosen(entry, "after")],
+        entry.blend_in,
+        entry.blend_out,
+        0.0 if entry.is_muted else entry.weight,
+        entry.mode == 'ADDITIVE',
+        entry.in_armature,
+    )
 
 
 COLUMNS, WEIGHT = 10, 7

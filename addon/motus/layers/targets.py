@@ -68,8 +68,7 @@ def selected_bones(context, rig):
     if context.mode != 'POSE':
         return []
     found = {bone.name for bone in context.selected_pose_bones or () if bone.id_data == rig}
-    return [bone.name for bone in rig.data.bones
-            if bone.name in found and not found & {above.name for above in bone.parent_recursive}]
+    return [bone.name for bone in rig.data.bones if bone.name in found and not found & {above.name for above in bone.parent_recursive}]
 
 
 def bones_named(rig, names):
@@ -92,15 +91,17 @@ def collections_named(rig, names):
 def check_room(rig):
     """Refuse one layer more than there may be."""
     if len(rig.motus.layers.entries) >= MOST_LAYERS:
-        raise Refused(tr("{object} has {count} layers already: flatten some first").format(
-            object=rig.name, count=MOST_LAYERS))
+        raise Refused(tr("{object} has {count} layers already: flatten some first").format(object=rig.name, count=MOST_LAYERS))
 
 
 def check_free_to_move(rig, index):
     """Refuse to remove or move a layer that an override has from its library."""
     if index < libraries.count_from_library(rig, LIST):
-        raise Refused(tr("{layer} of {object} is from its library and stays where it is: mute it").format(
-            layer=rig.motus.layers.entries[index].name, object=rig.name))
+        raise Refused(
+            tr("{layer} of {object} is from its library and stays where it is: mute it").format(
+                layer=rig.motus.layers.entries[index].name, object=rig.name
+            )
+        )
 
 
 def check_editable(rig):

@@ -9,8 +9,12 @@ SYSTEM = System(
     settings=properties.MOTUS_PG_look_at,
     classes=(
         # Groups before the group that holds them.
-        properties.MOTUS_PG_look_at_eye, properties.MOTUS_PG_look_at_entry, properties.MOTUS_PG_look_at,
-        *operators.classes, *presets.classes, *panel.classes,
+        properties.MOTUS_PG_look_at_eye,
+        properties.MOTUS_PG_look_at_entry,
+        properties.MOTUS_PG_look_at,
+        *operators.classes,
+        *presets.classes,
+        *panel.classes,
     ),
     owner_types=frozenset({'ARMATURE'}),
     solve=solve.solve,

@@ -8,8 +8,7 @@ from . import names
 
 FORWARD, UP = 'NEG_Y', 'POS_Z'
 """Blender's convention for a character."""
-FORWARD_OF_UP = {
-    'POS_Z': 'NEG_Y', 'NEG_Z': 'NEG_Y', 'POS_X': 'NEG_Y', 'NEG_X': 'NEG_Y', 'POS_Y': 'POS_Z', 'NEG_Y': 'NEG_Z'}
+FORWARD_OF_UP = {'POS_Z': 'NEG_Y', 'NEG_Z': 'NEG_Y', 'POS_X': 'NEG_Y', 'NEG_X': 'NEG_Y', 'POS_Y': 'POS_Z', 'NEG_Y': 'NEG_Z'}
 """Where a rig faces whose skeleton shows no forward, by its up axis: with Y up along Z, as in files of other programs."""
 
 SHOWN = 0.3  # sine: a direction that leans less than this away from the vertical shows no forward
@@ -41,6 +40,7 @@ def _above(feet, bones, upright):
         axis = Vector(axes.vector(name))
         # The least of all feet: an animal's hind feet alone lie far behind its middle.
         return min((middle - foot).dot(axis) for foot in feet) + OF_THE_WORLD * size * upright.dot(axis)
+
     return max(_listed(axes.IDENTIFIERS), key=height)
 
 

@@ -100,22 +100,26 @@ def _group(owner, key, found, looped):
     own = [name for entry, bones in found for name in read_bones(owner, entry, bones)]
     return Group(
         key=key,
-        members=tuple(Member(owner.pose.bones[name], ROTATION, 'LOCAL', is_relative=True)
-                      for _, bones in found for name in bones),
-        inputs=(*(Transform(*pair) for pair in dict.fromkeys(reads)),
-                *(BonesOwn(owner, name) for name in dict.fromkeys(own))),
+        members=tuple(Member(owner.pose.bones[name], ROTATION, 'LOCAL', is_relative=True) for _, bones in found for name in bones),
+        inputs=(*(Transform(*pair) for pair in dict.fromkeys(reads)), *(BonesOwn(owner, name) for name in dict.fromkeys(own))),
         outputs=tuple(f"{entry.name}.{name}" for entry, _ in found for name in OUTPUTS),
-        data={PLAN: plan_of(owner, found), LOOPED: looped})
+        data={PLAN: plan_of(owner, found), LOOPED: looped},
+    )
 
 
 def plan_of(owner, found):
     """What solve.Wired is made of, as text. found: entries with their bones."""
-    heads = [{
-        "name": entry.name, "body": bones[:bones.index(entry.name)], "eyes": bones[bones.index(entry.name) + 1:],
-        "head_forward": list(anatomy.head_forward(owner, entry)),
-        "eyes_forward": [list(axis) for axis in anatomy.eyes_forward(owner, entry, bones[bones.index(entry.name) + 1:])],
-        "up": list(axes.vector(chosen(entry, "up"))),
-    } for entry, bones in found]
+    heads = [
+        {
+            "name": entry.name,
+            "body": bones[: bones.index(entry.name)],
+            "eyes": bones[bones.index(entry.name) + 1 :],
+            "head_forward": list(anatomy.head_forward(owner, entry)),
+            "eyes_forward": [list(axis) for axis in anatomy.eyes_forward(owner, entry, bones[bones.index(entry.name) + 1 :])],
+            "up": list(axes.vector(chosen(entry, "up"))),
+        }
+        for entry, bones in found
+    ]
     return json.dumps({"fingerprint": rigs.fingerprint(owner), "heads": heads})
 
 

@@ -42,8 +42,7 @@ def head_of(rig):
 
 def eyes_of(bones, head):
     """Names of the eyes below the head, found by their names. bones: of the armature."""
-    found = [bone for bone in bones[head].children_recursive
-             if words(bone.name) & EYES and not words(bone.name) & (NOT_EYES | ENDS)]
+    found = [bone for bone in bones[head].children_recursive if words(bone.name) & EYES and not words(bone.name) & (NOT_EYES | ENDS)]
     return [bone.name for bone in topmost(_controls(found))]
 
 

@@ -23,8 +23,7 @@ class OfARig(operators.OfARig):
 class OfAHead(OfARig):
     """And a head."""
 
-    bone: bpy.props.StringProperty(
-        name="Head", description="Name of the head bone; empty takes the active one", options={'SKIP_SAVE'})
+    bone: bpy.props.StringProperty(name="Head", description="Name of the head bone; empty takes the active one", options={'SKIP_SAVE'})
 
 
 class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.types.Operator):
@@ -34,32 +33,45 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     bone: bpy.props.StringProperty(
-        name="Head", description="Name of the head bone; empty takes the active one, or the one that is called head",
-        options={'SKIP_SAVE'})
+        name="Head", description="Name of the head bone; empty takes the active one, or the one that is called head", options={'SKIP_SAVE'}
+    )
     bones: bpy.props.StringProperty(
-        name="Heads", description="Names of several head bones, with commas between: all are added at once", options={'SKIP_SAVE'})
+        name="Heads", description="Names of several head bones, with commas between: all are added at once", options={'SKIP_SAVE'}
+    )
     target: bpy.props.StringProperty(
-        name="Target", description="Name of the object to look at; empty makes one in front of the head",
-        options={'SKIP_SAVE'})
+        name="Target", description="Name of the object to look at; empty makes one in front of the head", options={'SKIP_SAVE'}
+    )
     target_bone: bpy.props.StringProperty(
-        name="Target Bone", description="Name of the target's bone to look at, where the target is an armature",
-        options={'SKIP_SAVE'})
+        name="Target Bone", description="Name of the target's bone to look at, where the target is an armature", options={'SKIP_SAVE'}
+    )
     body_length: bpy.props.IntProperty(
         name="Spine Bones",
         description="How many bones below the head turn along, the neck among them; -1 finds the spine",
-        default=ANY_BODY_LENGTH, min=ANY_BODY_LENGTH, max=255, options={'SKIP_SAVE'})
+        default=ANY_BODY_LENGTH,
+        min=ANY_BODY_LENGTH,
+        max=255,
+        options={'SKIP_SAVE'},
+    )
     eyes: bpy.props.StringProperty(
         name="Eyes",
         description="Names of the eye bones with commas between; not given, bones below the head called eye",
-        options={'SKIP_SAVE'})
+        options={'SKIP_SAVE'},
+    )
 
     forward: bpy.props.EnumProperty(
         name="Forward",
         description="Axis of the rig that points where the character faces at rest; not given, eyes, face, feet and sides of the skeleton show it",
-        items=AXES, default=facing.FORWARD, options={'SKIP_SAVE'})
+        items=AXES,
+        default=facing.FORWARD,
+        options={'SKIP_SAVE'},
+    )
     up: bpy.props.EnumProperty(
-        name="Up", description="Axis of the rig that points from the feet to the head at rest; not given, the skeleton shows it",
-        items=AXES, default=facing.UP, options={'SKIP_SAVE'})
+        name="Up",
+        description="Axis of the rig that points from the feet to the head at rest; not given, the skeleton shows it",
+        items=AXES,
+        default=facing.UP,
+        options={'SKIP_SAVE'},
+    )
 
     redo = rows.ALL
 
@@ -82,8 +94,9 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
         entries = rig.motus.look_at.entries
         self.show_used(entries[heads[0]], (*KEYWORDS, "body_length"))
         for head in heads:
-            self.report({'INFO'}, tr("{head} of {object} looks at {target}").format(
-                head=head, object=rig.name, target=entries[head].target.name))
+            self.report(
+                {'INFO'}, tr("{head} of {object} looks at {target}").format(head=head, object=rig.name, target=entries[head].target.name)
+            )
         wiring.report_problems(self, context, setup.system(), [rig])
 
     def _changes(self, context, rig, head, taken):
@@ -94,9 +107,17 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
         if before is None:
             changes.update(facing.find(rig, head, changes))
         eyes = self._eyes(rig, head, before)
-        length = before.body_length if before and not self.is_given("body_length") else targets.spine_for(
-            rig, head, self.body_length if self.is_given("body_length") else ANY_BODY_LENGTH,
-            changes.get("up", before and before.up), taken)
+        length = (
+            before.body_length
+            if before and not self.is_given("body_length")
+            else targets.spine_for(
+                rig,
+                head,
+                self.body_length if self.is_given("body_length") else ANY_BODY_LENGTH,
+                changes.get("up", before and before.up),
+                taken,
+            )
+        )
         target = targets.target_for(context, self, rig)
         targets.check_target(target or (before and pointed(before, "target")), self.target_bone)
         target_bone = self.target_bone
@@ -130,7 +151,8 @@ class MOTUS_OT_look_at_remove(OfAHead, bpy.types.Operator):
     bl_idname = "motus.look_at_remove"
     bl_label = "Remove Look At"
     bl_description = (
-        "Remove Look At, so that the head has its own animation again; a target that was made goes along if nothing else needs it")
+        "Remove Look At, so that the head has its own animation again; a target that was made goes along if nothing else needs it"
+    )
 
     def run(self, context):
         rig = targets.looking_rig(context, self.object)
@@ -153,8 +175,7 @@ class MOTUS_OT_look_at_turn(OfAHead, bpy.types.Operator):
         targets.check_editable(rig)
         entry = rig.motus.look_at.entries[targets.entry_for(context, rig, self.bone)]
         setup.turn(rig, entry)
-        self.report({'INFO'}, tr("{bone} of {object} faces {axis}").format(
-            bone=entry.name, object=rig.name, axis=LABELS[entry.forward]))
+        self.report({'INFO'}, tr("{bone} of {object} faces {axis}").format(bone=entry.name, object=rig.name, axis=LABELS[entry.forward]))
 
 
 class MOTUS_OT_look_at_eye_add(OfAHead, bpy.types.Operator):
@@ -163,8 +184,8 @@ class MOTUS_OT_look_at_eye_add(OfAHead, bpy.types.Operator):
     bl_description = "Let another bone below the head turn as an eye"
 
     eye: bpy.props.StringProperty(
-        name="Eye", description="Name of the eye bone; empty takes the selected bones below the head",
-        options={'SKIP_SAVE'})
+        name="Eye", description="Name of the eye bone; empty takes the selected bones below the head", options={'SKIP_SAVE'}
+    )
 
     def run(self, context):
         change_eyes(self, context, self._added)
@@ -212,6 +233,9 @@ def change_eyes(operator, context, change):
 
 
 classes = (
-    MOTUS_OT_look_at_add, MOTUS_OT_look_at_remove, MOTUS_OT_look_at_turn,
-    MOTUS_OT_look_at_eye_add, MOTUS_OT_look_at_eye_remove,
+    MOTUS_OT_look_at_add,
+    MOTUS_OT_look_at_remove,
+    MOTUS_OT_look_at_turn,
+    MOTUS_OT_look_at_eye_add,
+    MOTUS_OT_look_at_eye_remove,
 )

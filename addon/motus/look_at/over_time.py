@@ -42,8 +42,7 @@ class OverTime(SolvedBone):
 
     def applied(self, times, transforms):
         """See core/tracks/solved.py."""
-        return transforms._replace(
-            rotations=rotations.product(transforms.rotations, self._head.turns(times)[:, self._row]))
+        return transforms._replace(rotations=rotations.product(transforms.rotations, self._head.turns(times)[:, self._row]))
 
 
 class _Head:
@@ -55,8 +54,14 @@ class _Head:
         lowest = owner.data.bones[bones[0]].parent
         self._target = _target(entry)
         self.inputs = RigInputs(
-            owner, scene, ("look_at", index), dict.fromkeys(groups.read_bones(owner, entry, bones)),
-            lowest.name if lowest else "", [self._target], self._paths)
+            owner,
+            scene,
+            ("look_at", index),
+            dict.fromkeys(groups.read_bones(owner, entry, bones)),
+            lowest.name if lowest else "",
+            [self._target],
+            self._paths,
+        )
 
     def _paths(self):
         entries = self._owner.motus.look_at.entries
@@ -76,7 +81,7 @@ class _Head:
     def _solved(self, times):
         found = np.zeros((len(times), len(self._bones), 4))
         found[:, :, 0] = 1.0
-        target, = self.inputs.goals(times)
+        (target,) = self.inputs.goals(times)
         if target is None:
             return found
         owner, text = self._owner, groups.plan_of(self._owner, [(self._entry, self._bones)])
@@ -84,8 +89,18 @@ class _Head:
         settings, worlds, still = self._settings(wired, times), self.inputs.worlds(times), wired.still
         for index, (poses, basis) in enumerate(self.inputs.rows(times, rigs.names_of(owner))):
             wired.plan.solve(
-                still.rest, poses, basis, still.inheritance, worlds[index], settings[index:index + 1],
-                target[index:index + 1, 12:15], wired.head_forward, wired.eyes_forward, rotations=found[index], up=wired.up)
+                still.rest,
+                poses,
+                basis,
+                still.inheritance,
+                worlds[index],
+                settings[index : index + 1],
+                target[index : index + 1, 12:15],
+                wired.head_forward,
+                wired.eyes_forward,
+                rotations=found[index],
+                up=wired.up,
+            )
         return found
 
     def _settings(self, wired, times):

@@ -43,8 +43,13 @@ def _batches(rig, entry, point):
     head = _gaze(rig, entry.name, anatomy.head_forward(rig, entry), point, 1.0)
     if eyes and head.colors == OFF_COLOR and all(eye.colors == GAZE_COLOR for eye in eyes):
         head = head._replace(colors=ON_THE_WAY_COLOR)
-    return [Batch('LINES', _array(_place(rig, entry.name), point), TARGET_COLOR, TARGET_WIDTH),
-            Batch('POINTS', _array(point), TARGET_COLOR, POINT_SIZE), head, *eyes, _face(rig, entry)]
+    return [
+        Batch('LINES', _array(_place(rig, entry.name), point), TARGET_COLOR, TARGET_WIDTH),
+        Batch('POINTS', _array(point), TARGET_COLOR, POINT_SIZE),
+        head,
+        *eyes,
+        _face(rig, entry),
+    ]
 
 
 def _face(rig, entry):

@@ -31,8 +31,9 @@ def draw_main(layout, context):
     settings = rig.motus.look_at
     entry = active_entry(rig)
     ui.draw_rig_influence(layout, settings)
-    _, remove, _ = ui.draw_list(layout, "MOTUS_UL_look_at_entries", settings, "entries", "active_entry",
-                                "motus.look_at_add", "motus.look_at_remove", rows=2)
+    _, remove, _ = ui.draw_list(
+        layout, "MOTUS_UL_look_at_entries", settings, "entries", "active_entry", "motus.look_at_add", "motus.look_at_remove", rows=2
+    )
     remove.object, remove.bone = rig.name, entry.name if entry else ""
     ui.draw_problem(layout, context, system(), rig)
     if entry:
@@ -104,10 +105,14 @@ def draw_readouts(layout, context):
     told = entry and outputs_of(context, context.object, entry.name)
     if not told or told["reason"] in reasons.UNWANTED or told["reason"] == reasons.MUTED:
         return
-    ui.draw_readouts(layout, (
-        ui.Readout(text="Target Left" if told["yaw"] >= 0.0 else "Target Right", value=_degrees(told["yaw"])),
-        ui.Readout(text="Target Up" if told["pitch"] >= 0.0 else "Target Down", value=_degrees(told["pitch"])),
-        ui.Readout(text="Still to Turn", value=_degrees(told["angle"]))))
+    ui.draw_readouts(
+        layout,
+        (
+            ui.Readout(text="Target Left" if told["yaw"] >= 0.0 else "Target Right", value=_degrees(told["yaw"])),
+            ui.Readout(text="Target Up" if told["pitch"] >= 0.0 else "Target Down", value=_degrees(told["pitch"])),
+            ui.Readout(text="Still to Turn", value=_degrees(told["angle"])),
+        ),
+    )
 
 
 def draw_actions(layout, context):
@@ -160,13 +165,20 @@ class MOTUS_UL_look_at_entries(bpy.types.UIList):
 
 
 PANEL = panels.SystemPanel(
-    name="look_at", prefix="MOTUS_PT_look_at", label="Look At", translation_context=OWN_SENSE,
+    name="look_at",
+    prefix="MOTUS_PT_look_at",
+    label="Look At",
+    translation_context=OWN_SENSE,
     editors={"": ui.Sidebar, "_constraint": ui.BoneConstraints},
     suits=lambda obj: obj.type == 'ARMATURE',
     is_used=lambda rig: rig.motus.look_at.is_active,
     draw=draw_main,
     parts=(panels.Part("limits", "Limits", draw_limits), panels.Part("bones", "Bones", draw_bones)),
-    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL,
-    draw_add=draw_add)
+    readouts=draw_readouts,
+    actions=draw_actions,
+    refresh=panels.REFRESH,
+    presets=presets.PANEL,
+    draw_add=draw_add,
+)
 
 classes = (MOTUS_UL_look_at_entries, *panels.classes(PANEL))

@@ -11,8 +11,7 @@ from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, r
 from . import facing
 
 FORWARDS = (
-    ('AUTO', "Automatic",
-     "Where the rig faces at rest, by Forward; an eye that points there looks along its bone"),
+    ('AUTO', "Automatic", "Where the rig faces at rest, by Forward; an eye that points there looks along its bone"),
     *AXES,
 )
 ANY_BODY_LENGTH = -1
@@ -21,19 +20,36 @@ ANY_BODY_LENGTH = -1
 
 def _weight(name, description, default):
     return bpy.props.FloatProperty(
-        name=name, description=description, default=default, min=0.0, max=1.0, subtype='FACTOR', update=touch,
-        options=ANIMATED, override=OVERRIDABLE)
+        name=name,
+        description=description,
+        default=default,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+        update=touch,
+        options=ANIMATED,
+        override=OVERRIDABLE,
+    )
 
 
 def _limit(name, description, degrees):
     return bpy.props.FloatProperty(
-        name=name, description=description, default=math.radians(degrees), min=0.0, max=math.pi, subtype='ANGLE',
-        update=touch, options=ANIMATED, override=OVERRIDABLE)
+        name=name,
+        description=description,
+        default=math.radians(degrees),
+        min=0.0,
+        max=math.pi,
+        subtype='ANGLE',
+        update=touch,
+        options=ANIMATED,
+        override=OVERRIDABLE,
+    )
 
 
 def _axis(name, description, items, default):
     return bpy.props.EnumProperty(
-        name=name, description=description, items=items, default=default, update=rewire, options=set(), override=OVERRIDABLE)
+        name=name, description=description, items=items, default=default, update=rewire, options=set(), override=OVERRIDABLE
+    )
 
 
 class LookAtKeywords:
@@ -43,8 +59,7 @@ class LookAtKeywords:
     body_weight: _weight("Body", "Share of the turn that the spine takes, spread over its bones", 0.3)
     head_weight: _weight("Head", "Share of what the body leaves that the head takes", 1.0)
     eyes_weight: _weight("Eyes", "Share of what the head leaves that the eyes take", 0.0)
-    clamp: _weight(
-        "Clamp", "How much the whole turn is held back: 0 lets it go all around, 0.5 to the side, 1 not at all", 0.5)
+    clamp: _weight("Clamp", "How much the whole turn is held back: 0 lets it go all around, 0.5 to the side, 1 not at all", 0.5)
     body_limit: _limit("Body Limit", "Largest turn of all spine bones together", 60.0)
     head_limit: _limit("Head Limit", "Largest turn of the head against the spine", 80.0)
     eyes_limit: _limit("Eyes Limit", "Largest turn of the eyes against the head", 35.0)
@@ -58,23 +73,34 @@ KEYWORDS = tuple(LookAtKeywords.__annotations__)
 
 
 class MOTUS_PG_look_at_eye(bpy.types.PropertyGroup):
-    name: bpy.props.StringProperty(
-        name="Eye", description="Bone of the eye, below the head", update=rewire, override=OVERRIDABLE)
+    name: bpy.props.StringProperty(name="Eye", description="Bone of the eye, below the head", update=rewire, override=OVERRIDABLE)
 
 
 class MOTUS_PG_look_at_entry(LookAtKeywords, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(name="Head", description="Bone of the head", update=rewire, override=OVERRIDABLE)
     target: to_object(name="Target", description="Object to look at", update=rewire, override=OVERRIDABLE)
     target_bone: bpy.props.StringProperty(
-        name="Bone", description="Bone of the target to look at; empty takes its origin", update=rewire,
-        override=OVERRIDABLE)
+        name="Bone", description="Bone of the target to look at; empty takes its origin", update=rewire, override=OVERRIDABLE
+    )
     body_length: bpy.props.IntProperty(
-        name="Spine Bones", description="How many bones below the head turn along, the neck among them", default=0,
-        min=0, max=255, update=rewire, options=set(), override=OVERRIDABLE)
+        name="Spine Bones",
+        description="How many bones below the head turn along, the neck among them",
+        default=0,
+        min=0,
+        max=255,
+        update=rewire,
+        options=set(),
+        override=OVERRIDABLE,
+    )
     eyes: bpy.props.CollectionProperty(type=MOTUS_PG_look_at_eye, name="Eyes", override=EXTENDABLE)
     is_muted: bpy.props.BoolProperty(
-        name="Mute", description="Switch the entry off: the head keeps its own animation", default=False, update=touch, options=ANIMATED,
-        override=OVERRIDABLE)
+        name="Mute",
+        description="Switch the entry off: the head keeps its own animation",
+        default=False,
+        update=touch,
+        options=ANIMATED,
+        override=OVERRIDABLE,
+    )
 
 
 def _entry_with(settings, bone):
@@ -85,9 +111,16 @@ def _entry_with(settings, bone):
 
 class MOTUS_PG_look_at(SystemSettings, bpy.types.PropertyGroup):
     influence: bpy.props.FloatProperty(
-        name="Influence", description="How much all heads of the rig turn to their targets; 0 leaves the rig to its animation", default=1.0,
-        min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE,
-        update=touch)
+        name="Influence",
+        description="How much all heads of the rig turn to their targets; 0 leaves the rig to its animation",
+        default=1.0,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+        options=ANIMATED,
+        override=OVERRIDABLE,
+        update=touch,
+    )
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_look_at_entry, name="Entries", override=EXTENDABLE)
     chosen_entry: bpy.props.IntProperty(name="Chosen Entry", options={'HIDDEN'})
     active_entry: bone_entries.active_property("Active Entry", _entry_with)

@@ -13,14 +13,23 @@ TARGET_LOOPS = Problem("The target moves with the head that looks at it: choose 
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
 PROBLEMS = (SOME_ARE_OFF, TARGET_LOOPS, BONES_CHANGED)
 
-NUMBERS = (
-    "weight", "body_weight", "head_weight", "eyes_weight", "clamp", "body_limit", "head_limit", "eyes_limit")
+NUMBERS = ("weight", "body_weight", "head_weight", "eyes_weight", "clamp", "body_limit", "head_limit", "eyes_limit")
 
 
 _AXIS = (float, float, float)
-_FORM = {"fingerprint": int, "heads": [
-    {"name": str, "body": [str], "eyes": [str], "head_forward": _AXIS,
-     "eyes_forward": lambda value: stored.fits(value, [_AXIS]) or stored.fits(value, _AXIS), "up?": _AXIS}]}
+_FORM = {
+    "fingerprint": int,
+    "heads": [
+        {
+            "name": str,
+            "body": [str],
+            "eyes": [str],
+            "head_forward": _AXIS,
+            "eyes_forward": lambda value: stored.fits(value, [_AXIS]) or stored.fits(value, _AXIS),
+            "up?": _AXIS,
+        }
+    ],
+}
 """Of what groups.py notes. Older versions noted one axis for all eyes of a head, and had Z for up."""
 
 
@@ -35,8 +44,11 @@ class Wired:
         self.eyes_forward = np.array([axis for head in heads for axis in _eye_axes(head)], dtype=float).reshape(-1, 3)
         self.up = np.array([head.get("up", (0.0, 0.0, 1.0)) for head in heads], dtype=float).reshape(-1, 3)
         self.plan = native.module.LookAtPlan(
-            rigs.parents(rig, list(rows)), [[rows[name] for name in head["body"]] for head in heads],
-            [rows[head["name"]] for head in heads], [[rows[name] for name in head["eyes"]] for head in heads])
+            rigs.parents(rig, list(rows)),
+            [[rows[name] for name in head["body"]] for head in heads],
+            [rows[head["name"]] for head in heads],
+            [[rows[name] for name in head["eyes"]] for head in heads],
+        )
         self.columns = {name: column for column, name in enumerate(native.module.LookAtPlan.SETTINGS)}
         self.members = len(self.plan.rows)
         report = native.module.LookAtPlan.REPORT
@@ -91,8 +103,18 @@ def _solve(context, source):
         settings[is_off, wired.columns["is_on"]] = 0.0
     arrays = rigs.read(context.owner, wired.still)
     report = wired.plan.solve(
-        arrays.rest, arrays.poses, arrays.basis, arrays.inheritance, arrays.world, settings, points, wired.head_forward,
-        wired.eyes_forward, rotations=context.rotations, up=wired.up)
+        arrays.rest,
+        arrays.poses,
+        arrays.basis,
+        arrays.inheritance,
+        arrays.world,
+        settings,
+        points,
+        wired.head_forward,
+        wired.eyes_forward,
+        rotations=context.rotations,
+        up=wired.up,
+    )
     told = context.outputs.reshape(count, len(OUTPUTS))
     told[:] = report[:, wired.told]
     reason = told[:, OUTPUTS.index("reason")]

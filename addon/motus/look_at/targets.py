@@ -110,8 +110,9 @@ def check_free(rig, head, driven):
     for system, entry in _entries_beside(rig, head):
         shared = set(driven) & set(entry.drives)
         if shared:
-            raise Refused(tr("{bone} is driven by {system} of {other} already").format(
-                bone=min(shared), system=tr(system.label), other=entry.name))
+            raise Refused(
+                tr("{bone} is driven by {system} of {other} already").format(bone=min(shared), system=tr(system.label), other=entry.name)
+            )
 
 
 def _entries_beside(rig, head):
@@ -125,22 +126,29 @@ def _entries_beside(rig, head):
 def _is_constrained(bone):
     """Whether a constraint that is not one of Motus's own moves a bone."""
     return any(
-        not constraint.mute and constraint.influence > 0.0
-        and not any(wiring.is_sink(system, constraint) for system in systems()) for constraint in bone.constraints)
+        not constraint.mute and constraint.influence > 0.0 and not any(wiring.is_sink(system, constraint) for system in systems())
+        for constraint in bone.constraints
+    )
 
 
 def check_loop(rig, head, driven, target, target_bone):
     """Refuse a target that moves with the bones that turn."""
     if target and wiring.depends(target, target_bone, rig, driven):
-        raise Refused(tr("{target} moves with {head}, so {head} cannot look at it").format(
-            target=f"{target.name}: {target_bone}" if target_bone else target.name, head=head))
+        raise Refused(
+            tr("{target} moves with {head}, so {head} cannot look at it").format(
+                target=f"{target.name}: {target_bone}" if target_bone else target.name, head=head
+            )
+        )
 
 
 def check_removable(rig, index):
     """Refuse to remove a head that an override has from its library."""
     if index < libraries.count_from_library(rig, "motus.look_at.entries"):
-        raise Refused(tr("{bone} of {object} is from its library and cannot be removed here: mute it").format(
-            bone=rig.motus.look_at.entries[index].name, object=rig.name))
+        raise Refused(
+            tr("{bone} of {object} is from its library and cannot be removed here: mute it").format(
+                bone=rig.motus.look_at.entries[index].name, object=rig.name
+            )
+        )
 
 
 def check_editable(rig):

@@ -22,11 +22,17 @@ class MOTUS_OT_path_new_bezier(Operator, bpy.types.Operator):
 
     degree: bpy.props.IntProperty(
         name="Degree",
-        description="Degree of the curve: one less than the number of its control points", default=3, min=1, max=HIGHEST_OFFERED)
+        description="Degree of the curve: one less than the number of its control points",
+        default=3,
+        min=1,
+        max=HIGHEST_OFFERED,
+    )
     objects: bpy.props.StringProperty(
         name="Objects",
         description="Names of objects with commas between, or a collection's name: the objects' places are the control points, and moving "
-                    "an object moves the curve", options={'SKIP_SAVE'})
+        "an object moves the curve",
+        options={'SKIP_SAVE'},
+    )
     name: bpy.props.StringProperty(name="Name", description="Name of the new curve", default="Bezier")
 
     modes = OBJECT_MODE
@@ -35,8 +41,7 @@ class MOTUS_OT_path_new_bezier(Operator, bpy.types.Operator):
     def run(self, context):
         hooks = targets.named_list(self.objects)
         if hooks and not 2 <= len(hooks) <= MAX_DEGREE + 1:
-            raise Refused(tr("A Bézier curve needs 2 to {most} control points, not {count}").format(
-                most=MAX_DEGREE + 1, count=len(hooks)))
+            raise Refused(tr("A Bézier curve needs 2 to {most} control points, not {count}").format(most=MAX_DEGREE + 1, count=len(hooks)))
         context.view_layer.update()
         if hooks:
             curve = new_curve(self.name, [hook.matrix_world.translation for hook in hooks])
@@ -46,8 +51,7 @@ class MOTUS_OT_path_new_bezier(Operator, bpy.types.Operator):
             curve.location = context.scene.cursor.location
         context.collection.objects.link(curve)
         select_only(context, curve)
-        self.report({'INFO'}, tr("{curve} has degree {degree}").format(
-            curve=curve.name, degree=len(curve.data.splines[0].points) - 1))
+        self.report({'INFO'}, tr("{curve} has degree {degree}").format(curve=curve.name, degree=len(curve.data.splines[0].points) - 1))
 
 
 def default_points(degree):

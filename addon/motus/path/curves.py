@@ -206,10 +206,9 @@ def _vectors(points, name, size):
 def _joined(parts):
     """Join several curves into one chain, with gaps between them."""
     degree = max(curve.degree for curve, _ in parts)
-    segments = np.concatenate([
-        curve.elevate(degree - curve.degree).control_points.reshape(-1, degree + 1, 3) for curve, _ in parts])
+    segments = np.concatenate([curve.elevate(degree - curve.degree).control_points.reshape(-1, degree + 1, 3) for curve, _ in parts])
     # The tilt at a joint is that of the segment that begins there, so that at a gap the end tilt of the spline before is not used.
     last, last_tilt = parts[-1]
     end = last_tilt[0 if last.cyclic else -1]
-    tilt = np.concatenate([*(values[:curve.segment_count] for curve, values in parts), [end]])
+    tilt = np.concatenate([*(values[: curve.segment_count] for curve, values in parts), [end]])
     return native.module.Chain(segments, False), tilt

@@ -75,20 +75,28 @@ class MOTUS_OT_path_edit_views(Operator, bpy.types.Operator):
     bl_idname = "motus.path_edit_views"
     bl_label = "Path Edit Views"
     bl_description = (
-        "Show the path from the top, the front and the side at once, without perspective; a second time restores the previous view")
+        "Show the path from the top, the front and the side at once, without perspective; a second time restores the previous view"
+    )
     bl_options = {'REGISTER'}  # no undo step is made, since nothing in the file changes
 
     curve: bpy.props.StringProperty(
-        name="Curve", description="Name of the curve object; empty takes the selected curve, or the curve that the active object follows",
-        options={'SKIP_SAVE'})
+        name="Curve",
+        description="Name of the curve object; empty takes the selected curve, or the curve that the active object follows",
+        options={'SKIP_SAVE'},
+    )
     view: bpy.props.EnumProperty(
-        name="View", description="Edit view that is shown", default='NEXT', options={'SKIP_SAVE'}, items=(
+        name="View",
+        description="Edit view that is shown",
+        default='NEXT',
+        options={'SKIP_SAVE'},
+        items=(
             ('NEXT', "Next", "View from the side if the view from the top is shown, otherwise view from the top"),
             ('TOP', "Top", "View from above"),
             ('SIDE', "Side", "View from the side"),
             ('ALL', "All", "Views from the top, the front and the right, beside the viewport's present view"),
             ('LEAVE', "Leave", "Restore the view that the viewport had before"),
-        ))
+        ),
+    )
 
     redo = (Rows(("view",)),)
 

@@ -1,10 +1,11 @@
 """Gaps of a train whose wagons touch: distances between the origins of neighbouring objects."""
 
+import itertools
+
 from mathutils import Vector
 
 from ..core.measures import axes
 from .properties import DEFAULT_GAP
-import itertools
 
 NO_LENGTH = 1e-6  # shortest extent that counts, m
 

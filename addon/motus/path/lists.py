@@ -27,10 +27,10 @@ class MOTUS_OT_path_pin_add(Operator, bpy.types.Operator):
 
     object: object_keyword("Name of the object; empty takes the active one")
     frame: bpy.props.FloatProperty(name="Frame", description="Frame at which the object is at the pin's place", options={'SKIP_SAVE'})
-    fraction: bpy.props.FloatProperty(
-        name="Fraction", description="Fraction of the path's length", options={'SKIP_SAVE'})
+    fraction: bpy.props.FloatProperty(name="Fraction", description="Fraction of the path's length", options={'SKIP_SAVE'})
     distance: bpy.props.FloatProperty(
-        name="Distance", description="Distance from the start of the path", subtype='DISTANCE', options={'SKIP_SAVE'})
+        name="Distance", description="Distance from the start of the path", subtype='DISTANCE', options={'SKIP_SAVE'}
+    )
     redo = (Rows(("frame", Row("fraction", when=_pins_by('FRACTION')), Row("distance", when=_pins_by('DISTANCE')))),)
 
     def run(self, context):
@@ -57,7 +57,8 @@ class MOTUS_OT_path_pin_remove(Operator, bpy.types.Operator):
 
     object: object_keyword("Name of the object; empty takes the active one")
     index: bpy.props.IntProperty(
-        name="Index", description="Index of the pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Index", description="Index of the pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
 
     def run(self, context):
         obj = follower_for(context, self.object)
@@ -77,18 +78,22 @@ class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):
 
     object: object_keyword("Name of the leader; empty takes the active one")
     wagon: bpy.props.StringProperty(
-        name="Wagon", description="Name of the wagon; empty takes the other selected objects", options={'SKIP_SAVE'})
+        name="Wagon", description="Name of the wagon; empty takes the other selected objects", options={'SKIP_SAVE'}
+    )
     gap: bpy.props.FloatProperty(
-        name="Gap", description="Distance along the path to the object in front; 0 takes the lengths of the objects",
-        default=0.0, min=0.0, subtype='DISTANCE')
+        name="Gap",
+        description="Distance along the path to the object in front; 0 takes the lengths of the objects",
+        default=0.0,
+        min=0.0,
+        subtype='DISTANCE',
+    )
     redo = (Rows(("gap",)),)
 
     def run(self, context):
         obj = follower_for(context, self.object)
         settings = obj.motus.path
         check_finite(self, ("gap",))
-        wagons = [named(self.wagon)] if self.wagon else [
-            found for found in targets.selected_followers(context) if found != obj]
+        wagons = [named(self.wagon)] if self.wagon else [found for found in targets.selected_followers(context) if found != obj]
         for wagon in wagons:
             targets.check_wagon(wagon, pointed(settings, "curve"))
         if not wagons:
@@ -107,7 +112,8 @@ class WagonOperator(Operator):
 
     object: object_keyword("Name of the leader; empty takes the active one")
     index: bpy.props.IntProperty(
-        name="Index", description="Index of the wagon; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Index", description="Index of the wagon; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
 
     def chosen(self, context):
         """(leader of the train, index of the wagon). Raises Refused if there is no such wagon."""
@@ -138,7 +144,11 @@ class MOTUS_OT_path_wagon_move(WagonOperator, bpy.types.Operator):
     bl_description = "Exchange a wagon with the wagon in front of it or behind it; the gaps stay where they are"
 
     direction: bpy.props.EnumProperty(
-        name="Direction", description="Direction in which the item moves in the list", items=(('UP', "Up", ""), ('DOWN', "Down", "")), default='UP')
+        name="Direction",
+        description="Direction in which the item moves in the list",
+        items=(('UP', "Up", ""), ('DOWN', "Down", "")),
+        default='UP',
+    )
     redo = (Rows(("direction",)),)
 
     def run(self, context):
@@ -224,6 +234,12 @@ def _here_and_now(context, obj):
 
 
 classes = (
-    MOTUS_OT_path_pin_add, MOTUS_OT_path_pin_remove, MOTUS_OT_path_wagon_add, MOTUS_OT_path_wagon_remove,
-    MOTUS_OT_path_wagon_move, MOTUS_OT_path_wagons_touch, MOTUS_OT_path_select_leader, MOTUS_OT_path_select_follower,
+    MOTUS_OT_path_pin_add,
+    MOTUS_OT_path_pin_remove,
+    MOTUS_OT_path_wagon_add,
+    MOTUS_OT_path_wagon_remove,
+    MOTUS_OT_path_wagon_move,
+    MOTUS_OT_path_wagons_touch,
+    MOTUS_OT_path_select_leader,
+    MOTUS_OT_path_select_follower,
 )

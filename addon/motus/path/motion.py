@@ -1,9 +1,9 @@
 """Distance along the path at the present frame: converts the timing settings to the library's Timing."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
-from collections.abc import Callable
 
 from ..core import native
 from ..core.animation import keys
@@ -16,9 +16,9 @@ NO_PINS = Problem("Add a pin: a frame and the place to be at")
 SAME_FRAME = Problem("Two pins are on the same frame: the later one in the list counts", False)
 DRIVEN_SPEED = Problem("The speed is driven, so its past is not known: its present value counts for the whole way", False)
 SPEED_IN_STRIPS = Problem(
-    "The speed is animated in NLA strips, so its past is not known: its present value counts for the whole way", False)
-FRACTION_IN_STRIPS = Problem(
-    "The fraction is animated in NLA strips, so the speed is not known: banking and lag take it for 0", False)
+    "The speed is animated in NLA strips, so its past is not known: its present value counts for the whole way", False
+)
+FRACTION_IN_STRIPS = Problem("The fraction is animated in NLA strips, so the speed is not known: banking and lag take it for 0", False)
 NOT_FINITE = Problem("A setting is not a finite number")
 PROBLEMS = (NO_PINS, SAME_FRAME, DRIVEN_SPEED, SPEED_IN_STRIPS, FRACTION_IN_STRIPS, NOT_FINITE)
 
@@ -139,8 +139,7 @@ def _by_hand(context, numbers, length, past):
     # the next whole frame. The start of the range is treated in the same way.
     oldest = max(first, math.floor(max(first, now - past * context.fps)) - 2.0)
     frames = keys.bounds(curve, oldest, math.floor(now) + 2.0)
-    timing = native.module.Timing.pins(
-        (np.array(frames) - first) / context.fps, [curve.evaluate(frame) * length for frame in frames])
+    timing = native.module.Timing.pins((np.array(frames) - first) / context.fps, [curve.evaluate(frame) * length for frame in frames])
     time = (now - first) / context.fps
     return Motion(timing, time, distance - timing.distance(time))
 

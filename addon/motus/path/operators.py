@@ -52,7 +52,8 @@ class MOTUS_OT_path_follow_add(FindsValues, NewFollowKeywords, bpy.types.Operato
 
     object: object_keyword("Name of the object; empty takes the selected ones")
     curve: bpy.props.StringProperty(
-        name="Curve", description="Name of the curve object; empty takes the selected curve", options={'SKIP_SAVE'})
+        name="Curve", description="Name of the curve object; empty takes the selected curve", options={'SKIP_SAVE'}
+    )
 
     modes = OBJECT_MODE
     redo = rows.ALL

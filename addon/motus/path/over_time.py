@@ -69,11 +69,22 @@ class OverTime:
         locations, rotations, acts = np.zeros((count, 3)), np.zeros((count, 4)), np.zeros(count, bool)
         room = np.zeros((len(offsets), 3)), np.zeros((len(offsets), 4))
         for row, (time, numbers, matrix) in enumerate(zip(times.tolist(), values, matrices)):
-            context = Context(self._settings, self._owner, time, SimpleNamespace(scene=self._scene), *room,
-                              outputs=np.zeros(len(solve.OUTPUTS)), member_data=offsets)
+            context = Context(
+                self._settings,
+                self._owner,
+                time,
+                SimpleNamespace(scene=self._scene),
+                *room,
+                outputs=np.zeros(len(solve.OUTPUTS)),
+                member_data=offsets,
+            )
             problem = solve.solve(
-                context, None if matrix is None else Matrix(matrix), self._curve and pointed(self._settings, "curve").data.splines, None,
-                **dict(zip(self._numbers, numbers)))
+                context,
+                None if matrix is None else Matrix(matrix),
+                self._curve and pointed(self._settings, "curve").data.splines,
+                None,
+                **dict(zip(self._numbers, numbers)),
+            )
             acts[row] = problem is None or not problem.blocking
             locations[row], rotations[row] = (part[self._index] for part in room)
         is_turned = "rotation" in members.channels(self._settings)
@@ -95,12 +106,18 @@ class OverTime:
     def stamp(self):
         """Hashable value that changes whenever the transforms over time change (see Channel.stamp)."""
         settings = self._settings
-        return together((
-            self._index, tuple(members.offsets(self._owner)), *scene_time.stamp(self._scene), settings.influence,
-            *(getattr(settings, name) for name in CHOICES),
-            *((pin.frame, pin.fraction, pin.distance) for pin in settings.pins),
-            *(track.stamp for track in self._numbers.values()),
-            *((self._curve.stamp, self._shape()) if self._curve else ())))
+        return together(
+            (
+                self._index,
+                tuple(members.offsets(self._owner)),
+                *scene_time.stamp(self._scene),
+                settings.influence,
+                *(getattr(settings, name) for name in CHOICES),
+                *((pin.frame, pin.fraction, pin.distance) for pin in settings.pins),
+                *(track.stamp for track in self._numbers.values()),
+                *((self._curve.stamp, self._shape()) if self._curve else ()),
+            )
+        )
 
     def _shape(self):
         """Hashable description of the curve's shape."""

@@ -141,8 +141,7 @@ def _frames(path, settings, numbers, distances, speeds, size):
     w, x, y, z = quaternions.T
     right = np.column_stack((1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)))
     up = np.column_stack((2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)))
-    return [_whiskers(path.curve, distances, up, size, UP_COLOR),
-            _whiskers(path.curve, distances, right, 0.6 * size, RIGHT_COLOR)]
+    return [_whiskers(path.curve, distances, up, size, UP_COLOR), _whiskers(path.curve, distances, right, 0.6 * size, RIGHT_COLOR)]
 
 
 def _whiskers(curve, distances, directions, size, color):
@@ -151,9 +150,13 @@ def _whiskers(curve, distances, directions, size, color):
     return Batch('LINES', _pairs(strips), color, 1.5)
 
 
-overlay = Overlay(_batches, (
-    Switch("show_curve", "Curve", "Draw the curve that is followed"),
-    Switch("show_control_points", "Control Points", "Draw the control polygon"),
-    Switch("show_tangents", "Tangents", "Draw the tangent at equal distances", default=False),
-    Switch("show_frames", "Path Frames", "Draw the orientation at equal distances"),
-    Switch("show_speed", "Speed", "Colour the curve by the follower's speed")))
+overlay = Overlay(
+    _batches,
+    (
+        Switch("show_curve", "Curve", "Draw the curve that is followed"),
+        Switch("show_control_points", "Control Points", "Draw the control polygon"),
+        Switch("show_tangents", "Tangents", "Draw the tangent at equal distances", default=False),
+        Switch("show_frames", "Path Frames", "Draw the orientation at equal distances"),
+        Switch("show_speed", "Speed", "Colour the curve by the follower's speed"),
+    ),
+)

@@ -14,7 +14,9 @@ from .setup import is_stray, system
 MOST_SHOWN = 6  # most followers of a curve that the panel lists
 COPY_OF_A_WAGON = Problem("A copy of a wagon: it stands where the wagon stands", blocking=False)
 LEADER_GONE = Problem("The leader of this wagon is gone")
-REPLACED = Problem("While Influence is 1, keys and drivers of what the path sets have no effect: animate a child of this object", blocking=False)
+REPLACED = Problem(
+    "While Influence is 1, keys and drivers of what the path sets have no effect: animate a child of this object", blocking=False
+)
 
 
 def draw_main(layout, context):
@@ -69,8 +71,9 @@ def draw_about(layout, context):
         column = layout.column(align=True)
         column.label(text="Followed by")
         for follower in followers[:MOST_SHOWN]:
-            column.operator("motus.path_select_follower", text=follower.name, icon='RESTRICT_SELECT_OFF',
-                            translate=False).object = follower.name
+            column.operator(
+                "motus.path_select_follower", text=follower.name, icon='RESTRICT_SELECT_OFF', translate=False
+            ).object = follower.name
         if len(followers) > MOST_SHOWN:
             column.label(text=tr("and {count} more").format(count=len(followers) - MOST_SHOWN), translate=False)
 
@@ -103,15 +106,18 @@ def _draw_stray(layout, stray, leader):
 def draw_readouts(layout, context):
     """Draw length, distance, speed and fraction of the follower at the present frame."""
     depsgraph, owner = context.view_layer.depsgraph, context.object
-    values = {name: wiring.output(system(), owner, name, depsgraph)
-              for name in ("length", "distance", "speed", "fraction")}
+    values = {name: wiring.output(system(), owner, name, depsgraph) for name in ("length", "distance", "speed", "fraction")}
     if None in values.values():
         return
-    ui.draw_readouts(layout, (
-        ui.Readout(text="Length", value=ui.length(context, values["length"])),
-        ui.Readout(text="Distance", value=ui.length(context, values["distance"])),
-        ui.Readout(text="Speed", value=ui.length(context, values["speed"]) + "/s"),
-        ui.Readout(text="Fraction", value=f"{values['fraction']:.4f}")))
+    ui.draw_readouts(
+        layout,
+        (
+            ui.Readout(text="Length", value=ui.length(context, values["length"])),
+            ui.Readout(text="Distance", value=ui.length(context, values["distance"])),
+            ui.Readout(text="Speed", value=ui.length(context, values["speed"]) + "/s"),
+            ui.Readout(text="Fraction", value=f"{values['fraction']:.4f}"),
+        ),
+    )
 
 
 def draw_timing(layout, context):
@@ -119,8 +125,7 @@ def draw_timing(layout, context):
     settings = context.object.motus.path
     rows.TIMING.draw(ui.split(layout), settings)
     if settings.timing == 'PINS':
-        ui.draw_list(layout, "MOTUS_UL_path_pins", settings, "pins", "active_pin", "motus.path_pin_add",
-                     "motus.path_pin_remove")
+        ui.draw_list(layout, "MOTUS_UL_path_pins", settings, "pins", "active_pin", "motus.path_pin_add", "motus.path_pin_remove")
 
 
 def draw_orientation(layout, context):
@@ -132,8 +137,8 @@ def draw_train(layout, context):
     """Draw the list of wagons and their gaps."""
     settings = context.object.motus.path
     _, _, buttons = ui.draw_list(
-        layout, "MOTUS_UL_path_wagons", settings, "wagons", "active_wagon", "motus.path_wagon_add",
-        "motus.path_wagon_remove", rows=4)
+        layout, "MOTUS_UL_path_wagons", settings, "wagons", "active_wagon", "motus.path_wagon_add", "motus.path_wagon_remove", rows=4
+    )
     buttons.separator()
     for direction in ('UP', 'DOWN'):
         buttons.operator("motus.path_wagon_move", text="", icon=f'TRIA_{direction}').direction = direction
@@ -163,7 +168,9 @@ def _is_used(obj):
 
 
 PANEL = panels.SystemPanel(
-    name="path", prefix="MOTUS_PT_path", label="Follow Path",
+    name="path",
+    prefix="MOTUS_PT_path",
+    label="Follow Path",
     editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
     suits=lambda obj: True,
     is_used=_is_used,
@@ -174,7 +181,12 @@ PANEL = panels.SystemPanel(
         panels.Part("orientation", "Orientation", draw_orientation, is_open=True),
         panels.Part("train", "Train", draw_train, is_open=True),
     ),
-    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL,
-    draw_add=draw_add, draw_about=draw_about)
+    readouts=draw_readouts,
+    actions=draw_actions,
+    refresh=panels.REFRESH,
+    presets=presets.PANEL,
+    draw_add=draw_add,
+    draw_about=draw_about,
+)
 
 classes = (MOTUS_UL_path_pins, MOTUS_UL_path_wagons, *panels.classes(PANEL))

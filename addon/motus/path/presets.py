@@ -10,15 +10,34 @@ from .properties import KEYWORDS
 OF_THE_SHOT = {"spline", "start_frame", "offset", "distance_factor", "influence"}
 
 BROUGHT = (
-    Preset('AIRCRAFT', "Aircraft", "Even speed, and the bank that an aircraft needs in its curves", {
-        "timing": 'SPEED', "speed": 12.0, "orientation": 'BANKING', "bank_limit": math.radians(70.0),
-        "bank_smoothing": 2.0}),
-    Preset('BIRD', "Bird", "Leans gently, and its body trails behind the turn", {
-        "timing": 'SPEED', "speed": 6.0, "orientation": 'BANKING', "bank_strength": 0.6, "bank_limit": math.radians(45.0),
-        "bank_smoothing": 1.0, "lag_rate": 4.0, "lag_by": 'CURVATURE'}),
+    Preset(
+        'AIRCRAFT',
+        "Aircraft",
+        "Even speed, and the bank that an aircraft needs in its curves",
+        {"timing": 'SPEED', "speed": 12.0, "orientation": 'BANKING', "bank_limit": math.radians(70.0), "bank_smoothing": 2.0},
+    ),
+    Preset(
+        'BIRD',
+        "Bird",
+        "Leans gently, and its body trails behind the turn",
+        {
+            "timing": 'SPEED',
+            "speed": 6.0,
+            "orientation": 'BANKING',
+            "bank_strength": 0.6,
+            "bank_limit": math.radians(45.0),
+            "bank_smoothing": 1.0,
+            "lag_rate": 4.0,
+            "lag_by": 'CURVATURE',
+        },
+    ),
     Preset('CAR', "Car", "Starts and stops gently, upright", {"ease_in": 0.15, "ease_out": 0.2}),
-    Preset('COASTER', "Roller Coaster", "Up points to the middle of each bend, also in loopings", {
-        "timing": 'SPEED', "speed": 8.0, "orientation": 'CURVATURE', "bank_smoothing": 3.0}),
+    Preset(
+        'COASTER',
+        "Roller Coaster",
+        "Up points to the middle of each bend, also in loopings",
+        {"timing": 'SPEED', "speed": 8.0, "orientation": 'CURVATURE', "bank_smoothing": 3.0},
+    ),
     Preset('CAMERA', "Camera Move", "Soft at both ends, never rolling", {"ease_in": 0.3, "ease_out": 0.3}),
     Preset('BEAD', "Bead on a String", "Turned as little as possible along the path", {"orientation": 'MINIMAL'}),
 )
@@ -30,5 +49,5 @@ def _settings(context):
 
 
 classes = OPERATOR, PANEL, _ = presets.classes(
-    "path", "Follow Path", (f"bpy.context.object.motus.path.{name}" for name in KEYWORDS if name not in OF_THE_SHOT),
-    BROUGHT, _settings)
+    "path", "Follow Path", (f"bpy.context.object.motus.path.{name}" for name in KEYWORDS if name not in OF_THE_SHOT), BROUGHT, _settings
+)

@@ -20,7 +20,11 @@ EXTENDS = (
     ('EXTRAPOLATE', "Go On", "Go on along the tangent of the path's end"),
     ('LOOP', "Loop", "Begin again at the start of the path"),
     ('PING_PONG', "Ping-Pong", "Go back and forth along the path"),
-    ('LINE_UP', "Line Up", "The leader of a train stops at the ends; the wagons stand in line behind it, also before the start of the path"),
+    (
+        'LINE_UP',
+        "Line Up",
+        "The leader of a train stops at the ends; the wagons stand in line behind it, also before the start of the path",
+    ),
 )
 ORIENTATIONS = (
     ('NONE', "None", "Keep the object's own rotation"),
@@ -59,64 +63,69 @@ def _has_too_much_ease(settings):
 
 def _number(name, description, default, **options):
     options.setdefault("update", touch)
-    return bpy.props.FloatProperty(
-        name=name, description=description, default=default, options=ANIMATED, override=OVERRIDABLE, **options)
+    return bpy.props.FloatProperty(name=name, description=description, default=default, options=ANIMATED, override=OVERRIDABLE, **options)
 
 
 def _choice(name, description, items, default, update=touch, options=frozenset()):
     return bpy.props.EnumProperty(
-        name=name, description=description, items=items, default=default, update=update,
-        options=set(options), override=OVERRIDABLE)
+        name=name, description=description, items=items, default=default, update=update, options=set(options), override=OVERRIDABLE
+    )
 
 
 class FollowKeywords:
     """Properties that the settings and the operators have in common; their names are keywords of scripts."""
 
     spline: bpy.props.IntProperty(
-        name="Spline", description="Index of the curve's spline; -1 follows all of them, one after another",
-        default=0, min=-1, update=touch, options=ANIMATED, override=OVERRIDABLE)
+        name="Spline",
+        description="Index of the curve's spline; -1 follows all of them, one after another",
+        default=0,
+        min=-1,
+        update=touch,
+        options=ANIMATED,
+        override=OVERRIDABLE,
+    )
     timing: _choice("Timing", "What sets the position at a time", TIMINGS, 'DURATION')
-    duration: _number(
-        "Duration", "Time for the whole path", 5.0, min=1e-4, soft_min=0.1, soft_max=60.0, subtype='TIME_ABSOLUTE')
-    speed: _number(
-        "Speed", "Distance per second; negative goes backwards", 5.0, soft_min=0.0, soft_max=100.0, unit='VELOCITY')
+    duration: _number("Duration", "Time for the whole path", 5.0, min=1e-4, soft_min=0.1, soft_max=60.0, subtype='TIME_ABSOLUTE')
+    speed: _number("Speed", "Distance per second; negative goes backwards", 5.0, soft_min=0.0, soft_max=100.0, unit='VELOCITY')
     start_frame: _number("Start", "Frame at which the motion starts", 1.0, step=100)
     offset: _number("Offset", "Distance ahead along the path", 0.0, subtype='DISTANCE')
     distance_factor: _number(
-        "Fraction", "Fraction of the path's length at which the object is", 0.0, soft_min=0.0, soft_max=1.0,
-        subtype='FACTOR')
+        "Fraction", "Fraction of the path's length at which the object is", 0.0, soft_min=0.0, soft_max=1.0, subtype='FACTOR'
+    )
     ease_in: _number(
-        "Ease In", "Fraction of the time that is used to gain speed", 0.0, min=0.0, max=1.0, subtype='FACTOR',
-        update=_push_ease_out)
+        "Ease In", "Fraction of the time that is used to gain speed", 0.0, min=0.0, max=1.0, subtype='FACTOR', update=_push_ease_out
+    )
     ease_out: _number(
-        "Ease Out", "Fraction of the time that is used to lose speed", 0.0, min=0.0, max=1.0, subtype='FACTOR',
-        update=_push_ease_in)
+        "Ease Out", "Fraction of the time that is used to lose speed", 0.0, min=0.0, max=1.0, subtype='FACTOR', update=_push_ease_in
+    )
     extend: _choice("Ends", "What happens beyond the ends of the path", EXTENDS, 'CLAMP')
     pins_by: _choice("Pins By", "What the pins give", PIN_UNITS, 'FRACTION')
 
     orientation: _choice("Orientation", "Direction in which the object's up axis points", ORIENTATIONS, 'WORLD_UP', rewire)
     curvature_outward: bpy.props.BoolProperty(
-        name="Outward", description="Up points away from the centre of the bend", default=False, update=touch,
-        options=ANIMATED, override=OVERRIDABLE)
+        name="Outward",
+        description="Up points away from the centre of the bend",
+        default=False,
+        update=touch,
+        options=ANIMATED,
+        override=OVERRIDABLE,
+    )
     forward_axis: _choice("Forward", "Axis of the object that points along the path", AXES, 'POS_Y')
     up_axis: _choice("Up", "Axis of the object that points up", AXES, 'POS_Z')
     lag_rate: _number(
-        "Lag", "Rate, per second and unit of curvature, at which the orientation trails behind; 0 is exact", 0.0,
-        min=0.0, soft_max=10.0)
+        "Lag", "Rate, per second and unit of curvature, at which the orientation trails behind; 0 is exact", 0.0, min=0.0, soft_max=10.0
+    )
     lag_by: _choice("Lag By", "What the rate of the lag is proportional to", LAGS, 'ACCELERATION')
 
     bank_strength: _number(
-        "Strength", "Factor on the bank: 1 is that of an aircraft, and negative leans outward", 1.0, soft_min=0.0, soft_max=3.0)
-    bank_limit: _number(
-        "Limit", "Largest roll; 180 degrees is no limit", 3.1415927, min=0.0, max=3.1415927, subtype='ANGLE')
-    bank_smoothing: _number(
-        "Smoothing", "Length of path over which the bend is averaged", 0.0, min=0.0, soft_max=50.0, subtype='DISTANCE')
-    gravity: _number(
-        "Gravity", "Acceleration that the bank is measured against", 9.81, min=1e-3, soft_max=30.0,
-        unit='ACCELERATION')
+        "Strength", "Factor on the bank: 1 is that of an aircraft, and negative leans outward", 1.0, soft_min=0.0, soft_max=3.0
+    )
+    bank_limit: _number("Limit", "Largest roll; 180 degrees is no limit", 3.1415927, min=0.0, max=3.1415927, subtype='ANGLE')
+    bank_smoothing: _number("Smoothing", "Length of path over which the bend is averaged", 0.0, min=0.0, soft_max=50.0, subtype='DISTANCE')
+    gravity: _number("Gravity", "Acceleration that the bank is measured against", 9.81, min=1e-3, soft_max=30.0, unit='ACCELERATION')
     influence: _number(
-        "Influence", "How much the path moves the object; 0 leaves it at its own transform", 1.0, min=0.0, max=1.0,
-        subtype='FACTOR')
+        "Influence", "How much the path moves the object; 0 leaves it at its own transform", 1.0, min=0.0, max=1.0, subtype='FACTOR'
+    )
 
 
 KEYWORDS = tuple(FollowKeywords.__annotations__)
@@ -129,28 +138,55 @@ class NewFollowKeywords(FollowKeywords):
     """
 
     extend: _choice(
-        "Ends", "What happens beyond the ends of the path; if it is not given, a closed path loops and a train lines up",
-        EXTENDS, 'CLAMP', options={'SKIP_SAVE'})
+        "Ends",
+        "What happens beyond the ends of the path; if it is not given, a closed path loops and a train lines up",
+        EXTENDS,
+        'CLAMP',
+        options={'SKIP_SAVE'},
+    )
 
 
 class MOTUS_PG_path_pin(bpy.types.PropertyGroup):
     frame: bpy.props.FloatProperty(
-        name="Frame", description="Frame at which the object is at the pin's place", default=1.0, step=100, options=set(), update=touch,
-        override=OVERRIDABLE)
+        name="Frame",
+        description="Frame at which the object is at the pin's place",
+        default=1.0,
+        step=100,
+        options=set(),
+        update=touch,
+        override=OVERRIDABLE,
+    )
     fraction: bpy.props.FloatProperty(
-        name="Fraction", description="Fraction of the path's length", subtype='FACTOR', soft_min=0.0, soft_max=1.0,
-        options=set(), update=touch, override=OVERRIDABLE)
+        name="Fraction",
+        description="Fraction of the path's length",
+        subtype='FACTOR',
+        soft_min=0.0,
+        soft_max=1.0,
+        options=set(),
+        update=touch,
+        override=OVERRIDABLE,
+    )
     distance: bpy.props.FloatProperty(
-        name="Distance", description="Distance from the start of the path", subtype='DISTANCE', options=set(),
-        update=touch, override=OVERRIDABLE)
+        name="Distance",
+        description="Distance from the start of the path",
+        subtype='DISTANCE',
+        options=set(),
+        update=touch,
+        override=OVERRIDABLE,
+    )
 
 
 class MOTUS_PG_path_wagon(bpy.types.PropertyGroup):
-    object: to_object(name="Object", description="Object that is this wagon of the train", update=rewire,
-        override=OVERRIDABLE)
+    object: to_object(name="Object", description="Object that is this wagon of the train", update=rewire, override=OVERRIDABLE)
     gap: bpy.props.FloatProperty(
-        name="Gap", description="Distance along the path to the object in front", default=DEFAULT_GAP, subtype='DISTANCE',
-        options=set(), update=touch, override=OVERRIDABLE)
+        name="Gap",
+        description="Distance along the path to the object in front",
+        default=DEFAULT_GAP,
+        subtype='DISTANCE',
+        options=set(),
+        update=touch,
+        override=OVERRIDABLE,
+    )
 
 
 def _gap_of_all(settings):
@@ -163,12 +199,16 @@ def _set_gap_of_all(settings, gap):
 
 
 class MOTUS_PG_path(SystemSettings, FollowKeywords, bpy.types.PropertyGroup):
-    curve: to_object('CURVE', name="Curve", description="Curve to follow", update=rewire,
-        override=OVERRIDABLE)
+    curve: to_object('CURVE', name="Curve", description="Curve to follow", update=rewire, override=OVERRIDABLE)
     pins: bpy.props.CollectionProperty(type=MOTUS_PG_path_pin, name="Pins", override=EXTENDABLE)
     active_pin: bpy.props.IntProperty(name="Active Pin", options=set())
     wagons: bpy.props.CollectionProperty(type=MOTUS_PG_path_wagon, name="Wagons", override=EXTENDABLE)
     active_wagon: bpy.props.IntProperty(name="Active Wagon", options=set())
     gap_of_all: bpy.props.FloatProperty(
-        name="Gap of All", description="Distance along the path from each wagon to the object in front, the same for all wagons",
-        subtype='DISTANCE', options={'SKIP_SAVE'}, get=_gap_of_all, set=_set_gap_of_all)
+        name="Gap of All",
+        description="Distance along the path from each wagon to the object in front, the same for all wagons",
+        subtype='DISTANCE',
+        options={'SKIP_SAVE'},
+        get=_gap_of_all,
+        set=_set_gap_of_all,
+    )

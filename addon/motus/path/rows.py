@@ -6,25 +6,33 @@ from ..core.translations import OWN_SENSE
 _IS_TURNED = is_not("orientation", 'NONE')
 
 PATH = Rows((Row("spline", text="Spline", text_ctxt=OWN_SENSE), "influence", "extend"), title="Path")
-TIMING = Rows((
-    "timing",
-    Row("start_frame", when=is_one_of("timing", 'DURATION', 'SPEED')),
-    Row("duration", when=is_one_of("timing", 'DURATION')),
-    Row("ease_in", when=is_one_of("timing", 'DURATION')),
-    Row("ease_out", when=is_one_of("timing", 'DURATION')),
-    Row("speed", when=is_one_of("timing", 'SPEED')),
-    Row("distance_factor", when=is_one_of("timing", 'MANUAL')),
-    Row("pins_by", when=is_one_of("timing", 'PINS')),
-    Row("offset", text="Offset", text_ctxt=OWN_SENSE)), title="Timing")
-ORIENTATION = Rows((
-    Row("orientation", text="Mode"),
-    Row("forward_axis", when=_IS_TURNED),
-    Row("up_axis", when=_IS_TURNED),
-    Row("curvature_outward", when=is_one_of("orientation", 'CURVATURE')),
-    Row("bank_strength", when=is_one_of("orientation", 'BANKING')),
-    Row("bank_limit", when=is_one_of("orientation", 'BANKING')),
-    Row("bank_smoothing", when=is_one_of("orientation", 'BANKING', 'CURVATURE')),
-    Row("gravity", when=is_one_of("orientation", 'BANKING')),
-    Row("lag_rate", when=_IS_TURNED),
-    Row("lag_by", when=_IS_TURNED, active=is_positive("lag_rate"))), title="Orientation")
+TIMING = Rows(
+    (
+        "timing",
+        Row("start_frame", when=is_one_of("timing", 'DURATION', 'SPEED')),
+        Row("duration", when=is_one_of("timing", 'DURATION')),
+        Row("ease_in", when=is_one_of("timing", 'DURATION')),
+        Row("ease_out", when=is_one_of("timing", 'DURATION')),
+        Row("speed", when=is_one_of("timing", 'SPEED')),
+        Row("distance_factor", when=is_one_of("timing", 'MANUAL')),
+        Row("pins_by", when=is_one_of("timing", 'PINS')),
+        Row("offset", text="Offset", text_ctxt=OWN_SENSE),
+    ),
+    title="Timing",
+)
+ORIENTATION = Rows(
+    (
+        Row("orientation", text="Mode"),
+        Row("forward_axis", when=_IS_TURNED),
+        Row("up_axis", when=_IS_TURNED),
+        Row("curvature_outward", when=is_one_of("orientation", 'CURVATURE')),
+        Row("bank_strength", when=is_one_of("orientation", 'BANKING')),
+        Row("bank_limit", when=is_one_of("orientation", 'BANKING')),
+        Row("bank_smoothing", when=is_one_of("orientation", 'BANKING', 'CURVATURE')),
+        Row("gravity", when=is_one_of("orientation", 'BANKING')),
+        Row("lag_rate", when=_IS_TURNED),
+        Row("lag_by", when=_IS_TURNED, active=is_positive("lag_rate")),
+    ),
+    title="Orientation",
+)
 ALL = (PATH, TIMING, ORIENTATION)

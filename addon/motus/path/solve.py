@@ -14,12 +14,28 @@ AXES_NOT_ACROSS = Problem("The forward axis and the up axis must be perpendicula
 PROBLEMS = (NO_CURVE, CURVE_DELETED, AXES_NOT_ACROSS) + curves.PROBLEMS + motion.PROBLEMS
 
 NUMBERS = (
-    "spline", "duration", "speed", "start_frame", "offset", "distance_factor", "ease_in", "ease_out",
-    "bank_strength", "bank_limit", "bank_smoothing", "gravity", "lag_rate", "curvature_outward",
+    "spline",
+    "duration",
+    "speed",
+    "start_frame",
+    "offset",
+    "distance_factor",
+    "ease_in",
+    "ease_out",
+    "bank_strength",
+    "bank_limit",
+    "bank_smoothing",
+    "gravity",
+    "lag_rate",
+    "curvature_outward",
 )
 SHARED = ("influence", "timing", "extend", "orientation", "forward_axis", "up_axis", "lag_by", "pins", "pins_by")
-INPUTS = (Matrix("matrix", of="curve"), Splines("splines", of="curve"), Deformed("deformed", of="curve"),
-          *(Setting(name) for name in NUMBERS))
+INPUTS = (
+    Matrix("matrix", of="curve"),
+    Splines("splines", of="curve"),
+    Deformed("deformed", of="curve"),
+    *(Setting(name) for name in NUMBERS),
+)
 
 HALF_TURNS = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 OUTPUTS = ("parameter", "fraction", "distance", "speed", "length")
@@ -42,8 +58,7 @@ def solve(context, matrix, splines, deformed, **numbers):
     time = moving.clock(context, numbers) if moving.clock else moving.time
     if "tilt" in options:
         options = options | {"tilt": path.tilt}
-    native.module.follow(
-        path.curve, moving.timing, time, offsets, locations=context.locations, rotations=context.rotations, **options)
+    native.module.follow(path.curve, moving.timing, time, offsets, locations=context.locations, rotations=context.rotations, **options)
     if len(mirrored):
         _turn_mirrored(context.rotations, mirrored, context.settings)
     extend = 'clamp' if options["line_up"] else options["extend"]  # the first member of a train that lines up stops at the ends
@@ -86,7 +101,7 @@ def _mirrored(context):
     """Indices of the members whose scales mirror them. Owners that share a solver are not mirrored."""
     if context.owner is None or chosen(context.settings, "orientation") == 'NONE':
         return ()
-    every = members.members(context.owner)[:len(context.rotations)]
+    every = members.members(context.owner)[: len(context.rotations)]
     return [index for index, member in enumerate(every) if is_mirrored(member)]
 
 
@@ -130,8 +145,10 @@ def mode_options(settings, numbers, tilt):
     if mode == 'CURVATURE':
         return smoothing | {"outward": bool(numbers["curvature_outward"])}
     return smoothing | {
-        "strength": numbers["bank_strength"], "limit": max(numbers["bank_limit"], 0.0),
-        "gravity": max(numbers["gravity"], 1e-3)}
+        "strength": numbers["bank_strength"],
+        "limit": max(numbers["bank_limit"], 0.0),
+        "gravity": max(numbers["gravity"], 1e-3),
+    }
 
 
 def axis_name(identifier):
@@ -145,8 +162,7 @@ def _write_outputs(outputs, curve, length, moving, time, offset, extend):
     on_curve = min(max(within, 0.0), length)
     # In a loop the distance goes on rising from lap to lap, so that a wheel driven by it turns on.
     distance = gone if extend == 'loop' and length else within
-    outputs[:] = (
-        curve.t_at_length(on_curve), within / length if length else 0.0, distance, moving.timing.speed(time), length)
+    outputs[:] = (curve.t_at_length(on_curve), within / length if length else 0.0, distance, moving.timing.speed(time), length)
 
 
 def _within(distance, length, extend):

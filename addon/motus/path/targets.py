@@ -36,13 +36,12 @@ def curve_for(context, name, *owners):
 def selected_followers(context):
     """The selected objects except curves, the active one first; without any the active object."""
     objects = sorted(context.selected_objects, key=lambda found: (found != context.object, found.name))
-    return [found for found in objects if found.type != 'CURVE'] or [
-        found for found in [context.object] if found and found.type != 'CURVE']
+    return [found for found in objects if found.type != 'CURVE'] or [found for found in [context.object] if found and found.type != 'CURVE']
 
 
 def ends_for(curve, spline, is_train):
     """Default of *Ends* for a spline: an item of EXTENDS. spline: index, or -1 for all splines."""
-    splines = curves.long_splines(curve.data.splines) if spline < 0 else curve.data.splines[spline:spline + 1]
+    splines = curves.long_splines(curve.data.splines) if spline < 0 else curve.data.splines[spline : spline + 1]
     if splines and all(one.use_cyclic_u for one in splines):
         return 'LOOP'
     return 'LINE_UP' if is_train else 'CLAMP'
@@ -61,12 +60,10 @@ def check_free(obj, curve, leader=None):
     if obj == curve:
         raise Refused(tr("{object} cannot follow itself").format(object=obj.name))
     if curve_depends_on(curve, obj):
-        raise Refused(tr("{curve} is moved by {object}, so {object} cannot follow it").format(
-            curve=curve.name, object=obj.name))
+        raise Refused(tr("{curve} is moved by {object}, so {object} cannot follow it").format(curve=curve.name, object=obj.name))
     other = pointed(obj.motus.path, "leader")
     if other != leader and members.is_wagon(obj):
-        raise Refused(tr("{object} is a wagon of {leader}: remove it from the train first").format(
-            object=obj.name, leader=other.name))
+        raise Refused(tr("{object} is a wagon of {leader}: remove it from the train first").format(object=obj.name, leader=other.name))
 
 
 def check_settings(obj, curve, keywords):
@@ -93,8 +90,9 @@ def check_editable(obj):
 def check_uncouplable(leader, index):
     """Refuse to take a wagon out of a train that an override has from its library."""
     if index < libraries.count_from_library(leader, "motus.path.wagons"):
-        raise Refused(tr("The wagons of {object} are from its library and cannot be uncoupled here: remove the train").format(
-            object=leader.name))
+        raise Refused(
+            tr("The wagons of {object} are from its library and cannot be uncoupled here: remove the train").format(object=leader.name)
+        )
 
 
 def check_wagon(obj, curve, leader=None):

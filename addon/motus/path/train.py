@@ -20,13 +20,20 @@ class MOTUS_OT_path_train_add(FindsValues, NewFollowKeywords, bpy.types.Operator
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     objects: bpy.props.StringProperty(
-        name="Objects", description="Names of objects with commas between, or a collection's name; empty takes the selected objects",
-        options={'SKIP_SAVE'})
+        name="Objects",
+        description="Names of objects with commas between, or a collection's name; empty takes the selected objects",
+        options={'SKIP_SAVE'},
+    )
     curve: bpy.props.StringProperty(
-        name="Curve", description="Name of the curve object; empty takes the selected curve", options={'SKIP_SAVE'})
+        name="Curve", description="Name of the curve object; empty takes the selected curve", options={'SKIP_SAVE'}
+    )
     gap: bpy.props.FloatProperty(
-        name="Gap", description="Distance along the path from each object to the next; 0 takes the lengths of the objects",
-        default=0.0, min=0.0, subtype='DISTANCE')
+        name="Gap",
+        description="Distance along the path from each object to the next; 0 takes the lengths of the objects",
+        default=0.0,
+        min=0.0,
+        subtype='DISTANCE',
+    )
 
     modes = OBJECT_MODE
     redo = (Rows(("gap",)), *rows.ALL)

@@ -9,8 +9,12 @@ SYSTEM = System(
     settings=properties.MOTUS_PG_pendulum,
     classes=(
         # The group before the one that holds it.
-        properties.MOTUS_PG_pendulum_rod, properties.MOTUS_PG_pendulum,
-        *operators.classes, *drag.classes, *presets.classes, *panel.classes,
+        properties.MOTUS_PG_pendulum_rod,
+        properties.MOTUS_PG_pendulum,
+        *operators.classes,
+        *drag.classes,
+        *presets.classes,
+        *panel.classes,
     ),
     inputs=solve.INPUTS,
     solve=solve.solve,

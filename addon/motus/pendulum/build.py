@@ -117,7 +117,7 @@ def _link(collection, name, mesh, parent, material):
     collection.objects.link(obj)
     obj.parent = parent
     # The meshes are shared by all of the fan.
-    slot, = obj.material_slots
+    (slot,) = obj.material_slots
     slot.link, slot.material = 'OBJECT', material
     return obj
 
@@ -126,8 +126,10 @@ def _shapes(settings, look, has_balls):
     """(mesh of the rod, mesh of the bob or None) of each rod of one pendulum."""
     masses = settings.mass1, settings.mass2
     thickest = max(look.rod_radius, 1e-5)
-    return [(_rod(length, thickest), _ball(look.bob_radius * mass ** (1.0 / 3.0)) if has_balls else None)
-            for length, mass in zip(parts.lengths(settings), masses)]
+    return [
+        (_rod(length, thickest), _ball(look.bob_radius * mass ** (1.0 / 3.0)) if has_balls else None)
+        for length, mass in zip(parts.lengths(settings), masses)
+    ]
 
 
 def _rod(length, radius):
@@ -138,7 +140,7 @@ def _rod(length, radius):
     caps = [tuple(range(SIDES))[::-1], tuple(range(SIDES, 2 * SIDES))]
     mesh = _mesh("Rod", vertices, [face[::-1] for face in sides] + [cap[::-1] for cap in caps])
     mesh[parts.MADE_KEY] = length
-    for polygon in mesh.polygons[len(sides):]:
+    for polygon in mesh.polygons[len(sides) :]:
         polygon.use_smooth = False
     return mesh
 
@@ -148,9 +150,14 @@ def _ball(radius):
     vertices, faces = [(0.0, 0.0, radius)], []
     for ring in range(1, RINGS):
         turn = math.pi * ring / RINGS
-        vertices += [(radius * math.sin(turn) * math.cos(math.tau * i / SEGMENTS),
-                      radius * math.sin(turn) * math.sin(math.tau * i / SEGMENTS), radius * math.cos(turn))
-                     for i in range(SEGMENTS)]
+        vertices += [
+            (
+                radius * math.sin(turn) * math.cos(math.tau * i / SEGMENTS),
+                radius * math.sin(turn) * math.sin(math.tau * i / SEGMENTS),
+                radius * math.cos(turn),
+            )
+            for i in range(SEGMENTS)
+        ]
     vertices.append((0.0, 0.0, -radius))
     last = len(vertices) - 1
     for i in range(SEGMENTS):
@@ -191,8 +198,9 @@ def _material(name, hue):
 def clear(owner, keeps_objects):
     """Take the pendulum back: wiring, keys of its settings, what was made, and the settings themselves."""
     settings = owner.motus.pendulum
-    entries = [(pointed(entry, "object"), pointed(entry, "bob"), entry.is_placed, parts.matrix(entry.before))
-               for entry in parts.own_rods(owner)]
+    entries = [
+        (pointed(entry, "object"), pointed(entry, "bob"), entry.is_placed, parts.matrix(entry.before)) for entry in parts.own_rods(owner)
+    ]
     made_pivot = settings.has_made_pivot
     trail.remove(owner)
     wiring.detach(system(), owner)

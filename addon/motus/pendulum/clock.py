@@ -7,8 +7,7 @@ from ..core.animation.channel import Channel
 from ..core.declare import Problem
 from ..core.lazy import numpy as np
 
-UNKNOWN = Problem(
-    "Playing or Speed is driven, or in NLA strips that are not known ahead: its present value counts for all the time", False)
+UNKNOWN = Problem("Playing or Speed is driven, or in NLA strips that are not known ahead: its present value counts for all the time", False)
 
 
 class Clock(NamedTuple):

@@ -99,7 +99,7 @@ def _angles(context, pivot, number):
     if not hasattr(swing, "at"):
         raise Refused(tr(swing.sentence))
     try:
-        return swing.at(seconds)[number][:swing.each]
+        return swing.at(seconds)[number][: swing.each]
     except ValueError:
         raise Refused(tr(solve.unknown(seconds, swing.count).sentence)) from None
 
@@ -131,11 +131,20 @@ class MOTUS_OT_pendulum_drag(PointDrag, Operator, bpy.types.Operator):
 
     object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Place in the world that the end bob is dragged to", size=3, subtype='XYZ', unit='LENGTH',
-        options={'SKIP_SAVE'})
+        name="Location",
+        description="Place in the world that the end bob is dragged to",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
     number: bpy.props.IntProperty(
-        name="Number", description="Index of the pendulum in its fan; the other pendulums keep their angles to it",
-        default=0, min=0, options={'SKIP_SAVE'})
+        name="Number",
+        description="Index of the pendulum in its fan; the other pendulums keep their angles to it",
+        default=0,
+        min=0,
+        options={'SKIP_SAVE'},
+    )
 
     modes = OBJECT_MODE
     needs_native = True
@@ -173,8 +182,7 @@ class MOTUS_OT_pendulum_drag(PointDrag, Operator, bpy.types.Operator):
         return pivot
 
     def _show_keys(self, context):
-        context.workspace.status_text_set(
-            tr("Press the left mouse button on the end bob and drag it; Esc or the right button cancels"))
+        context.workspace.status_text_set(tr("Press the left mouse button on the end bob and drag it; Esc or the right button cancels"))
 
     def _hold(self, context, region, view, mouse):
         pivot = named(self.object)
@@ -197,8 +205,12 @@ class MOTUS_OT_pendulum_drag(PointDrag, Operator, bpy.types.Operator):
 
     def _finish(self, context):
         if self._held.has_new_start:
-            self.report({'INFO'}, tr("The motion starts at frame {frame} now: the earlier motion is replaced").format(
-                frame=f"{scene_time.present(context.scene):g}"))
+            self.report(
+                {'INFO'},
+                tr("The motion starts at frame {frame} now: the earlier motion is replaced").format(
+                    frame=f"{scene_time.present(context.scene):g}"
+                ),
+            )
 
 
 classes = (MOTUS_OT_pendulum_drag,)

@@ -25,8 +25,11 @@ ADDED = (
 TAKES = (
     ('NEW', "New Pivot", "An empty at the 3D cursor"),
     ('ACTIVE', "Active Object", "The pendulum hangs on the active object, which may be animated"),
-    ('PLACED', "Selected Objects",
-     "The active object is the pivot and the other selected ones, one or two, are the bobs: lengths and angles are theirs"),
+    (
+        'PLACED',
+        "Selected Objects",
+        "The active object is the pivot and the other selected ones, one or two, are the bobs: lengths and angles are theirs",
+    ),
 )
 PLAYS = (
     ('TOGGLE', "Toggle", "Pause what plays, and play what is paused"),
@@ -47,39 +50,66 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     kind: bpy.props.EnumProperty(name="Kind", description="What is added", items=ADDED, default='DOUBLE')
-    take: bpy.props.EnumProperty(
-        name="Pivot", description="What the pendulum hangs on", items=TAKES, default='NEW', options={'SKIP_SAVE'})
-    count: bpy.props.IntProperty(
-        name="Count", description="How many pendulums the fan has", default=20, soft_min=1, soft_max=100)
+    take: bpy.props.EnumProperty(name="Pivot", description="What the pendulum hangs on", items=TAKES, default='NEW', options={'SKIP_SAVE'})
+    count: bpy.props.IntProperty(name="Count", description="How many pendulums the fan has", default=20, soft_min=1, soft_max=100)
     rod_radius: bpy.props.FloatProperty(
-        name="Rod Radius", description="Radius of the rods", default=build.Look().rod_radius, min=1e-4, soft_max=0.2,
-        subtype='DISTANCE')
+        name="Rod Radius", description="Radius of the rods", default=build.Look().rod_radius, min=1e-4, soft_max=0.2, subtype='DISTANCE'
+    )
     bob_radius: bpy.props.FloatProperty(
-        name="Bob Radius", description="Radius of a bob of 1 kg; heavier bobs are larger", default=build.Look().bob_radius,
-        min=1e-4, soft_max=1.0, subtype='DISTANCE')
+        name="Bob Radius",
+        description="Radius of a bob of 1 kg; heavier bobs are larger",
+        default=build.Look().bob_radius,
+        min=1e-4,
+        soft_max=1.0,
+        subtype='DISTANCE',
+    )
     spacing: bpy.props.FloatProperty(
-        name="Spacing", description="Distance from one pendulum of the fan to the next, across the plane of the swing",
-        default=build.Look().spacing, subtype='DISTANCE')
+        name="Spacing",
+        description="Distance from one pendulum of the fan to the next, across the plane of the swing",
+        default=build.Look().spacing,
+        subtype='DISTANCE',
+    )
     hue: bpy.props.FloatProperty(
-        name="Hue", description="Hue of the first pendulum; the hues of a fan go once around", default=build.Look().hue, min=0.0, max=1.0,
-        subtype='FACTOR')
+        name="Hue",
+        description="Hue of the first pendulum; the hues of a fan go once around",
+        default=build.Look().hue,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+    )
     use_trails: bpy.props.BoolProperty(
-        name="Trails", description="Show the ways that the end bobs have come; the demonstration always does", default=False)
+        name="Trails", description="Show the ways that the end bobs have come; the demonstration always does", default=False
+    )
     object: object_keyword("Name of the object that is the pivot; empty goes by what is chosen as the pivot")
     bobs: bpy.props.StringProperty(
-        name="Bobs", description="Names, with commas between, of one or two objects that are the bobs, from the pivot on",
-        options={'SKIP_SAVE'})
+        name="Bobs",
+        description="Names, with commas between, of one or two objects that are the bobs, from the pivot on",
+        options={'SKIP_SAVE'},
+    )
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Location of a new pivot; that of the 3D cursor if it is not given", size=3, subtype='XYZ',
-        unit='LENGTH', options={'SKIP_SAVE'})
+        name="Location",
+        description="Location of a new pivot; that of the 3D cursor if it is not given",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
 
     modes = OBJECT_MODE
     needs_native = True
     redo = (
         Rows(("kind", "take", Row("count", when=is_one_of("kind", 'FAN', 'CHAOS'))), title="Add"),
         # What the panel does not have comes first: the whole is higher than most viewports.
-        Rows((Row("rod_radius"), Row("bob_radius", when=_has_look), Row("spacing", when=is_one_of("kind", 'FAN', 'CHAOS')),
-              "hue", Row("use_trails", when=is_one_of("kind", 'SINGLE', 'DOUBLE', 'FAN'))), title="Look"),
+        Rows(
+            (
+                Row("rod_radius"),
+                Row("bob_radius", when=_has_look),
+                Row("spacing", when=is_one_of("kind", 'FAN', 'CHAOS')),
+                "hue",
+                Row("use_trails", when=is_one_of("kind", 'SINGLE', 'DOUBLE', 'FAN')),
+            ),
+            title="Look",
+        ),
         *rows.ALL,
     )
 
@@ -135,7 +165,8 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
         return [
             self._hang(context, tr("Fan"), place, 'DOUBLE', self.count, keywords),
             self._hang(context, tr("Alone"), place + along, 'DOUBLE', 1, keywords),
-            self._hang(context, tr("Other Angles"), place + 2.0 * along, 'DOUBLE', 1, keywords | other, 0.6)]
+            self._hang(context, tr("Other Angles"), place + 2.0 * along, 'DOUBLE', 1, keywords | other, 0.6),
+        ]
 
     def _hang(self, context, name, place, kind, count, keywords, hue=0.0):
         pivot = build.new_pivot(context, name, place)
@@ -182,7 +213,8 @@ class MOTUS_OT_pendulum_remove(Operator, bpy.types.Operator):
 
     object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the selected ones")
     keep_objects: bpy.props.BoolProperty(
-        name="Keep Objects", description="Keep the pivot, rods and bobs that were made, at rest", default=False)
+        name="Keep Objects", description="Keep the pivot, rods and bobs that were made, at rest", default=False
+    )
 
     modes = OBJECT_MODE
     redo = (Rows(("keep_objects",)),)
@@ -229,7 +261,9 @@ class MOTUS_OT_pendulum_play(_OfAPivot, bpy.types.Operator):
     bl_label = "Play or Pause Pendulum"
     bl_description = "Key on the present frame whether the pendulum's time runs"
 
-    play: bpy.props.EnumProperty(name="Play", description="Whether the time runs or stands still from the present frame on", items=PLAYS, default='TOGGLE')
+    play: bpy.props.EnumProperty(
+        name="Play", description="Whether the time runs or stands still from the present frame on", items=PLAYS, default='TOGGLE'
+    )
 
     redo = (Rows((Row("play", expand=True),)),)
 
@@ -298,5 +332,11 @@ class MOTUS_OT_pendulum_select_pivot(Operator, bpy.types.Operator):
         select_only(context, pivot)
 
 
-classes = (MOTUS_OT_pendulum_add, MOTUS_OT_pendulum_remove, MOTUS_OT_pendulum_play, MOTUS_OT_pendulum_trail_add,
-           MOTUS_OT_pendulum_trail_remove, MOTUS_OT_pendulum_select_pivot)
+classes = (
+    MOTUS_OT_pendulum_add,
+    MOTUS_OT_pendulum_remove,
+    MOTUS_OT_pendulum_play,
+    MOTUS_OT_pendulum_trail_add,
+    MOTUS_OT_pendulum_trail_remove,
+    MOTUS_OT_pendulum_select_pivot,
+)

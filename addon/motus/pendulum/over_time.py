@@ -96,11 +96,21 @@ class OverTime:
     def stamp(self):
         """As Channel.stamp."""
         settings, scene = self._settings, self._scene
-        return together((
-            self._number, self._numbers, settings.kind, settings.use_limits, settings.count, solve.gravity_of(settings, scene),
-            *(getattr(settings, name) for name in solve.NUMBERS if name not in self._channels), *scene_time.stamp(scene),
-            *(channel.stamp for channel in self._channels.values()), own_track(self._rod).stamp,
-            *((self._pivot.stamp, scene_time.last(scene)) if self._pivot else ())))
+        return together(
+            (
+                self._number,
+                self._numbers,
+                settings.kind,
+                settings.use_limits,
+                settings.count,
+                solve.gravity_of(settings, scene),
+                *(getattr(settings, name) for name in solve.NUMBERS if name not in self._channels),
+                *scene_time.stamp(scene),
+                *(channel.stamp for channel in self._channels.values()),
+                own_track(self._rod).stamp,
+                *((self._pivot.stamp, scene_time.last(scene)) if self._pivot else ()),
+            )
+        )
 
 
 def _known(states, second, count):

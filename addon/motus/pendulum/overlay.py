@@ -24,7 +24,7 @@ def _batches(context, obj):
     fps = scene_time.fps(scene)
     now = clock.read(evaluated, settings, scene_time.present(scene), fps).seconds
     try:
-        angles = swing.way(np.linspace(max(0.0, now - SECONDS), now + SECONDS, STEPS))[:, :swing.each]
+        angles = swing.way(np.linspace(max(0.0, now - SECONDS), now + SECONDS, STEPS))[:, : swing.each]
     except ValueError:
         return []
     lengths = np.array(parts.lengths(settings))

@@ -9,7 +9,6 @@ from ..core.interface.tracks import panel as track_panel
 from . import parts, pivot_motion, presets, rows, solve, trail
 from .build import system
 
-
 STRAY = Problem("A copy of a rod, or one without its pivot: it hangs on another pendulum", blocking=False)
 
 
@@ -114,7 +113,9 @@ def _has_settings(obj):
 
 
 PANEL = panels.SystemPanel(
-    name="pendulum", prefix="MOTUS_PT_pendulum", label="Pendulum",
+    name="pendulum",
+    prefix="MOTUS_PT_pendulum",
+    label="Pendulum",
     editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
     suits=lambda obj: True,
     is_used=lambda obj: _has_settings(obj) or parts.is_stray(obj),
@@ -125,8 +126,12 @@ PANEL = panels.SystemPanel(
         panels.Part("time", "Time", draw_time, is_open=True),
         panels.Part("trail", "Trails", draw_trail),
     ),
-    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL,
-    draw_add=draw_add)
+    readouts=draw_readouts,
+    actions=draw_actions,
+    refresh=panels.REFRESH,
+    presets=presets.PANEL,
+    draw_add=draw_add,
+)
 
 
 def draw_own_trail(layout, context):
@@ -136,11 +141,16 @@ def draw_own_trail(layout, context):
 
 
 TRAIL_PANEL = panels.SystemPanel(
-    name="pendulum_trail", prefix="MOTUS_PT_pendulum_trail_object", label="Pendulum Trails",
+    name="pendulum_trail",
+    prefix="MOTUS_PT_pendulum_trail_object",
+    label="Pendulum Trails",
     editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
-    suits=parts.is_trail, is_used=parts.is_trail, draw=draw_own_trail,
+    suits=parts.is_trail,
+    is_used=parts.is_trail,
+    draw=draw_own_trail,
     actions=lambda layout, context: layout.operator("motus.pendulum_trail_remove", icon='X'),
-    refresh=panels.REFRESH)
+    refresh=panels.REFRESH,
+)
 
 classes = panels.classes(PANEL)
 trail_classes = panels.classes(TRAIL_PANEL)

@@ -55,7 +55,8 @@ def pivot_of(obj):
     if leader is None or not has_pendulum(leader):
         return None
     listed = obj == own_trail(leader) or any(
-        obj in (pointed(entry, "object"), pointed(entry, "bob")) for entry in leader.motus.pendulum.rods)
+        obj in (pointed(entry, "object"), pointed(entry, "bob")) for entry in leader.motus.pendulum.rods
+    )
     return leader if listed else None
 
 
@@ -88,8 +89,9 @@ def stray_rod_of(obj):
 def left_with(rods):
     """(made bobs, trails) that are left of a pendulum whose pivot is gone."""
     bobs = [child for rod in rods for child in rod.children if _is_made_bob(child) and not child.library]
-    trails = [obj for obj in bpy.data.objects
-              if is_stray_trail(obj) and pointed(obj.motus.pendulum_trail, "rod") in rods and not obj.library]
+    trails = [
+        obj for obj in bpy.data.objects if is_stray_trail(obj) and pointed(obj.motus.pendulum_trail, "rod") in rods and not obj.library
+    ]
     return bobs, trails
 
 
@@ -109,7 +111,7 @@ def _leader(obj):
 
 def lengths(settings):
     """Of the rods of one pendulum."""
-    return (settings.length1, settings.length2)[:rods_each(settings)]
+    return (settings.length1, settings.length2)[: rods_each(settings)]
 
 
 def fit(owner):
@@ -143,7 +145,7 @@ def _fit_mesh(mesh, length):
 
 def matrix(values):
     """A matrix from its 16 values, row after row."""
-    return Matrix([values[row:row + 4] for row in range(0, 16, 4)])
+    return Matrix([values[row : row + 4] for row in range(0, 16, 4)])
 
 
 def values(of_matrix):

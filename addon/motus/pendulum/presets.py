@@ -11,14 +11,32 @@ OF_THE_SHOT = {"start_frame", "is_playing", "influence"}
 
 BROUGHT = (
     Preset('WILD', "Wild", "Tumbles over itself, and no two swings are alike", {}),
-    Preset('CLOCK', "Clock", "Beats a second to each side", {
-        "length1": 0.994, "length2": 0.1, "mass2": 0.01, "angle1": math.radians(5.0), "angle2": math.radians(5.0)}),
-    Preset('LAMP', "Hanging Lamp", "Swings out and comes to rest", {
-        "length1": 1.5, "length2": 0.3, "mass2": 0.2, "angle1": math.radians(30.0), "angle2": math.radians(30.0),
-        "damping": 0.6}),
-    Preset('WRECKER', "Wrecking Ball", "A heavy ball on a long arm", {
-        "length1": 1.0, "length2": 4.0, "mass1": 0.2, "mass2": 10.0, "angle1": math.radians(-50.0),
-        "angle2": math.radians(-50.0), "damping": 0.05}),
+    Preset(
+        'CLOCK',
+        "Clock",
+        "Beats a second to each side",
+        {"length1": 0.994, "length2": 0.1, "mass2": 0.01, "angle1": math.radians(5.0), "angle2": math.radians(5.0)},
+    ),
+    Preset(
+        'LAMP',
+        "Hanging Lamp",
+        "Swings out and comes to rest",
+        {"length1": 1.5, "length2": 0.3, "mass2": 0.2, "angle1": math.radians(30.0), "angle2": math.radians(30.0), "damping": 0.6},
+    ),
+    Preset(
+        'WRECKER',
+        "Wrecking Ball",
+        "A heavy ball on a long arm",
+        {
+            "length1": 1.0,
+            "length2": 4.0,
+            "mass1": 0.2,
+            "mass2": 10.0,
+            "angle1": math.radians(-50.0),
+            "angle2": math.radians(-50.0),
+            "damping": 0.05,
+        },
+    ),
     Preset('MOON', "On the Moon", "A sixth of the weight", {"use_scene_gravity": False, "gravity": 1.62}),
 )
 
@@ -29,5 +47,9 @@ def _settings(context):
 
 
 classes = OPERATOR, PANEL, _ = presets.classes(
-    "pendulum", "Pendulum", (f"bpy.context.object.motus.pendulum.{name}" for name in KEYWORDS if name not in OF_THE_SHOT),
-    BROUGHT, _settings)
+    "pendulum",
+    "Pendulum",
+    (f"bpy.context.object.motus.pendulum.{name}" for name in KEYWORDS if name not in OF_THE_SHOT),
+    BROUGHT,
+    _settings,
+)

@@ -22,16 +22,28 @@ def _of_rods(name, text):
     return Row(f"{name}1", when=_has_one, text=text), Row(f"{name}1", when=_has_two), Row(f"{name}2", when=_has_two)
 
 
-SWING = Rows((
-    *_of_rods("length", text="Length"), *_of_rods("mass", text="Mass")[1:], *_of_rods("angle", text="Angle"),
-    Row("angle_step", when=_is_fan), *_of_rods("velocity", text="Velocity")), title="Pendulum")
-FORCES = Rows((
-    "use_scene_gravity",
-    Row("gravity", when=lambda settings: not settings.use_scene_gravity),
-    "damping", "use_pivot_motion",
-    Row("use_limits", when=_has_two),
-    Row("most_velocity", when=lambda settings: _has_two(settings) and settings.use_limits),
-    Row("most_acceleration", when=lambda settings: _has_two(settings) and settings.use_limits)), title="Forces")
+SWING = Rows(
+    (
+        *_of_rods("length", text="Length"),
+        *_of_rods("mass", text="Mass")[1:],
+        *_of_rods("angle", text="Angle"),
+        Row("angle_step", when=_is_fan),
+        *_of_rods("velocity", text="Velocity"),
+    ),
+    title="Pendulum",
+)
+FORCES = Rows(
+    (
+        "use_scene_gravity",
+        Row("gravity", when=lambda settings: not settings.use_scene_gravity),
+        "damping",
+        "use_pivot_motion",
+        Row("use_limits", when=_has_two),
+        Row("most_velocity", when=lambda settings: _has_two(settings) and settings.use_limits),
+        Row("most_acceleration", when=lambda settings: _has_two(settings) and settings.use_limits),
+    ),
+    title="Forces",
+)
 TIME = Rows(("start_frame", "speed", "is_playing", "influence"), title="Time")
 TRAIL = Rows(("seconds", "fade", "thickness"), title="Trails")
 ALL = (SWING, FORCES, TIME)

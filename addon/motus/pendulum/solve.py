@@ -2,8 +2,8 @@
 
 import functools
 import math
-from typing import NamedTuple
 from collections.abc import Callable
+from typing import NamedTuple
 
 from ..core import native
 from ..core.declare import OwnMatrix, Problem, Setting
@@ -19,20 +19,47 @@ NO_LENGTH = Problem("The lengths must be greater than 0")
 NO_MASS = Problem("The masses must be greater than 0")
 NO_LIMIT = Problem("The limits must be greater than 0")
 NO_FAN = Problem("A fan has 1 to 500 pendulums")
-TOO_FAR = Problem(
-    "The motion is not known so far from its start: start it later, or let it run more slowly, or without damping")
+TOO_FAR = Problem("The motion is not known so far from its start: start it later, or let it run more slowly, or without damping")
 FAN_TOO_FAR = Problem(
-    "The motion of so many pendulums is not known so far from its start: start it later, let it run more slowly, or take fewer")
-TOO_EXTREME = Problem(
-    "A length, mass, angle, velocity, gravity or damping is too large or too small for the motion to be computed")
+    "The motion of so many pendulums is not known so far from its start: start it later, let it run more slowly, or take fewer"
+)
+TOO_EXTREME = Problem("A length, mass, angle, velocity, gravity or damping is too large or too small for the motion to be computed")
 NEAR = 60.0
 """Seconds from the start within which only extreme numbers let the motion be unknown."""
-PROBLEMS = (NO_RODS, PIVOT_DELETED, NOT_FINITE, NO_LENGTH, NO_MASS, NO_LIMIT, TOO_FAR, clock.UNKNOWN, pivot_motion.UNKNOWN,
-            pivot_motion.NOT_STEADY, TOO_EXTREME, NO_FAN, FAN_TOO_FAR)
+PROBLEMS = (
+    NO_RODS,
+    PIVOT_DELETED,
+    NOT_FINITE,
+    NO_LENGTH,
+    NO_MASS,
+    NO_LIMIT,
+    TOO_FAR,
+    clock.UNKNOWN,
+    pivot_motion.UNKNOWN,
+    pivot_motion.NOT_STEADY,
+    TOO_EXTREME,
+    NO_FAN,
+    FAN_TOO_FAR,
+)
 
 NUMBERS = (
-    "length1", "length2", "mass1", "mass2", "angle1", "angle2", "angle_step", "velocity1", "velocity2", "gravity",
-    "damping", "most_velocity", "most_acceleration", "start_frame", "speed", "influence")
+    "length1",
+    "length2",
+    "mass1",
+    "mass2",
+    "angle1",
+    "angle2",
+    "angle_step",
+    "velocity1",
+    "velocity2",
+    "gravity",
+    "damping",
+    "most_velocity",
+    "most_acceleration",
+    "start_frame",
+    "speed",
+    "influence",
+)
 INPUTS = (OwnMatrix("pivot", when="use_pivot_motion"), Setting("influence"))
 
 OUTPUTS = ("angle1", "angle2", "velocity1", "velocity2", "seconds")
@@ -125,23 +152,35 @@ def swing_of(settings, scene):
     gravity, damping = max(gravity_of(settings, scene), 0.0), max(settings.damping, 0.0)
     if settings.kind == 'SINGLE':
         way = functools.partial(
-            native.module.single_pendulum, theta=settings.angle1, omega=settings.velocity1, length=settings.length1,
-            gravity=gravity, damping=damping)
+            native.module.single_pendulum,
+            theta=settings.angle1,
+            omega=settings.velocity1,
+            length=settings.length1,
+            gravity=gravity,
+            damping=damping,
+        )
         return Swing(1, lambda seconds, **felt: [way(seconds, **felt).tolist()], lambda times, number=0, **felt: way(times, **felt))
     if not (settings.mass1 > 0.0 and settings.mass2 > 0.0):
         return NO_MASS
     if not 1 <= settings.count <= parts.LARGEST_FAN:
         return NO_FAN
     constants = {
-        "mass1": settings.mass1, "mass2": settings.mass2, "length1": settings.length1, "length2": settings.length2,
-        "gravity": gravity, "damping": damping}
+        "mass1": settings.mass1,
+        "mass2": settings.mass2,
+        "length1": settings.length1,
+        "length2": settings.length2,
+        "gravity": gravity,
+        "damping": damping,
+    }
     if settings.use_limits:
         for name in ("most_velocity", "most_acceleration"):
             if not getattr(settings, name) > 0.0:
                 return NO_LIMIT
             constants[name] = getattr(settings, name)
-    starts = [(settings.angle1, settings.angle2 + index * settings.angle_step, settings.velocity1, settings.velocity2)
-              for index in range(settings.count)]
+    starts = [
+        (settings.angle1, settings.angle2 + index * settings.angle_step, settings.velocity1, settings.velocity2)
+        for index in range(settings.count)
+    ]
 
     def way(times, number=0, **felt):  # type: ignore[no-redef]
         return native.module.double_pendulum(times, *starts[number], **constants, **felt)

@@ -72,8 +72,7 @@ def measured(pivot, bobs):
         if rod.length == 0.0:
             raise Refused(tr("{object} lies on what it shall hang on").format(object=bob.name))
         if abs(rod.y) > FLAT * scale:
-            raise Refused(tr("{object} lies beside the plane of the pivot's X and Z axes: turn the pivot").format(
-                object=bob.name))
+            raise Refused(tr("{object} lies beside the plane of the pivot's X and Z axes: turn the pivot").format(object=bob.name))
         flat = Vector((rod.x, 0.0, rod.z))
         found |= {f"length{number}": flat.length, f"angle{number}": build.angle_of(flat)}
         place = place + flat
@@ -94,5 +93,3 @@ def set_up(context):
     objects = context.selected_objects or [obj for obj in [context.object] if obj]
     found = [removable(obj) for obj in objects]
     return list(dict.fromkeys(one for one in found if one))
-
-

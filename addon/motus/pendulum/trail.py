@@ -22,8 +22,7 @@ NOT_FINITE = Problem("A setting of the trail is not a finite number")
 UNBAKEABLE = Problem("A trail is computed from the pendulum on each frame: there is nothing to bake")
 PROBLEMS = (NO_PENDULUM, NOT_FINITE, *(problem for problem in solve.PROBLEMS if problem.blocking))
 # Cycles has an own sense for an attribute that is named "color", which comes out black (5.2).
-POINTS = Points(attributes=(("curve", 'INT'), ("radius", 'FLOAT'), ("tint", 'COLOR'), ("age", 'FLOAT')), shape='TUBES',
-                space='LOCAL')
+POINTS = Points(attributes=(("curve", 'INT'), ("radius", 'FLOAT'), ("tint", 'COLOR'), ("age", 'FLOAT')), shape='TUBES', space='LOCAL')
 
 
 @dataclass(frozen=True)
@@ -63,7 +62,7 @@ def make(context, matrix, swing, seconds, fade, thickness):
         return None
     try:
         found.at(now.seconds, **felt)  # all at once, which is sooner, or refused where they are too many for so long a time
-        ways = [found.way(times, number, **felt)[:, :found.each] for number in range(found.count)]
+        ways = [found.way(times, number, **felt)[:, : found.each] for number in range(found.count)]
     except ValueError:
         return solve.unknown(now.seconds, found.count)
     _fill(context.points(len(times) * found.count), pivot, ways, np.abs(now.seconds - times) / seconds, (swing, fade, thickness))
@@ -177,14 +176,25 @@ def _material():
         material.blend_method = 'HASHED'
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
-    color, light, nothing, mixed, output = (nodes.new(kind) for kind in (
-        "ShaderNodeAttribute", "ShaderNodeEmission", "ShaderNodeBsdfTransparent", "ShaderNodeMixShader",
-        "ShaderNodeOutputMaterial"))
+    color, light, nothing, mixed, output = (
+        nodes.new(kind)
+        for kind in (
+            "ShaderNodeAttribute",
+            "ShaderNodeEmission",
+            "ShaderNodeBsdfTransparent",
+            "ShaderNodeMixShader",
+            "ShaderNodeOutputMaterial",
+        )
+    )
     for index, node in enumerate((color, light, nothing, mixed, output)):
         node.location.x = 200.0 * index
     color.attribute_name = "tint"
     links.new(color.outputs["Color"], light.inputs["Color"])
-    for source, target in ((color.outputs["Alpha"], mixed.inputs[0]), (nothing.outputs[0], mixed.inputs[1]),
-                           (light.outputs[0], mixed.inputs[2]), (mixed.outputs[0], output.inputs["Surface"])):
+    for source, target in (
+        (color.outputs["Alpha"], mixed.inputs[0]),
+        (nothing.outputs[0], mixed.inputs[1]),
+        (light.outputs[0], mixed.inputs[2]),
+        (mixed.outputs[0], output.inputs["Surface"]),
+    ):
         links.new(source, target)
     return material

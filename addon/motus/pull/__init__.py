@@ -2,15 +2,17 @@
 
 from ..core.declare import System
 from . import grid, operators, panel, presets, properties
-from .pins import apply as pins_apply
-from .pins import dragging as pins_dragging
-from .pins import gizmo as pins_gizmo
-from .pins import operators as pins_operators
-from .pins import overlay as pins_overlay
-from .pins import panel as pins_panel
-from .pins import properties as pins_properties
-from .pins import setup as pins_setup
-from .pins import solve as pins_solve
+from .pins import (
+    apply as pins_apply,
+    dragging as pins_dragging,
+    gizmo as pins_gizmo,
+    operators as pins_operators,
+    overlay as pins_overlay,
+    panel as pins_panel,
+    properties as pins_properties,
+    setup as pins_setup,
+    solve as pins_solve,
+)
 from .window import adjust, tool
 
 SYSTEM = System(
@@ -20,10 +22,18 @@ SYSTEM = System(
     scene_settings=properties.MOTUS_PG_brush,
     classes=(
         # A PropertyGroup is registered before the groups that contain it.
-        *properties.classes, *pins_properties.classes,
-        *operators.classes, *adjust.classes, *grid.classes, *pins_operators.classes, *pins_apply.classes,
-        *pins_dragging.classes, *pins_gizmo.classes,
-        *presets.classes, *panel.classes, *pins_panel.classes,
+        *properties.classes,
+        *pins_properties.classes,
+        *operators.classes,
+        *adjust.classes,
+        *grid.classes,
+        *pins_operators.classes,
+        *pins_apply.classes,
+        *pins_dragging.classes,
+        *pins_gizmo.classes,
+        *presets.classes,
+        *panel.classes,
+        *pins_panel.classes,
     ),
     inputs=pins_solve.INPUTS,
     owner_types=frozenset({'MESH'}),

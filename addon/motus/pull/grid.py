@@ -23,29 +23,44 @@ class MOTUS_OT_grid_add(Operator, AddObjectHelper, bpy.types.Operator):
     bl_description = "Add a flat grid with a given number of vertices, centred on its origin"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    width: bpy.props.IntProperty(
-        name="Width", description="Number of vertices along X", default=101, min=2, soft_max=2001)
-    height: bpy.props.IntProperty(
-        name="Height", description="Number of vertices along Y", default=101, min=2, soft_max=2001)
+    width: bpy.props.IntProperty(name="Width", description="Number of vertices along X", default=101, min=2, soft_max=2001)
+    height: bpy.props.IntProperty(name="Height", description="Number of vertices along Y", default=101, min=2, soft_max=2001)
     sizing: bpy.props.EnumProperty(
         name="Sizing",
-        description="What sets the size of the grid: its whole size, or the distance between vertices", items=SIZINGS, default='SPACING')
+        description="What sets the size of the grid: its whole size, or the distance between vertices",
+        items=SIZINGS,
+        default='SPACING',
+    )
     spacing: bpy.props.FloatProperty(
-        name="Spacing", description="Distance between neighbouring vertices", default=0.1, min=1e-6, soft_max=10.0,
-        subtype='DISTANCE')
+        name="Spacing", description="Distance between neighbouring vertices", default=0.1, min=1e-6, soft_max=10.0, subtype='DISTANCE'
+    )
     size: bpy.props.FloatVectorProperty(
-        name="Size", description="Lengths along X and Y", size=2, default=(10.0, 10.0), min=1e-6, soft_max=1000.0,
-        subtype='XYZ', unit='LENGTH')
-    use_smooth: bpy.props.BoolProperty(
-        name="Shade Smooth", description="Shade the faces as one smooth surface", default=True)
-    use_uv: bpy.props.BoolProperty(
-        name="UV Map", description="Lay the whole grid over the unit square of a UV map", default=True)
+        name="Size",
+        description="Lengths along X and Y",
+        size=2,
+        default=(10.0, 10.0),
+        min=1e-6,
+        soft_max=1000.0,
+        subtype='XYZ',
+        unit='LENGTH',
+    )
+    use_smooth: bpy.props.BoolProperty(name="Shade Smooth", description="Shade the faces as one smooth surface", default=True)
+    use_uv: bpy.props.BoolProperty(name="UV Map", description="Lay the whole grid over the unit square of a UV map", default=True)
 
     redo = (
         Rows(("width", "height"), title="Vertices"),
-        Rows((Row("sizing", expand=True), Row("spacing", when=is_one_of("sizing", 'SPACING')),
-              Row("size", when=is_one_of("sizing", 'SIZE')), "use_smooth", "use_uv"), title="Size"),
-        Rows(("align", Row("location", when=is_given("location")), "rotation"), title="Place"))
+        Rows(
+            (
+                Row("sizing", expand=True),
+                Row("spacing", when=is_one_of("sizing", 'SPACING')),
+                Row("size", when=is_one_of("sizing", 'SIZE')),
+                "use_smooth",
+                "use_uv",
+            ),
+            title="Size",
+        ),
+        Rows(("align", Row("location", when=is_given("location")), "rotation"), title="Place"),
+    )
 
     modes = OBJECT_OR_EDIT_MODE
 
@@ -57,13 +72,11 @@ class MOTUS_OT_grid_add(Operator, AddObjectHelper, bpy.types.Operator):
         if self.sizing == 'SPACING':
             size = (self.width - 1) * self.spacing, (self.height - 1) * self.spacing
         if self.width * self.height > MOST_VERTICES:
-            raise Refused(tr("More than {count} vertices do not fit into one mesh").format(
-                count=MOST_VERTICES))
+            raise Refused(tr("More than {count} vertices do not fit into one mesh").format(count=MOST_VERTICES))
         self._choose_alignment(context)
         if self.align == 'VIEW' and getattr(context.space_data, "type", "") != 'VIEW_3D':
             raise Refused(tr("There is no 3D view to align to: choose another alignment"))
-        mesh = grid_mesh(bpy.app.translations.pgettext_data("Grid"), self.width, self.height, size, self.use_smooth,
-                         self.use_uv)
+        mesh = grid_mesh(bpy.app.translations.pgettext_data("Grid"), self.width, self.height, size, self.use_smooth, self.use_uv)
         object_data_add(context, mesh, operator=self)
 
     def _choose_alignment(self, context):
@@ -115,8 +128,7 @@ def _add_faces(mesh, corners, width, height):
     across = np.stack((vertices[:-1], vertices[1:]), axis=-1).reshape(-1, 2)
     along_index = np.arange(len(along), dtype=np.int32).reshape(height, width - 1)
     across_index = np.arange(len(across), dtype=np.int32).reshape(height - 1, width) + len(along)
-    sides = np.stack(
-        (along_index[:-1], across_index[:, 1:], along_index[1:], across_index[:, :-1]), axis=-1).reshape(-1)
+    sides = np.stack((along_index[:-1], across_index[:, 1:], along_index[1:], across_index[:, :-1]), axis=-1).reshape(-1)
     mesh.edges.add(len(along) + len(across))
     _set(mesh, ".edge_verts", "value", mesh.edges, "vertices", np.concatenate((along, across)))
     mesh.loops.add(corners.size)

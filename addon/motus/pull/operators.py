@@ -23,20 +23,37 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, Operator, BrushKeywords, bpy.types
 
     object: object_keyword("Name of the mesh object; empty takes the active one")
     vertex: bpy.props.IntProperty(
-        name="Vertex", description="Index of the vertex that is pulled; -1 takes the vertex nearest to the location",
-        default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Vertex",
+        description="Index of the vertex that is pulled; -1 takes the vertex nearest to the location",
+        default=-1,
+        min=-1,
+        options={'SKIP_SAVE'},
+    )
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Place that is pulled, in the space that Unit names: of the world or of the object", size=3,
-        subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
+        name="Location",
+        description="Place that is pulled, in the space that Unit names: of the world or of the object",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
     displacement: bpy.props.FloatVectorProperty(
-        name="Displacement", description="Displacement of the vertex, instead of a direction and a strength", size=3,
-        subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
+        name="Displacement",
+        description="Displacement of the vertex, instead of a direction and a strength",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
     curve: bpy.props.FloatVectorProperty(
-        name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root; empty takes the scene's curve",
-        size=CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
+        name="Curve",
+        description="Forces of the falloff Curve at equal steps from the radius to the root; empty takes the scene's curve",
+        size=CURVE_SAMPLES,
+        options={'HIDDEN', 'SKIP_SAVE'},
+    )
     dabs: bpy.props.CollectionProperty(
-        type=properties.MOTUS_PG_dab, name="Dabs", description="Dabs of the strokes, which Redo repeats",
-        options={'HIDDEN', 'SKIP_SAVE'})
+        type=properties.MOTUS_PG_dab, name="Dabs", description="Dabs of the strokes, which Redo repeats", options={'HIDDEN', 'SKIP_SAVE'}
+    )
 
     redo = rows.PULL
 
@@ -49,8 +66,7 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, Operator, BrushKeywords, bpy.types
         session = start(self, context)
         has_acted = replay(session, self.dabs) if self.dabs else self._pull_once(context, session)
         if not session.finish() and has_acted:
-            raise Refused(modal.why_cancelled(session) or tr(
-                "Nothing moved: what is in reach is hidden, masked or held by a limit"))
+            raise Refused(modal.why_cancelled(session) or tr("Nothing moved: what is in reach is hidden, masked or held by a limit"))
         self.remember(context, session, with_dabs=False)
         if session.mesh.share_seen() == 0.0:
             self.report({'WARNING'}, object_mesh.not_seen(session.mesh.key))
@@ -147,8 +163,9 @@ def keep_last(record, session):
 
 def no_such_vertex(session, vertex):
     """The Refused that says that a mesh has fewer vertices than needed."""
-    return Refused(tr("{object} has no vertex {index}: it has {count}").format(
-        object=session.object_name, index=vertex, count=len(session.current)))
+    return Refused(
+        tr("{object} has no vertex {index}: it has {count}").format(object=session.object_name, index=vertex, count=len(session.current))
+    )
 
 
 def toward_viewer(context):

@@ -85,13 +85,19 @@ def _split(layout):
 
 # The brush belongs to the scene, so that no object counts as its user.
 PANEL = panels.SystemPanel(
-    name="pull", prefix="MOTUS_PT_pull", label="Pick & Pull", editors={"": ui.Sidebar},
+    name="pull",
+    prefix="MOTUS_PT_pull",
+    label="Pick & Pull",
+    editors={"": ui.Sidebar},
     suits=lambda obj: obj.type == 'MESH',
     draw=draw_main,
     parts=(
         panels.Part("extent", "Mirror & Mask", _draw_rows(*rows.EXTENT), is_open=True),
         panels.Part("limits", "Limits", _draw_rows(Row("clamp_axis", expand=True), *rows.LIMITS)),
     ),
-    actions=draw_actions, presets=presets.PANEL, adders=("motus.pick_pull",))
+    actions=draw_actions,
+    presets=presets.PANEL,
+    adders=("motus.pick_pull",),
+)
 
 classes = panels.classes(PANEL)

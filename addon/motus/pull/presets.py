@@ -19,5 +19,5 @@ BROUGHT = (
 )
 
 classes = OPERATOR, PANEL, _ = presets.classes(
-    "pull", "Pull Brush", (f"bpy.context.scene.motus.pull.{name}" for name in NAMES), BROUGHT,
-    lambda context: context.scene.motus.pull)
+    "pull", "Pull Brush", (f"bpy.context.scene.motus.pull.{name}" for name in NAMES), BROUGHT, lambda context: context.scene.motus.pull
+)

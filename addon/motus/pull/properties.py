@@ -46,43 +46,73 @@ class BrushKeywords:
     """Properties that the brush, the operator and the record of a pull have in common; their names are keywords of scripts."""
 
     radius: bpy.props.FloatProperty(
-        name="Radius", description="Distance from the root that the pull reaches; a number of edges if the distance counts edges", default=1.0,
-        min=1e-6, soft_min=0.01, soft_max=100.0, subtype='DISTANCE', options=set())
+        name="Radius",
+        description="Distance from the root that the pull reaches; a number of edges if the distance counts edges",
+        default=1.0,
+        min=1e-6,
+        soft_min=0.01,
+        soft_max=100.0,
+        subtype='DISTANCE',
+        options=set(),
+    )
     unit: bpy.props.EnumProperty(
-        name="Unit", description="Space in which lengths and directions are given", items=UNITS, default='WORLD', options=set())
+        name="Unit", description="Space in which lengths and directions are given", items=UNITS, default='WORLD', options=set()
+    )
     strength: bpy.props.FloatProperty(
-        name="Strength", description="Distance by which one dab moves the root; negative pushes", default=0.1, soft_min=-10.0,
-        soft_max=10.0, subtype='DISTANCE', options=set())
+        name="Strength",
+        description="Distance by which one dab moves the root; negative pushes",
+        default=0.1,
+        soft_min=-10.0,
+        soft_max=10.0,
+        subtype='DISTANCE',
+        options=set(),
+    )
     falloff: bpy.props.EnumProperty(
-        name="Falloff", description="How the force fades from the root to the radius", items=FALLOFFS, default='SMOOTH',
-        options=set(), update=lambda settings, context: _ensure_curve(settings))
+        name="Falloff",
+        description="How the force fades from the root to the radius",
+        items=FALLOFFS,
+        default='SMOOTH',
+        options=set(),
+        update=lambda settings, context: _ensure_curve(settings),
+    )
     scale_factor: bpy.props.FloatProperty(
-        name="Scale Factor", description="Steepness of the classic falloff", default=0.0, soft_min=-10.0, soft_max=10.0,
-        options=set())
+        name="Scale Factor", description="Steepness of the classic falloff", default=0.0, soft_min=-10.0, soft_max=10.0, options=set()
+    )
     distance: bpy.props.EnumProperty(
-        name="Distance", description="How the distance to the root is measured", items=DISTANCES, default='STRAIGHT',
-        options=set())
+        name="Distance", description="How the distance to the root is measured", items=DISTANCES, default='STRAIGHT', options=set()
+    )
     direction: bpy.props.EnumProperty(
-        name="Direction", description="Direction of the pull", items=DIRECTIONS, default='NORMAL', options=set())
+        name="Direction", description="Direction of the pull", items=DIRECTIONS, default='NORMAL', options=set()
+    )
     accumulate: bpy.props.BoolProperty(
-        name="Accumulate", description="Each pull builds on the last; otherwise each starts from the original shape",
-        default=True, options=set())
+        name="Accumulate",
+        description="Each pull builds on the last; otherwise each starts from the original shape",
+        default=True,
+        options=set(),
+    )
     mirror: bpy.props.EnumProperty(
-        name="Mirror", description="Pull on the other side of the object too, mirrored across these axes of the object", items=AXES,
-        default=set(), options={'ENUM_FLAG'})
-    use_minimum: bpy.props.BoolProperty(
-        name="Use Minimum", description="Nothing is moved below a height", default=False, options=set())
+        name="Mirror",
+        description="Pull on the other side of the object too, mirrored across these axes of the object",
+        items=AXES,
+        default=set(),
+        options={'ENUM_FLAG'},
+    )
+    use_minimum: bpy.props.BoolProperty(name="Use Minimum", description="Nothing is moved below a height", default=False, options=set())
     minimum: bpy.props.FloatProperty(
-        name="Minimum", description="Lowest height of moved vertices", default=-1.0, subtype='DISTANCE', options=set())
-    use_maximum: bpy.props.BoolProperty(
-        name="Use Maximum", description="Nothing is moved above a height", default=False, options=set())
+        name="Minimum", description="Lowest height of moved vertices", default=-1.0, subtype='DISTANCE', options=set()
+    )
+    use_maximum: bpy.props.BoolProperty(name="Use Maximum", description="Nothing is moved above a height", default=False, options=set())
     maximum: bpy.props.FloatProperty(
-        name="Maximum", description="Largest height of moved vertices", default=1.0, subtype='DISTANCE', options=set())
+        name="Maximum", description="Largest height of moved vertices", default=1.0, subtype='DISTANCE', options=set()
+    )
     clamp_axis: bpy.props.EnumProperty(
-        name="Height Axis", description="Axis along which the height is measured", items=AXES, default='Z',
-        options=set())
+        name="Height Axis", description="Axis along which the height is measured", items=AXES, default='Z', options=set()
+    )
     vertex_group: bpy.props.StringProperty(
-        name="Vertex Group", description="Vertex group whose weights tell how far each vertex moves; empty moves all vertices alike", options=set())
+        name="Vertex Group",
+        description="Vertex group whose weights tell how far each vertex moves; empty moves all vertices alike",
+        options=set(),
+    )
 
 
 KEYWORDS = tuple(BrushKeywords.__annotations__)
@@ -99,18 +129,25 @@ class MOTUS_PG_pull_record(BrushKeywords, bpy.types.PropertyGroup):
 
     object: bpy.props.StringProperty(name="Object", description="Name of the object that was pulled", options=set())
     is_shape: bpy.props.BoolProperty(
-        name="Shape", description="The stroke did more than a pull at one root: a pin of it keeps the shape", options=set())
+        name="Shape", description="The stroke did more than a pull at one root: a pin of it keeps the shape", options=set()
+    )
     vertex: bpy.props.IntProperty(name="Vertex", description="Index of the root", options=set())
     place: bpy.props.FloatVectorProperty(
-        name="Place", description="Position of the root before the pull, in the object", size=3, subtype='XYZ', options=set())
+        name="Place", description="Position of the root before the pull, in the object", size=3, subtype='XYZ', options=set()
+    )
     displacement: bpy.props.FloatVectorProperty(
-        name="Displacement", description="Displacement of the root, in the object", size=3, subtype='XYZ', options=set())
+        name="Displacement", description="Displacement of the root, in the object", size=3, subtype='XYZ', options=set()
+    )
     metric: bpy.props.FloatVectorProperty(
-        name="Metric", description="Matrix, row by row, that converts vectors of the object to vectors whose lengths are measured",
-        size=9, default=(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0), options=set())
+        name="Metric",
+        description="Matrix, row by row, that converts vectors of the object to vectors whose lengths are measured",
+        size=9,
+        default=(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0),
+        options=set(),
+    )
     curve: bpy.props.FloatVectorProperty(
-        name="Curve", description="Forces at equal steps from the radius to the root", size=CURVE_SAMPLES,
-        options=set())
+        name="Curve", description="Forces at equal steps from the radius to the root", size=CURVE_SAMPLES, options=set()
+    )
 
 
 class MOTUS_PG_dab(bpy.types.PropertyGroup):
@@ -119,7 +156,8 @@ class MOTUS_PG_dab(bpy.types.PropertyGroup):
     kind: bpy.props.EnumProperty(name="Kind", description="Kind of change that the dab made", items=DAB_KINDS, options=set())
     vertex: bpy.props.IntProperty(name="Vertex", description="Index of the root", options=set())
     displacement: bpy.props.FloatVectorProperty(
-        name="Displacement", description="Displacement of the root, in the object", size=3, subtype='XYZ', options=set())
+        name="Displacement", description="Displacement of the root, in the object", size=3, subtype='XYZ', options=set()
+    )
     radius: bpy.props.FloatProperty(name="Radius", description="Distance from the root that the pull reached", options=set())
     strength: bpy.props.FloatProperty(name="Strength", description="Strength of the smoothing", options=set())
     is_first: bpy.props.BoolProperty(name="First", description="A stroke begins with this dab", options=set())
@@ -127,23 +165,35 @@ class MOTUS_PG_dab(bpy.types.PropertyGroup):
 
 class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
     edge_count: bpy.props.IntProperty(
-        name="Radius", description="Number of edges from the root that the pull reaches", min=1, soft_max=100, options=set(),
-        get=lambda brush: max(1, round(brush.radius)), set=lambda brush, count: setattr(brush, "radius", float(count)))
+        name="Radius",
+        description="Number of edges from the root that the pull reaches",
+        min=1,
+        soft_max=100,
+        options=set(),
+        get=lambda brush: max(1, round(brush.radius)),
+        set=lambda brush, count: setattr(brush, "radius", float(count)),
+    )
     fitted_radius: bpy.props.FloatProperty(
-        name="Fitted Radius", description="The radius that was set by an object's size", options={'HIDDEN'})
+        name="Fitted Radius", description="The radius that was set by an object's size", options={'HIDDEN'}
+    )
     fitted_strength: bpy.props.FloatProperty(
-        name="Fitted Strength", description="The strength that was set by an object's size", options={'HIDDEN'})
-    curve_nodes: to_node_tree(
-        name="Curve Nodes", description="Hidden node group that holds the falloff's curve")
+        name="Fitted Strength", description="The strength that was set by an object's size", options={'HIDDEN'}
+    )
+    curve_nodes: to_node_tree(name="Curve Nodes", description="Hidden node group that holds the falloff's curve")
     use_pressure_strength: bpy.props.BoolProperty(
-        name="Strength Pressure", description="The pen's pressure sets the strength", default=True, options=set())
+        name="Strength Pressure", description="The pen's pressure sets the strength", default=True, options=set()
+    )
     use_pressure_size: bpy.props.BoolProperty(
-        name="Size Pressure", description="The pen's pressure sets the radius", default=False, options=set())
+        name="Size Pressure", description="The pen's pressure sets the radius", default=False, options=set()
+    )
     show_inset: bpy.props.BoolProperty(
-        name="Inset View", description="Show a perspective view in the corner while pulling", default=False,
-        options=set(), update=lambda _brush, _context: viewports.redraw())
-    last: bpy.props.PointerProperty(
-        type=MOTUS_PG_pull_record, name="Last Pull", description="Last pull, which a pin can be made of")
+        name="Inset View",
+        description="Show a perspective view in the corner while pulling",
+        default=False,
+        options=set(),
+        update=lambda _brush, _context: viewports.redraw(),
+    )
+    last: bpy.props.PointerProperty(type=MOTUS_PG_pull_record, name="Last Pull", description="Last pull, which a pin can be made of")
 
 
 def is_finite(value):

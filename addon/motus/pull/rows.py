@@ -16,8 +16,7 @@ def _is_limited(settings):
 
 
 def _has_strength(operator):
-    return not operator.is_given("displacement") and (
-        not len(operator.dabs) or any(dab.kind != 'DRAG' for dab in operator.dabs))
+    return not operator.is_given("displacement") and (not len(operator.dabs) or any(dab.kind != 'DRAG' for dab in operator.dabs))
 
 
 FORM = ("falloff", Row("scale_factor", when=is_one_of("falloff", 'CLASSIC')), "distance")
@@ -27,9 +26,15 @@ CLAMPED = Row("clamp_axis", when=_is_limited)
 
 PULL = (
     Rows(("radius", Row("strength", when=_has_strength), "unit", *FORM), title="Pull"),
-    Rows((Row("direction", when=lambda operator: not operator.is_given("displacement") and not len(operator.dabs)),
-          Row("displacement", when=is_given("displacement")), "accumulate", *EXTENT),
-         title="Direction"),
+    Rows(
+        (
+            Row("direction", when=lambda operator: not operator.is_given("displacement") and not len(operator.dabs)),
+            Row("displacement", when=is_given("displacement")),
+            "accumulate",
+            *EXTENT,
+        ),
+        title="Direction",
+    ),
     Rows((*LIMITS, CLAMPED), title="Limits"),
 )
 """Rows of the operator that pulls."""
@@ -42,9 +47,15 @@ def _is_new(operator):
 PIN = (
     Rows(("strength",)),
     Rows(("radius", "unit", *FORM), title="Pull", when=_is_new),
-    Rows((Row("direction", when=lambda operator: not operator.is_given("displacement")),
-          Row("displacement", when=is_given("displacement")), *EXTENT),
-         title="Direction", when=_is_new),
+    Rows(
+        (
+            Row("direction", when=lambda operator: not operator.is_given("displacement")),
+            Row("displacement", when=is_given("displacement")),
+            *EXTENT,
+        ),
+        title="Direction",
+        when=_is_new,
+    ),
     Rows((*LIMITS, CLAMPED), title="Limits", when=_is_new),
 )
 """Rows of the operator that adds a pin."""

@@ -10,9 +10,14 @@ SYSTEM = System(
     settings=properties.MOTUS_PG_snow,
     classes=(
         # The groups before the one that holds them.
-        properties.MOTUS_PG_snow_stop, properties.MOTUS_PG_snow_recorded, properties.MOTUS_PG_snow_collider,
+        properties.MOTUS_PG_snow_stop,
+        properties.MOTUS_PG_snow_recorded,
+        properties.MOTUS_PG_snow_collider,
         properties.MOTUS_PG_snow,
-        *operators.classes, *presets.classes, *panel.classes, *gizmo.classes,
+        *operators.classes,
+        *presets.classes,
+        *panel.classes,
+        *gizmo.classes,
     ),
     inputs=solve.INPUTS,
     groups=build.groups,

@@ -71,8 +71,7 @@ def record(emitter, view_layer):
     # Colliders are evaluated for flakes that land on them.
     before, settings.recorded = pointed(settings, "recorded"), None
     view_layer.update()
-    found = [(one.objects[0].original, one.placed)
-             for one in _found(emitter.evaluated_get(view_layer.depsgraph).motus.snow)[0]]
+    found = [(one.objects[0].original, one.placed) for one in _found(emitter.evaluated_get(view_layer.depsgraph).motus.snow)[0]]
     found = [(obj, faces) for obj, faces in found if faces is not None]
     if not found:
         settings.recorded = before

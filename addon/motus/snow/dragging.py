@@ -78,8 +78,13 @@ class MOTUS_OT_snow_drag(PointDrag, Operator, bpy.types.Operator):
     object: object_keyword("Name of the emitter; empty takes the active object")
     setting: bpy.props.EnumProperty(name="Setting", description="Handle that is dragged", items=SETTINGS, options={'SKIP_SAVE'})
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Place in the world that the handle is dragged to", size=3, subtype='XYZ', unit='LENGTH',
-        options={'SKIP_SAVE'})
+        name="Location",
+        description="Place in the world that the handle is dragged to",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
     redo = (Rows(("setting", Row("location", when=is_given("location")))),)
 
     @classmethod
@@ -107,7 +112,8 @@ class MOTUS_OT_snow_drag(PointDrag, Operator, bpy.types.Operator):
 
     def _show_keys(self, context):
         context.workspace.status_text_set(
-            tr("Press the left mouse button on a handle of the emitter and drag it; Esc or the right button cancels"))
+            tr("Press the left mouse button on a handle of the emitter and drag it; Esc or the right button cancels")
+        )
 
     def _hold(self, context, region, view, mouse):
         emitter = _emitter(context, self.object)  # it may have been removed while the drag waited

@@ -25,15 +25,39 @@ NOT_FINITE = Problem("A setting is not a finite number")
 TOO_MANY = Problem("More than 16 million flakes at once would need over 1 GB of memory: lower the rate or the lifetime")
 OUT_OF_RANGE = Problem("A setting is outside of what flakes can do")
 
-_DIRECT = ("start_speed", "lifetime", "rate", "delay", "duration", "looping", "cone_radius", "cone_angle",
-           "random_speed", "random_orientation", "random_lifetime", "random_size", "random_color", "seed", "snow",
-           "max_angle", "snow_frequency", "snow_offsets", "gravity", "drag", "gusts", "gust_frequency", "turbulence",
-           "turbulence_size", "tumble", "melt_time", "friction")
+_DIRECT = (
+    "start_speed",
+    "lifetime",
+    "rate",
+    "delay",
+    "duration",
+    "looping",
+    "cone_radius",
+    "cone_angle",
+    "random_speed",
+    "random_orientation",
+    "random_lifetime",
+    "random_size",
+    "random_color",
+    "seed",
+    "snow",
+    "max_angle",
+    "snow_frequency",
+    "snow_offsets",
+    "gravity",
+    "drag",
+    "gusts",
+    "gust_frequency",
+    "turbulence",
+    "turbulence_size",
+    "tumble",
+    "melt_time",
+    "friction",
+)
 """Settings that the library has under the same names and in the same units."""
 _SHAPES = {'CAMERA': "frustum"}
 """The library's names that are others."""
-_NAMES = (("position", "position"), ("velocity", "velocity"), ("size", "radius"), ("color", "tint"), ("age", "age"),
-          ("rotation", "turn"))
+_NAMES = (("position", "position"), ("velocity", "velocity"), ("size", "radius"), ("color", "tint"), ("age", "age"), ("rotation", "turn"))
 """The library's name, and that of the points' attribute."""
 # The golden ratio of 2^32: products with it are spread evenly over 32 bits.
 _SCATTER = 2654435769
@@ -62,8 +86,12 @@ def numbers(settings):
     if not most(settings) <= MOST:
         return TOO_MANY
     found, shape = [(name, getattr(settings, name)) for name in _DIRECT], chosen(settings, "shape")
-    found += [("collision", chosen(settings, "collision").lower()), ("start_size", _size(settings)), ("shape", _SHAPES.get(shape) or shape.lower()),
-              ("start_color", (tuple(position for position, _ in stops), tuple(color for _, color in stops)))]
+    found += [
+        ("collision", chosen(settings, "collision").lower()),
+        ("start_size", _size(settings)),
+        ("shape", _SHAPES.get(shape) or shape.lower()),
+        ("start_color", (tuple(position for position, _ in stops), tuple(color for _, color in stops))),
+    ]
     if settings.use_ground:
         found.append(("ground", settings.ground))
     if shape == 'CAMERA':
@@ -98,8 +126,7 @@ def made(keywords, acceleration, poses, wind, faces=None, angles=None, collider=
     if faces is not None:
         given |= {"surface_positions": faces.positions, "surface_triangles": faces.triangles}
     try:
-        return native.module.Snow(
-            **given, acceleration=acceleration, emitter_times=poses.seconds, emitter_matrices=poses.matrices)
+        return native.module.Snow(**given, acceleration=acceleration, emitter_times=poses.seconds, emitter_matrices=poses.matrices)
     except ValueError:
         return OUT_OF_RANGE
 
@@ -146,7 +173,7 @@ def fill(points, snow, seconds, share, is_found=True):
 
 def is_chosen(ids, share):
     """Which flakes are among a share of all. Those of a smaller share are among those of a greater one."""
-    return (ids.astype(np.uint64) * np.uint64(_SCATTER)).astype(np.uint32) < share * 2.0 ** 32
+    return (ids.astype(np.uint64) * np.uint64(_SCATTER)).astype(np.uint32) < share * 2.0**32
 
 
 def _named(points):

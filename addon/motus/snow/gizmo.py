@@ -42,8 +42,7 @@ class MOTUS_GT_snow(bpy.types.Gizmo):
                 continue
             place = (seen[0] + 1.0) * (region.width / 2.0, region.height / 2.0)
             is_hovered = self.is_highlight and setting == self.hovered
-            drawing.discs([place, place], [(RADIUS + RIM) * scale, RADIUS * scale],
-                          [RIM_COLOR, LIT if is_hovered else COLOR])
+            drawing.discs([place, place], [(RADIUS + RIM) * scale, RADIUS * scale], [RIM_COLOR, LIT if is_hovered else COLOR])
             if is_hovered:
                 drawing.text([tr(emitter.motus.snow.bl_rna.properties[setting].name)], *(place + 1.5 * RADIUS * scale), scale)  # type: ignore[call-arg]
         gpu.state.blend_set('NONE')

@@ -40,8 +40,10 @@ def of(settings):
     if settings.shape in {'SURFACE', 'CAMERA'}:
         return []
     # On the other side of the middle than the ray.
-    found = [Handle(RADIUS, np.array((-settings.cone_radius, 0.0, 0.0))),
-             Handle(SPEED, np.array((0.0, 0.0, SECONDS * settings.start_speed)))]
+    found = [
+        Handle(RADIUS, np.array((-settings.cone_radius, 0.0, 0.0))),
+        Handle(SPEED, np.array((0.0, 0.0, SECONDS * settings.start_speed))),
+    ]
     if leans(settings):
         found.append(Handle(ANGLE, ray(settings)[1]))
     return found

@@ -38,7 +38,9 @@ def dress(owner):
     elif settings.look == 'COLLECTION':
         wiring.set_points_collection(system, owner, pointed(settings, "flakes"))
     else:
-        wiring.set_points_object(system, owner, pointed(settings, "flake") if settings.look == 'OBJECT' else _shape(chosen(settings, "look")))
+        wiring.set_points_object(
+            system, owner, pointed(settings, "flake") if settings.look == 'OBJECT' else _shape(chosen(settings, "look"))
+        )
 
 
 def drop(owner):
@@ -133,8 +135,7 @@ def _petal():
     """A petal, bent up at its ends and notched at its tip."""
     vertices = [place for x, width, z in PETAL for place in ((x, -width, z + 0.1), (x, 0.0, z), (x, width, z + 0.1))]
     rows = range(len(PETAL) - 1)
-    return vertices, [(3 * row + side, 3 * row + 3 + side, 3 * row + 4 + side, 3 * row + 1 + side)
-                      for row in rows for side in (0, 1)]
+    return vertices, [(3 * row + side, 3 * row + 3 + side, 3 * row + 4 + side, 3 * row + 1 + side) for row in rows for side in (0, 1)]
 
 
 def _speck():

@@ -26,7 +26,8 @@ def _name(name, description):
 
 def _preset():
     return bpy.props.EnumProperty(
-        name="Preset", description="Preset whose settings the emitter is given", items=presets.ITEMS, default=presets.PLAIN)
+        name="Preset", description="Preset whose settings the emitter is given", items=presets.ITEMS, default=presets.PLAIN
+    )
 
 
 def _is_custom(operator):
@@ -47,13 +48,17 @@ class MOTUS_OT_snow_add(FindsValues, SnowKeywords, bpy.types.Operator):
     flake: _name("Flake", "Name of the object that flakes are instances of")
     flakes: _name("Flakes", "Name of the collection whose objects flakes are instances of")
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Location of the emitter; that of the 3D cursor if it is not given", size=3, subtype='XYZ',
-        unit='LENGTH', options={'SKIP_SAVE'})
+        name="Location",
+        description="Location of the emitter; that of the 3D cursor if it is not given",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
 
     modes = OBJECT_MODE
     needs_native = True
-    redo = (Rows(("preset",), title="Preset"),
-            *(dataclasses.replace(group, when=_is_custom) for group in rows.ALL))
+    redo = (Rows(("preset",), title="Preset"), *(dataclasses.replace(group, when=_is_custom) for group in rows.ALL))
 
     def invoke(self, context, _event):
         # By hand: snow that looks like snow at once, and falls on what is there.
@@ -122,9 +127,12 @@ def _check_count(settings):
     """Refuse more flakes than there can be."""
     count = flakes.most(settings)
     if not count <= flakes.MOST:
-        memory = f"{count * flakes.BYTES / 2 ** 30:.3g} GB" if count < INFINITE else "∞"
-        raise Refused(tr("{count} flakes at once would need {memory}; there can be {most}").format(
-            count=f"{count:.3g}", memory=memory, most=f"{flakes.MOST:,}"))
+        memory = f"{count * flakes.BYTES / 2**30:.3g} GB" if count < INFINITE else "∞"
+        raise Refused(
+            tr("{count} flakes at once would need {memory}; there can be {most}").format(
+                count=f"{count:.3g}", memory=memory, most=f"{flakes.MOST:,}"
+            )
+        )
 
 
 def emitter_for(context, name):
@@ -143,8 +151,7 @@ class MOTUS_OT_snow_remove(Operator, bpy.types.Operator):
     bl_description = "Take the snow away, with the emitter that was made for it"
 
     object: object_keyword("Name of the emitter; empty takes the selected ones")
-    keep_object: bpy.props.BoolProperty(
-        name="Keep Emitter", description="Keep the emitter, without its snow", default=False)
+    keep_object: bpy.props.BoolProperty(name="Keep Emitter", description="Keep the emitter, without its snow", default=False)
 
     modes = OBJECT_MODE
     redo = (Rows(("keep_object",)),)
@@ -218,8 +225,8 @@ class MOTUS_OT_snow_stop_remove(_OnEmitter, bpy.types.Operator):
     bl_description = "Remove a colour from the gradient"
 
     index: bpy.props.IntProperty(
-        name="Index", description="Index of the color in the list; -1 for the last one", default=-1, min=-1,
-        options={'SKIP_SAVE'})
+        name="Index", description="Index of the color in the list; -1 for the last one", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
 
     def run(self, context):
         emitter = self.found(context, self.object)
@@ -257,5 +264,12 @@ class MOTUS_OT_snow_colliders_clear(_OnEmitter, bpy.types.Operator):
         colliders.forget(emitter)
 
 
-classes = (MOTUS_OT_snow_add, MOTUS_OT_snow_remove, MOTUS_OT_snow_preset, MOTUS_OT_snow_stop_add,
-           MOTUS_OT_snow_stop_remove, MOTUS_OT_snow_colliders_record, MOTUS_OT_snow_colliders_clear)
+classes = (
+    MOTUS_OT_snow_add,
+    MOTUS_OT_snow_remove,
+    MOTUS_OT_snow_preset,
+    MOTUS_OT_snow_stop_add,
+    MOTUS_OT_snow_stop_remove,
+    MOTUS_OT_snow_colliders_record,
+    MOTUS_OT_snow_colliders_clear,
+)

@@ -96,8 +96,10 @@ def draw_readouts(layout, context):
     count = flakes.most(context.object.motus.snow)
     if not count < flakes.MOST:
         return
-    found = [ui.Readout(text="Flakes at Most", value=f"{count:,.0f}"),
-             ui.Readout(text="Memory", value=f"{count * flakes.BYTES / 2 ** 20:,.1f} MB")]
+    found = [
+        ui.Readout(text="Flakes at Most", value=f"{count:,.0f}"),
+        ui.Readout(text="Memory", value=f"{count * flakes.BYTES / 2**20:,.1f} MB"),
+    ]
     done = landings.done(context.object)
     if done is not None:
         found.append(ui.Readout(text="Landings Found", value=f"{100.0 * done:.0f} %"))
@@ -123,9 +125,13 @@ def draw_add(layout, context):
 
 
 PANEL = panels.SystemPanel(
-    name="snow", prefix="MOTUS_PT_snow", label="Snow",
+    name="snow",
+    prefix="MOTUS_PT_snow",
+    label="Snow",
     editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
-    suits=lambda obj: True, is_used=is_emitter, draw=draw_main,
+    suits=lambda obj: True,
+    is_used=is_emitter,
+    draw=draw_main,
     parts=(
         panels.Part("emitter", "Emitter", draw_emitter, is_open=True),
         panels.Part("steering", "Steering", draw_steering, is_open=True, draw_header=_draw_steering_switch),
@@ -134,6 +140,11 @@ PANEL = panels.SystemPanel(
         panels.Part("random", "Random", draw_random),
         panels.Part("flakes", "Flakes", draw_flakes, is_open=True),
     ),
-    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL, draw_add=draw_add)
+    readouts=draw_readouts,
+    actions=draw_actions,
+    refresh=panels.REFRESH,
+    presets=presets.PANEL,
+    draw_add=draw_add,
+)
 
 classes = panels.classes(PANEL)

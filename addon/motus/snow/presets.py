@@ -12,33 +12,135 @@ _DRIFTING = _STILL | {"snow": True, "snow_offsets": True}
 
 KINDS = (  # identifier, label, description, settings, gradient
     (PLAIN, "Plain", "All settings at their defaults: flakes that fly straight", {}, ((0.0, WHITE),)),
-    ('GENTLE', "Gentle Snow", "Large flakes that come down slowly on a calm evening", _DRIFTING | {
-        "start_speed": 1.1, "lifetime": 9.0, "rate": 220.0, "cone_radius": 6.0, "random_speed": False,
-        "max_angle": math.radians(60.0), "snow_frequency": 0.35, "tumble": 2.0, "flake_width": 0.05,
-        "turbulence": 0.15, "turbulence_size": 3.0}, ((0.0, WHITE),)),
-    ('BLIZZARD', "Blizzard", "Small flakes that gusts drive across", _DRIFTING | {
-        "start_speed": 4.0, "random_speed": True, "lifetime": 4.0, "rate": 4000.0, "cone_radius": 10.0, "drag": 1.5,
-        "wind": (9.0, 2.0, -3.0), "gusts": 0.5, "gust_frequency": 0.4, "max_angle": math.radians(35.0),
-        "snow_frequency": 1.5, "turbulence": 1.2, "turbulence_size": 4.0, "tumble": 8.0, "flake_width": 0.03},
-     ((0.0, WHITE),)),
-    ('WET', "Wet Snow", "Heavy flakes that fall fast and nearly straight", _DRIFTING | {
-        "start_speed": 3.2, "random_speed": True, "lifetime": 4.0, "rate": 500.0, "cone_radius": 6.0,
-        "max_angle": math.radians(15.0), "snow_frequency": 0.8, "tumble": 3.0, "flake_width": 0.045},
-     ((0.0, (0.86, 0.90, 0.95, 1.0)),)),
-    ('DUST', "Indoor Dust", "Specks that hang in the light of a room", _DRIFTING | {
-        "start_speed": 0.03, "shape": 'BOX', "cone_radius": 2.0, "lifetime": 12.0, "rate": 120.0,
-        "max_angle": math.pi, "snow_frequency": 0.2, "turbulence": 0.06, "turbulence_size": 1.0, "tumble": 0.5,
-        "flake_width": 0.006, "look": 'SPECK'}, ((0.0, (1.0, 0.93, 0.80, 1.0)),)),
-    ('PETALS', "Petals", "Blossom that tumbles down in a light breeze", _DRIFTING | {
-        "start_speed": 0.9, "lifetime": 7.0, "rate": 60.0, "cone_radius": 4.0, "drag": 0.8, "wind": (0.8, 0.2, -0.8),
-        "gusts": 0.6, "max_angle": math.radians(75.0), "snow_frequency": 0.5, "tumble": 5.0, "flake_width": 0.04,
-        "random_color": True, "look": 'PETAL'}, ((0.0, (1.0, 0.60, 0.70, 1.0)), (1.0, (1.0, 0.90, 0.93, 1.0)))),
-    ('SPARKS', "Sparks", "Glowing specks that fly up from a fire and fall back", _STILL | {
-        "start_speed": 4.5, "random_speed": True, "shape": 'DISC', "cone_radius": 0.2,
-        "cone_angle": math.radians(25.0), "random_orientation": True, "lifetime": 1.6, "rate": 200.0, "gravity": True,
-        "drag": 0.6, "turbulence": 0.5, "turbulence_size": 0.6, "flake_width": 0.015, "random_color": True,
-        "look": 'SPARK'},
-     ((0.0, (1.0, 0.22, 0.02, 1.0)), (1.0, (1.0, 0.75, 0.25, 1.0)))),
+    (
+        'GENTLE',
+        "Gentle Snow",
+        "Large flakes that come down slowly on a calm evening",
+        _DRIFTING
+        | {
+            "start_speed": 1.1,
+            "lifetime": 9.0,
+            "rate": 220.0,
+            "cone_radius": 6.0,
+            "random_speed": False,
+            "max_angle": math.radians(60.0),
+            "snow_frequency": 0.35,
+            "tumble": 2.0,
+            "flake_width": 0.05,
+            "turbulence": 0.15,
+            "turbulence_size": 3.0,
+        },
+        ((0.0, WHITE),),
+    ),
+    (
+        'BLIZZARD',
+        "Blizzard",
+        "Small flakes that gusts drive across",
+        _DRIFTING
+        | {
+            "start_speed": 4.0,
+            "random_speed": True,
+            "lifetime": 4.0,
+            "rate": 4000.0,
+            "cone_radius": 10.0,
+            "drag": 1.5,
+            "wind": (9.0, 2.0, -3.0),
+            "gusts": 0.5,
+            "gust_frequency": 0.4,
+            "max_angle": math.radians(35.0),
+            "snow_frequency": 1.5,
+            "turbulence": 1.2,
+            "turbulence_size": 4.0,
+            "tumble": 8.0,
+            "flake_width": 0.03,
+        },
+        ((0.0, WHITE),),
+    ),
+    (
+        'WET',
+        "Wet Snow",
+        "Heavy flakes that fall fast and nearly straight",
+        _DRIFTING
+        | {
+            "start_speed": 3.2,
+            "random_speed": True,
+            "lifetime": 4.0,
+            "rate": 500.0,
+            "cone_radius": 6.0,
+            "max_angle": math.radians(15.0),
+            "snow_frequency": 0.8,
+            "tumble": 3.0,
+            "flake_width": 0.045,
+        },
+        ((0.0, (0.86, 0.90, 0.95, 1.0)),),
+    ),
+    (
+        'DUST',
+        "Indoor Dust",
+        "Specks that hang in the light of a room",
+        _DRIFTING
+        | {
+            "start_speed": 0.03,
+            "shape": 'BOX',
+            "cone_radius": 2.0,
+            "lifetime": 12.0,
+            "rate": 120.0,
+            "max_angle": math.pi,
+            "snow_frequency": 0.2,
+            "turbulence": 0.06,
+            "turbulence_size": 1.0,
+            "tumble": 0.5,
+            "flake_width": 0.006,
+            "look": 'SPECK',
+        },
+        ((0.0, (1.0, 0.93, 0.80, 1.0)),),
+    ),
+    (
+        'PETALS',
+        "Petals",
+        "Blossom that tumbles down in a light breeze",
+        _DRIFTING
+        | {
+            "start_speed": 0.9,
+            "lifetime": 7.0,
+            "rate": 60.0,
+            "cone_radius": 4.0,
+            "drag": 0.8,
+            "wind": (0.8, 0.2, -0.8),
+            "gusts": 0.6,
+            "max_angle": math.radians(75.0),
+            "snow_frequency": 0.5,
+            "tumble": 5.0,
+            "flake_width": 0.04,
+            "random_color": True,
+            "look": 'PETAL',
+        },
+        ((0.0, (1.0, 0.60, 0.70, 1.0)), (1.0, (1.0, 0.90, 0.93, 1.0))),
+    ),
+    (
+        'SPARKS',
+        "Sparks",
+        "Glowing specks that fly up from a fire and fall back",
+        _STILL
+        | {
+            "start_speed": 4.5,
+            "random_speed": True,
+            "shape": 'DISC',
+            "cone_radius": 0.2,
+            "cone_angle": math.radians(25.0),
+            "random_orientation": True,
+            "lifetime": 1.6,
+            "rate": 200.0,
+            "gravity": True,
+            "drag": 0.6,
+            "turbulence": 0.5,
+            "turbulence_size": 0.6,
+            "flake_width": 0.015,
+            "random_color": True,
+            "look": 'SPARK',
+        },
+        ((0.0, (1.0, 0.22, 0.02, 1.0)), (1.0, (1.0, 0.75, 0.25, 1.0))),
+    ),
 )
 ITEMS = tuple((identifier, label, told) for identifier, label, told, _, _ in KINDS)
 NUMBERS = {identifier: numbers for identifier, _, _, numbers, _ in KINDS}
@@ -46,8 +148,20 @@ _GRADIENTS = {identifier: gradient for identifier, _, _, _, gradient in KINDS}
 
 # What belongs to one shot is not part of a style.
 OF_THE_SHOT = {"start_frame", "delay", "use_ground", "ground", "all_attributes", "preview", "influence", "seed", "look"}
-LEFT_ALONE = {"start_frame", "all_attributes", "preview", "influence", "seed", "use_ground", "ground", "collision", "melt_time",
-              "friction", "closest", "farthest"}
+LEFT_ALONE = {
+    "start_frame",
+    "all_attributes",
+    "preview",
+    "influence",
+    "seed",
+    "use_ground",
+    "ground",
+    "collision",
+    "melt_time",
+    "friction",
+    "closest",
+    "farthest",
+}
 """Settings that no preset of ours says anything of."""
 CHOSEN = 'OBJECT', 'COLLECTION', 'POINTS'
 """Looks that are the user's."""
@@ -74,8 +188,10 @@ def put(settings, identifier, scene):
 def kind_of(settings):
     """Label of the preset that an emitter's settings are those of; "" where they are of one's own."""
     for _, label, _, numbers, gradient in KINDS:
-        if all(_is_alike(getattr(settings, name), numbers.get(name, _default(settings.bl_rna.properties[name])))
-               for name in _of_a_kind(settings)) and _is_gradient(settings.stops, gradient):
+        if all(
+            _is_alike(getattr(settings, name), numbers.get(name, _default(settings.bl_rna.properties[name])))
+            for name in _of_a_kind(settings)
+        ) and _is_gradient(settings.stops, gradient):
             return label
     return ""
 
@@ -105,7 +221,8 @@ def _is_alike(present, wanted):
 
 def _is_gradient(stops, wanted):
     return len(stops) == len(wanted) and all(
-        _is_alike((stop.position, *stop.color), (place, *color)) for stop, (place, color) in zip(stops, wanted))
+        _is_alike((stop.position, *stop.color), (place, *color)) for stop, (place, color) in zip(stops, wanted)
+    )
 
 
 def _default(prop):
@@ -114,4 +231,5 @@ def _default(prop):
 
 SETTINGS = "bpy.context.object.motus.snow"
 classes = OPERATOR, PANEL = presets.classes(
-    "snow", "Snow", (f"{SETTINGS}.{name}" for name in (*KEYWORDS, "stops") if name not in OF_THE_SHOT))
+    "snow", "Snow", (f"{SETTINGS}.{name}" for name in (*KEYWORDS, "stops") if name not in OF_THE_SHOT)
+)

@@ -47,18 +47,17 @@ def _redress(settings, context):
 
 def _number(name, description, default, options=frozenset(), **more):
     more.setdefault("update", touch)
-    return bpy.props.FloatProperty(
-        name=name, description=description, default=default, options=set(options), override=OVERRIDABLE, **more)
+    return bpy.props.FloatProperty(name=name, description=description, default=default, options=set(options), override=OVERRIDABLE, **more)
 
 
 def _whole(name, description, default, **more):
     return bpy.props.IntProperty(
-        name=name, description=description, default=default, options=set(), override=OVERRIDABLE, update=touch, **more)
+        name=name, description=description, default=default, options=set(), override=OVERRIDABLE, update=touch, **more
+    )
 
 
 def _switch(name, description, default=False, update=touch):
-    return bpy.props.BoolProperty(
-        name=name, description=description, default=default, options=set(), update=update, override=OVERRIDABLE)
+    return bpy.props.BoolProperty(name=name, description=description, default=default, options=set(), update=update, override=OVERRIDABLE)
 
 
 class SnowKeywords:
@@ -67,47 +66,58 @@ class SnowKeywords:
     Nearly none has keys: all flakes of all times follow from them, and would be different ones on each frame.
     """
 
-    start_speed: _number(
-        "Speed", "Speed at which flakes leave the emitter", 5.0, soft_min=0.0, soft_max=10.0, unit='VELOCITY')
-    lifetime: _number(
-        "Lifetime", "Seconds after which a flake is gone", 2.0, min=0.0, soft_min=0.1, soft_max=100.0,
-        unit='TIME_ABSOLUTE')
+    start_speed: _number("Speed", "Speed at which flakes leave the emitter", 5.0, soft_min=0.0, soft_max=10.0, unit='VELOCITY')
+    lifetime: _number("Lifetime", "Seconds after which a flake is gone", 2.0, min=0.0, soft_min=0.1, soft_max=100.0, unit='TIME_ABSOLUTE')
     start_size: _number(
-        "Size", "Size of the flakes, as a multiple of Flake Width or the scale of an object", 1.0, min=0.0, soft_min=0.1,
-        soft_max=10.0)
+        "Size", "Size of the flakes, as a multiple of Flake Width or the scale of an object", 1.0, min=0.0, soft_min=0.1, soft_max=10.0
+    )
     rate: _number("Rate", "Flakes that are born in a second", 5.0, min=0.0, soft_max=1000.0, step=1000)
     delay: _number(
-        "Delay", "Seconds from the start frame until the first flakes are born", 0.0, min=0.0, soft_max=10.0,
-        unit='TIME_ABSOLUTE')
-    duration: _number(
-        "Duration", "Seconds for which flakes are born", 5.0, min=0.0, soft_max=10.0, unit='TIME_ABSOLUTE')
+        "Delay", "Seconds from the start frame until the first flakes are born", 0.0, min=0.0, soft_max=10.0, unit='TIME_ABSOLUTE'
+    )
+    duration: _number("Duration", "Seconds for which flakes are born", 5.0, min=0.0, soft_max=10.0, unit='TIME_ABSOLUTE')
     looping: _switch("Looping", "Flakes are born for ever, whatever the duration is", True)
     burst: _whole("Burst", "Flakes that are born all at once, beside those of the rate", 0, min=0, soft_max=1000)
-    burst_time: _number(
-        "Burst Time", "Seconds after the delay at which they are born", 0.0, min=0.0, soft_max=10.0,
-        unit='TIME_ABSOLUTE')
+    burst_time: _number("Burst Time", "Seconds after the delay at which they are born", 0.0, min=0.0, soft_max=10.0, unit='TIME_ABSOLUTE')
     start_frame: _number(
-        "Start", "Frame at which the snow's time starts; before the scene's first frame, flakes are already in the air "
-        "there", 1.0, step=100)
+        "Start", "Frame at which the snow's time starts; before the scene's first frame, flakes are already in the air there", 1.0, step=100
+    )
 
     shape: bpy.props.EnumProperty(
-        name="Emitter", description="Shape in which the flakes are born", items=SHAPES, default='SQUARE', options=set(), update=rewire,
-        override=OVERRIDABLE)
+        name="Emitter",
+        description="Shape in which the flakes are born",
+        items=SHAPES,
+        default='SQUARE',
+        options=set(),
+        update=rewire,
+        override=OVERRIDABLE,
+    )
     cone_radius: _number(
-        "Radius", "Radius of the disc, ball or cone; half the width of the square or box", 1.0, min=0.0, soft_max=10.0,
-        subtype='DISTANCE')
+        "Radius", "Radius of the disc, ball or cone; half the width of the square or box", 1.0, min=0.0, soft_max=10.0, subtype='DISTANCE'
+    )
     cone_angle: _number(
-        "Cone Angle", "Largest angle by which flakes lean outwards: at the edge of a cone, or at random", 0.0, min=0.0,
-        max=math.pi, soft_max=0.5 * math.pi, subtype='ANGLE')
+        "Cone Angle",
+        "Largest angle by which flakes lean outwards: at the edge of a cone, or at random",
+        0.0,
+        min=0.0,
+        max=math.pi,
+        soft_max=0.5 * math.pi,
+        subtype='ANGLE',
+    )
 
     closest: _number(
-        "Closest", "Smallest distance from the camera at which flakes are born", 0.5, min=0.0, soft_max=10.0, subtype='DISTANCE')
+        "Closest", "Smallest distance from the camera at which flakes are born", 0.5, min=0.0, soft_max=10.0, subtype='DISTANCE'
+    )
     farthest: _number(
-        "Farthest", "Largest distance from the camera at which flakes are born", 20.0, min=1e-3, soft_max=100.0,
-        subtype='DISTANCE')
+        "Farthest", "Largest distance from the camera at which flakes are born", 20.0, min=1e-3, soft_max=100.0, subtype='DISTANCE'
+    )
 
     follow_markers: _switch(
-        "Follow Markers", "Where markers of the timeline bind the camera, flakes are born in the view of whichever camera is bound", True, update=rewire)
+        "Follow Markers",
+        "Where markers of the timeline bind the camera, flakes are born in the view of whichever camera is bound",
+        True,
+        update=rewire,
+    )
 
     random_speed: _switch("Random Speed", "Vary the speed by up to 1 m/s")
     random_orientation: _switch("Random Orientation", "Flakes leave anywhere within the cone angle")
@@ -118,57 +128,98 @@ class SnowKeywords:
 
     snow: _switch("Snow", "Flakes steer through the air, as a smooth noise of their age turns them")
     max_angle: _number(
-        "Max Angle", "Largest angle by which steering turns the flakes' way about the world's X and Y axes", math.radians(80.0), min=0.0,
-        soft_max=math.pi, subtype='ANGLE')
-    snow_frequency: _number(
-        "Frequency", "Approximate number of turns of a flake per second", 1.0, min=1e-3, max=1000.0, soft_max=5.0)
-    snow_offsets: _switch(
-        "Individual Paths", "Each flake steers along a path of its own; otherwise all flakes of the same age turn alike")
+        "Max Angle",
+        "Largest angle by which steering turns the flakes' way about the world's X and Y axes",
+        math.radians(80.0),
+        min=0.0,
+        soft_max=math.pi,
+        subtype='ANGLE',
+    )
+    snow_frequency: _number("Frequency", "Approximate number of turns of a flake per second", 1.0, min=1e-3, max=1000.0, soft_max=5.0)
+    snow_offsets: _switch("Individual Paths", "Each flake steers along a path of its own; otherwise all flakes of the same age turn alike")
 
     gravity: _switch("Gravity", "The scene's gravity pulls flakes down")
     drag: _number(
-        "Air Drag", "How quickly flakes take on the velocity of the air, in 1/s; without it there is no wind", 0.0,
-        min=0.0, max=1000.0, soft_max=10.0)
+        "Air Drag",
+        "How quickly flakes take on the velocity of the air, in 1/s; without it there is no wind",
+        0.0,
+        min=0.0,
+        max=1000.0,
+        soft_max=10.0,
+    )
     wind: bpy.props.FloatVectorProperty(
-        name="Wind", description="Velocity of the air in world space; it may be keyed", size=3, subtype='XYZ', unit='VELOCITY',
-        options=ANIMATED, update=touch, override=OVERRIDABLE)
+        name="Wind",
+        description="Velocity of the air in world space; it may be keyed",
+        size=3,
+        subtype='XYZ',
+        unit='VELOCITY',
+        options=ANIMATED,
+        update=touch,
+        override=OVERRIDABLE,
+    )
     gusts: _number("Gusts", "Share of the wind by which gusts vary it", 0.0, min=0.0, soft_max=1.0)
-    gust_frequency: _number(
-        "Gust Frequency", "Approximate number of gusts per second", 0.3, min=1e-3, max=1000.0, soft_max=5.0)
+    gust_frequency: _number("Gust Frequency", "Approximate number of gusts per second", 0.3, min=1e-3, max=1000.0, soft_max=5.0)
     turbulence: _number(
-        "Turbulence", "Velocity of the eddies that carry flakes along", 0.0, min=0.0, max=1e6, soft_max=5.0,
-        unit='VELOCITY')
-    turbulence_size: _number(
-        "Eddy Size", "Diameter of the eddies", 1.0, min=1e-6, soft_min=0.1, soft_max=10.0, subtype='DISTANCE')
+        "Turbulence", "Velocity of the eddies that carry flakes along", 0.0, min=0.0, max=1e6, soft_max=5.0, unit='VELOCITY'
+    )
+    turbulence_size: _number("Eddy Size", "Diameter of the eddies", 1.0, min=1e-6, soft_min=0.1, soft_max=10.0, subtype='DISTANCE')
     tumble: _number(
-        "Tumble", "Largest angle per second by which flakes turn about their own axes", 0.0, min=0.0, max=1e6,
-        soft_max=20.0, subtype='ANGLE')
+        "Tumble",
+        "Largest angle per second by which flakes turn about their own axes",
+        0.0,
+        min=0.0,
+        max=1e6,
+        soft_max=20.0,
+        subtype='ANGLE',
+    )
 
     use_ground: _switch("Ground", "Flakes land on a level plane")
     ground: _number("Height", "Height of the ground, along the world's Z axis", 0.0, subtype='DISTANCE')
     collision: bpy.props.EnumProperty(
-        name="Landed", description="Behavior of flakes that have landed", items=COLLISIONS, default='STAY', options=set(),
-        update=touch, override=OVERRIDABLE)
-    melt_time: _number(
-        "Melt Time", "Seconds in which landed flakes melt", 1.0, min=0.01, max=1e6, soft_max=10.0, unit='TIME_ABSOLUTE')
+        name="Landed",
+        description="Behavior of flakes that have landed",
+        items=COLLISIONS,
+        default='STAY',
+        options=set(),
+        update=touch,
+        override=OVERRIDABLE,
+    )
+    melt_time: _number("Melt Time", "Seconds in which landed flakes melt", 1.0, min=0.01, max=1e6, soft_max=10.0, unit='TIME_ABSOLUTE')
     friction: _number(
-        "Friction", "Friction of what flakes land on; flakes do not slide on slopes whose tangent is smaller", 0.5, min=0.0, max=1e3,
-        soft_max=2.0)
+        "Friction",
+        "Friction of what flakes land on; flakes do not slide on slopes whose tangent is smaller",
+        0.5,
+        min=0.0,
+        max=1e3,
+        soft_max=2.0,
+    )
 
     look: bpy.props.EnumProperty(
-        name="Flakes", description="Geometry that the flakes are shown as", items=LOOKS, default='FLAKE', options=set(), update=_redress,
-        override=OVERRIDABLE)
+        name="Flakes",
+        description="Geometry that the flakes are shown as",
+        items=LOOKS,
+        default='FLAKE',
+        options=set(),
+        update=_redress,
+        override=OVERRIDABLE,
+    )
     flake_width: _number(
-        "Flake Width", "Width of flakes and points of size 1", 0.05, min=0.0, soft_min=0.001, soft_max=1.0,
-        subtype='DISTANCE')
+        "Flake Width", "Width of flakes and points of size 1", 0.05, min=0.0, soft_min=0.001, soft_max=1.0, subtype='DISTANCE'
+    )
     all_attributes: _switch(
-        "All Attributes", "For nodes of your own, flakes also have what Blender does not need of them: instances a velocity, "
-        "and bare points a turn", update=rewire)
+        "All Attributes",
+        "For nodes of your own, flakes also have what Blender does not need of them: instances a velocity, and bare points a turn",
+        update=rewire,
+    )
     preview: _number(
-        "Preview", "Percentage of the flakes that the viewport shows; they are some of those that are rendered", 100.0,
-        min=0.0, max=100.0, subtype='PERCENTAGE')
-    influence: _number(
-        "Influence", "Whether it snows: 0 hides the snow", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')
+        "Preview",
+        "Percentage of the flakes that the viewport shows; they are some of those that are rendered",
+        100.0,
+        min=0.0,
+        max=100.0,
+        subtype='PERCENTAGE',
+    )
+    influence: _number("Influence", "Whether it snows: 0 hides the snow", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')
 
 
 KEYWORDS = tuple(SnowKeywords.__annotations__)
@@ -176,11 +227,27 @@ KEYWORDS = tuple(SnowKeywords.__annotations__)
 
 class MOTUS_PG_snow_stop(bpy.types.PropertyGroup):
     position: bpy.props.FloatProperty(
-        name="Position", description="Position on the gradient, from 0 to 1", min=0.0, max=1.0, options=set(), update=touch,
-        override=OVERRIDABLE, subtype='FACTOR')
+        name="Position",
+        description="Position on the gradient, from 0 to 1",
+        min=0.0,
+        max=1.0,
+        options=set(),
+        update=touch,
+        override=OVERRIDABLE,
+        subtype='FACTOR',
+    )
     color: bpy.props.FloatVectorProperty(
-        name="Color", description="Color of the gradient at this position", size=4, subtype='COLOR', default=WHITE, min=0.0,
-        soft_max=1.0, options=set(), update=touch, override=OVERRIDABLE)
+        name="Color",
+        description="Color of the gradient at this position",
+        size=4,
+        subtype='COLOR',
+        default=WHITE,
+        min=0.0,
+        soft_max=1.0,
+        options=set(),
+        update=touch,
+        override=OVERRIDABLE,
+    )
 
 
 def _is_other(settings, obj):
@@ -196,44 +263,57 @@ def _is_other_mesh(settings, obj):
 class MOTUS_PG_snow_recorded(bpy.types.PropertyGroup):
     object: to_object(name="Object", description="Collider that was recorded", override=OVERRIDABLE)
     count: bpy.props.IntProperty(
-        name="Count", description="How many of the recorded triangles are the collider's", min=0, options=set(), override=OVERRIDABLE)
+        name="Count", description="How many of the recorded triangles are the collider's", min=0, options=set(), override=OVERRIDABLE
+    )
 
 
 class MOTUS_PG_snow_collider(bpy.types.PropertyGroup):
     object: to_object(
-        name="Collider", description="Mesh object that flakes land on", update=rewire, override=OVERRIDABLE, also=_is_other_mesh)
+        name="Collider", description="Mesh object that flakes land on", update=rewire, override=OVERRIDABLE, also=_is_other_mesh
+    )
 
 
 class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
     stops: bpy.props.CollectionProperty(type=MOTUS_PG_snow_stop, name="Gradient", override=EXTENDABLE)
-    surface: to_object(
-        'MESH', name="Mesh", description="Mesh that emits the flakes", update=rewire, override=OVERRIDABLE, also=_is_other)
+    surface: to_object('MESH', name="Mesh", description="Mesh that emits the flakes", update=rewire, override=OVERRIDABLE, also=_is_other)
     collider: to_object(
-        name="Collider", description="Mesh object that flakes land on", update=rewire, override=OVERRIDABLE, also=_is_other_mesh)
+        name="Collider", description="Mesh object that flakes land on", update=rewire, override=OVERRIDABLE, also=_is_other_mesh
+    )
     colliders: bpy.props.PointerProperty(
-        type=bpy.types.Collection, name="Colliders", description="Collection whose mesh objects flakes land on",
-        update=rewire, override=OVERRIDABLE)
+        type=bpy.types.Collection,
+        name="Colliders",
+        description="Collection whose mesh objects flakes land on",
+        update=rewire,
+        override=OVERRIDABLE,
+    )
     more_colliders: bpy.props.CollectionProperty(
-        type=MOTUS_PG_snow_collider, name="More Colliders", description="Further mesh objects that flakes land on",
-        override=EXTENDABLE)
-    recorded: to_object(
-        'MESH', name="Recorded", description="Recorded mesh that flakes land on", update=rewire, override=OVERRIDABLE)
+        type=MOTUS_PG_snow_collider, name="More Colliders", description="Further mesh objects that flakes land on", override=EXTENDABLE
+    )
+    recorded: to_object('MESH', name="Recorded", description="Recorded mesh that flakes land on", update=rewire, override=OVERRIDABLE)
     recorded_of: bpy.props.CollectionProperty(
-        type=MOTUS_PG_snow_recorded, name="Recorded Colliders",
-        description="Colliders of the recorded mesh, in the order of its faces", override=EXTENDABLE)
+        type=MOTUS_PG_snow_recorded,
+        name="Recorded Colliders",
+        description="Colliders of the recorded mesh, in the order of its faces",
+        override=EXTENDABLE,
+    )
     recorded_frame: bpy.props.FloatProperty(
-        name="Recorded Frame", description="Frame on which the colliders were recorded", options=set(),
-        override=OVERRIDABLE)
-    camera: to_object(
-        'CAMERA', name="Camera", description="Camera in whose view the flakes are born", update=rewire, override=OVERRIDABLE)
-    flake: to_object(
-        name="Flake", description="Object that flakes are instances of", update=_dress, override=OVERRIDABLE)
+        name="Recorded Frame", description="Frame on which the colliders were recorded", options=set(), override=OVERRIDABLE
+    )
+    camera: to_object('CAMERA', name="Camera", description="Camera in whose view the flakes are born", update=rewire, override=OVERRIDABLE)
+    flake: to_object(name="Flake", description="Object that flakes are instances of", update=_dress, override=OVERRIDABLE)
     flakes: bpy.props.PointerProperty(
-        type=bpy.types.Collection, name="Flakes", description="Collection whose objects flakes are instances of",
-        update=_dress, override=OVERRIDABLE)
+        type=bpy.types.Collection,
+        name="Flakes",
+        description="Collection whose objects flakes are instances of",
+        update=_dress,
+        override=OVERRIDABLE,
+    )
     reads: bpy.props.StringProperty(
-        name="Reads", description="What the solver waits for beside its settings, to notice where it has changed since",
-        options=set(), override=OVERRIDABLE)
+        name="Reads",
+        description="What the solver waits for beside its settings, to notice where it has changed since",
+        options=set(),
+        override=OVERRIDABLE,
+    )
     has_made_emitter: bpy.props.BoolProperty(
-        name="Made", description="Motus has made the emitter, and removes it with the snow", options=set(),
-        override=OVERRIDABLE)
+        name="Made", description="Motus has made the emitter, and removes it with the snow", options=set(), override=OVERRIDABLE
+    )

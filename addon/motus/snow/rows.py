@@ -17,36 +17,75 @@ def _is_bound(settings):
     return settings.shape == 'CAMERA' and any(marker.camera for marker in bpy.context.scene.timeline_markers)
 
 
-EMISSION = Rows((
-    "start_speed", "lifetime", "start_size", "rate", "start_frame", "delay", "looping",
-    Row("duration", when=lambda settings: not settings.looping),
-    "burst", Row("burst_time", when=lambda settings: settings.burst > 0)), title="Emission")
+EMISSION = Rows(
+    (
+        "start_speed",
+        "lifetime",
+        "start_size",
+        "rate",
+        "start_frame",
+        "delay",
+        "looping",
+        Row("duration", when=lambda settings: not settings.looping),
+        "burst",
+        Row("burst_time", when=lambda settings: settings.burst > 0),
+    ),
+    title="Emission",
+)
 SHAPE = Rows(("shape",))
-EXTENT = Rows((
-    Row("cone_radius", when=is_not("shape", 'SURFACE', 'CAMERA')), Row("cone_angle", when=_leans),
-    Row("closest", when=is_one_of("shape", 'CAMERA')), Row("farthest", when=is_one_of("shape", 'CAMERA')),
-    Row("follow_markers", when=_is_bound)))
+EXTENT = Rows(
+    (
+        Row("cone_radius", when=is_not("shape", 'SURFACE', 'CAMERA')),
+        Row("cone_angle", when=_leans),
+        Row("closest", when=is_one_of("shape", 'CAMERA')),
+        Row("farthest", when=is_one_of("shape", 'CAMERA')),
+        Row("follow_markers", when=_is_bound),
+    )
+)
 EMITTER = Rows((*SHAPE.rows, *EXTENT.rows), title="Emitter")
 SOURCE = Rows((Row("surface", when=is_one_of("shape", 'SURFACE')), Row("camera", when=is_one_of("shape", 'CAMERA'))))
-RANDOM = Rows((
-    "random_speed", "random_orientation", "random_lifetime", "random_size", "random_color", "seed"), title="Random")
-STEERING = Rows((
-    Row("max_angle", when=_is_on("snow")), Row("snow_frequency", when=_is_on("snow")),
-    Row("snow_offsets", when=_is_on("snow")), "tumble"), title="Steering")
+RANDOM = Rows(("random_speed", "random_orientation", "random_lifetime", "random_size", "random_color", "seed"), title="Random")
+STEERING = Rows(
+    (Row("max_angle", when=_is_on("snow")), Row("snow_frequency", when=_is_on("snow")), Row("snow_offsets", when=_is_on("snow")), "tumble"),
+    title="Steering",
+)
 SNOW = Rows(("snow", *STEERING.rows), title="Steering")
-AIR = Rows((
-    "gravity", "drag", Row("wind", when=is_positive("drag")), Row("gusts", when=is_positive("drag")),
-    Row("gust_frequency", when=lambda settings: settings.drag > 0.0 and settings.gusts > 0.0),
-    "turbulence", Row("turbulence_size", when=is_positive("turbulence"))), title="Forces")
-LANDING = Rows((
-    "use_ground", Row("ground", when=_is_on("use_ground")), "collision",
-    Row("melt_time", when=is_one_of("collision", 'MELT')), Row("friction", when=is_one_of("collision", 'SLIDE'))),
-    title="Collision")
+AIR = Rows(
+    (
+        "gravity",
+        "drag",
+        Row("wind", when=is_positive("drag")),
+        Row("gusts", when=is_positive("drag")),
+        Row("gust_frequency", when=lambda settings: settings.drag > 0.0 and settings.gusts > 0.0),
+        "turbulence",
+        Row("turbulence_size", when=is_positive("turbulence")),
+    ),
+    title="Forces",
+)
+LANDING = Rows(
+    (
+        "use_ground",
+        Row("ground", when=_is_on("use_ground")),
+        "collision",
+        Row("melt_time", when=is_one_of("collision", 'MELT')),
+        Row("friction", when=is_one_of("collision", 'SLIDE')),
+    ),
+    title="Collision",
+)
 COLLIDERS = Rows(("collider", "colliders"))
 _WIDTH = Row("flake_width", when=is_not("look", 'OBJECT', 'COLLECTION'))
-FLAKES = Rows((
-    "look", Row("flake", when=is_one_of("look", 'OBJECT')), Row("flakes", when=is_one_of("look", 'COLLECTION')), _WIDTH,
-    "all_attributes", "preview", "influence"), title="Flakes")
+FLAKES = Rows(
+    (
+        "look",
+        Row("flake", when=is_one_of("look", 'OBJECT')),
+        Row("flakes", when=is_one_of("look", 'COLLECTION')),
+        _WIDTH,
+        "all_attributes",
+        "preview",
+        "influence",
+    ),
+    title="Flakes",
+)
 LOOK = Rows(("look", _WIDTH, "all_attributes", "preview", "influence"), title="Flakes")
 """For the operator, which names objects otherwise."""
 ALL = (EMISSION, EMITTER, RANDOM, SNOW, AIR, LANDING, LOOK)

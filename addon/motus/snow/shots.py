@@ -31,7 +31,7 @@ def alone(poses, moved, view, frame, start_frame, fps):
     seconds, matrices = poses.seconds[inside], poses.matrices[inside]
     if number < len(cuts) and end - SUDDEN / fps > seconds[-1]:
         seconds = np.append(seconds, end - SUDDEN / fps)
-        matrices = np.append(matrices, before[number:number + 1], axis=0)
+        matrices = np.append(matrices, before[number : number + 1], axis=0)
     return poses._replace(stamp=(poses.stamp, number), seconds=seconds, matrices=matrices)
 
 
@@ -69,7 +69,7 @@ def _share_seen(before, after, view):
 def _places(angles, closest, farthest):
     """(places (k, 4) that are evenly spread in what a camera sees, in its space, tangents of the angles, closest, farthest)."""
     shares = (np.arange(ACROSS) + 0.5) / ACROSS
-    depths = np.cbrt(closest ** 3 + shares * (farthest ** 3 - closest ** 3))
+    depths = np.cbrt(closest**3 + shares * (farthest**3 - closest**3))
     across, up, depth = (part.ravel() for part in np.meshgrid(2.0 * shares - 1.0, 2.0 * shares - 1.0, depths))
     slopes = [math.tan(angle) for angle in angles]
     places = np.stack([across * slopes[0] * depth, up * slopes[1] * depth, -depth, np.ones_like(depth)], axis=1)

@@ -9,16 +9,27 @@ from . import births, colliders, flakes, landings, view
 NO_SURFACE = Problem("Choose the mesh that emits the flakes")
 SURFACE_DELETED = Problem("The mesh that emits the flakes is in no collection any more: choose another one")
 NO_FACES = Problem("The mesh that emits the flakes has no faces")
-UNKNOWN = Problem(
-    "The emitter's motion is not known ahead, and flakes are born where it stands now: record it, or key it", False)
+UNKNOWN = Problem("The emitter's motion is not known ahead, and flakes are born where it stands now: record it, or key it", False)
 NO_FLAKES = Problem("Choose what flakes look like: there is no such object or collection", False)
 FLAT = Problem("The emitter has a scale of 0, and can show no flakes")
 UNBAKEABLE = Problem("Flakes are computed on each frame: there is nothing to bake")
-UNKNOWN_WIND = Problem(
-    "The wind is not known ahead, and blows on all frames as it does now: key it, or record it", blocking=False)
+UNKNOWN_WIND = Problem("The wind is not known ahead, and blows on all frames as it does now: key it, or record it", blocking=False)
 FINDING = Problem("Flakes appear as soon as it is known where they land", blocking=False)
-PROBLEMS = (*colliders.PROBLEMS, NO_SURFACE, SURFACE_DELETED, NO_FACES, *view.PROBLEMS, UNKNOWN, UNKNOWN_WIND, FINDING,
-            NO_FLAKES, FLAT, flakes.NOT_FINITE, flakes.TOO_MANY, flakes.OUT_OF_RANGE)
+PROBLEMS = (
+    *colliders.PROBLEMS,
+    NO_SURFACE,
+    SURFACE_DELETED,
+    NO_FACES,
+    *view.PROBLEMS,
+    UNKNOWN,
+    UNKNOWN_WIND,
+    FINDING,
+    NO_FLAKES,
+    FLAT,
+    flakes.NOT_FINITE,
+    flakes.TOO_MANY,
+    flakes.OUT_OF_RANGE,
+)
 
 
 def _unneeded(settings):
@@ -30,12 +41,19 @@ def _unneeded(settings):
 
 # Cycles has an own sense for an attribute that is named "color".
 POINTS = Points(
-    attributes=(("velocity", 'VECTOR'), ("radius", 'FLOAT'), ("tint", 'COLOR'), ("age", 'FLOAT'), ("turn", 'QUATERNION'),
-                ("id", 'INT')),
-    capacity=flakes.MOST, unneeded=_unneeded)
-INPUTS = (OwnMatrix("emitter"), Matrix("placed", of="surface"), Geometry("surface", of="surface"),
-          Matrix("seeing", of="camera"), view.Lens("lens", of="camera"), Geometries("landed_on", of=colliders.objects),
-          Setting("influence"))
+    attributes=(("velocity", 'VECTOR'), ("radius", 'FLOAT'), ("tint", 'COLOR'), ("age", 'FLOAT'), ("turn", 'QUATERNION'), ("id", 'INT')),
+    capacity=flakes.MOST,
+    unneeded=_unneeded,
+)
+INPUTS = (
+    OwnMatrix("emitter"),
+    Matrix("placed", of="surface"),
+    Geometry("surface", of="surface"),
+    Matrix("seeing", of="camera"),
+    view.Lens("lens", of="camera"),
+    Geometries("landed_on", of=colliders.objects),
+    Setting("influence"),
+)
 
 
 def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence):
@@ -64,8 +82,7 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
             return angles
         unseen = view.lens_problem(camera.data)
     poses, problem = _poses(context, camera or source(context.owner), emitter, angles)
-    wind, is_sure = births.winds(
-        context.owner, context.frame, flakes.longest_life(settings), settings.start_frame, context.fps)
+    wind, is_sure = births.winds(context.owner, context.frame, flakes.longest_life(settings), settings.start_frame, context.fps)
     if poses is None or wind is None:
         return flakes.NOT_FINITE
     acceleration = tuple(scene.gravity) if scene.use_gravity else (0.0, 0.0, 0.0)
@@ -91,8 +108,15 @@ def _poses(context, born_at, present, angles):
     """(Poses, Problem or None); None for poses that are not finite."""
     settings = context.settings
     poses, is_known = births.over_time(
-        born_at, context.depsgraph.scene, present, context.frame, flakes.longest_life(settings), settings.start_frame,
-        context.fps, None if angles is None else (angles, settings.closest, settings.farthest))
+        born_at,
+        context.depsgraph.scene,
+        present,
+        context.frame,
+        flakes.longest_life(settings),
+        settings.start_frame,
+        context.fps,
+        None if angles is None else (angles, settings.closest, settings.farthest),
+    )
     return poses, None if is_known else UNKNOWN
 
 
@@ -107,5 +131,6 @@ def _faces(context, placed, surface):
 
 def _look_problem(settings):
     is_missing = (settings.look == 'OBJECT' and pointed(settings, "flake") is None) or (
-        settings.look == 'COLLECTION' and pointed(settings, "flakes") is None)
+        settings.look == 'COLLECTION' and pointed(settings, "flakes") is None
+    )
     return NO_FLAKES if is_missing else None

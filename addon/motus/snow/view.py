@@ -12,8 +12,7 @@ from ..core.lazy import numpy as np
 NO_CAMERA = Problem("Choose a camera in whose view the flakes are born")
 CAMERA_DELETED = Problem("The camera is in no collection any more: choose another one")
 NO_PERSPECTIVE = Problem("Flakes are born only in the view of a perspective camera")
-LENS_UNKNOWN = Problem(
-    "The camera's lens is not known ahead, and flakes are born in what it sees now: key it, or record it", False)
+LENS_UNKNOWN = Problem("The camera's lens is not known ahead, and flakes are born in what it sees now: key it, or record it", False)
 PROBLEMS = NO_CAMERA, CAMERA_DELETED, NO_PERSPECTIVE, LENS_UNKNOWN
 WIDEST = math.radians(89.0)
 """Half of what a camera sees by, at most."""
@@ -55,8 +54,10 @@ def filming(camera, settings, depsgraph, frame):
     if not cameras(settings, scene):
         return camera
     # As Blender has it: before the first marker its camera counts, and those that are not rendered do not.
-    bound = sorted(((marker.frame, marker.camera) for marker in scene.timeline_markers
-                    if marker.camera and not marker.camera.hide_render), key=lambda one: one[0])
+    bound = sorted(
+        ((marker.frame, marker.camera) for marker in scene.timeline_markers if marker.camera and not marker.camera.hide_render),
+        key=lambda one: one[0],
+    )
     passed = [one for at, one in bound if at <= frame] or [one for _, one in bound[:1]]
     return passed[-1].evaluated_get(depsgraph) if passed else camera
 

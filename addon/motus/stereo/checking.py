@@ -35,7 +35,8 @@ class MOTUS_OT_stereo_check(OverFrames, bpy.types.Operator):
     bl_label = "Check Stereo"
     bl_description = (
         "Look for the frames on which the audience's eyes would have to turn apart, or something is cut off in one of them. If markers "
-        "choose the scene's cameras, the camera of each frame is checked")
+        "choose the scene's cameras, the camera of each frame is checked"
+    )
     bl_options = {'REGISTER'}
     modes = OBJECT_MODE
     needs_native = True
@@ -80,8 +81,12 @@ class MOTUS_OT_stereo_check(OverFrames, bpy.types.Operator):
 
     def _said(self, scene, found):
         pixels = rig.width_in_pixels(scene.render)
-        return [judging.sentence(kind, max(value for _, value in faults), ranges([frame for frame, _ in faults], self.step),
-                                 found.screen, pixels) for kind, faults in found.faults.items()]
+        return [
+            judging.sentence(
+                kind, max(value for _, value in faults), ranges([frame for frame, _ in faults], self.step), found.screen, pixels
+            )
+            for kind, faults in found.faults.items()
+        ]
 
 
 classes = (MOTUS_OT_stereo_check,)

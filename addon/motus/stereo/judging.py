@@ -30,8 +30,13 @@ def judge(eyes, lens, screen, pixels, x, depths):
     vertical = _vertical(float(np.min(depths)), lens, eyes)
     highest, lowest = float(np.max(parallax)), float(np.min(parallax))
     found = {
-        'DIVERGES': highest - limit, 'FAR': highest - far if highest <= limit else 0.0, 'NEAR': -lowest - near,
-        'LEFT': left, 'RIGHT': right, 'VERTICAL': vertical - HIDDEN_PIXELS / pixels}
+        'DIVERGES': highest - limit,
+        'FAR': highest - far if highest <= limit else 0.0,
+        'NEAR': -lowest - near,
+        'LEFT': left,
+        'RIGHT': right,
+        'VERTICAL': vertical - HIDDEN_PIXELS / pixels,
+    }
     return Seen(parallax, {kind: value for kind, value in found.items() if value > 0.0})
 
 
@@ -46,7 +51,11 @@ def _vertical(depth, lens, eyes):
 def sentence(kind, worst, frames, screen, pixels):
     """Sentence on a fault. worst: value on the worst of all frames. frames: text."""
     words = {
-        "percent": f"{100.0 * worst:.2g}", "pixels": f"{pixels * worst:.0f}", "width": f"{screen['width']:g}", "frames": spoken(frames)}
+        "percent": f"{100.0 * worst:.2g}",
+        "pixels": f"{pixels * worst:.0f}",
+        "width": f"{screen['width']:g}",
+        "frames": spoken(frames),
+    }
     return SENTENCES[kind]().format(**words)
 
 

@@ -28,10 +28,19 @@ class MOTUS_OT_stereo_measure(OfARig, OverFrames, bpy.types.Operator):
     left_out: bpy.props.FloatProperty(
         name="Left Out",
         description="Share of the picture that does not count at either end: small things that are very near or very far",
-        default=100.0 * LEFT_OUT, min=0.0, max=49.0, subtype='PERCENTAGE')
+        default=100.0 * LEFT_OUT,
+        min=0.0,
+        max=49.0,
+        subtype='PERCENTAGE',
+    )
     ahead: bpy.props.IntProperty(
-        name="Look Ahead", description="Least number of samples by which near and far change ahead of their cause", default=12, min=0,
-        max=10000, soft_max=100)
+        name="Look Ahead",
+        description="Least number of samples by which near and far change ahead of their cause",
+        default=12,
+        min=0,
+        max=10000,
+        soft_max=100,
+    )
     redo = (*OverFrames.redo, Rows(("left_out", Row("ahead", when=is_not("range", 'CURRENT')))))
 
     def steps(self, context, frames):

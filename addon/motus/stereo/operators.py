@@ -44,11 +44,13 @@ class MOTUS_OT_stereo_rig_add(FindsValues, StereoKeywords, bpy.types.Operator):
     focus: bpy.props.StringProperty(
         name="Focus",
         description="Name of the object that lies on the screen; if Convergence is Object, empty takes the object that is selected beside "
-                    "the camera",
-        options={'SKIP_SAVE'})
+        "the camera",
+        options={'SKIP_SAVE'},
+    )
     mode: bpy.props.EnumProperty(name="Mode", description="How the images meet on the screen", items=MODES, default='OFFAXIS')
     make_camera: bpy.props.BoolProperty(
-        name="New Camera", description="Make a camera at the viewport's view if the scene has none", options={'SKIP_SAVE'})
+        name="New Camera", description="Make a camera at the viewport's view if the scene has none", options={'SKIP_SAVE'}
+    )
     for_scripts = ("make_camera",)
 
     @classmethod

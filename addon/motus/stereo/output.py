@@ -25,12 +25,13 @@ class MOTUS_OT_stereo_output(OfARig, Operator, bpy.types.Operator):
     redo = (Rows(("format", Row("squeeze", when=is_one_of("format", 'SIDEBYSIDE', 'TOPBOTTOM')), "use_360")),)
 
     format: bpy.props.EnumProperty(name="Format", description="How the images are written", items=FORMATS, default='SIDEBYSIDE')
-    squeeze: bpy.props.BoolProperty(
-        name="Squeezed", description="Squeeze both images together into the size of one", default=False)
+    squeeze: bpy.props.BoolProperty(name="Squeezed", description="Squeeze both images together into the size of one", default=False)
     use_360: bpy.props.BoolProperty(
         name="360 Degrees",
         description="Make the camera a panorama of 360 degrees, if the render engine can; by default the camera's type is kept",
-        default=False, options={'SKIP_SAVE'})
+        default=False,
+        options={'SKIP_SAVE'},
+    )
 
     def invoke(self, context, _event):
         if self.is_given("format"):
@@ -60,8 +61,7 @@ class MOTUS_OT_stereo_output(OfARig, Operator, bpy.types.Operator):
         see = around.begin if self.use_360 else around.end
         see(camera.motus.stereo, camera.data)
         label = next(label for identifier, label, _ in FORMATS if identifier == self.format)
-        self.report({'INFO'}, tr("Both eyes are written as: {format}").format(
-            format=bpy.app.translations.pgettext_iface(label)))
+        self.report({'INFO'}, tr("Both eyes are written as: {format}").format(format=bpy.app.translations.pgettext_iface(label)))
 
     def _set_format(self, scene):
         render = scene.render

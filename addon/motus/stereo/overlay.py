@@ -21,9 +21,11 @@ MOST_RULED = 64
 PLANES = Switch("show_stereo_planes", "Planes", "Draw the planes of the depth budget: near in red, the screen in white, far in blue")
 VOLUME = Switch("show_stereo_volume", "Safe Volume", "Draw the volume that an audience can look at without strain")
 RULER = Switch(
-    "show_stereo_ruler", "Ruler",
+    "show_stereo_ruler",
+    "Ruler",
     "Draw marks where parallax is a multiple of half a percent, and lines to the selected objects: "
-    "green, strained ones in yellow, diverging ones in pink")
+    "green, strained ones in yellow, diverging ones in pink",
+)
 
 
 def _batches(context, owner):
@@ -48,8 +50,9 @@ def _batches(context, owner):
     if scene.motus.show_stereo_planes:
         # Planes outside the clipping range are not drawn, since the camera sees nothing there.
         planes = ((near, NEAR), (eyes["convergence"], ZERO), (far, FAR))
-        found += [Batch('LINE_STRIP', frame.loop(depth), color, 2.0) for depth, color in planes
-                  if camera.clip_start < depth < camera.clip_end]
+        found += [
+            Batch('LINE_STRIP', frame.loop(depth), color, 2.0) for depth, color in planes if camera.clip_start < depth < camera.clip_end
+        ]
     if scene.motus.show_stereo_volume and ends[0] < ends[1]:
         found.append(Batch('LINES', frame.sides(*ends), SAFE, 1.5))
     if scene.motus.show_stereo_ruler:

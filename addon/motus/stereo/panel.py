@@ -117,11 +117,19 @@ def draw_actions(layout, context):
 
 
 PANEL = panels.SystemPanel(
-    name="stereo", prefix="MOTUS_PT_stereo", label="Stereo Camera",
+    name="stereo",
+    prefix="MOTUS_PT_stereo",
+    label="Stereo Camera",
     editors={"": ui.Sidebar, "_camera": ui.CameraData},
-    suits=lambda obj: True, is_used=rig.has_rig, draw=draw_main,
+    suits=lambda obj: True,
+    is_used=rig.has_rig,
+    draw=draw_main,
     parts=(panels.Part("screen", "Screen", draw_screen, is_open=True),),
-    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL,
-    adders=("motus.stereo_rig_add",))
+    readouts=draw_readouts,
+    actions=draw_actions,
+    refresh=panels.REFRESH,
+    presets=presets.PANEL,
+    adders=("motus.stereo_rig_add",),
+)
 
 classes = panels.classes(PANEL)

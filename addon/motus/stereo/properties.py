@@ -9,14 +9,18 @@ from . import screens
 CONVERGENCES = (
     ('DISTANCE', "Distance", "The screen is at a distance along the camera's axis"),
     ('OBJECT', "Object", "The screen is where an object is along the camera's axis"),
-    ('BUDGET', "Depth Budget",
-     "Convergence and interocular distance follow from the depths of the scene and the parallax that they may have"),
+    (
+        'BUDGET',
+        "Depth Budget",
+        "Convergence and interocular distance follow from the depths of the scene and the parallax that they may have",
+    ),
 )
 
 
 def _number(name, description, default, options=ANIMATED, **more):
     return bpy.props.FloatProperty(
-        name=name, description=description, default=default, options=options, update=touch, override=OVERRIDABLE, **more)
+        name=name, description=description, default=default, options=options, update=touch, override=OVERRIDABLE, **more
+    )
 
 
 class StereoKeywords:
@@ -26,61 +30,97 @@ class StereoKeywords:
         name="Convergence",
         description="What sets the convergence distance, at which things are neither in front of the screen nor behind it",
         items=CONVERGENCES,
-        default='DISTANCE', options=ANIMATED, update=touch, override=OVERRIDABLE)
+        default='DISTANCE',
+        options=ANIMATED,
+        update=touch,
+        override=OVERRIDABLE,
+    )
     interocular: _number(
-        "Interocular", "Distance between the camera's eyes, in the scene's units", 0.065, min=0.0, soft_max=1.0, subtype='DISTANCE',
-        precision=4, step=0.1)
-    distance: _number(
-        "Distance", "Distance from the camera to the screen", 2.0, min=0.0, soft_min=0.1, soft_max=1000.0,
-        subtype='DISTANCE')
+        "Interocular",
+        "Distance between the camera's eyes, in the scene's units",
+        0.065,
+        min=0.0,
+        soft_max=1.0,
+        subtype='DISTANCE',
+        precision=4,
+        step=0.1,
+    )
+    distance: _number("Distance", "Distance from the camera to the screen", 2.0, min=0.0, soft_min=0.1, soft_max=1000.0, subtype='DISTANCE')
     near: _number(
-        "Near", "Depth of the nearest thing that counts for the budget", 2.0, min=0.0, soft_min=0.01, soft_max=1000.0,
-        subtype='DISTANCE')
+        "Near", "Depth of the nearest thing that counts for the budget", 2.0, min=0.0, soft_min=0.01, soft_max=1000.0, subtype='DISTANCE'
+    )
     far: _number(
-        "Far", "Depth of the farthest thing that counts for the budget", 10.0, min=0.0, soft_min=0.01, soft_max=10000.0,
-        subtype='DISTANCE')
+        "Far", "Depth of the farthest thing that counts for the budget", 10.0, min=0.0, soft_min=0.01, soft_max=10000.0, subtype='DISTANCE'
+    )
     near_parallax: _number(
-        "Near Parallax", "Largest parallax in front of the screen, in percent of the image's width", 1.0, min=0.0, max=100.0, soft_max=5.0,
-        subtype='PERCENTAGE', precision=2)
+        "Near Parallax",
+        "Largest parallax in front of the screen, in percent of the image's width",
+        1.0,
+        min=0.0,
+        max=100.0,
+        soft_max=5.0,
+        subtype='PERCENTAGE',
+        precision=2,
+    )
     far_parallax: _number(
-        "Far Parallax", "Largest parallax behind the screen, in percent of the image's width", 2.0, min=0.0, max=100.0, soft_max=5.0,
-        subtype='PERCENTAGE', precision=2)
+        "Far Parallax",
+        "Largest parallax behind the screen, in percent of the image's width",
+        2.0,
+        min=0.0,
+        max=100.0,
+        soft_max=5.0,
+        subtype='PERCENTAGE',
+        precision=2,
+    )
     screen: bpy.props.EnumProperty(
-        name="Screen", description="Screen that the audience looks at; warnings are about this screen", items=screens.ITEMS,
-        default='TELEVISION', options=set(), override=OVERRIDABLE)
-    screen_width: _number(
-        "Screen Width", "Width of a custom screen, in metres", 2.0, set(), min=0.01, soft_max=50.0)
-    screen_distance: _number(
-        "Seen From", "Distance from the audience to a custom screen, in metres", 3.0, set(), min=0.05, soft_max=50.0)
+        name="Screen",
+        description="Screen that the audience looks at; warnings are about this screen",
+        items=screens.ITEMS,
+        default='TELEVISION',
+        options=set(),
+        override=OVERRIDABLE,
+    )
+    screen_width: _number("Screen Width", "Width of a custom screen, in metres", 2.0, set(), min=0.01, soft_max=50.0)
+    screen_distance: _number("Seen From", "Distance from the audience to a custom screen, in metres", 3.0, set(), min=0.05, soft_max=50.0)
     eye_separation: _number(
-        "Eye Separation", "Distance between the eyes of the audience, in metres", 0.065, set(), min=0.01, max=0.2, precision=3)
+        "Eye Separation", "Distance between the eyes of the audience, in metres", 0.065, set(), min=0.01, max=0.2, precision=3
+    )
 
 
 KEYWORDS = tuple(StereoKeywords.__annotations__)
 
 
 class MOTUS_PG_stereo(StereoKeywords, SystemSettings, bpy.types.PropertyGroup):
-    focus: to_object(name="Focus", description="Object that lies on the screen, if Convergence is Object",
-        update=rewire, override=OVERRIDABLE)
+    focus: to_object(
+        name="Focus", description="Object that lies on the screen, if Convergence is Object", update=rewire, override=OVERRIDABLE
+    )
     influence: _number(
-        "Influence", "How much the rig sets the camera's eyes; 0 leaves them at the camera's own values", 1.0, min=0.0, max=1.0,
-        subtype='FACTOR')
+        "Influence",
+        "How much the rig sets the camera's eyes; 0 leaves them at the camera's own values",
+        1.0,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+    )
     before_mode: bpy.props.StringProperty(
-        name="Mode Before", description="Convergence mode that the camera had without the rig", options=set())
-    before_pivot: bpy.props.StringProperty(
-        name="Pivot Before", description="Pivot that the camera had without the rig", options=set())
+        name="Mode Before", description="Convergence mode that the camera had without the rig", options=set()
+    )
+    before_pivot: bpy.props.StringProperty(name="Pivot Before", description="Pivot that the camera had without the rig", options=set())
     before_type: bpy.props.StringProperty(
-        name="Type Before", description="Type that the camera had before it was made to see all around", options=set())
+        name="Type Before", description="Type that the camera had before it was made to see all around", options=set()
+    )
     before_panorama: bpy.props.StringProperty(
-        name="Panorama Before", description="Kind of panorama that the camera had before it was made to see all around",
-        options=set())
+        name="Panorama Before", description="Kind of panorama that the camera had before it was made to see all around", options=set()
+    )
     before_spherical: bpy.props.BoolProperty(
-        name="Spherical Before", description="Whether the camera's stereo was spherical before it was made to see all around",
-        options=set())
+        name="Spherical Before", description="Whether the camera's stereo was spherical before it was made to see all around", options=set()
+    )
 
 
 class MOTUS_PG_stereo_scene(bpy.types.PropertyGroup):
     is_multiview_made: bpy.props.BoolProperty(
-        name="Multiview Made", description="A rig has switched multiview on in the scene", options=set())
+        name="Multiview Made", description="A rig has switched multiview on in the scene", options=set()
+    )
     before_views: bpy.props.StringProperty(
-        name="Views Before", description="Format of views that the scene had before a rig switched multiview on", options=set())
+        name="Views Before", description="Format of views that the scene had before a rig switched multiview on", options=set()
+    )

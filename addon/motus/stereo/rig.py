@@ -30,9 +30,15 @@ def groups(owner):
     """Declare the driven properties: interocular and convergence distance of the camera's data."""
     if owner.type != 'CAMERA':
         return ()
-    return (Group(outputs=OUTPUTS, properties=(
-        Property("interocular", owner, "data.stereo.interocular_distance"),
-        Property("convergence", owner, "data.stereo.convergence_distance"))),)
+    return (
+        Group(
+            outputs=OUTPUTS,
+            properties=(
+                Property("interocular", owner, "data.stereo.interocular_distance"),
+                Property("convergence", owner, "data.stereo.convergence_distance"),
+            ),
+        ),
+    )
 
 
 def has_rig(obj):
@@ -123,8 +129,12 @@ def eyes(scene, owner, depsgraph):
     if mode == "off_axis":
         distance /= seen.off_axis
     return {
-        "interaxial": stereo.interocular_distance, "focal_length": seen.focal_length, "sensor_width": seen.sensor_width,
-        "convergence": distance, "mode": mode}, seen
+        "interaxial": stereo.interocular_distance,
+        "focal_length": seen.focal_length,
+        "sensor_width": seen.sensor_width,
+        "convergence": distance,
+        "mode": mode,
+    }, seen
 
 
 def axis_matrix(matrix):

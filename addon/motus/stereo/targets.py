@@ -66,8 +66,9 @@ def check_free(camera):
         raise Refused(tr("{object} has a stereo rig: remove that first").format(object=camera.name))
     other = next((one for one in rig.all_rigs() if one.data == camera.data), None)
     if other:
-        raise Refused(tr("{object} has its lens in common with {other}, which has a stereo rig").format(
-            object=camera.name, other=other.name))
+        raise Refused(
+            tr("{object} has its lens in common with {other}, which has a stereo rig").format(object=camera.name, other=other.name)
+        )
     if camera.data.type != 'PERSP':
         raise Refused(tr("{object} is no perspective camera").format(object=camera.name))
     for distance in ("interocular_distance", "convergence_distance"):

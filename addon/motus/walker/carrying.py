@@ -22,8 +22,14 @@ def moved(owner, times, digest):
     if all(track.is_constant or not track.is_known for track in own):
         return _stamped(_posed(chain, [_present(bone) for bone in chain]), len(times))
     stamp = strips.together((digest, *(track.stamp for track in own)))
-    return tracks.kept_by(stamp, "walker body", lambda: _stamped(_posed(chain, [
-        track.values(times).matrices if track.is_known else _present(bone) for bone, track in zip(chain, own)]), len(times)))
+    return tracks.kept_by(
+        stamp,
+        "walker body",
+        lambda: _stamped(
+            _posed(chain, [track.values(times).matrices if track.is_known else _present(bone) for bone, track in zip(chain, own)]),
+            len(times),
+        ),
+    )
 
 
 def _stamped(matrices, count):

@@ -47,18 +47,34 @@ def groups(owner):
     looped = {name for name in (FEET, BODY) if levels.get(("walker", name), 0) is None}
     if body is not None and _is_foot(body, feet):
         looped.add(BODY)
-    data = {PLAN: json.dumps({
-        "feet": [{"leg": foot.index, "is_bone": foot.is_bone} for foot in feet if FEET not in looped], "is_looped": bool(looped),
-        "lacks": len(owner.motus.walker.legs) - len(feet), "is_bodiless": body is None and legs.names_body(owner),
-        "fingerprint": rigs.fingerprint(owner) if owner.pose else 0})}
-    found = [Group(
-        members=tuple(Member(foot.thing, PLACE, 'POSE' if foot.is_bone else 'WORLD') for foot in feet if FEET not in looped),
-        inputs=(Transform(owner),), data=data)]
+    data = {
+        PLAN: json.dumps(
+            {
+                "feet": [{"leg": foot.index, "is_bone": foot.is_bone} for foot in feet if FEET not in looped],
+                "is_looped": bool(looped),
+                "lacks": len(owner.motus.walker.legs) - len(feet),
+                "is_bodiless": body is None and legs.names_body(owner),
+                "fingerprint": rigs.fingerprint(owner) if owner.pose else 0,
+            }
+        )
+    }
+    found = [
+        Group(
+            members=tuple(Member(foot.thing, PLACE, 'POSE' if foot.is_bone else 'WORLD') for foot in feet if FEET not in looped),
+            inputs=(Transform(owner),),
+            data=data,
+        )
+    ]
     if body is not None and BODY not in looped:
         own = (BonesOwn(owner, body.name),) if owner.pose else ()
-        found.append(Group(
-            key=BODY, members=(Member(body, _channels(owner, body), 'LOCAL', is_relative=True),),
-            inputs=(Transform(owner), *(Transform(*pair) for pair in _above(owner, body)), *own), data=data))
+        found.append(
+            Group(
+                key=BODY,
+                members=(Member(body, _channels(owner, body), 'LOCAL', is_relative=True),),
+                inputs=(Transform(owner), *(Transform(*pair) for pair in _above(owner, body)), *own),
+                data=data,
+            )
+        )
     return tuple(found)
 
 

@@ -55,8 +55,8 @@ def stretches(owner, leg):
     """Whether a leg becomes as long as it has to be: its chain of Inverse Kinematics stretches all the way to the foot."""
     foot = owner if leg.name else pointed(leg, "foot")
     return foot is not None and any(
-        target.original == foot.original and (not leg.name or bone == leg.name)
-        for target, bone in offered("ik").stretching_targets(owner))
+        target.original == foot.original and (not leg.name or bone == leg.name) for target, bone in offered("ik").stretching_targets(owner)
+    )
 
 
 def names_body(owner):

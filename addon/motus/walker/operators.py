@@ -15,10 +15,10 @@ from .properties import KEYWORDS, WalkerKeywords
 class GroundKeywords:
     """What operators that add a walker know the ground by."""
 
-    ground: bpy.props.StringProperty(
-        name="Ground", description="Name of a mesh object that the feet stand on", options={'SKIP_SAVE'})
+    ground: bpy.props.StringProperty(name="Ground", description="Name of a mesh object that the feet stand on", options={'SKIP_SAVE'})
     grounds: bpy.props.StringProperty(
-        name="Collection", description="Name of a collection whose mesh objects the feet stand on", options={'SKIP_SAVE'})
+        name="Collection", description="Name of a collection whose mesh objects the feet stand on", options={'SKIP_SAVE'}
+    )
 
 
 def ground_of(operator, owner=None):
@@ -39,11 +39,17 @@ class MOTUS_OT_walker_add(FindsValues, WalkerKeywords, GroundKeywords, bpy.types
 
     object: object_keyword("Name of the body that is moved, such as the armature; empty takes the active object")
     feet: bpy.props.StringProperty(
-        name="Feet", description="Names of the feet with commas between: bones of the armature, or objects; empty takes the targets of "
-        "its chains, or the other selected objects", options={'SKIP_SAVE'})
+        name="Feet",
+        description="Names of the feet with commas between: bones of the armature, or objects; empty takes the targets of "
+        "its chains, or the other selected objects",
+        options={'SKIP_SAVE'},
+    )
     body: bpy.props.StringProperty(
-        name="Body", description="Name of the bone, or of the child object, that rises and leans with the feet; empty leaves the one that is there, or takes "
-        "the bone that all chains hang on", options={'SKIP_SAVE'})
+        name="Body",
+        description="Name of the bone, or of the child object, that rises and leans with the feet; empty leaves the one that is there, or takes "
+        "the bone that all chains hang on",
+        options={'SKIP_SAVE'},
+    )
 
     modes = OBJECT_OR_POSE_MODE
     needs_native = True
@@ -66,8 +72,7 @@ class MOTUS_OT_walker_add(FindsValues, WalkerKeywords, GroundKeywords, bpy.types
             body = targets.body_for(owner, self.body, [leg.bone or leg.foot for leg in found])
             setup.attach(context, owner, found, body, changes)
         self.show_used(owner.motus.walker, KEYWORDS)
-        self.report({'INFO'}, tr("{object} walks on {count} legs").format(
-            object=owner.name, count=len(owner.motus.walker.legs)))
+        self.report({'INFO'}, tr("{object} walks on {count} legs").format(object=owner.name, count=len(owner.motus.walker.legs)))
         wiring.report_problems(self, context, setup.system(), [owner])
 
     def _body(self, owner):

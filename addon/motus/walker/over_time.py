@@ -45,8 +45,9 @@ class _OverTime:
     @functools.cached_property
     def _plan(self):
         """The Plan, or the Problem that keeps the owner from walking."""
-        return answered((hash(self._owner), hash(self._scene), "walker"), lambda: plan.of(
-            self._owner, self._scene, plan.read(self._owner.motus.walker)))
+        return answered(
+            (hash(self._owner), hash(self._scene), "walker"), lambda: plan.of(self._owner, self._scene, plan.read(self._owner.motus.walker))
+        )
 
     @property
     def reason(self):
@@ -201,5 +202,5 @@ class _BoneBody(_OnBone, _Leaning):
             place, axes = leaning.of_bone(self._thing, Matrix(basis[row].tolist()), above, world)
             move, local = leaning.relative(place, axes, world.translation, lift, turn)
             locations[row] += move
-            turns[row] = rotations.product(turns[row:row + 1], np.array([local]))[0]
+            turns[row] = rotations.product(turns[row : row + 1], np.array([local]))[0]
         return transforms._replace(locations=locations, rotations=turns)

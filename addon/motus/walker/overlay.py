@@ -83,6 +83,10 @@ def _rings(middles, normals, radius):
     return middles[:, None, :] + radius * (np.cos(angles) * sides[0][:, None, :] + np.sin(angles) * sides[1][:, None, :])
 
 
-overlay = Overlay(_batches, (
-    Switch("show_walker_footholds", "Footholds", "Draw where feet stand, and how they come there, around the present frame"),
-    Switch("show_walker_rests", "Rest Positions", "Draw the rest position of each foot below the body", False)))
+overlay = Overlay(
+    _batches,
+    (
+        Switch("show_walker_footholds", "Footholds", "Draw where feet stand, and how they come there, around the present frame"),
+        Switch("show_walker_rests", "Rest Positions", "Draw the rest position of each foot below the body", False),
+    ),
+)

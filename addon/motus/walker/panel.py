@@ -86,8 +86,7 @@ def draw_readouts(layout, context):
     steps = planned.walker.steps
     found = [ui.Readout(text="Steps", value=str(int((steps["touch"] > steps["lift"]).sum())))]
     if planned.known == plan.EVER and len(steps["leg"]):
-        found.append(ui.Readout(
-            text="At Rest From", value=f"{told.shown(context.scene, planned.walker.settled):.0f}"))
+        found.append(ui.Readout(text="At Rest From", value=f"{told.shown(context.scene, planned.walker.settled):.0f}"))
     ui.draw_readouts(layout, found)
 
 
@@ -106,15 +105,24 @@ def draw_add(layout, context):
 
 
 PANEL = panels.SystemPanel(
-    name="walker", prefix="MOTUS_PT_walker", label="Walker",
+    name="walker",
+    prefix="MOTUS_PT_walker",
+    label="Walker",
     editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
-    suits=lambda obj: True, is_used=is_used, draw=draw_main,
+    suits=lambda obj: True,
+    is_used=is_used,
+    draw=draw_main,
     parts=(
         panels.Part("ground", "Ground", draw_ground, is_open=True),
         panels.Part("body", "Body", draw_body, is_open=True),
         panels.Part("legs", "Legs", draw_legs),
         panels.Part("whole", "More", draw_whole),
     ),
-    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=presets.PANEL, draw_add=draw_add)
+    readouts=draw_readouts,
+    actions=draw_actions,
+    refresh=panels.REFRESH,
+    presets=presets.PANEL,
+    draw_add=draw_add,
+)
 
 classes = panels.classes(PANEL)

@@ -30,8 +30,15 @@ SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down"
 """Lengths before the body's scale, under the library's names."""
 BODY = "body_height", "body_tilt"
 """Settings of what rises and leans."""
-SETTINGS = {"height": "body_height", "tilt": "body_tilt", "up": "up_axis", "forward": "forward_axis", "hips": "hip", "lengths": "length",
-            "phases": "phase"}
+SETTINGS = {
+    "height": "body_height",
+    "tilt": "body_tilt",
+    "up": "up_axis",
+    "forward": "forward_axis",
+    "hips": "hip",
+    "lengths": "length",
+    "phases": "phase",
+}
 """Arguments of the library that settings, also of legs, give under another name."""
 
 NO_LEGS = Problem("There are no legs: add the walker again, and name its feet")
@@ -46,8 +53,21 @@ UNKEYED = Problem("The body was moved away from its keys: its feet stand below i
 UNRECORDED = Problem("The body is not where it was recorded, and its feet stand below it: record it again, here too", blocking=False)
 BEYOND = Problem("The walk is planned for the frames of the scene: here the feet stand", blocking=False)
 TOO_LONG = Problem("Only the first 9,000 frames of the body's motion are walked: beyond, the feet stand", blocking=False)
-PROBLEMS = (NO_LEGS, NOT_FINITE, MOTION_NOT_FINITE, TOO_FAR, AXES_NOT_ACROSS, TOO_MANY, OUT_OF_RANGE, UNKNOWN, UNKEYED, UNRECORDED,
-            TOO_LONG, BEYOND, *ground.PROBLEMS)
+PROBLEMS = (
+    NO_LEGS,
+    NOT_FINITE,
+    MOTION_NOT_FINITE,
+    TOO_FAR,
+    AXES_NOT_ACROSS,
+    TOO_MANY,
+    OUT_OF_RANGE,
+    UNKNOWN,
+    UNKEYED,
+    UNRECORDED,
+    TOO_LONG,
+    BEYOND,
+    *ground.PROBLEMS,
+)
 
 EVER = -math.inf, math.inf
 
@@ -148,9 +168,17 @@ def read(settings):
         if not all(abs(number) < INFINITE for number in numbers):
             return replace(NOT_FINITE, about=name)
     return Numbers(
-        settings.gait, settings.duty if settings.use_duty or settings.gait == 'OWN' else 0.0, values,
-        axes.vector(settings.forward_axis), axes.vector(settings.up_axis),
-        settings.plane_height if settings.use_plane else None, tuple(rest), tuple(hips), tuple(lengths), tuple(phases))
+        settings.gait,
+        settings.duty if settings.use_duty or settings.gait == 'OWN' else 0.0,
+        values,
+        axes.vector(settings.forward_axis),
+        axes.vector(settings.up_axis),
+        settings.plane_height if settings.use_plane else None,
+        tuple(rest),
+        tuple(hips),
+        tuple(lengths),
+        tuple(phases),
+    )
 
 
 def body_track(owner, scene):
@@ -252,9 +280,21 @@ def _made(numbers, poses, placed, bodies):
         given["stride"] = max(given["stride"], LEAST_STRIDE)
         jump = scale * numbers.value("jump")
         walker = native.module.Walker(
-            poses.seconds, poses.matrices, rest, ground.made(placed, numbers.plane), phases=phases, duty=duty,
-            cadence=numbers.value("cadence"), up=numbers.up, jump=jump or None, frequency=numbers.value("frequency"),
-            damping=numbers.value("damping"), height=numbers.value("body_height"), tilt=numbers.value("body_tilt"), **given)
+            poses.seconds,
+            poses.matrices,
+            rest,
+            ground.made(placed, numbers.plane),
+            phases=phases,
+            duty=duty,
+            cadence=numbers.value("cadence"),
+            up=numbers.up,
+            jump=jump or None,
+            frequency=numbers.value("frequency"),
+            damping=numbers.value("damping"),
+            height=numbers.value("body_height"),
+            tilt=numbers.value("body_tilt"),
+            **given,
+        )
     except ValueError as error:
         return _refusal(str(error))
     return walker, bool(walker.problems)
@@ -274,5 +314,8 @@ def _reach(numbers, matrices, bodies):
         return {}
     # A leg may point along any axis of a body that is scaled unevenly: along the longest one it reaches farthest.
     scale = np.linalg.norm(matrices[:, :3, :3], 2, axis=(1, 2)).max()
-    return {"hips": np.array(numbers.hips), "lengths": np.array([scale * one if one else EVERYWHERE for one in numbers.lengths]),
-            "bodies": bodies}
+    return {
+        "hips": np.array(numbers.hips),
+        "lengths": np.array([scale * one if one else EVERYWHERE for one in numbers.lengths]),
+        "bodies": bodies,
+    }

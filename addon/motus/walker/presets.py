@@ -5,24 +5,55 @@ from ..core.interface import presets
 from ..core.interface.presets import Preset
 from .properties import KEYWORDS
 
-OF_THE_SHOT = {"use_plane", "plane_height", "stride", "clearance", "minimum_step", "reach_up", "reach_down", "jump", "forward_axis",
-               "up_axis", "influence"}
+OF_THE_SHOT = {
+    "use_plane",
+    "plane_height",
+    "stride",
+    "clearance",
+    "minimum_step",
+    "reach_up",
+    "reach_down",
+    "jump",
+    "forward_axis",
+    "up_axis",
+    "influence",
+}
 """What belongs to one body or one shot is not part of a style."""
 
 BROUGHT = (
     Preset('SPIDER', "Spider", "Eight legs in two groups, a body that hangs calmly between them", {}),
-    Preset('HUNTER', "Hunter", "Quick steps, and a body that goes along with them", {
-        "cadence": 1.8, "use_duty": True, "duty": 0.5, "frequency": 3.0, "damping": 0.7, "body_tilt": 1.0}),
+    Preset(
+        'HUNTER',
+        "Hunter",
+        "Quick steps, and a body that goes along with them",
+        {"cadence": 1.8, "use_duty": True, "duty": 0.5, "frequency": 3.0, "damping": 0.7, "body_tilt": 1.0},
+    ),
     Preset('INSECT', "Insect", "Two halves that take turns without a pause", {"gait": 'TRIPOD', "cadence": 1.5, "frequency": 2.5}),
     Preset('CRAWLER', "Crawler", "Waves of steps from the back to the front", {"gait": 'RIPPLE', "use_duty": True, "duty": 0.75}),
-    Preset('CAUTIOUS', "Cautious", "A single leg at a time, under a body that hardly moves", {
-        "gait": 'WAVE', "cadence": 0.5, "frequency": 0.8, "body_tilt": 0.5}),
-    Preset('HORSE', "Horse", "Diagonal halves take turns, and the body swings a little", {
-        "gait": 'TROT', "frequency": 2.0, "damping": 0.6, "body_tilt": 0.5}),
-    Preset('CAMEL', "Camel", "The legs of a side go together, and the body rolls", {
-        "gait": 'PACE', "frequency": 1.5, "damping": 0.5, "body_tilt": 1.0}),
-    Preset('MACHINE', "Machine", "A stiff body, exactly where its feet have it", {
-        "gait": 'TRIPOD', "use_duty": True, "duty": 0.55, "frequency": 6.0, "body_tilt": 1.0}),
+    Preset(
+        'CAUTIOUS',
+        "Cautious",
+        "A single leg at a time, under a body that hardly moves",
+        {"gait": 'WAVE', "cadence": 0.5, "frequency": 0.8, "body_tilt": 0.5},
+    ),
+    Preset(
+        'HORSE',
+        "Horse",
+        "Diagonal halves take turns, and the body swings a little",
+        {"gait": 'TROT', "frequency": 2.0, "damping": 0.6, "body_tilt": 0.5},
+    ),
+    Preset(
+        'CAMEL',
+        "Camel",
+        "The legs of a side go together, and the body rolls",
+        {"gait": 'PACE', "frequency": 1.5, "damping": 0.5, "body_tilt": 1.0},
+    ),
+    Preset(
+        'MACHINE',
+        "Machine",
+        "A stiff body, exactly where its feet have it",
+        {"gait": 'TRIPOD', "use_duty": True, "duty": 0.55, "frequency": 6.0, "body_tilt": 1.0},
+    ),
 )
 
 
@@ -33,4 +64,5 @@ def _settings_of(context):
 
 SETTINGS = "bpy.context.object.motus.walker"
 classes = OPERATOR, PANEL, _ = presets.classes(
-    "walker", "Walker", (f"{SETTINGS}.{name}" for name in KEYWORDS if name not in OF_THE_SHOT), BROUGHT, _settings_of)
+    "walker", "Walker", (f"{SETTINGS}.{name}" for name in KEYWORDS if name not in OF_THE_SHOT), BROUGHT, _settings_of
+)

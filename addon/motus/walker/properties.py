@@ -11,7 +11,11 @@ MOST_LEGS = 64
 
 GAITS = (
     ('TETRAPOD', "Tetrapod", "Every second leg of a side with the others of the other side, as spiders go"),
-    ('TRIPOD', "Tripod", "Every second leg of a side with the others of the other side, in two halves that take turns without a pause, as insects run"),
+    (
+        'TRIPOD',
+        "Tripod",
+        "Every second leg of a side with the others of the other side, in two halves that take turns without a pause, as insects run",
+    ),
     ('RIPPLE', "Ripple", "One leg after the other from the back to the front, the sides half a cycle apart"),
     ('WAVE', "Wave", "A single leg at a time, slow and safe"),
     ('TROT', "Trot", "Diagonal halves take turns"),
@@ -23,8 +27,13 @@ GAITS = (
 def _number(name, description, default, options=frozenset(), **more):
     more.setdefault("update", touch)
     return bpy.props.FloatProperty(
-        name=name, description=description + ("" if options else NO_KEYS), default=default, options=set(options),
-        override=OVERRIDABLE, **more)
+        name=name,
+        description=description + ("" if options else NO_KEYS),
+        default=default,
+        options=set(options),
+        override=OVERRIDABLE,
+        **more,
+    )
 
 
 def _length(name, description, default, **more):
@@ -36,13 +45,13 @@ def _factor(name, description, default, options=frozenset(), **more):
 
 
 def _switch(name, description, default=False):
-    return bpy.props.BoolProperty(
-        name=name, description=description, default=default, options=set(), update=touch, override=OVERRIDABLE)
+    return bpy.props.BoolProperty(name=name, description=description, default=default, options=set(), update=touch, override=OVERRIDABLE)
 
 
 def _choice(name, description, items, default):
     return bpy.props.EnumProperty(
-        name=name, description=description, items=items, default=default, options=set(), update=touch, override=OVERRIDABLE)
+        name=name, description=description, items=items, default=default, options=set(), update=touch, override=OVERRIDABLE
+    )
 
 
 class WalkerKeywords:
@@ -53,50 +62,73 @@ class WalkerKeywords:
 
     gait: _choice("Gait", "Which legs step together, and which after them", GAITS, 'TETRAPOD')
     use_duty: _switch("Custom Duty", "Set how long feet stand, instead of what the gait says")
-    duty: _number(
-        "Duty", "Share of a cycle for which each foot stands", 0.6, min=0.05, max=0.95, subtype='FACTOR')
+    duty: _number("Duty", "Share of a cycle for which each foot stands", 0.6, min=0.05, max=0.95, subtype='FACTOR')
     stride: _length("Stride", "How far the body goes while a foot stands, at most", 0.5)
     cadence: _number(
-        "Cadence", "Cycles of all legs in a second, at least; a fast body has more", 1.0, min=1e-3, max=100.0,
-        soft_min=0.2, soft_max=5.0)
+        "Cadence", "Cycles of all legs in a second, at least; a fast body has more", 1.0, min=1e-3, max=100.0, soft_min=0.2, soft_max=5.0
+    )
     clearance: _length("Clearance", "How high feet are carried above the ground", 0.1)
     minimum_step: _length(
-        "Minimum Step", "Feet that are no further than this from their rest positions do not step, so that a trembling body does not patter",
-        0.0)
+        "Minimum Step",
+        "Feet that are no further than this from their rest positions do not step, so that a trembling body does not patter",
+        0.0,
+    )
     reach_up: _length("Reach Up", "How far above the feet's rest positions ground is searched for", 0.5)
     reach_down: _length("Reach Down", "How far below the feet's rest positions ground is searched for", 1.0)
     use_plane: _switch("Plane", "Walk on a level plane too, beside the meshes")
     plane_height: _number("Height", "Height of the plane, along the world's Z axis", 0.0, subtype='DISTANCE')
     body_height: _factor("Rise", "How much the body rises and sinks with the feet that stand", 1.0)
     body_tilt: _factor("Tilt", "How much the body leans with the feet that stand", 0.7)
-    frequency: _number(
-        "Frequency", "How quickly the body follows its feet, in Hz", 1.5, min=1e-3, max=1000.0, soft_min=0.2, soft_max=5.0)
+    frequency: _number("Frequency", "How quickly the body follows its feet, in Hz", 1.5, min=1e-3, max=1000.0, soft_min=0.2, soft_max=5.0)
     damping: _number(
-        "Damping", "Damping of the body over its feet; below 1 the body overshoots and swings", 1.0, min=0.0, max=100.0, soft_max=2.0)
+        "Damping", "Damping of the body over its feet; below 1 the body overshoots and swings", 1.0, min=0.0, max=100.0, soft_max=2.0
+    )
     jump: _number(
-        "Jump", "A body that goes further than this from one frame to the next jumps, and its feet with it; 0 takes four strides",
-        0.0, min=0.0, soft_max=10.0, subtype='DISTANCE')
+        "Jump",
+        "A body that goes further than this from one frame to the next jumps, and its feet with it; 0 takes four strides",
+        0.0,
+        min=0.0,
+        soft_max=10.0,
+        subtype='DISTANCE',
+    )
     forward_axis: _choice("Forward", "Axis of the body that points ahead", AXES, 'POS_Y')
     up_axis: _choice("Up", "Axis of the body that points away from the ground", AXES, 'POS_Z')
-    influence: _factor(
-        "Influence", "How much the walk moves feet and body; 0 leaves them to their own animation", 1.0, ANIMATED)
+    influence: _factor("Influence", "How much the walk moves feet and body; 0 leaves them to their own animation", 1.0, ANIMATED)
 
 
 KEYWORDS = tuple(WalkerKeywords.__annotations__)
-NUMBERS = ("duty", "stride", "cadence", "clearance", "minimum_step", "reach_up", "reach_down", "plane_height", "body_height",
-           "body_tilt", "frequency", "damping", "jump")
+NUMBERS = (
+    "duty",
+    "stride",
+    "cadence",
+    "clearance",
+    "minimum_step",
+    "reach_up",
+    "reach_down",
+    "plane_height",
+    "body_height",
+    "body_tilt",
+    "frequency",
+    "damping",
+    "jump",
+)
 """Of the keywords, what the plan is made of and may be no finite number."""
 
 
 def _numbers(name, description):
     return bpy.props.FloatVectorProperty(
-        name=name, description=description, size=3, subtype='XYZ', unit='LENGTH', options=set(), update=touch, override=OVERRIDABLE)
+        name=name, description=description, size=3, subtype='XYZ', unit='LENGTH', options=set(), update=touch, override=OVERRIDABLE
+    )
 
 
 class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(
-        name="Bone", description="Bone of the armature that is the foot; empty where it is an object", update=rewire, options=set(),
-        override=OVERRIDABLE)
+        name="Bone",
+        description="Bone of the armature that is the foot; empty where it is an object",
+        update=rewire,
+        options=set(),
+        override=OVERRIDABLE,
+    )
     foot: to_object(name="Foot", description="Object that is the foot", update=rewire, override=OVERRIDABLE)
     rest: _numbers("Rest", "Position of the foot, in the body's space, if the body stands on level ground")
     hip: _numbers("Hip", "Position where the leg begins, in the body's space")
@@ -106,17 +138,35 @@ class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):
 
 class MOTUS_PG_walker(SystemSettings, WalkerKeywords, bpy.types.PropertyGroup):
     legs: bpy.props.CollectionProperty(type=MOTUS_PG_walker_leg, name="Legs", override=EXTENDABLE)
-    body: to_object(name="Body", description="Object below the one that is moved, which rises and leans with the feet",
-        update=rewire, override=OVERRIDABLE, also=lambda settings, obj: obj.parent == settings.id_data)
+    body: to_object(
+        name="Body",
+        description="Object below the one that is moved, which rises and leans with the feet",
+        update=rewire,
+        override=OVERRIDABLE,
+        also=lambda settings, obj: obj.parent == settings.id_data,
+    )
     body_bone: bpy.props.StringProperty(
-        name="Body", description="Bone of the armature that rises and leans with the feet", update=rewire, options=set(),
-        override=OVERRIDABLE)
+        name="Body",
+        description="Bone of the armature that rises and leans with the feet",
+        update=rewire,
+        options=set(),
+        override=OVERRIDABLE,
+    )
     ground: to_object(
-        'MESH', name="Ground", description="Mesh object that the feet stand on", update=rewire, override=OVERRIDABLE,
-        also=lambda _settings, obj: not ground.is_walking(obj))
+        'MESH',
+        name="Ground",
+        description="Mesh object that the feet stand on",
+        update=rewire,
+        override=OVERRIDABLE,
+        also=lambda _settings, obj: not ground.is_walking(obj),
+    )
     grounds: bpy.props.PointerProperty(
-        type=bpy.types.Collection, name="Collection", description="Collection whose mesh objects the feet stand on", update=rewire,
-        override=OVERRIDABLE)
+        type=bpy.types.Collection,
+        name="Collection",
+        description="Collection whose mesh objects the feet stand on",
+        update=rewire,
+        override=OVERRIDABLE,
+    )
 
 
 classes = (MOTUS_PG_walker_leg, MOTUS_PG_walker)

@@ -11,9 +11,18 @@ def _has_duty(settings):
     return settings.use_duty or settings.gait == 'OWN'
 
 
-GAIT = Rows((
-    "gait", Row("use_duty", when=lambda settings: settings.gait != 'OWN'), Row("duty", when=_has_duty), "stride", "cadence",
-    "clearance", "minimum_step"), title="Gait")
+GAIT = Rows(
+    (
+        "gait",
+        Row("use_duty", when=lambda settings: settings.gait != 'OWN'),
+        Row("duty", when=_has_duty),
+        "stride",
+        "cadence",
+        "clearance",
+        "minimum_step",
+    ),
+    title="Gait",
+)
 GROUND = Rows(("use_plane", Row("plane_height", when=_is_on("use_plane")), "reach_up", "reach_down"), title="Ground")
 BODY = Rows(("body_height", "body_tilt", "frequency", "damping"), title="Body")
 WHOLE = Rows(("forward_axis", "up_axis", "jump", "influence"), title="Walker")

@@ -34,9 +34,15 @@ def solve(context, awaited):
     del awaited
     owner, scene = context.owner, context.depsgraph.scene
     noted = groups.parsed(context.data.get(groups.PLAN))
-    found = shared.found(context, lambda: plan.of(
-        owner, scene, context.kept("numbers", None, lambda: plan.read(context.settings)),
-        context.frame if context.depsgraph.mode == 'VIEWPORT' else None))
+    found = shared.found(
+        context,
+        lambda: plan.of(
+            owner,
+            scene,
+            context.kept("numbers", None, lambda: plan.read(context.settings)),
+            context.frame if context.depsgraph.mode == 'VIEWPORT' else None,
+        ),
+    )
     if isinstance(found, Problem):
         return found
     seconds = context.frame / context.fps

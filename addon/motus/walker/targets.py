@@ -50,8 +50,9 @@ def legs_for(context, owner, names):
     if owner.type == 'ARMATURE':
         found = [_named_foot(owner, name) for name in listed] if listed else _legs_of_chains(owner)
         if not found:
-            raise Refused(tr("{object} has no chain of Inverse Kinematics with a target: add some, or name the feet").format(
-                object=owner.name))
+            raise Refused(
+                tr("{object} has no chain of Inverse Kinematics with a target: add some, or name the feet").format(object=owner.name)
+            )
     else:
         chosen = [named(name) for name in listed] or _selected_feet(context, owner)
         if not chosen:
@@ -84,8 +85,9 @@ def _legs_of_objects(feet):
 
 def _checked(owner, found):
     if len(found) > MOST_LEGS:
-        raise Refused(tr("{object} would have {count} legs; there can be {most}").format(
-            object=owner.name, count=len(found), most=MOST_LEGS))
+        raise Refused(
+            tr("{object} would have {count} legs; there can be {most}").format(object=owner.name, count=len(found), most=MOST_LEGS)
+        )
     _check_feet(owner, found)
     return found
 
@@ -99,8 +101,7 @@ def _selected_feet(context, owner):
 def _named_foot(owner, name):
     """A bone of the armature that is moved by itself, or the end of a chain, whose target is the foot."""
     check_bone(owner, name)
-    return next((leg for bone, leg in _chains(owner) if bone == name or leg.bone == name), None) or setup.Leg(
-        name, None, Vector(), 0.0)
+    return next((leg for bone, leg in _chains(owner) if bone == name or leg.bone == name), None) or setup.Leg(name, None, Vector(), 0.0)
 
 
 def _legs_of_chains(owner):
@@ -115,9 +116,17 @@ def _chains(owner):
         own = target == owner and chain.target_bone in owner.pose.bones
         if target is None or chain.is_muted or (target.pose and not own):
             continue
-        found.append((name, setup.Leg(
-            chain.target_bone if own else "", None if own else target, chain.bones[-1].head_local,
-            sum(bone.length for bone in chain.bones))))
+        found.append(
+            (
+                name,
+                setup.Leg(
+                    chain.target_bone if own else "",
+                    None if own else target,
+                    chain.bones[-1].head_local,
+                    sum(bone.length for bone in chain.bones),
+                ),
+            )
+        )
     return found
 
 
@@ -140,8 +149,7 @@ def _named_body(owner, name):
         return name
     found = named(name)
     if found.parent != owner or found.parent_type != 'OBJECT':
-        raise Refused(tr("{object} is no child of {parent}: parent it, and move {parent}").format(
-            object=found.name, parent=owner.name))
+        raise Refused(tr("{object} is no child of {parent}: parent it, and move {parent}").format(object=found.name, parent=owner.name))
     _check_free(owner, found)
     return found
 

@@ -48,8 +48,10 @@ def _about_setting(settings, problem, planned):
     declared = planned == problem and (settings.bl_rna.properties.get(planned.about) or of_legs.get(planned.about))
     if not declared:
         return tr(problem.sentence)
-    said = {plan.NOT_FINITE: lambda: tr("{setting} is not a finite number"),
-            plan.OUT_OF_RANGE: lambda: tr("{setting} is outside of what a walk can be planned by")}[problem]()
+    said = {
+        plan.NOT_FINITE: lambda: tr("{setting} is not a finite number"),
+        plan.OUT_OF_RANGE: lambda: tr("{setting} is outside of what a walk can be planned by"),
+    }[problem]()
     return said.format(setting=bpy.app.translations.pgettext_iface(declared.name))
 
 
@@ -60,9 +62,11 @@ def shown(scene, seconds):
 
 def _unreached(context, owner, leg, first, last, reason, more):
     frames = [_frame(shown(context.scene, seconds)) for seconds in (first, last)]
-    said = {"no_ground": lambda: tr("{foot} finds no ground within reach on frames {first}-{last}"),
-            "out_of_reach": lambda: tr("{foot} is too far from its leg on frames {first}-{last}"),
-            "no_length": lambda: tr("The leg of {foot} has no length")}[reason]()
+    said = {
+        "no_ground": lambda: tr("{foot} finds no ground within reach on frames {first}-{last}"),
+        "out_of_reach": lambda: tr("{foot} is too far from its leg on frames {first}-{last}"),
+        "no_length": lambda: tr("The leg of {foot} has no length"),
+    }[reason]()
     entry = owner.motus.walker.legs[leg]
     told = said.format(foot=legs.label(entry), first=frames[0], last=frames[1])
     return told if more == 0 else tr("{sentence}, and {count} more footholds").format(sentence=told, count=more)

@@ -1,10 +1,12 @@
 """motus.bake and motus.unbake, on the toy system: the same motion by keys, and everything back."""
 
+import itertools
+
 import bpy
+
 import support
 import toy_system
 from core.wiring.wiring_cases import WiringTestCase, build_bone, build_followers, build_object, each_kind, frame_set
-import itertools
 
 actions = support.addon("core.blender.actions")
 wiring = support.addon("core.wiring")
@@ -22,18 +24,23 @@ def matrices(things, frames):
 
 def snapshot(objects):
     """What unbaking must bring back bit for bit, as plain data."""
-    return [{
-        "matrix": [tuple(row) for row in one.matrix_basis],
-        "action": one.animation_data and one.animation_data.action,
-        "slot": actions.slot_identifier(one),
-        "curves": [(curve.data_path, curve.array_index, [tuple(key.co) for key in curve.keyframe_points])
-                   for curve in actions.fcurves(one)],
-        "drivers": [(curve.data_path, curve.array_index, curve.mute)
-                    for curve in (one.animation_data.drivers if one.animation_data else ())],
-        "constraints": [(constraint.name, constraint.mute) for constraint in one.constraints],
-        "properties": sorted(key for key in one.keys() if key != "motus"),
-        "is_baked": (one.motus.orbit.is_baked, one.motus.bake.is_baked),
-    } for one in objects]
+    return [
+        {
+            "matrix": [tuple(row) for row in one.matrix_basis],
+            "action": one.animation_data and one.animation_data.action,
+            "slot": actions.slot_identifier(one),
+            "curves": [
+                (curve.data_path, curve.array_index, [tuple(key.co) for key in curve.keyframe_points]) for curve in actions.fcurves(one)
+            ],
+            "drivers": [
+                (curve.data_path, curve.array_index, curve.mute) for curve in (one.animation_data.drivers if one.animation_data else ())
+            ],
+            "constraints": [(constraint.name, constraint.mute) for constraint in one.constraints],
+            "properties": sorted(key for key in one.keys() if key != "motus"),
+            "is_baked": (one.motus.orbit.is_baked, one.motus.bake.is_baked),
+        }
+        for one in objects
+    ]
 
 
 def sinks_are(owner, muted):
@@ -151,8 +158,7 @@ class BakeTest(BakeTestCase):
 
     def test_sub_frames(self):
         owner, things = build_object(toy_system.new_target())
-        self.assert_bakes(owner, things, frames=[1 + 0.25 * index for index in range(37)],
-                          frame_start=1, frame_end=10, step=0.25)
+        self.assert_bakes(owner, things, frames=[1 + 0.25 * index for index in range(37)], frame_start=1, frame_end=10, step=0.25)
 
     def test_channels(self):
         owner, things = build_object(toy_system.new_target(), use_rotation=False)

@@ -3,6 +3,7 @@
 import json
 
 import bpy
+
 import support
 import toy_system
 from core.bake.test_bake import BakeTestCase, actions, sinks_are
@@ -14,8 +15,17 @@ WITHOUT_MUTED = {"constraints": [], "drivers": []}
 def others(obj):
     """What unbaking has no business with."""
     constraint = obj.constraints["Own"]
-    return (tuple(obj.color), obj.hide_render, obj.name, obj.rotation_mode, tuple(obj.delta_location), constraint.influence,
-            obj.show_name, obj.instance_type, obj.data and tuple(obj.data.vertices[0].co))
+    return (
+        tuple(obj.color),
+        obj.hide_render,
+        obj.name,
+        obj.rotation_mode,
+        tuple(obj.delta_location),
+        constraint.influence,
+        obj.show_name,
+        obj.instance_type,
+        obj.data and tuple(obj.data.vertices[0].co),
+    )
 
 
 class HostileFileTest(BakeTestCase):
@@ -40,30 +50,71 @@ class HostileFileTest(BakeTestCase):
         return owner
 
     def test_what_cannot_be_read(self):
-        for kept in ("", "hello", "5", "null", "[]", "{}", "[" * 100_000, '{"values": 5, "muted": 5}',
-                     '{"values": [], "muted": {"constraints": {}, "drivers": "xyz"}}', {"values": {}},
-                     {"values": {}, "muted": {"constraints": [5, None, []], "drivers": [5, [], ["location", "0", 1], None]}}):
+        for kept in (
+            "",
+            "hello",
+            "5",
+            "null",
+            "[]",
+            "{}",
+            "[" * 100_000,
+            '{"values": 5, "muted": 5}',
+            '{"values": [], "muted": {"constraints": {}, "drivers": "xyz"}}',
+            {"values": {}},
+            {"values": {}, "muted": {"constraints": [5, None, []], "drivers": [5, [], ["location", "0", 1], None]}},
+        ):
             with self.subTest(str(kept)[:60]):
                 self.unbaked(kept)
 
     def test_values_of_what_is_not_baked(self):
-        values = {"color": [0.1, 0.2, 0.3, 0.4], "delta_location": [1.0, 2.0, 3.0], "name": "Mine", "hide_render": True,
-                  'constraints["Own"].influence': 1.0, "rotation_mode": "ZYX", "data": None, "": [1.0], "show_name": True,
-                  "data.vertices[0].co": [9.0, 9.0, 9.0], '["custom"]': 5.0, 'pose.bones["x"]': [1.0, 2.0, 3.0],
-                  "instance_type": "FACES"}
+        values = {
+            "color": [0.1, 0.2, 0.3, 0.4],
+            "delta_location": [1.0, 2.0, 3.0],
+            "name": "Mine",
+            "hide_render": True,
+            'constraints["Own"].influence': 1.0,
+            "rotation_mode": "ZYX",
+            "data": None,
+            "": [1.0],
+            "show_name": True,
+            "data.vertices[0].co": [9.0, 9.0, 9.0],
+            '["custom"]': 5.0,
+            'pose.bones["x"]': [1.0, 2.0, 3.0],
+            "instance_type": "FACES",
+        }
         owner = self.unbaked({"values": values, "muted": WITHOUT_MUTED})
         self.assertNotIn("custom", owner)
 
     def test_values_that_are_none(self):
-        for numbers in ([1.0, 2.0], [1.0, 2.0, 3.0, 4.0], ["a", "b", "c"], [float("nan")] * 3, [1.0, float("inf"), 0.0], 5, None,
-                        "abc", [[1.0], [2.0], [3.0]], [10 ** 400, 0.0, 0.0], {"a": 1.0}):
+        for numbers in (
+            [1.0, 2.0],
+            [1.0, 2.0, 3.0, 4.0],
+            ["a", "b", "c"],
+            [float("nan")] * 3,
+            [1.0, float("inf"), 0.0],
+            5,
+            None,
+            "abc",
+            [[1.0], [2.0], [3.0]],
+            [10**400, 0.0, 0.0],
+            {"a": 1.0},
+        ):
             with self.subTest(str(numbers)[:60]):
                 owner = self.unbaked({"values": {"location": numbers}, "muted": WITHOUT_MUTED})
                 self.assertLess(owner.location.length, 1e6)
 
     def test_switches_of_what_is_not_baked(self):
-        paths = ["hide_render", "hide_render.mute", "data.mute", 'modifiers["x"].mute', "animation_data.drivers[0].mute",
-                 'constraints["Gone"].mute', 'pose.bones["x"].constraints["y"].mute', "constraints[0].mute", ".mute"]
+        paths = [
+            "hide_render",
+            "hide_render.mute",
+            "data.mute",
+            'modifiers["x"].mute',
+            "animation_data.drivers[0].mute",
+            'constraints["Gone"].mute',
+            'pose.bones["x"].constraints["y"].mute',
+            "constraints[0].mute",
+            ".mute",
+        ]
         self.unbaked({"values": {}, "muted": {"constraints": paths, "drivers": []}})
 
     def test_drivers(self):
@@ -144,7 +195,7 @@ class RefusalTest(BakeTestCase):
         support.empty_scene()
         with bpy.data.libraries.load(path, link=True) as (_, into):
             into.objects = ["Owner"]
-        linked, = into.objects
+        (linked,) = into.objects
         bpy.context.scene.collection.objects.link(linked)
         with self.assertRaisesRegex(RuntimeError, "linked from another file"):
             bpy.ops.motus.unbake(object="Owner")

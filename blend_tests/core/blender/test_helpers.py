@@ -5,8 +5,9 @@ import tempfile
 from pathlib import Path
 
 import bpy
-import live_scenes
 import numpy as np
+
+import live_scenes
 import support
 
 KEY = "motus_helper"
@@ -68,7 +69,8 @@ class LiveFile(support.SceneTestCase):
             self.assertGreater(len(found), 0)
             for (name, part), value in found.items():
                 np.testing.assert_allclose(
-                    value, self.states[frame][named(name), part], atol=2e-5, err_msg=f"{name} {part} {frame}", **options)
+                    value, self.states[frame][named(name), part], atol=2e-5, err_msg=f"{name} {part} {frame}", **options
+                )
 
 
 class TestArriving(LiveFile):
@@ -83,8 +85,13 @@ class TestArriving(LiveFile):
         self.assert_collapsed()
 
     def assert_collapsed(self):
-        open_ones = [(thing.name, one.name) for obj in bpy.data.objects for thing in (obj, *(obj.pose.bones if obj.pose else ()))
-                     for one in thing.constraints if one.name.startswith("Motus") and one.show_expanded]
+        open_ones = [
+            (thing.name, one.name)
+            for obj in bpy.data.objects
+            for thing in (obj, *(obj.pose.bones if obj.pose else ()))
+            for one in thing.constraints
+            if one.name.startswith("Motus") and one.show_expanded
+        ]
         self.assertEqual(open_ones, [])
 
     def test_pasted_into_another_file(self):
@@ -124,8 +131,11 @@ class TestArriving(LiveFile):
             with self.subTest(instanced=instanced):
                 support.empty_scene()
                 bpy.ops.wm.append(
-                    filepath=os.path.join(self.path, "Collection", "Props"), directory=os.path.join(self.path, "Collection") + os.sep,
-                    filename="Props", instance_collections=instanced)
+                    filepath=os.path.join(self.path, "Collection", "Props"),
+                    directory=os.path.join(self.path, "Collection") + os.sep,
+                    filename="Props",
+                    instance_collections=instanced,
+                )
                 self.assert_unseen()
                 if not instanced:
                     self.assert_moves()
@@ -208,9 +218,15 @@ class TestCopies(LiveFile):
         self.assertNotIn(copy, own)
 
     def _read(self):
-        return {(obj.name, curve.data_path, curve.array_index): (target.id.name, target.data_path)
-                for obj in bpy.context.view_layer.objects if obj.animation_data for curve in obj.animation_data.drivers
-                for variable in curve.driver.variables for target in variable.targets if target.id}
+        return {
+            (obj.name, curve.data_path, curve.array_index): (target.id.name, target.data_path)
+            for obj in bpy.context.view_layer.objects
+            if obj.animation_data
+            for curve in obj.animation_data.drivers
+            for variable in curve.driver.variables
+            for target in variable.targets
+            if target.id
+        }
 
     def test_instances_made_real_are_the_artists(self):
         self.open()
@@ -237,7 +253,7 @@ class TestLeaving(LiveFile):
         """Taken out of its collection, evaluated without, and linked to another one."""
         self.open()
         for name in self.names:
-            obj, = (one for one in bpy.context.view_layer.objects if one.name == name)
+            (obj,) = (one for one in bpy.context.view_layer.objects if one.name == name)
             homes = list(obj.users_collection)
             for home in homes:
                 home.objects.unlink(obj)

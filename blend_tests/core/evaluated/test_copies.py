@@ -3,6 +3,7 @@
 import weakref
 
 import bpy
+
 import support
 
 copies = support.addon("core.evaluated.copies")

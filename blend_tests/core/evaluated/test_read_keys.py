@@ -3,8 +3,9 @@
 import unittest.mock
 
 import bpy
-import live_scenes
 import numpy as np
+
+import live_scenes
 import support
 
 actions = support.addon("core.blender.actions")
@@ -13,8 +14,17 @@ solving = support.addon("core.wiring.solving.solving")
 
 FRAME, AWAY = 25, 60
 READERS = {
-    "Crane": "Crane Rod 1", "Hook": "Hook Rod 1", "Parcel": "Ribbon", "Racer": "Racer", "Robot": "Robot Foot 0", "Rope": "Rope",
-    "Snow": "Snow Cover", "Spider": "Spider", "Sprung": "Sprung", "Target": "Pendant"}
+    "Crane": "Crane Rod 1",
+    "Hook": "Hook Rod 1",
+    "Parcel": "Ribbon",
+    "Racer": "Racer",
+    "Robot": "Robot Foot 0",
+    "Rope": "Rope",
+    "Snow": "Snow Cover",
+    "Spider": "Spider",
+    "Sprung": "Sprung",
+    "Target": "Pendant",
+}
 """What keys animate -> something that shows, and hangs on these at other frames too."""
 
 REMOVED = """

@@ -4,10 +4,11 @@ import itertools
 import types
 
 import bpy
-from core import test_habits
-from core.wiring.hubs import damaged_cases
+
 import live_scenes
 import support
+from core import test_habits
+from core.wiring.hubs import damaged_cases
 
 overlay = support.addon("core.interface.overlay")
 pointers = support.addon("core.file.pointers")
@@ -44,8 +45,12 @@ def settings():
 
 def is_pointer(prop):
     """Whether a property is a pointer to a datablock."""
-    return prop.type == 'POINTER' and prop.identifier != "rna_type" and hasattr(bpy.types, prop.fixed_type.identifier) and (
-        issubclass(getattr(bpy.types, prop.fixed_type.identifier), bpy.types.ID))
+    return (
+        prop.type == 'POINTER'
+        and prop.identifier != "rna_type"
+        and hasattr(bpy.types, prop.fixed_type.identifier)
+        and (issubclass(getattr(bpy.types, prop.fixed_type.identifier), bpy.types.ID))
+    )
 
 
 def is_choice(prop):
@@ -87,8 +92,14 @@ def wrong_things():
     """Datablocks of many kinds, and objects of types that hardly any pointer is declared for."""
     data = bpy.data
     return [
-        data.objects.new("Wrong", data.speakers.new("Wrong")), data.meshes.new("Wrong"), data.objects.new("Wrong empty", None),
-        data.materials.new("Wrong"), data.armatures.new("Wrong"), data.actions.new("Wrong"), data.node_groups.new("Wrong", 'ShaderNodeTree')]
+        data.objects.new("Wrong", data.speakers.new("Wrong")),
+        data.meshes.new("Wrong"),
+        data.objects.new("Wrong empty", None),
+        data.materials.new("Wrong"),
+        data.armatures.new("Wrong"),
+        data.actions.new("Wrong"),
+        data.node_groups.new("Wrong", 'ShaderNodeTree'),
+    ]
 
 
 def draw(cls):
@@ -99,8 +110,11 @@ def draw(cls):
 
 def panels():
     """All panels but those of presets, which Blender draws."""
-    return [cls for cls in bpy.types.Panel.__subclasses__()
-            if cls.__module__.startswith(f"{test_habits.package}.") and not hasattr(cls, "preset_subdir")]
+    return [
+        cls
+        for cls in bpy.types.Panel.__subclasses__()
+        if cls.__module__.startswith(f"{test_habits.package}.") and not hasattr(cls, "preset_subdir")
+    ]
 
 
 class Layout(test_habits.Layout):
@@ -172,8 +186,10 @@ class WrongKinds(support.SceneTestCase):
 
     def owners(self):
         """{system: names of its owners}."""
-        return {one: [obj.name for obj in bpy.context.scene.objects if test_habits.system.is_owner(one, obj)]
-                for one in test_habits.system.systems()}
+        return {
+            one: [obj.name for obj in bpy.context.scene.objects if test_habits.system.is_owner(one, obj)]
+            for one in test_habits.system.systems()
+        }
 
     def write(self, kind, name, values):
         """Writes the values in turn in a property's place in all groups of a class."""
@@ -199,7 +215,7 @@ class WrongKinds(support.SceneTestCase):
     def test_pointers(self):
         def turned(number):
             things = wrong_things()
-            return things[number % 2:] + things[:number % 2]
+            return things[number % 2 :] + things[: number % 2]
 
         self.each(is_pointer, turned)
 
@@ -213,7 +229,7 @@ class WrongKinds(support.SceneTestCase):
                 for index, (kind, found) in enumerate(places(is_pointer).items()):
                     for name in found:
                         if name not in {"hub", "leader"} or number % 2:
-                            self.write(kind, name, things[(index + number) % len(things):] + things)
+                            self.write(kind, name, things[(index + number) % len(things) :] + things)
                 self.operate(names[0], calls_of(one))
                 self.assertEqual(errors, [])
 
@@ -228,15 +244,17 @@ class WrongKinds(support.SceneTestCase):
                 self.reopen()
                 for kind, found in places(is_plain).items():
                     for number, one in enumerate(found):
-                        self.write(kind, one, values[number % len(values):] + values if is_there else [])
+                        self.write(kind, one, values[number % len(values) :] + values if is_there else [])
                 self.look()
                 self.assertEqual(errors, [])
 
     @support.in_one_blender
     def test_empty_lists_and_no_active_item(self):
         """Lists that a script has emptied, and active items that there are not: for each, all panels, and operators of the system."""
-        for wanted, values in ((lambda prop: prop.type == 'COLLECTION', []),
-                               (lambda prop: prop.type == 'INT' and prop.identifier.startswith("active_"), [77, -9])):
+        for wanted, values in (
+            (lambda prop: prop.type == 'COLLECTION', []),
+            (lambda prop: prop.type == 'INT' and prop.identifier.startswith("active_"), [77, -9]),
+        ):
             with self.subTest(values=values), damaged_cases.raised() as errors:
                 self.reopen()
                 owners = self.owners()
@@ -257,8 +275,12 @@ class OtherOwners(support.SceneTestCase):
         system = test_habits.system
         owners = {one: next(obj for obj in bpy.context.scene.objects if system.is_owner(one, obj)) for one in system.systems()}
         made = {'MESH': bpy.data.meshes, 'ARMATURE': bpy.data.armatures, 'LATTICE': bpy.data.lattices, 'CAMERA': bpy.data.cameras}
-        others = [(one, obj, bpy.data.objects.new(f"{one.name} {kind}", data.new(kind) if data else None))
-                  for one, obj in owners.items() for kind, data in (*made.items(), ('EMPTY', None)) if kind != obj.type]
+        others = [
+            (one, obj, bpy.data.objects.new(f"{one.name} {kind}", data.new(kind) if data else None))
+            for one, obj in owners.items()
+            for kind, data in (*made.items(), ('EMPTY', None))
+            if kind != obj.type
+        ]
         with damaged_cases.raised() as errors:
             for one, obj, other in others:
                 bpy.context.scene.collection.objects.link(other)

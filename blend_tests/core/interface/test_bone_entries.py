@@ -1,6 +1,7 @@
 """Panels of bones: the entry of the active bone is shown, and its settings and styles go to all selected bones."""
 
 import bpy
+
 import support
 
 NAMES = "a", "b", "c", "d"
@@ -80,9 +81,12 @@ class BoneEntries(support.SceneTestCase):
 
     def test_refusals(self):
         for sentence, given in (
-                ("no system", {"system": "nothing"}), ("no system", {"system": "path"}), ("Nothing else", {"system": "dynamics"}),
-                ("no bone", {"object": "Rig", "system": "dynamics", "bone": "d", "bones": "a"}),
-                ("no object", {"object": "None", "system": "dynamics"})):
+            ("no system", {"system": "nothing"}),
+            ("no system", {"system": "path"}),
+            ("Nothing else", {"system": "dynamics"}),
+            ("no bone", {"object": "Rig", "system": "dynamics", "bone": "d", "bones": "a"}),
+            ("no object", {"object": "None", "system": "dynamics"}),
+        ):
             with self.subTest(sentence, **given), self.assertRaisesRegex(RuntimeError, sentence):
                 bpy.ops.motus.to_selected(**given)
 

@@ -14,12 +14,16 @@ class Recorder:
     def __init__(self):
         self.timers, self.has_progress, self.status = set(), False, None
         self.window = object()
-        self.scene = types.SimpleNamespace(
-            frame_start=1, frame_end=3, frame_current=1, frame_subframe=0.0, use_preview_range=False)
+        self.scene = types.SimpleNamespace(frame_start=1, frame_end=3, frame_current=1, frame_subframe=0.0, use_preview_range=False)
         self.window_manager = types.SimpleNamespace(
-            event_timer_add=self._add, event_timer_remove=self.timers.remove, modal_handler_add=lambda _operator: True,
-            progress_begin=lambda _first, _last: self._show(True), progress_update=lambda _value: None,
-            progress_end=lambda: self._show(False), invoke_props_dialog=lambda operator: operator.execute(self))
+            event_timer_add=self._add,
+            event_timer_remove=self.timers.remove,
+            modal_handler_add=lambda _operator: True,
+            progress_begin=lambda _first, _last: self._show(True),
+            progress_update=lambda _value: None,
+            progress_end=lambda: self._show(False),
+            invoke_props_dialog=lambda operator: operator.execute(self),
+        )
         self.workspace = types.SimpleNamespace(status_text_set=lambda text: setattr(self, "status", text))
 
     def _add(self, _seconds, window):
@@ -50,6 +54,7 @@ def stand_in(operator, steps):
 
 def steps_that_raise(error, after, closed):
     """A generator that does `after` steps and then raises; notes in `closed` that it came to an end."""
+
     def steps():
         try:
             for done in range(after):
@@ -57,13 +62,17 @@ def steps_that_raise(error, after, closed):
             raise error
         finally:
             closed.append(True)
+
     return steps
 
 
 def operators():
-    return (support.addon("core.interface.baking").MOTUS_OT_bake, support.addon("ik.checking.operators").MOTUS_OT_ik_check,
-            support.addon("ik.matching.operators").MOTUS_OT_ik_match_fk,
-            support.addon("core.interface.tracks.operators").MOTUS_OT_track_record)
+    return (
+        support.addon("core.interface.baking").MOTUS_OT_bake,
+        support.addon("ik.checking.operators").MOTUS_OT_ik_check,
+        support.addon("ik.matching.operators").MOTUS_OT_ik_match_fk,
+        support.addon("core.interface.tracks.operators").MOTUS_OT_track_record,
+    )
 
 
 class TidyTest(unittest.TestCase):

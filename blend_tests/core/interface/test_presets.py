@@ -1,6 +1,7 @@
 """The presets that come with Motus: each one's settings are as it says, and none goes beyond what it may change."""
 
 import bpy
+
 import live_scenes
 import support
 

@@ -3,6 +3,7 @@
 from unittest import mock
 
 import bpy
+
 import support
 
 

@@ -45,9 +45,16 @@ bpy.ops.motus.unbake(object="Glider")
 bpy.ops.motus.bake(object="Glider", frame_start=3, frame_end=4)
 """
 SAID = (
-    "IK added: body_L.002 follows bone Target body_L.002", "Dynamics added to 4 bones", "Dynamics added to c",
-    "Rotation Z is now driven by Pendulum", "glow is now driven by Noise", "Rest positions of 4 feet updated",
-    "Baked 1 object, 1 frame: 3-3", "Unbaked 1 object", "Baked 1 object, 2 frames: 3-4")
+    "IK added: body_L.002 follows bone Target body_L.002",
+    "Dynamics added to 4 bones",
+    "Dynamics added to c",
+    "Rotation Z is now driven by Pendulum",
+    "glow is now driven by Noise",
+    "Rest positions of 4 feet updated",
+    "Baked 1 object, 1 frame: 3-3",
+    "Unbaked 1 object",
+    "Baked 1 object, 2 frames: 3-4",
+)
 
 
 class Reports(support.SceneTestCase):

@@ -4,11 +4,12 @@ import logging
 import math
 
 import bpy
-import live_scenes
 import numpy as np
+
+import live_scenes
 import support
 
-WRONG = {'FLOAT': (math.nan, math.inf, -1e30), 'INT': (2**31 - 1, -2**31)}
+WRONG = {'FLOAT': (math.nan, math.inf, -1e30), 'INT': (2**31 - 1, -(2**31))}
 """Values that a setting's limits would not let in, by its type."""
 
 
@@ -44,8 +45,9 @@ def not_finite():
     """Names of what has a transform or a shape that is no number."""
     depsgraph = bpy.context.evaluated_depsgraph_get()
     found = {name for name, values in live_scenes.state().items() if not np.isfinite(values).all()}
-    return found | {one.parent.name for one in depsgraph.object_instances
-                    if one.is_instance and not np.isfinite(np.array(one.matrix_world)).all()}
+    return found | {
+        one.parent.name for one in depsgraph.object_instances if one.is_instance and not np.isfinite(np.array(one.matrix_world)).all()
+    }
 
 
 class _Errors(logging.Handler):
@@ -70,8 +72,10 @@ class WrongNumbersTest(support.SceneTestCase):
 
     def test_nothing_in_a_file_reaches_a_sink_that_is_no_number(self):
         """Of each owner one setting after the other, those of all owners at once, with each wrong value."""
-        waiting = [list(numbers(getattr(owner.motus, system.name), stored(owner)[system.name], f"{owner.name} {system.name}"))
-                   for system, owner in owners()]
+        waiting = [
+            list(numbers(getattr(owner.motus, system.name), stored(owner)[system.name], f"{owner.name} {system.name}"))
+            for system, owner in owners()
+        ]
         self.assertGreater(sum(map(len, waiting)), 100)
         for place in range(max(map(len, waiting))):
             for which in range(3):
@@ -97,7 +101,7 @@ class WrongNumbersTest(support.SceneTestCase):
         puppet = bpy.data.objects["Puppet"]
         puppet.motus.layers.entries[0].feather = 1
         entry = stored(puppet)["layers"]["entries"][0]
-        for value, is_told in ((1, False), (-2**31, True), (2, False)):
+        for value, is_told in ((1, False), (-(2**31), True), (2, False)):
             entry["feather"] = value
             puppet.update_tag()
             wiring.touch(system, puppet)

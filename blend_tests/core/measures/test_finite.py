@@ -5,6 +5,7 @@ import unittest
 import warnings
 
 import numpy as np
+
 import support
 
 finite = support.addon("core.measures.finite")

@@ -8,13 +8,14 @@ import math
 
 import bpy
 import numpy as np
-import support
 from bpy_extras.object_utils import world_to_camera_view
+from mathutils import Euler, Matrix, Vector
+
+import support
 from ik import ik_cases
 from lattice import lattice_cases
 from layers import layer_cases
 from look_at import look_at_cases
-from mathutils import Euler, Matrix, Vector
 from path import path_cases
 from snow import snow_cases
 from stereo import stereo_cases
@@ -120,7 +121,8 @@ class Paths(ParentsTestCase):
                 for orientation in ('WORLD_UP', 'BANKING'):
                     bpy.ops.motus.path_follow_add(object="Plain", curve="Course", orientation=orientation)
                     bpy.ops.motus.path_train_add(
-                        objects="Hung,Wagon", curve="Course", gap=0.001, timing='SPEED', speed=5.0, orientation=orientation)
+                        objects="Hung,Wagon", curve="Course", gap=0.001, timing='SPEED', speed=5.0, orientation=orientation
+                    )
                     wanted = self.axes(plain)
                     self.assertNear(self.axes(hung), wanted)
                     self.assertNear(self.axes(wagon), wanted, 5e-3)
@@ -154,8 +156,11 @@ class Rigs(ParentsTestCase):
             pole = self.link("Pole", location=matrix @ Vector((0.7, -2.0, 1.5)))
             bpy.ops.motus.ik_add(object="Arm", bone="Bone 1", target="Target", pole="Pole")
             evaluated = rig.evaluated_get(bpy.context.evaluated_depsgraph_get())
-            root, elbow, tip = (self.bone(rig, "Bone 0").translation, self.bone(rig, "Bone 1").translation,
-                                evaluated.matrix_world @ evaluated.pose.bones["Bone 1"].tail)
+            root, elbow, tip = (
+                self.bone(rig, "Bone 0").translation,
+                self.bone(rig, "Bone 1").translation,
+                evaluated.matrix_world @ evaluated.pose.bones["Bone 1"].tail,
+            )
             self.assertNear(tip, target.location)
             along = (target.location - root).normalized()
             sides = [place - root - along * (place - root).dot(along) for place in (elbow, pole.location)]
@@ -167,7 +172,8 @@ class Rigs(ParentsTestCase):
             put_under(rig, matrix)
             target = self.link("Target", location=matrix @ Vector((0.6, -3.0, 2.1)))
             bpy.ops.motus.look_at_add(
-                object="Rig", bone="Head", target="Target", body_weight=0.2, head_weight=0.5, eyes_weight=1.0, clamp=0.0)
+                object="Rig", bone="Head", target="Target", body_weight=0.2, head_weight=0.5, eyes_weight=1.0, clamp=0.0
+            )
             entry = rig.motus.look_at.entries["Head"]
             entry.eyes_limit = entry.head_limit = entry.body_limit = math.pi
             for scale in ((1.0, 1.0, 1.0), (-1.0, 1.0, 1.0), (-1.0, -1.0, -1.0)):

@@ -3,6 +3,7 @@
 import math
 
 import bpy
+
 import live_scenes
 import support
 

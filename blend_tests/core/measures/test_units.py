@@ -4,6 +4,7 @@ import math
 
 import bpy
 from mathutils import Vector
+
 from path.path_cases import PathTestCase, circle_knots
 
 UNITS = 1.0, 0.01, 1000.0, 0.3048
@@ -25,7 +26,7 @@ class Paths(UnitsTestCase):
         return math.degrees((self.at(plane, middle).to_3x3() @ Vector((0, 0, 1))).angle((0, 0, 1)))
 
     def test_bank(self):
-        wanted = math.degrees(math.atan2(10.0 ** 2 / 20.0, 9.81))
+        wanted = math.degrees(math.atan2(10.0**2 / 20.0, 9.81))
         for unit in UNITS:
             self.use_unit(unit)
             with self.subTest(unit=unit):

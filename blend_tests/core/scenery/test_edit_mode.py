@@ -2,10 +2,11 @@
 
 import bmesh
 import bpy
-import live_scenes
 import numpy as np
-from path.path_cases import CLIMB, PathTestCase, add_points, curve_data
+
+import live_scenes
 import support
+from path.path_cases import CLIMB, PathTestCase, add_points, curve_data
 
 FRAMES = (13, 25.5)
 
@@ -143,7 +144,7 @@ class Curves(PathTestCase):
         begin(curve)
         for height in (2.0, 4.0):
             bpy.ops.transform.translate(value=(0.0, 0.0, 2.0))
-            lines, = support.addon("core.interface.overlay").batches(bpy.context)
+            (lines,) = support.addon("core.interface.overlay").batches(bpy.context)
             np.testing.assert_allclose(lines.points[:, 2], height, atol=1e-5)
         end()
 

@@ -6,6 +6,7 @@ import weakref
 
 import bpy
 import numpy as np
+
 import support
 from core.tracks.track_cases import TrackTestCase
 

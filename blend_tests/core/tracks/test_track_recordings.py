@@ -8,9 +8,10 @@ from pathlib import Path
 
 import bpy
 import numpy as np
+
 import support
-from core.tracks import toy_echo_system
 from core.interface.test_over_frames import Recorder, stand_in
+from core.tracks import toy_echo_system
 from core.tracks.track_cases import TrackTestCase
 
 WITHIN = (1.0, 2.0, 17.0, 40.0)
@@ -41,7 +42,6 @@ class RecordingCase(TrackTestCase):
         np.testing.assert_allclose(track.values(frames), wanted, atol=tolerance)
         evaluated = self.tracks.world_track(self.evaluated(self.thing), self.scene)
         np.testing.assert_array_equal(evaluated.values(frames), track.values(frames))
-
 
     def assertNothingLeft(self):
         self.assertFalse(self.thing.is_property_set("motus_recordings"))
@@ -97,7 +97,8 @@ class Recording(RecordingCase):
         self.go_to(7)
         np.testing.assert_allclose(own.scales[1], self.evaluated(self.thing).scale, atol=1e-6)
         np.testing.assert_allclose(
-            np.abs(own.rotations[1] @ np.array(self.evaluated(self.thing).rotation_euler.to_quaternion())), 1.0, atol=1e-6)
+            np.abs(own.rotations[1] @ np.array(self.evaluated(self.thing).rotation_euler.to_quaternion())), 1.0, atol=1e-6
+        )
 
     def test_bone_and_other_datablocks(self):
         rig = self.rig()
@@ -163,7 +164,7 @@ class Recording(RecordingCase):
                     self.assertEqual(operator(datablock="Thing"), {'FINISHED'})
                 bpy.ops.wm.save_as_mainfile(filepath=again)
                 bpy.ops.wm.open_mainfile(filepath=again)
-                thing, = (one for one in bpy.data.objects if one.override_library)
+                (thing,) = (one for one in bpy.data.objects if one.override_library)
                 with self.subTest(sentence, is_recorded=is_recorded):
                     self.assertIn(sentence, self.tracks.world_track(thing, bpy.context.scene).sentence)
             bpy.ops.wm.open_mainfile(filepath=path)
@@ -183,11 +184,17 @@ class Recording(RecordingCase):
         self.assertWorld(self.thing)
 
     def test_refusals(self):
-        for keywords, part in (({"datablock": "Nobody"}, "no Nobody"), ({"datablock": "Goal"}, "known at any frame"),
-                               ({"collection": "nothing"}, "no Thing in nothing"), ({"data_path": "name"}, "no number"),
-                               ({"bone": "Bone"}, "no bone Bone"), ({"collection": "scenes", "datablock": "Scene"}, "data path"),
-                               ({"frame_start": 1, "frame_end": 30_000}, "too many for a file"),
-                               ({"frame_start": 9, "frame_end": 1}, "empty"), ({"step": float("nan")}, "finite")):
+        for keywords, part in (
+            ({"datablock": "Nobody"}, "no Nobody"),
+            ({"datablock": "Goal"}, "known at any frame"),
+            ({"collection": "nothing"}, "no Thing in nothing"),
+            ({"data_path": "name"}, "no number"),
+            ({"bone": "Bone"}, "no bone Bone"),
+            ({"collection": "scenes", "datablock": "Scene"}, "data path"),
+            ({"frame_start": 1, "frame_end": 30_000}, "too many for a file"),
+            ({"frame_start": 9, "frame_end": 1}, "empty"),
+            ({"step": float("nan")}, "finite"),
+        ):
             with self.subTest(**keywords), self.assertRaisesRegex(RuntimeError, part):
                 bpy.ops.motus.track_record(**{"datablock": "Thing", **keywords})
         self.assertNothingLeft()
@@ -204,7 +211,6 @@ class Recording(RecordingCase):
         self.assertTrue(context.is_tidy)
         self.assertEqual(self.scene.frame_current, 3)
         self.assertNothingLeft()
-
 
     def test_the_example_of_the_manual(self):
         page = Path(__file__).resolve().parents[3] / "docs" / "tracks.md"
@@ -252,11 +258,18 @@ class OutOfDate(RecordingCase):
             self.goal["pace"] = 0.5
             self.goal.update_tag()
 
-        for index, edit in enumerate((move_key, lambda: setattr(self.constraint, "use_scale_x", False), set_pace,
-                     lambda: setattr(self.goal, "parent", helper), lambda: setattr(helper, "location", (1.0, 2.0, 3.0)),
-                     lambda: setattr(driver, "expression", "var * 2"),
-                     lambda: setattr(curve.modifiers.new('NOISE'), "strength", 2.0),
-                     lambda: setattr(self.thing, "delta_scale", (2.0, 1.0, 1.0)))):
+        for index, edit in enumerate(
+            (
+                move_key,
+                lambda: setattr(self.constraint, "use_scale_x", False),
+                set_pace,
+                lambda: setattr(self.goal, "parent", helper),
+                lambda: setattr(helper, "location", (1.0, 2.0, 3.0)),
+                lambda: setattr(driver, "expression", "var * 2"),
+                lambda: setattr(curve.modifiers.new('NOISE'), "strength", 2.0),
+                lambda: setattr(self.thing, "delta_scale", (2.0, 1.0, 1.0)),
+            )
+        ):
             self.record()
             self.assertOutdated(False, index)
             edit()
@@ -264,7 +277,7 @@ class OutOfDate(RecordingCase):
 
     def test_damaged(self):
         self.record()
-        entry, = self.thing.motus_recordings
+        (entry,) = self.thing.motus_recordings
         head, data = entry.head, entry.data
         version, start, step, stamp, digest = json.loads(head)
         most = support.addon("core.tracks.recordings").LARGEST
@@ -272,17 +285,34 @@ class OutOfDate(RecordingCase):
         def numbers(values):
             return base64.b64encode(np.array(values, "<f4").tobytes()).decode()
 
-        heads = [[99, start, step, stamp, digest], [version, start, step, stamp], [version, "1", step, stamp, digest],
-                 [version, start, 0.0, stamp, digest], [version, start, -1.0, stamp, digest], {}, 3,
-                 [version, float("inf"), step, stamp, digest],
-                 [version, start, step, 1, digest], [version, start, step, stamp, [1]]]
+        heads = [
+            [99, start, step, stamp, digest],
+            [version, start, step, stamp],
+            [version, "1", step, stamp, digest],
+            [version, start, 0.0, stamp, digest],
+            [version, start, -1.0, stamp, digest],
+            {},
+            3,
+            [version, float("inf"), step, stamp, digest],
+            [version, start, step, 1, digest],
+            [version, start, step, stamp, [1]],
+        ]
         for spoilt in (*map(json.dumps, heads), "text", "[" * 100_000):
             with self.subTest(spoilt[:60]):
                 entry.head = spoilt
                 self.assertDamaged()
-        for index, spoilt in enumerate((
-                "", "text", "ä", data[:-4], data[:-1], numbers([0.0] * 13), numbers([float("nan")] * 12),
-                numbers([0.0] * (12 * (most // 12 + 1))))):
+        for index, spoilt in enumerate(
+            (
+                "",
+                "text",
+                "ä",
+                data[:-4],
+                data[:-1],
+                numbers([0.0] * 13),
+                numbers([float("nan")] * 12),
+                numbers([0.0] * (12 * (most // 12 + 1))),
+            )
+        ):
             with self.subTest(spoilt[:60]):
                 entry.head, entry.data = json.dumps([version, start, step, f"{index}", digest]), spoilt
                 self.assertDamaged()

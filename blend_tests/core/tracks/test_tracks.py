@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+
 import support
 from core.tracks.track_cases import EASINGS, FRAMES, INTERPOLATIONS, TrackTestCase, seconds_of
 
@@ -104,8 +105,20 @@ class Numbers(TrackTestCase):
         camera = self.link("Camera", bpy.data.cameras.new("Camera"))
         with self.assertRaisesRegex(refused, "has no number"):  # but its datablock has
             self.tracks.property_track(camera, "data.lens")
-        for path, index in (("name", -1), ("nothing", -1), ('["text"]', -1), ("location", 3), ("location", -1), ("data", -1),
-                            ('["absent"]', -1), ("pass_index", 0), ("pose.bones", -1), ("", -1), ("[", -1), ('["', -1)):
+        for path, index in (
+            ("name", -1),
+            ("nothing", -1),
+            ('["text"]', -1),
+            ("location", 3),
+            ("location", -1),
+            ("data", -1),
+            ('["absent"]', -1),
+            ("pass_index", 0),
+            ("pose.bones", -1),
+            ("", -1),
+            ("[", -1),
+            ('["', -1),
+        ):
             with self.subTest(path, index=index), self.assertRaisesRegex(refused, "has no number"):
                 self.tracks.property_track(cube, path, index)
 
@@ -126,8 +139,7 @@ class Numbers(TrackTestCase):
         cube = self.link("Cube")
         self.key(cube, "location", frames=range(1, 250, 5))
         times = np.linspace(1.0, 250.0, 1000)
-        best = min(seconds_of(
-            lambda: self.tracks.property_track(cube, "location", 0).values(times)) for _ in range(5))
+        best = min(seconds_of(lambda: self.tracks.property_track(cube, "location", 0).values(times)) for _ in range(5))
         print(f"1000 values of a keyed number: {best * 1e3:.3f} ms")
         best = min(seconds_of(lambda: self.tracks.world_track(cube, self.scene).values(times)) for _ in range(5))
         print(f"1000 world matrices of an object with three keyed channels: {best * 1e3:.3f} ms")
@@ -187,9 +199,16 @@ class Strips(TrackTestCase):
         self.assertWorld(thing)
 
     def test_time(self):
-        for options in ({"scale": 1.7}, {"repeat": 2.5}, {"repeat": 2.0}, {"use_reverse": True}, {"action_frame_start": 8.0},
-                        {"scale": 0.6, "repeat": 3.0, "use_reverse": True}, {"extrapolation": 'HOLD_FORWARD'},
-                        {"extrapolation": 'NOTHING'}):
+        for options in (
+            {"scale": 1.7},
+            {"repeat": 2.5},
+            {"repeat": 2.0},
+            {"use_reverse": True},
+            {"action_frame_start": 8.0},
+            {"scale": 0.6, "repeat": 3.0, "use_reverse": True},
+            {"extrapolation": 'HOLD_FORWARD'},
+            {"extrapolation": 'NOTHING'},
+        ):
             with self.subTest(str(options)):
                 thing = self.keyed()
                 # Below it one that is always there.
@@ -239,8 +258,9 @@ class Strips(TrackTestCase):
             thing = self.keyed()
             self.pushed(thing, self.track(thing), 1)
             self.key(thing, "location")
-            strip = self.pushed(thing, self.track(thing), 10, use_animated_influence=True, use_animated_time=True,
-                                use_animated_time_cyclic=cyclic)
+            strip = self.pushed(
+                thing, self.track(thing), 10, use_animated_influence=True, use_animated_time=True, use_animated_time_cyclic=cyclic
+            )
             for frame, influence, at in ((10, 0.0, 1.0), (30, 1.0, 45.0), (60, 0.3, 20.0)):
                 strip.influence, strip.strip_time = influence, at
                 strip.keyframe_insert("influence", frame=frame)
@@ -336,8 +356,10 @@ class Transforms(TrackTestCase):
                 bpy.data.objects.remove(thing)
 
     def test_no_rotation_at_all(self):
-        for mode, path, values in (('QUATERNION', "rotation_quaternion", (0.0, 0.0, 0.0, 0.0)),
-                                   ('AXIS_ANGLE', "rotation_axis_angle", (1.0, 0.0, 0.0, 0.0))):
+        for mode, path, values in (
+            ('QUATERNION', "rotation_quaternion", (0.0, 0.0, 0.0, 0.0)),
+            ('AXIS_ANGLE', "rotation_axis_angle", (1.0, 0.0, 0.0, 0.0)),
+        ):
             thing = self.link("Thing")
             thing.rotation_mode = mode
             setattr(thing, path, values)
@@ -362,8 +384,7 @@ class Transforms(TrackTestCase):
         self.key(rig, "location")
         for index, bone in enumerate(rig.pose.bones):
             bone.rotation_mode = MODES[index]
-            name = {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}.get(
-                bone.rotation_mode, "rotation_euler")
+            name = {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}.get(bone.rotation_mode, "rotation_euler")
             for path in ("location", name, "scale"):
                 self.key(rig, f"{bone.path_from_id()}.{path}", low=0.3, high=1.5)
         last = rig.pose.bones["Bone.3"]

@@ -1,6 +1,7 @@
 """A system for the tests of inputs over time: its owner stands where another object was ten frames ago."""
 
 import bpy
+
 import support
 
 core = support.addon("core.declare")

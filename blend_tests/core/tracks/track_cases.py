@@ -6,10 +6,10 @@ import time
 
 import bpy
 import numpy as np
+
 import support
 
-INTERPOLATIONS = ('CONSTANT', 'LINEAR', 'BEZIER', 'SINE', 'QUAD', 'CUBIC', 'QUART', 'QUINT', 'EXPO', 'CIRC', 'BACK', 'BOUNCE',
-                  'ELASTIC')
+INTERPOLATIONS = ('CONSTANT', 'LINEAR', 'BEZIER', 'SINE', 'QUAD', 'CUBIC', 'QUART', 'QUINT', 'EXPO', 'CIRC', 'BACK', 'BOUNCE', 'ELASTIC')
 EASINGS = ('AUTO', 'EASE_IN', 'EASE_OUT', 'EASE_IN_OUT')
 FRAMES = (-40.0, 1.0, 7.25, 12.0, 19.9, 30.0, 33.3, 48.5, 61.0, 300.0)
 

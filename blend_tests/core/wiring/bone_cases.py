@@ -3,6 +3,7 @@
 from unittest import mock
 
 import bpy
+
 import support
 import toy_bone_system
 import toy_system
@@ -17,8 +18,9 @@ def build(chains=2, stretch=0.3, system=toy_bone_system.SYSTEM, **settings):
     """A keyed rig whose chains bend towards a moving target."""
     rig = toy_bone_system.animate(toy_bone_system.new_rig(chains=chains))
     target = toy_system.new_target()
-    toy_bone_system.bend(rig, {f"{toy_bone_system.chain_name(chain)}.0": target for chain in range(chains)},
-                         system=system, stretch=stretch, **settings)
+    toy_bone_system.bend(
+        rig, {f"{toy_bone_system.chain_name(chain)}.0": target for chain in range(chains)}, system=system, stretch=stretch, **settings
+    )
     return rig
 
 
@@ -65,15 +67,16 @@ def build_all_driven():
 
 def without_attribute(kind):
     """A kind as files from older Blenders have it."""
+
     def build_old():
         with mock.patch.object(capabilities, "has_geometry_attribute_constraint", return_value=False):
             return kind()
+
     build_old.__name__ = f"{kind.__name__}_without_attribute"
     return build_old
 
 
-LASTING_KINDS = (
-    build_few, build_without_stretch, build_many, build_driven_setting, build_driven_channels, build_all_driven)
+LASTING_KINDS = (build_few, build_without_stretch, build_many, build_driven_setting, build_driven_channels, build_all_driven)
 """Those that stay what they are when the rig is wired again."""
 KINDS = (*LASTING_KINDS, *map(without_attribute, LASTING_KINDS))
 each_kind = each_of(KINDS)
@@ -119,8 +122,7 @@ class BoneTestCase(WiringTestCase):
         self.assert_bent(rig, systems)
         rig.motus.bend.influence = 1.0
         bpy.context.view_layer.update()
-        self.assertGreater(max((matrix.to_3x3().col[1] - own[name].to_3x3().col[1]).length
-                               for name, matrix in poses(rig).items()), 0.05)
+        self.assertGreater(max((matrix.to_3x3().col[1] - own[name].to_3x3().col[1]).length for name, matrix in poses(rig).items()), 0.05)
 
     def assert_untouched(self, rig):
         """All bones stand as their animation says."""

@@ -1,6 +1,7 @@
 """Objects and bones that are driven on top of their own animation, as small scenes to test: KINDS."""
 
 import bpy
+
 import support
 import toy_bone_system
 import toy_sway_system

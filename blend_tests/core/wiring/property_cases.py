@@ -1,6 +1,7 @@
 """Properties of all kinds that are driven, as one small scene to test."""
 
 import bpy
+
 import support
 import toy_dial_system
 import toy_system
@@ -11,8 +12,16 @@ property_sink = support.addon("core.wiring.sinks.property_sink")
 SYSTEM = toy_dial_system.SYSTEM
 FRAMES = (10, 3, 55, 1.5, 54)
 SOCKET = 'active_material.node_tree.nodes["Mix"].inputs[1].default_value'
-OWN = (('["custom"]', -1), ('modifiers["Push"].strength', -1), ("color", 1), ("active_material.metallic", -1), (SOCKET, 2),
-       ('data.shape_keys.key_blocks["Key"].value', -1), ('data["numbers"]', 1), ("location", 2))
+OWN = (
+    ('["custom"]', -1),
+    ('modifiers["Push"].strength', -1),
+    ("color", 1),
+    ("active_material.metallic", -1),
+    (SOCKET, 2),
+    ('data.shape_keys.key_blocks["Key"].value', -1),
+    ('data["numbers"]', 1),
+    ("location", 2),
+)
 
 
 def build():
@@ -50,8 +59,7 @@ def places(owner, evaluated=False):
     """Where the properties of the entries lie, on the originals or on the evaluated copies."""
     graph = bpy.context.evaluated_depsgraph_get()
     things = [(entry.thing or owner, entry) for entry in owner.motus.dial.entries]
-    return [property_sink.place(thing.evaluated_get(graph) if evaluated else thing, entry.path, entry.index)
-            for thing, entry in things]
+    return [property_sink.place(thing.evaluated_get(graph) if evaluated else thing, entry.path, entry.index) for thing, entry in things]
 
 
 def values(owner):
@@ -61,9 +69,15 @@ def values(owner):
 
 def state(owner):
     """All that removal has to bring back: values, keys and drivers of what the properties lie on."""
-    return [(one.number.present, one.id_data.animation_data and (
-        one.id_data.animation_data.action and one.id_data.animation_data.action.name,
-        len(one.id_data.animation_data.drivers)), sorted(one.id_data.keys())) for one in places(owner)]
+    return [
+        (
+            one.number.present,
+            one.id_data.animation_data
+            and (one.id_data.animation_data.action and one.id_data.animation_data.action.name, len(one.id_data.animation_data.drivers)),
+            sorted(one.id_data.keys()),
+        )
+        for one in places(owner)
+    ]
 
 
 def shown(owner):

@@ -4,11 +4,17 @@ import threading
 from unittest import mock
 
 import bpy
+from mathutils import Matrix
+
 import support
 import toy_system
-from mathutils import Matrix
 from core.wiring.wiring_cases import (
-    WiringTestCase, assert_playback_equals_jumps, build_followers, build_object, each_kind, frame_set,
+    WiringTestCase,
+    assert_playback_equals_jumps,
+    build_followers,
+    build_object,
+    each_kind,
+    frame_set,
 )
 
 wiring = support.addon("core.wiring")

@@ -4,6 +4,7 @@ import functools
 from unittest import mock
 
 import bpy
+
 import support
 import toy_system
 
@@ -46,6 +47,7 @@ KINDS = (build_object, build_bone, build_followers, build_followers_without_attr
 
 def each_of(kinds):
     """Makes a decorator that runs a test method, which takes the build function, for every kind in an empty scene."""
+
     def decorate(test):
         @functools.wraps(test)
         def test_each(self):
@@ -53,7 +55,9 @@ def each_of(kinds):
                 with self.subTest(build.__name__):
                     support.empty_scene()
                     test(self, build)
+
         return test_each
+
     return decorate
 
 

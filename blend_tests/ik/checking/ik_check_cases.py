@@ -1,6 +1,7 @@
 """What the tests of checking chains share: an arm, targets that jump, and what is told of them."""
 
 import bpy
+
 import support
 from ik.ik_cases import IkTestCase
 

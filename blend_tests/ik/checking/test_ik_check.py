@@ -4,10 +4,11 @@ import math
 import types
 
 import bpy
-import support
-from ik.ik_cases import REACHABLE, turn
-from ik.checking.ik_check_cases import CheckTestCase
 from mathutils import Vector
+
+import support
+from ik.checking.ik_check_cases import CheckTestCase
+from ik.ik_cases import REACHABLE, turn
 
 
 class Frames(CheckTestCase):

@@ -1,9 +1,10 @@
 """Checking chains of which some are not solved, muted, or left to their animation."""
 
 import bpy
+
 import support
-from ik.ik_cases import REACHABLE
 from ik.checking.ik_check_cases import CheckTestCase
+from ik.ik_cases import REACHABLE
 
 
 class Unsolved(CheckTestCase):
@@ -12,10 +13,19 @@ class Unsolved(CheckTestCase):
     def reported(self, **keywords):
         """Kinds and sentences of the operator's reports."""
         cls, reports = support.addon("ik.checking.operators").MOTUS_OT_ik_check, []
-        walker = type("Walker", (), {
-            **{name: value for name, value in vars(cls).items() if callable(value)},
-            "object": "Rig", "bone": "", "step": 1.0, "total": 10, **keywords,
-            "report": lambda _self, kind, text: reports.append((*kind, text))})()
+        walker = type(
+            "Walker",
+            (),
+            {
+                **{name: value for name, value in vars(cls).items() if callable(value)},
+                "object": "Rig",
+                "bone": "",
+                "step": 1.0,
+                "total": 10,
+                **keywords,
+                "report": lambda _self, kind, text: reports.append((*kind, text)),
+            },
+        )()
         for _ in walker.steps(bpy.context, list(range(1, 11))):
             pass
         walker.result(bpy.context)
@@ -62,8 +72,9 @@ class Unsolved(CheckTestCase):
         self.reach("Hand", chain_length=1)
         self.reach()
         self.rigged.motus.ik.entries["Hand"].chain_length = 2
-        self.assertEqual(self.reported(bone="Bone 1"), [
-            ('WARNING', "Bone 1: Not solved on frames 1-10: the panel says why (checked 1-10)")])
+        self.assertEqual(
+            self.reported(bone="Bone 1"), [('WARNING', "Bone 1: Not solved on frames 1-10: the panel says why (checked 1-10)")]
+        )
 
     def test_muted_chains_do_not_count(self):
         self.reach()
@@ -100,8 +111,7 @@ class Unsolved(CheckTestCase):
         target.parent = self.target((0.0, 0.0, 0.0), "Carrier")
         target.parent.driver_add("scale", 2).driver.expression = "3e38 if frame > 7 else 1"
         entry = self.reach()
-        self.assertEqual(self.reported(), [
-            ('WARNING', "Bone 1: Not solved on frames 8-10: the panel says why (checked 1-10)")])
+        self.assertEqual(self.reported(), [('WARNING', "Bone 1: Not solved on frames 8-10: the panel says why (checked 1-10)")])
         for frame in (1, 3, 9):
             self.scene.frame_set(frame)
             self.assertFalse(self.is_outdated(entry), frame)

@@ -4,9 +4,10 @@ import math
 
 import bpy
 import numpy as np
+from mathutils import Vector
+
 import support
 from ik.ik_cases import ARM, IkTestCase, add_bone, add_chain, tentacle, turn
-from mathutils import Vector
 
 
 class DragTestCase(IkTestCase):
@@ -23,8 +24,7 @@ class DragTestCase(IkTestCase):
         return evaluated.matrix_world @ posed.head.lerp(posed.tail, factor)
 
     def drag(self, bone, factor, location, rig="Rig", **keywords):
-        self.assertEqual(bpy.ops.motus.ik_drag(object=rig, bone=bone, factor=factor, location=location, **keywords),
-                         {'FINISHED'})
+        self.assertEqual(bpy.ops.motus.ik_drag(object=rig, bone=bone, factor=factor, location=location, **keywords), {'FINISHED'})
 
     def assertPulled(self, rig, bone, factor, shift, tolerance=1e-5):
         place = self.point(rig, bone, factor) + Vector(shift)
@@ -58,7 +58,6 @@ class OfControlBones(DragTestCase):
         self.assertRefused("moved by a driver", bpy.ops.motus.ik_drag, object="Rig", bone="Target Bone 1", location=(1, 0, 0))
 
 
-
 class WithoutIk(DragTestCase):
     def chain(self, count=5, size=0.3, **options):
         def build(bones):
@@ -66,6 +65,7 @@ class WithoutIk(DragTestCase):
             last = add_chain(bones, "Bone", tentacle(count, size), root, **options)
             for side in (-1.0, 1.0):
                 add_bone(bones, f"Finger {side}", last.tail, last.tail + Vector((0.1 * side, 0.0, 0.1)), last)
+
         return self.rig(build)
 
     def test_any_point_of_any_bone(self):
@@ -136,14 +136,17 @@ class WithoutIk(DragTestCase):
                 bone.rotation_mode = mode
                 bone.rotation_euler = (7.0, 0.1, -0.3)
                 bone.rotation_axis_angle = (9.0, 0.1, 0.9, 0.3)
-            before = [(tuple(bone.rotation_quaternion), tuple(bone.rotation_euler), tuple(bone.rotation_axis_angle))
-                      for bone in rig.pose.bones]
+            before = [
+                (tuple(bone.rotation_quaternion), tuple(bone.rotation_euler), tuple(bone.rotation_axis_angle)) for bone in rig.pose.bones
+            ]
             held = support.addon("ik.dragging.grab").grab(bpy.context, rig, "Bone 3", 0.5)
             held.pull(held.point + Vector((0.2, 0.1, -0.2)))
             self.assertNear(self.point(rig, "Bone 3", 0.5), held.point + Vector((0.2, 0.1, -0.2)), 1e-5)
             held.restore()
-            self.assertEqual([(tuple(bone.rotation_quaternion), tuple(bone.rotation_euler),
-                               tuple(bone.rotation_axis_angle)) for bone in rig.pose.bones], before)
+            self.assertEqual(
+                [(tuple(bone.rotation_quaternion), tuple(bone.rotation_euler), tuple(bone.rotation_axis_angle)) for bone in rig.pose.bones],
+                before,
+            )
 
     def test_scripts_remove_it_meanwhile(self):
         for remove in (lambda rig: bpy.data.objects.remove(rig), lambda rig: self.remove_bone(rig, "Bone 3")):
@@ -178,8 +181,7 @@ class WithoutIk(DragTestCase):
         self.scene.frame_set(5)
         self.assertPulled(rig, "Bone 2", 1.0, (0.05, 0.1, -0.1))
         curves = support.addon("core.blender.actions").fcurves(rig)
-        self.assertEqual({curve.data_path for curve in curves},
-                         {f'pose.bones["Bone {index}"].rotation_quaternion' for index in range(3)})
+        self.assertEqual({curve.data_path for curve in curves}, {f'pose.bones["Bone {index}"].rotation_quaternion' for index in range(3)})
         self.assertEqual({point.co.x for curve in curves for point in curve.keyframe_points}, {5.0})
 
     def test_refusals(self):
@@ -247,6 +249,7 @@ class WithIk(DragTestCase):
             add_bone(bones, "Root", (0.0, 1.0, 0.0), (0.3, 1.0, 0.4))
             add_bone(bones, "Goal", (0.6, 0.3, 1.4), (0.6, 0.3, 1.6), bones["Root"])
             add_chain(bones, "Bone", ARM)
+
         rig = self.rig(build)
         turn(rig.pose.bones["Root"], (0.0, 1.0, 0.0), 0.05)
         self.reach(target="Rig", target_bone="Goal")
@@ -261,8 +264,7 @@ class WithIk(DragTestCase):
         self.assertPulled(rig, "Bone 1", 1.0, (0.05, -0.1, 0.1))
         self.assertNear(bpy.data.objects["Target"].location, (0.6, 0.3, 1.4), 1e-7)
         entry.target_blend = 0.5
-        self.assertRefused("between two targets", bpy.ops.motus.ik_drag, object="Rig", bone="Bone 1",
-                           location=(0, 0, 0))
+        self.assertRefused("between two targets", bpy.ops.motus.ik_drag, object="Rig", bone="Bone 1", location=(0, 0, 0))
 
     def test_out_of_reach_and_back(self):
         rig = self.arm()

@@ -4,6 +4,7 @@ import unittest
 from pathlib import Path
 
 import bpy
+
 import support
 
 TOOL = "motus.ik_drag"
@@ -12,6 +13,7 @@ TOOL = "motus.ik_drag"
 class Toolbar(unittest.TestCase):
     def tools(self, mode='POSE'):
         from bl_ui.space_toolsystem_toolbar import VIEW3D_PT_tools_active
+
         found = VIEW3D_PT_tools_active._tools_flatten(VIEW3D_PT_tools_active._tools[mode])
         return [tool for tool in found if getattr(tool, "idname", "") == TOOL]
 
@@ -22,7 +24,7 @@ class Toolbar(unittest.TestCase):
         self.assertEqual(self.tools(), [])
 
     def test_the_icon_is_valid_and_what_its_script_draws(self):
-        tool, = self.tools()
+        (tool,) = self.tools()
         icon = bpy.app.icons.new_triangles_from_file(f"{tool.icon}.dat")
         self.assertGreater(icon, 0)
         bpy.app.icons.release(icon)

@@ -4,15 +4,13 @@ import math
 
 import bpy
 import numpy as np
-import support
-from ik.ik_cases import IkTestCase
 from mathutils import Quaternion
 
+import support
+from ik.ik_cases import IkTestCase
 
 FEW = (1, 0.0), (10, 0.6), (40, 0.4)
-MANY = (
-    (-30, 0.1), (-20, 0.4), (-9, -0.5), (1, 0.0), (6, 0.2), (10, 0.6), (15, 0.1), (40, 0.3), (47, -0.2), (60, 0.5),
-    (70, 0.1))
+MANY = ((-30, 0.1), (-20, 0.4), (-9, -0.5), (1, 0.0), (6, 0.2), (10, 0.6), (15, 0.1), (40, 0.3), (47, -0.2), (60, 0.5), (70, 0.1))
 """Keys of a number: (frame, value)."""
 
 
@@ -26,8 +24,7 @@ class MatchTestCase(IkTestCase):
         for step, frame in enumerate(frames):
             for index, name in enumerate(bones):
                 bone = rig.pose.bones[name]
-                rotation = Quaternion((0.3, 0.2 * index, 1.0), 0.35 * step - 0.2 * index) @ Quaternion(
-                    (0.0, 1.0, 0.0), 0.2 * step)
+                rotation = Quaternion((0.3, 0.2 * index, 1.0), 0.35 * step - 0.2 * index) @ Quaternion((0.0, 1.0, 0.0), 0.2 * step)
                 if bone.rotation_mode == 'QUATERNION':
                     bone.rotation_quaternion = rotation
                 elif bone.rotation_mode == 'AXIS_ANGLE':
@@ -35,8 +32,10 @@ class MatchTestCase(IkTestCase):
                     bone.rotation_axis_angle = (angle, *axis)
                 else:
                     bone.rotation_euler = rotation.to_euler(bone.rotation_mode)
-                bone.keyframe_insert({'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}.get(
-                    bone.rotation_mode, "rotation_euler"), frame=frame)
+                bone.keyframe_insert(
+                    {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}.get(bone.rotation_mode, "rotation_euler"),
+                    frame=frame,
+                )
         return rig
 
     def animated_arm(self, frames=(1, 12, 30), **options):
@@ -91,13 +90,24 @@ def rewrite(curve, keys, handles='AUTO_CLAMPED', smoothing='CONT_ACCEL', is_cycl
 
 def all_of(curve):
     """Keys of an F-curve, exactly."""
-    return [(tuple(key.co), tuple(key.handle_left), tuple(key.handle_right), key.handle_left_type, key.handle_right_type,
-             key.interpolation) for key in curve.keyframe_points]
+    return [
+        (tuple(key.co), tuple(key.handle_left), tuple(key.handle_right), key.handle_left_type, key.handle_right_type, key.interpolation)
+        for key in curve.keyframe_points
+    ]
 
 
 def state_of(obj):
     """Keys and transforms of a control."""
     curves = support.addon("core.blender.actions").fcurves(obj)
-    return tuple(obj.location), tuple(obj.rotation_euler), [
-        (curve.data_path, curve.array_index, [(tuple(point.co), point.interpolation, point.handle_left_type)
-                                              for point in curve.keyframe_points]) for curve in curves]
+    return (
+        tuple(obj.location),
+        tuple(obj.rotation_euler),
+        [
+            (
+                curve.data_path,
+                curve.array_index,
+                [(tuple(point.co), point.interpolation, point.handle_left_type) for point in curve.keyframe_points],
+            )
+            for curve in curves
+        ],
+    )

@@ -4,9 +4,10 @@ import math
 
 import bpy
 import numpy as np
+from mathutils import Quaternion
+
 import support
 from ik.matching.ik_match_cases import FEW, MANY, MatchTestCase
-from mathutils import Quaternion
 
 
 class FkMatchesIk(MatchTestCase):
@@ -53,8 +54,12 @@ class FkMatchesIk(MatchTestCase):
         self.match("fk_match_ik")
         actions = support.addon("core.blender.actions")
         for name in ("Bone 0", "Bone 1"):
-            values = np.array([[actions.find(rig, f'pose.bones["{name}"].rotation_quaternion', index).evaluate(frame)
-                                for index in range(4)] for frame in range(1, 31)])
+            values = np.array(
+                [
+                    [actions.find(rig, f'pose.bones["{name}"].rotation_quaternion', index).evaluate(frame) for index in range(4)]
+                    for frame in range(1, 31)
+                ]
+            )
             self.assertGreater((values[1:] * values[:-1]).sum(axis=1).min(), 0.5)
 
     def test_between_keys_before_the_range_too(self):
@@ -74,8 +79,9 @@ class FkMatchesIk(MatchTestCase):
             for handles in ('AUTO_CLAMPED', 'AUTO'):
                 with self.subTest(f"{len(keys)} keys, {frames}, {handles}"):
                     self.setUp()
-                    self.assertFramesStay("fk_match_ik", self.moving(), 'pose.bones["Bone 0"].rotation_quaternion',
-                                          keys, frames, handles=handles)
+                    self.assertFramesStay(
+                        "fk_match_ik", self.moving(), 'pose.bones["Bone 0"].rotation_quaternion', keys, frames, handles=handles
+                    )
 
     def test_switch_leaves_the_pose(self):
         rig = self.moving(position_weight=0.6, rotation_weight=0.3)

@@ -1,6 +1,7 @@
 """Tools that write keys, on rigs and targets whose action is linked from a library: it is copied first."""
 
 import bpy
+
 import support
 from ik.ik_cases import REACHABLE
 from ik.matching.ik_match_cases import MatchTestCase, state_of
@@ -30,8 +31,11 @@ class LinkedActionTestCase(MatchTestCase):
         return chosen.actions[0]
 
     def keys_of(self, action):
-        return [(curve.data_path, curve.array_index, [tuple(point.co) for point in curve.keyframe_points])
-                for curves in self.actions.all_fcurves(action) for curve in curves]
+        return [
+            (curve.data_path, curve.array_index, [tuple(point.co) for point in curve.keyframe_points])
+            for curves in self.actions.all_fcurves(action)
+            for curve in curves
+        ]
 
     def assertCopied(self, obj, linked):
         action = obj.animation_data.action
@@ -91,8 +95,7 @@ class Matching(LinkedActionTestCase):
         self.link_action(self.goal)
         self.reach()
         jobs = support.addon("ik.matching.job")
-        before = [(obj.animation_data.action, self.actions.slot_identifier(obj), state_of(obj))
-                  for obj in (self.rigged, self.goal)]
+        before = [(obj.animation_data.action, self.actions.slot_identifier(obj), state_of(obj)) for obj in (self.rigged, self.goal)]
         count = len(bpy.data.actions)
         for job in (jobs.match_fk, jobs.match_ik):
             steps = job(bpy.context, self.rigged, "", list(range(1, 31)), True, {})
@@ -101,8 +104,9 @@ class Matching(LinkedActionTestCase):
             self.assertGreater(len(bpy.data.actions), count)
             steps.close()
             self.assertEqual(len(bpy.data.actions), count)
-            self.assertEqual([(obj.animation_data.action, self.actions.slot_identifier(obj), state_of(obj))
-                              for obj in (self.rigged, self.goal)], before)
+            self.assertEqual(
+                [(obj.animation_data.action, self.actions.slot_identifier(obj), state_of(obj)) for obj in (self.rigged, self.goal)], before
+            )
 
 
 class Others(LinkedActionTestCase):
@@ -110,8 +114,9 @@ class Others(LinkedActionTestCase):
         linked, entry = self.link_action(self.rigged), self.reach()
         self.target((0.5, 0.5, 1.2), "Other")
         wanted = self.poses(self.rigged, 9)
-        self.assertEqual(bpy.ops.motus.ik_switch_target(
-            object="Rig", bone="Bone 1", target="Other", frame_start=10, frame_end=20), {'FINISHED'})
+        self.assertEqual(
+            bpy.ops.motus.ik_switch_target(object="Rig", bone="Bone 1", target="Other", frame_start=10, frame_end=20), {'FINISHED'}
+        )
         self.assertSamePose(self.rigged, wanted, frame=9)
         self.assertNear(self.tail(self.rigged, frame=20), (0.5, 0.5, 1.2))
         self.assertCopied(self.rigged, linked)

@@ -1,6 +1,7 @@
 """Matching where targets and poles are gone, or have lost their bone."""
 
 import bpy
+
 from ik.ik_cases import add_bone, state
 from ik.matching.ik_match_cases import MatchTestCase, state_of
 
@@ -63,8 +64,10 @@ class Gone(MatchTestCase):
     def test_pole(self):
         """The chain bends as without one."""
         self.target((0.0, -3.0, 1.0), "Pole")
-        for keywords, lose in (({"pole": "Pole"}, lambda: self.delete("Pole")),
-                               ({"pole": "Controls", "pole_bone": "Goal"}, self.lose_bone)):
+        for keywords, lose in (
+            ({"pole": "Pole"}, lambda: self.delete("Pole")),
+            ({"pole": "Controls", "pole_bone": "Goal"}, self.lose_bone),
+        ):
             with self.subTest(keywords["pole"]):
                 entry = self.reach(**keywords)
                 pole = entry.pole

@@ -4,9 +4,10 @@ import math
 import re
 
 import bpy
+from mathutils import Quaternion, Vector
+
 import support
 from ik.matching.ik_match_cases import MatchTestCase
-from mathutils import Quaternion, Vector
 
 JOINTS = ((0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.5, 0.0, 1.0))
 ANGLE = math.radians(60.0)
@@ -74,7 +75,8 @@ class Reports(support.SceneTestCase):
     def said(self, *calls):
         """(kind, frames, millimetres, degrees) that each of the Scenes reports."""
         code = "from ik.matching import test_ik_match_reports\n" + "".join(
-            f"scene = test_ik_match_reports.Scenes()\nscene.setUp()\nscene.{call}\n" for call in calls)
+            f"scene = test_ik_match_reports.Scenes()\nscene.setUp()\nscene.{call}\n" for call in calls
+        )
         status, output = support.run_blender(code)
         self.assertEqual(status, 0, output)
         found = [match.groups() for match in map(MATCHED.match, output.splitlines()) if match]
@@ -88,8 +90,9 @@ class Reports(support.SceneTestCase):
             self.assertLessEqual(float(angle), 0.02)
 
     def test_what_must_be_left(self):
-        found = self.said("controls_matched_with_a_locked_joint()", "controls_matched_with_a_locked_joint(0.01)",
-                          "bones_matched_with_a_limited_bone()")
+        found = self.said(
+            "controls_matched_with_a_locked_joint()", "controls_matched_with_a_locked_joint(0.01)", "bones_matched_with_a_limited_bone()"
+        )
         for (kind, frames, length, angle), wanted in zip(found, (1000.0, 10.0, 1500.0)):
             self.assertEqual((kind, frames), ("Warning", "5"))
             self.assertAlmostEqual(float(length), wanted, delta=1e-5 * wanted)
@@ -103,8 +106,7 @@ class Steps(MatchTestCase):
     def steps(self, operator):
         """(announced before the first, numbers of those that were done)."""
         cls = getattr(support.addon("ik.matching.operators"), operator)
-        walker = type("Walker", (), {
-            "object": "Rig", "bone": "", "switch": False, "steps": cls.steps, "job": staticmethod(cls.job)})()
+        walker = type("Walker", (), {"object": "Rig", "bone": "", "switch": False, "steps": cls.steps, "job": staticmethod(cls.job)})()
         steps = walker.steps(bpy.context, list(range(1, 11)))
         return walker.total, list(steps)
 
@@ -126,8 +128,11 @@ class Steps(MatchTestCase):
     def test_announced(self):
         self.animated_arm()
         entry = self.reach(make_pole=True)
-        for operator, parent, wanted in (("MOTUS_OT_ik_match_fk", None, 20), ("MOTUS_OT_fk_match_ik", None, 20),
-                                         ("MOTUS_OT_ik_match_fk", entry.target, 30)):
+        for operator, parent, wanted in (
+            ("MOTUS_OT_ik_match_fk", None, 20),
+            ("MOTUS_OT_fk_match_ik", None, 20),
+            ("MOTUS_OT_ik_match_fk", entry.target, 30),
+        ):
             with self.subTest(operator, parent=parent):
                 entry.pole.parent = parent
                 self.assertEqual(self.steps(operator), (wanted, list(range(1, wanted + 1))))

@@ -1,6 +1,7 @@
 """Matching on Rigify's metarigs, both ways: joints and poses of all limbs at every frame, as evaluated."""
 
 import bpy
+
 import rig_samples as samples
 import support
 from ik.test_ik_rigs import CHAINS, add_ik

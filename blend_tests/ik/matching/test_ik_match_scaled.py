@@ -1,16 +1,20 @@
 """Matching of controls that are scaled, sheared and mirrored, by themselves and by what they hang on."""
 
 import bpy
+from mathutils import Euler, Matrix
+
 import support
 from ik.matching.ik_match_cases import MatchTestCase
-from mathutils import Euler, Matrix
 
 controls = support.addon("ik.goals.controls")
 frame_of = support.addon("ik.goals.orientation").frame_of
 
 PARENTS = {
-    "scaled": (2.0, 1.0, 0.5), "scaled a little": (1.2, 1.0, 1.0), "mirrored": (-1.0, 1.0, 1.0),
-    "mirrored and scaled": (1.5, -1.0, 0.7)}
+    "scaled": (2.0, 1.0, 0.5),
+    "scaled a little": (1.2, 1.0, 1.0),
+    "mirrored": (-1.0, 1.0, 1.0),
+    "mirrored and scaled": (1.5, -1.0, 0.7),
+}
 OWN = ((1.0, 1.0, 1.0), (0.5, 2.0, 1.5), (-1.0, 2.0, 1.0), (1.0, -1.0, -2.0))
 
 

@@ -5,10 +5,11 @@ import time
 
 import bpy
 import numpy as np
+from mathutils import Quaternion, Vector
+
 import support
 from ik.ik_cases import ARM, add_bone, add_chain, state, tentacle, turn
 from ik.matching.ik_match_cases import FEW, MANY, MatchTestCase, all_of, rewrite, state_of
-from mathutils import Quaternion, Vector
 
 WEIGHT = "motus.ik.entries[0].position_weight"
 
@@ -42,8 +43,14 @@ class IkMatchesFk(MatchTestCase):
         self.assertRecorded(rig, before)
 
     def test_settings_that_shape_the_solution(self):
-        for settings in ({"softness": 0.2}, {"stretch": 1.0}, {"bend": 'AWAY', "pole_angle": 0.7},
-                         {"rotation_weight": 1.0}, {"position_weight": 0.3}, {"use_limits": True}):
+        for settings in (
+            {"softness": 0.2},
+            {"stretch": 1.0},
+            {"bend": 'AWAY', "pole_angle": 0.7},
+            {"rotation_weight": 1.0},
+            {"position_weight": 0.3},
+            {"use_limits": True},
+        ):
             with self.subTest(str(settings)):
                 self.setUp()
                 rig = self.animated_arm()
@@ -103,15 +110,19 @@ class IkMatchesFk(MatchTestCase):
         for where in ("Controls", "Rig"):
             with self.subTest(where):
                 self.setUp()
+
                 def extra(bones):
                     bone = bones.new("Root")
                     bone.head, bone.tail = (0.0, 1.0, 0.0), (0.3, 1.0, 0.4)
                     goal = bones.new("Goal")
                     goal.head, goal.tail, goal.parent = (1.0, 0.5, 1.0), (1.0, 0.5, 1.3), bone
+
                 if where == "Rig":
+
                     def build(bones):
                         add_chain(bones, "Bone", ARM)
                         extra(bones)
+
                     rig = self.animate(self.rig(build))
                 else:
                     rig = self.animated_arm()
@@ -208,8 +219,7 @@ class IkMatchesFk(MatchTestCase):
         self.reach()
         self.match(frame_start=10, frame_end=20, step=2.0)
         curves = support.addon("core.blender.actions").fcurves(target)
-        frames = [[round(point.co.x, 3) for point in curve.keyframe_points] for curve in curves
-                  if curve.data_path == "location"]
+        frames = [[round(point.co.x, 3) for point in curve.keyframe_points] for curve in curves if curve.data_path == "location"]
         self.assertEqual(frames, [[-5, 10, 12, 14, 16, 18, 20, 40]] * 3)
         self.assertEqual([curve.evaluate(40) for curve in curves if curve.data_path == "location"], [9.0] * 3)
 
@@ -226,27 +236,36 @@ class IkMatchesFk(MatchTestCase):
 
     def test_frames_between_kept_keys_stay(self):
         """Handles of the keys next to the range do not go by what is keyed there."""
-        for keys, frames in ((FEW, (11, 30)), (FEW, (20, 25)), (FEW, (1, 5)), (FEW, (-5, 5)), (FEW, (45, 50)),
-                             (MANY, (11, 30)), (MANY, (20, 25)), (MANY, (-30, 2))):
+        for keys, frames in (
+            (FEW, (11, 30)),
+            (FEW, (20, 25)),
+            (FEW, (1, 5)),
+            (FEW, (-5, 5)),
+            (FEW, (45, 50)),
+            (MANY, (11, 30)),
+            (MANY, (20, 25)),
+            (MANY, (-30, 2)),
+        ):
             for handles in ('AUTO_CLAMPED', 'AUTO', 'VECTOR', ('AUTO', 'VECTOR')):
                 for smoothing in ('CONT_ACCEL', 'NONE'):
                     with self.subTest(f"{len(keys)} keys, {frames}, {handles}, {smoothing}"):
                         self.keyed_target()
-                        self.assertFramesStay("ik_match_fk", bpy.data.objects["Target"], "location", keys, frames,
-                                              handles=handles, smoothing=smoothing)
+                        self.assertFramesStay(
+                            "ik_match_fk", bpy.data.objects["Target"], "location", keys, frames, handles=handles, smoothing=smoothing
+                        )
 
     def test_frames_before_a_kept_corner_stay(self):
         """A key whose one handle points at the next key, while the other is aligned to it."""
         self.keyed_target()
-        self.assertFramesStay("ik_match_fk", bpy.data.objects["Target"], "location", FEW, (11, 30),
-                              handles=('ALIGNED', 'VECTOR'), smoothing='NONE')
+        self.assertFramesStay(
+            "ik_match_fk", bpy.data.objects["Target"], "location", FEW, (11, 30), handles=('ALIGNED', 'VECTOR'), smoothing='NONE'
+        )
 
     def test_frames_between_kept_keys_of_a_repeated_curve_stay(self):
         for frames in ((11, 30), (20, 25), (1, 5), (65, 70), (-35, 80)):
             with self.subTest(f"{frames}"):
                 self.keyed_target()
-                self.assertFramesStay("ik_match_fk", bpy.data.objects["Target"], "location", MANY, frames,
-                                      handles='AUTO', is_cyclic=True)
+                self.assertFramesStay("ik_match_fk", bpy.data.objects["Target"], "location", MANY, frames, handles='AUTO', is_cyclic=True)
 
     def test_kept_keys_are_taken_back(self):
         for options in ({}, {"handles": 'AUTO', "is_cyclic": True}, {"handles": ('AUTO_CLAMPED', 'VECTOR')}):
@@ -356,7 +375,8 @@ class IkMatchesFk(MatchTestCase):
                     rig, writer = bpy.data.objects["Rig"], support.addon("ik.keying").KeyWriter()
                     before = _keys(curve)
                     support.addon("ik.matching.weights").switch(
-                        self.scene, rig, rig.motus.ik.entries[:], frames, writer, {"position_weight": 1.0})
+                        self.scene, rig, rig.motus.ik.entries[:], frames, writer, {"position_weight": 1.0}
+                    )
                     self.assertNotEqual(_keys(curve), before)
                     writer.take_back()
                     self.assertEqual(_keys(curve), before)
@@ -426,9 +446,11 @@ class IkMatchesFk(MatchTestCase):
 
     def test_speed(self):
         """250 frames of 4 chains, in seconds of the processor: 0.7 and 0.4 s here."""
+
         def build(bones):
             for index in range(4):
                 add_chain(bones, f"Chain {index}", [(x, index, z) for x, _, z in ARM])
+
         rig = self.rig(build)
         self.animate(rig, [f"Chain {index} {bone}" for index in range(4) for bone in range(2)], (1, 120, 250))
         for index in range(4):
@@ -459,8 +481,14 @@ class Undo(MatchTestCase):
         """Keys and transforms of the rig and its controls, the weights, and where the bones stand."""
         rig, *controls = (bpy.data.objects[name] for name in ("Rig", "Target", "Rig Bone 1 Pole"))
         entry = rig.motus.ik.entries[0]
-        return ([state_of(obj) for obj in (rig, *controls)], state(rig), self.poses(rig).tolist(),
-                (entry.position_weight, entry.rotation_weight), self.scene.frame_current, len(bpy.data.actions))
+        return (
+            [state_of(obj) for obj in (rig, *controls)],
+            state(rig),
+            self.poses(rig).tolist(),
+            (entry.position_weight, entry.rotation_weight),
+            self.scene.frame_current,
+            len(bpy.data.actions),
+        )
 
     def test_matching_is_one_step(self):
         for operator in ("ik_match_fk", "fk_match_ik"):
@@ -489,5 +517,13 @@ class Undo(MatchTestCase):
 
 
 def _keys(curve):
-    return [(tuple(key.co), tuple(round(part, 4) for part in (*key.handle_left, *key.handle_right)),
-             key.handle_left_type, key.handle_right_type, key.interpolation) for key in curve.keyframe_points]
+    return [
+        (
+            tuple(key.co),
+            tuple(round(part, 4) for part in (*key.handle_left, *key.handle_right)),
+            key.handle_left_type,
+            key.handle_right_type,
+            key.interpolation,
+        )
+        for key in curve.keyframe_points
+    ]

@@ -1,6 +1,7 @@
 """What the tests of switching share: an arm that is at A, and two other targets."""
 
 import bpy
+
 from ik.ik_cases import IkTestCase
 
 A, B, C = (0.6, 0.3, 1.4), (0.2, -0.8, 1.2), (0.9, 0.1, 0.6)
@@ -15,8 +16,7 @@ class SwitchTestCase(IkTestCase):
         self.entry = self.reach(target="A")
 
     def switch(self, target, **keywords):
-        self.assertEqual(
-            bpy.ops.motus.ik_switch_target(object="Rig", bone="Bone 1", target=target, **keywords), {'FINISHED'})
+        self.assertEqual(bpy.ops.motus.ik_switch_target(object="Rig", bone="Bone 1", target=target, **keywords), {'FINISHED'})
 
     def keyed(self, target, start, end, **keywords):
         self.switch(target, frame_start=start, frame_end=end, **keywords)

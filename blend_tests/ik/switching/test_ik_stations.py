@@ -3,9 +3,10 @@
 import math
 
 import bpy
+from mathutils import Vector
+
 import support
 from ik.switching.ik_switch_cases import A, B, C, SwitchTestCase
-from mathutils import Vector
 
 D = (0.3, 0.7, 1.3)
 
@@ -16,15 +17,20 @@ class StationTestCase(SwitchTestCase):
         self.target(D, "D")
 
     def remove(self, index):
-        self.assertEqual(
-            bpy.ops.motus.ik_target_remove(object="Rig", bone="Bone 1", index=index), {'FINISHED'})
+        self.assertEqual(bpy.ops.motus.ik_target_remove(object="Rig", bone="Bone 1", index=index), {'FINISHED'})
 
     def trigger(self, target, start, interpolation='LINEAR'):
         """Switch as the trigger's X goes from `start` to one more."""
         if "Trigger" not in bpy.data.objects:
             self.link("Trigger")
-        self.switch(target, trigger_object="Trigger", trigger_data_path="location.x", trigger_start=start,
-                    trigger_end=start + 1.0, interpolation=interpolation)
+        self.switch(
+            target,
+            trigger_object="Trigger",
+            trigger_data_path="location.x",
+            trigger_start=start,
+            trigger_end=start + 1.0,
+            interpolation=interpolation,
+        )
 
     def assertTriggered(self, *pairs):
         for value, place in pairs:
@@ -167,8 +173,9 @@ class RemovedFromTriggers(StationTestCase):
         self.entry.extra_targets.remove(1)
         expression = self.driver.expression
         for keywords in ({}, {"trigger_object": "Trigger", "trigger_data_path": "location.x"}):
-            self.assertRefused("targets that there are no more", bpy.ops.motus.ik_switch_target, object="Rig",
-                               bone="Bone 1", target="A", **keywords)
+            self.assertRefused(
+                "targets that there are no more", bpy.ops.motus.ik_switch_target, object="Rig", bone="Bone 1", target="A", **keywords
+            )
         self.assertEqual((self.stations, self.driver.expression), (["B", "D"], expression))
 
     def test_a_driver_of_ones_own_is_left(self):
@@ -298,5 +305,6 @@ class Missing(StationTestCase):
         self.keyed("D", 50, 60)
         self.assertAt(C, 50)
         self.assertAt(D, 60)
-        self.assertRefused("Bone 1 has no target", bpy.ops.motus.ik_switch_target, object="Rig", bone="Bone 1",
-                           target="D", frame_start=2, frame_end=5)
+        self.assertRefused(
+            "Bone 1 has no target", bpy.ops.motus.ik_switch_target, object="Rig", bone="Bone 1", target="D", frame_start=2, frame_end=5
+        )

@@ -3,10 +3,11 @@
 import math
 
 import bpy
+from mathutils import Quaternion
+
 import support
 from ik.ik_cases import counts, state, turn
 from ik.switching.ik_switch_cases import A, B, C, SwitchTestCase
-from mathutils import Quaternion
 
 
 class Keyed(SwitchTestCase):
@@ -104,6 +105,7 @@ class Keyed(SwitchTestCase):
     def test_refusals(self):
         def refused(part, **keywords):
             self.assertRefused(part, bpy.ops.motus.ik_switch_target, object="Rig", bone="Bone 1", **keywords)
+
         refused("Name the target")
         refused("range is empty", target="B", frame_start=5, frame_end=5)
         refused("is at A already", target="A", frame_start=5, frame_end=9)
@@ -126,15 +128,13 @@ class Triggered(SwitchTestCase):
             point.handle_left, point.handle_right = (3.0 * index - 1.0, 0.0, 0.0), (3.0 * index + 1.0, 0.0, 0.0)
         self.link("Course", curve)
         plane = self.link("Aeroplane")
-        bpy.ops.motus.path_follow_add(object="Aeroplane", curve="Course", timing='DURATION',
-                                      duration=frames / self.scene.render.fps)
+        bpy.ops.motus.path_follow_add(object="Aeroplane", curve="Course", timing='DURATION', duration=frames / self.scene.render.fps)
         return plane
 
     def parameter(self, frame):
         self.evaluated(self.rigged, frame)
         path = support.addon("path").SYSTEM
-        return self.wiring.output(path, bpy.data.objects["Aeroplane"], "parameter",
-                                  bpy.context.evaluated_depsgraph_get())
+        return self.wiring.output(path, bpy.data.objects["Aeroplane"], "parameter", bpy.context.evaluated_depsgraph_get())
 
     def test_the_aeroplane_of_the_film(self):
         """Once the parameter passes 0.05 the hand goes from the handle to the remote control."""
@@ -172,12 +172,12 @@ class Triggered(SwitchTestCase):
         self.assertAt(B, 96)
 
     def test_interpolations(self):
-        for kind, places in (('LINEAR', ((0.0, 0.0), (1.25, 0.25), (3.0, 1.0))),
-                             ('CONSTANT', ((0.9, 0.0), (1.0, 1.0), (3.0, 1.0)))):
+        for kind, places in (('LINEAR', ((0.0, 0.0), (1.25, 0.25), (3.0, 1.0))), ('CONSTANT', ((0.9, 0.0), (1.0, 1.0), (3.0, 1.0)))):
             self.setUp()
             trigger = self.link("Trigger")
-            self.switch("B", trigger_object="Trigger", trigger_data_path="location.x", trigger_start=1.0,
-                        trigger_end=2.0, interpolation=kind)
+            self.switch(
+                "B", trigger_object="Trigger", trigger_data_path="location.x", trigger_start=1.0, trigger_end=2.0, interpolation=kind
+            )
             for value, wanted in places:
                 trigger.location.x = value
                 self.assertAlmostEqual(self.blend_at(1), wanted, places=5, msg=kind)
@@ -186,8 +186,9 @@ class Triggered(SwitchTestCase):
         for kind in ('BEZIER', 'CONSTANT'):
             self.setUp()
             trigger = self.link("Trigger")
-            self.switch("B", trigger_object="Trigger", trigger_data_path="location[0]", trigger_start=-1.0,
-                        trigger_end=-2.0, interpolation=kind)
+            self.switch(
+                "B", trigger_object="Trigger", trigger_data_path="location[0]", trigger_start=-1.0, trigger_end=-2.0, interpolation=kind
+            )
             for value, wanted in ((0.0, 0.0), (-0.9, 0.0), (-2.5, 1.0)):
                 trigger.location.x = value
                 self.assertAlmostEqual(self.blend_at(1), wanted, msg=kind)
@@ -205,8 +206,7 @@ class Triggered(SwitchTestCase):
         other = self.arm(name="Other", joints=((0.0, 2.0, 1.0), (0.7, 2.15, 1.0), (1.3, 2.0, 1.0)))
         self.target((0.6, 2.3, 1.4), "D")
         bpy.ops.motus.ik_add(object="Other", bone="Bone 1", target="D")
-        self.switch("B", trigger_object="Other", trigger_system="ik", trigger_output="Bone 1.distance",
-                    trigger_start=0.9, trigger_end=1.1)
+        self.switch("B", trigger_object="Other", trigger_system="ik", trigger_output="Bone 1.distance", trigger_start=0.9, trigger_end=1.1)
         return other
 
     def assertTriggered(self):
@@ -242,25 +242,35 @@ class Triggered(SwitchTestCase):
         self.switch("B", trigger_object="Aeroplane", trigger_start=0.05, trigger_end=0.15)
         bpy.ops.motus.path_follow_remove(object="Aeroplane")
         self.assertAt(A, 60)
-        bpy.ops.motus.path_follow_add(object="Aeroplane", curve="Course", timing='DURATION',
-                                      duration=100 / self.scene.render.fps)
+        bpy.ops.motus.path_follow_add(object="Aeroplane", curve="Course", timing='DURATION', duration=100 / self.scene.render.fps)
         for frame, place in ((1, A), (60, B), (2, A)):
             self.assertAt(place, frame)
 
     def test_what_is_solved_on_the_rig_itself(self):
         self.target((0.6, -0.3, 1.2), "E")
         bpy.ops.motus.ik_add(object="Rig", bone="Hand", target="E", chain_length=1)
-        self.assertRefused("cannot wait for what is solved on its own bones", bpy.ops.motus.ik_switch_target,
-                           object="Rig", bone="Bone 1", target="B", trigger_object="Rig", trigger_system="ik",
-                           trigger_output="Hand.distance")
+        self.assertRefused(
+            "cannot wait for what is solved on its own bones",
+            bpy.ops.motus.ik_switch_target,
+            object="Rig",
+            bone="Bone 1",
+            target="B",
+            trigger_object="Rig",
+            trigger_system="ik",
+            trigger_output="Hand.distance",
+        )
         self.assertIsNone(support.addon("ik.switching.blend_trigger").driver_of(self.rigged, self.entry))
 
     def test_settings_of_the_rig_itself(self):
         """To Blender its Blend is one with them."""
         self.link("Child").parent = self.rigged
         before = state(self.rigged), counts()
-        for owner, path in (("Rig", 'motus.ik.entries["Bone 1"].target_blend'), ("Rig", "motus.ik.influence"),
-                            ("Rig", "motus.ik.entries[0].rotation_offset[0]"), ("Child", "parent.motus.ik.influence")):
+        for owner, path in (
+            ("Rig", 'motus.ik.entries["Bone 1"].target_blend'),
+            ("Rig", "motus.ik.influence"),
+            ("Rig", "motus.ik.entries[0].rotation_offset[0]"),
+            ("Child", "parent.motus.ik.influence"),
+        ):
             with self.subTest(path):
                 self.assertTriggerRefused("cannot wait for what is solved on its own bones", owner, path)
         # Not every Blender finds a way by these.
@@ -271,8 +281,17 @@ class Triggered(SwitchTestCase):
         self.assertEqual((state(self.rigged), counts()), before)
 
     def assertTriggerRefused(self, sentence, owner, path):
-        self.assertRefused(sentence, bpy.ops.motus.ik_switch_target, object="Rig", bone="Bone 1", target="B",
-                           trigger_object=owner, trigger_data_path=path, trigger_start=-0.2, trigger_end=1.1)
+        self.assertRefused(
+            sentence,
+            bpy.ops.motus.ik_switch_target,
+            object="Rig",
+            bone="Bone 1",
+            target="B",
+            trigger_object=owner,
+            trigger_data_path=path,
+            trigger_start=-0.2,
+            trigger_end=1.1,
+        )
 
     def test_properties_of_the_rig_and_of_its_bones(self):
         hand = self.rigged.pose.bones["Hand"]
@@ -296,7 +315,7 @@ class Triggered(SwitchTestCase):
         """Blender evaluates the driver without Python."""
         self.aeroplane()
         self.switch("B", trigger_object="Aeroplane", trigger_start=0.05, trigger_end=0.15)
-        driver, = [curve.driver for curve in self.rigged.animation_data.drivers if "target_blend" in curve.data_path]
+        (driver,) = [curve.driver for curve in self.rigged.animation_data.drivers if "target_blend" in curve.data_path]
         self.assertTrue(driver.is_simple_expression)
         path = str(self.folder / "switch.blend")
         bpy.ops.wm.save_as_mainfile(filepath=path)
@@ -324,8 +343,9 @@ class Triggered(SwitchTestCase):
         known["trigger_object"] = "C"
         self.assertRefused("C is not driven by Follow Path", switch, **known)
         self.assertFalse(self.entry.extra_targets)
-        self.assertIsNone(self.entry.id_data.animation_data and support.addon("ik.switching.blend_trigger").driver_of(
-            self.rigged, self.entry))
+        self.assertIsNone(
+            self.entry.id_data.animation_data and support.addon("ik.switching.blend_trigger").driver_of(self.rigged, self.entry)
+        )
         self.rigged.driver_add("motus.ik.entries[0].target_blend").driver.expression = "0.5*2"
         known["trigger_object"] = "Aeroplane"
         self.assertRefused("a driver of its own", switch, **known)
@@ -334,8 +354,15 @@ class Triggered(SwitchTestCase):
         held = self.link("Held")
         held.constraints.new('COPY_LOCATION').target = self.rigged
         held.constraints[0].subtarget = "Hand"
-        self.assertRefused("moves with the chain itself", bpy.ops.motus.ik_switch_target, object="Rig", bone="Bone 1",
-                           target="B", trigger_object="Held", trigger_data_path="matrix_world[0][3]")
+        self.assertRefused(
+            "moves with the chain itself",
+            bpy.ops.motus.ik_switch_target,
+            object="Rig",
+            bone="Bone 1",
+            target="B",
+            trigger_object="Held",
+            trigger_data_path="matrix_world[0][3]",
+        )
         self.assertFalse(self.entry.extra_targets)
         self.assertAt(A, 3)
 

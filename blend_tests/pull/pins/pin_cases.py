@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+
 import support
 
 RADIUS = 0.8
@@ -105,9 +106,14 @@ def force(distance, radius=RADIUS, falloff="smooth", factor=0.0):
     if falloff == "classic":
         return np.where(d * d < radius, np.maximum(1.0 - d * d / (radius + 1.0), 0.0) ** (1.0 + abs(factor)), 0.0)
     curves = {
-        "smooth": 3.0 * t ** 2 - 2.0 * t ** 3, "sphere": np.sqrt(2.0 * t - t ** 2), "root": np.sqrt(t), "linear": t,
-        "sharp": t ** 2, "constant": np.ones_like(t),
-        "gaussian": (np.exp(-4.5 * d * d / radius ** 2) - np.exp(-4.5)) / (1.0 - np.exp(-4.5))}
+        "smooth": 3.0 * t**2 - 2.0 * t**3,
+        "sphere": np.sqrt(2.0 * t - t**2),
+        "root": np.sqrt(t),
+        "linear": t,
+        "sharp": t**2,
+        "constant": np.ones_like(t),
+        "gaussian": (np.exp(-4.5 * d * d / radius**2) - np.exp(-4.5)) / (1.0 - np.exp(-4.5)),
+    }
     return np.where(d < radius, curves[falloff], 0.0)
 
 

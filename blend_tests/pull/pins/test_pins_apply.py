@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+
 from pull.pins import pin_cases as cases
 from pull.pins.pin_cases import add, basis, centre, evaluated, frame_set, vertex_at
 

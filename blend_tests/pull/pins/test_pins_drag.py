@@ -2,8 +2,9 @@
 
 import bpy
 import numpy as np
-import support
 from mathutils import Vector
+
+import support
 from pull.pins import pin_cases as cases
 from pull.pins.pin_cases import add, basis, evaluated, vertex_at
 

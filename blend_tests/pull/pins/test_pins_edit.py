@@ -3,8 +3,9 @@
 import bmesh
 import bpy
 import numpy as np
-from pull.pins import pin_cases as cases
+
 import support
+from pull.pins import pin_cases as cases
 from pull.pins.pin_cases import add, basis, centre, evaluated, vertex_at
 
 WAY = (0.0, 0.0, 1.0)
@@ -59,8 +60,10 @@ class ElsewhereTest(cases.PinsTestCase):
         self.assert_shape(self.grid, cases.pulled(basis(self.grid), root, WAY))
 
     def test_a_thousand_vertices_deleted(self):
-        edit(self.grid, lambda mesh: bmesh.ops.delete(
-            mesh, geom=[vertex for vertex in mesh.verts if vertex.co.y < -1.3][:1000], context='VERTS'))
+        edit(
+            self.grid,
+            lambda mesh: bmesh.ops.delete(mesh, geom=[vertex for vertex in mesh.verts if vertex.co.y < -1.3][:1000], context='VERTS'),
+        )
         self.assertEqual(len(self.grid.data.vertices), 61 * 61 - 1000)
         self.assert_pulled_at_the_place()
 

@@ -4,8 +4,9 @@ import json
 
 import bpy
 import numpy as np
-from pull.pins import pin_cases as cases
+
 import support
+from pull.pins import pin_cases as cases
 from pull.pins.pin_cases import add, basis, centre, evaluated, frame_set, vertex_at
 
 BARE = """

@@ -2,8 +2,9 @@
 
 import bpy
 import numpy as np
-from pull.pins import pin_cases as cases
+
 import support
+from pull.pins import pin_cases as cases
 from pull.pins.pin_cases import add, basis, centre, evaluated, frame_set, vertex_at
 
 motus = bpy.ops.motus
@@ -12,9 +13,15 @@ motus = bpy.ops.motus
 def inventory(obj):
     """All that a set-up could leave behind."""
     lists = ("objects", "meshes", "node_groups", "actions")
-    return ([modifier.name for modifier in obj.modifiers], sorted(obj.data.attributes.keys()), list(obj.data.keys()),
-            obj.animation_data is None, obj.data.users, obj.data.attributes.active_index,
-            [len(getattr(bpy.data, name)) for name in lists])
+    return (
+        [modifier.name for modifier in obj.modifiers],
+        sorted(obj.data.attributes.keys()),
+        list(obj.data.keys()),
+        obj.animation_data is None,
+        obj.data.users,
+        obj.data.attributes.active_index,
+        [len(getattr(bpy.data, name)) for name in lists],
+    )
 
 
 class RemoveTest(cases.PinsTestCase):
@@ -116,8 +123,13 @@ class RemoveTest(cases.PinsTestCase):
         bpy.context.scene.collection.objects.link(other)
         material.use_nodes = True
         key = bpy.data.objects.new("Keyed", grid.data.copy()).shape_key_add(name="Basis").id_data
-        holders = ((other, "location", 0), (grid, "rotation_euler", 1), (material.node_tree, "nodes[0].location", 0),
-                   (key, "eval_time", -1), (other, "location", 2))
+        holders = (
+            (other, "location", 0),
+            (grid, "rotation_euler", 1),
+            (material.node_tree, "nodes[0].location", 0),
+            (key, "eval_time", -1),
+            (other, "location", 2),
+        )
         targets = [self.reading(grid, number, *holder) for number, holder in zip((0, 1, 2, 0, 1), holders)]
         paths = lambda: [target.data_path for target in targets]  # noqa: E731
         wanted = lambda *numbers: [f"motus.pull.pins[{number}].strength" for number in numbers]  # noqa: E731
@@ -128,7 +140,7 @@ class RemoveTest(cases.PinsTestCase):
         self.assertAlmostEqual(other.location.x, 0.1)
         self.assertAlmostEqual(other.location.z, 0.2)
         motus.pin_remove(index=0)
-        gone, = {paths()[1], paths()[4]}
+        (gone,) = {paths()[1], paths()[4]}
         self.assertEqual([paths()[index] for index in (0, 2, 3)], wanted(1, 0, 1))
         with self.assertRaises((ValueError, KeyError)):
             grid.path_resolve(gone)

@@ -2,8 +2,9 @@
 
 import bpy
 import numpy as np
-from pull.pins import pin_cases as cases
+
 import support
+from pull.pins import pin_cases as cases
 from pull.pins.pin_cases import add, basis, centre, evaluated, frame_set
 
 motus = bpy.ops.motus
@@ -14,8 +15,7 @@ ULP = 2.5e-7
 
 def dab(vertex, way=(0.0, 0.0, 0.1), radius=1.0, is_first=False, kind='PULL'):
     """One dab, its lengths as shares of the brush's."""
-    return {"name": "", "kind": kind, "vertex": vertex, "is_first": is_first, "strength": 0.3, "radius": radius,
-            "displacement": tuple(way)}
+    return {"name": "", "kind": kind, "vertex": vertex, "is_first": is_first, "strength": 0.3, "radius": radius, "displacement": tuple(way)}
 
 
 def stroke(roots, **values):
@@ -65,10 +65,18 @@ class StrokeTest(StrokesTestCase):
         self.assertEqual(len(grid.motus.pull.pins), 1)
 
     def test_stroke_pins_repeat_strokes_of_every_brush(self):
-        for brush in ({"falloff": 'SPHERE'}, {"falloff": 'CLASSIC', "scale_factor": 1.5}, {"distance": 'SURFACE'},
-                      {"distance": 'EDGES', "radius": 4.0}, {"mirror": {'X'}}, {"mirror": {'X', 'Y'}, "unit": 'LOCAL'},
-                      {"use_maximum": True, "maximum": 0.15}, {"use_maximum": True, "maximum": 0.15, "unit": 'LOCAL'},
-                      {"vertex_group": "Half"}, {"accumulate": False}):
+        for brush in (
+            {"falloff": 'SPHERE'},
+            {"falloff": 'CLASSIC', "scale_factor": 1.5},
+            {"distance": 'SURFACE'},
+            {"distance": 'EDGES', "radius": 4.0},
+            {"mirror": {'X'}},
+            {"mirror": {'X', 'Y'}, "unit": 'LOCAL'},
+            {"use_maximum": True, "maximum": 0.15},
+            {"use_maximum": True, "maximum": 0.15, "unit": 'LOCAL'},
+            {"vertex_group": "Half"},
+            {"accumulate": False},
+        ):
             with self.subTest(brush):
                 support.empty_scene()
                 grid = cases.new_grid()
@@ -331,8 +339,15 @@ class StrangeFileTest(StrokesTestCase):
         self.assert_shape(grid, self.other)
 
     def test_of_another_kind(self):
-        for kind, domain in (('FLOAT', 'POINT'), ('FLOAT_COLOR', 'POINT'), ('INT', 'POINT'), ('FLOAT_VECTOR', 'FACE'),
-                             ('FLOAT_VECTOR', 'CORNER'), ('FLOAT_VECTOR', 'EDGE'), ('FLOAT2', 'CORNER')):
+        for kind, domain in (
+            ('FLOAT', 'POINT'),
+            ('FLOAT_COLOR', 'POINT'),
+            ('INT', 'POINT'),
+            ('FLOAT_VECTOR', 'FACE'),
+            ('FLOAT_VECTOR', 'CORNER'),
+            ('FLOAT_VECTOR', 'EDGE'),
+            ('FLOAT2', 'CORNER'),
+        ):
             with self.subTest(f"{kind} {domain}"):
                 support.empty_scene()
                 grid, name = self.build()

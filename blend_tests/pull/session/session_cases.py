@@ -4,6 +4,7 @@ import sys
 
 import bpy
 import numpy as np
+
 import support
 from pull.pull_cases import PullTestCase
 

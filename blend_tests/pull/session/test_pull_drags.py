@@ -5,8 +5,9 @@ import types
 
 import bpy
 import numpy as np
-import support
 from mathutils import Matrix, Vector
+
+import support
 from pull.pull_cases import forces
 from pull.session.session_cases import SessionTestCase
 
@@ -86,8 +87,7 @@ class Drags(SessionTestCase):
     def test_mirror_images_limits_and_the_surface(self):
         obj = self.plane()
         flat = self.places(obj)
-        session = self.session(
-            obj, radius=0.25, mirror=frozenset('X'), use_maximum=True, maximum=0.15, distance='SURFACE')
+        session = self.session(obj, radius=0.25, mirror=frozenset('X'), use_maximum=True, maximum=0.15, distance='SURFACE')
         root, image = (int(np.linalg.norm(flat - (x, 0.0, 0.0), axis=1).argmin()) for x in (0.6, -0.6))
         self.drag(session, root, (0.1, 0.02, 0.3))
         moved = self.places(obj) - flat

@@ -5,6 +5,7 @@ import math
 import bmesh
 import bpy
 import numpy as np
+
 from pull.session.session_cases import DOWN, SessionTestCase
 
 
@@ -50,8 +51,12 @@ class Picking(SessionTestCase):
 
     def test_however_far_it_has_moved_the_shape_of_now_is_met(self):
         """Rays go by a tree that is refitted now and then; limits and curves move vertices further than the root."""
-        cases = ({"strength": 0.01}, {"strength": 0.5}, {"strength": -0.02, "use_minimum": True, "minimum": 0.6},
-                 {"strength": 0.02, "falloff": 'CURVE', "curve": (0.0, 9.0, -20.0, 1.0)})
+        cases = (
+            {"strength": 0.01},
+            {"strength": 0.5},
+            {"strength": -0.02, "use_minimum": True, "minimum": 0.6},
+            {"strength": 0.02, "falloff": 'CURVE', "curve": (0.0, 9.0, -20.0, 1.0)},
+        )
         for changes in cases:
             for radius in (0.1, 0.8):
                 obj = self.ball(4)
@@ -106,7 +111,7 @@ class Picking(SessionTestCase):
         wall = bmesh.new()
         for height, count in ((0.0, 5), (-0.01, 41)):
             bmesh.ops.create_grid(wall, x_segments=count - 1, y_segments=count - 1, size=1.0)
-            bmesh.ops.translate(wall, verts=wall.verts[-count * count:], vec=(0.0, 0.0, height))
+            bmesh.ops.translate(wall, verts=wall.verts[-count * count :], vec=(0.0, 0.0, height))
         data = bpy.data.meshes.new("Wall")
         wall.to_mesh(data)
         wall.free()

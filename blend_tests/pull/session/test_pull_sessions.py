@@ -7,8 +7,9 @@ from unittest import mock
 
 import bpy
 import numpy as np
-import support
 from mathutils import Vector
+
+import support
 from pull.pull_cases import forces
 from pull.session.session_cases import DOWN, SessionTestCase
 
@@ -284,9 +285,18 @@ class Redo(SessionTestCase):
             session.smooth(40)
             self.stroke(session, 70)
             session.finish()
-            dabs = [{"name": "", "kind": dab.kind, "vertex": dab.vertex, "is_first": dab.is_first,
-                     "strength": dab.strength, "radius": dab.radius / 0.3,
-                     "displacement": tuple(part / 0.2 for part in dab.displacement)} for dab in session.dabs]
+            dabs = [
+                {
+                    "name": "",
+                    "kind": dab.kind,
+                    "vertex": dab.vertex,
+                    "is_first": dab.is_first,
+                    "strength": dab.strength,
+                    "radius": dab.radius / 0.3,
+                    "displacement": tuple(part / 0.2 for part in dab.displacement),
+                }
+                for dab in session.dabs
+            ]
             again = self.ball(4, name="Second")
             self.pull(object=again.name, dabs=dabs, radius=0.3, strength=0.2, accumulate=accumulate)
             self.assertNear(self.places(again), self.places(obj), 2e-6)

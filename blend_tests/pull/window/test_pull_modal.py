@@ -7,10 +7,10 @@ import unittest
 from pathlib import Path
 
 import bpy
-import support
+import numpy as np
 from mathutils import Euler, Matrix, Vector
 
-import numpy as np
+import support
 
 WAY = types.SimpleNamespace
 
@@ -275,17 +275,20 @@ class Inset(unittest.TestCase):
         inset = support.addon("pull.window.inset")
         region = WAY(x=100, y=50, width=1000, height=700)
         around = [
-            WAY(type='UI', x=880, y=50, width=220, height=700), WAY(type='TOOLS', x=100, y=50, width=60, height=700),
-            WAY(type='ASSET_SHELF', x=100, y=50, width=1000, height=90), WAY(type='HEADER', x=100, y=720, width=1000, height=30),
-            WAY(type='UI', x=1100, y=50, width=1, height=1), WAY(type='TOOLS', x=0, y=50, width=100, height=700)]
+            WAY(type='UI', x=880, y=50, width=220, height=700),
+            WAY(type='TOOLS', x=100, y=50, width=60, height=700),
+            WAY(type='ASSET_SHELF', x=100, y=50, width=1000, height=90),
+            WAY(type='HEADER', x=100, y=720, width=1000, height=30),
+            WAY(type='UI', x=1100, y=50, width=1, height=1),
+            WAY(type='TOOLS', x=0, y=50, width=100, height=700),
+        ]
         x, y, width, _ = inset.rectangle(region, around)
         self.assertGreater(x, 60)
         self.assertLess(x + width, 780)
         self.assertGreater(y, 90)
         self.assertEqual(width, int((780 - 60) * inset.SHARE))
         self.assertEqual(inset.rectangle(region, around[4:]), inset.rectangle(region))
-        self.assertIsNone(inset.rectangle(WAY(x=0, y=0, width=400, height=300), [
-            WAY(type='UI', x=150, y=0, width=250, height=300)]))
+        self.assertIsNone(inset.rectangle(WAY(x=0, y=0, width=400, height=300), [WAY(type='UI', x=150, y=0, width=250, height=300)]))
 
     def test_no_room_no_inset(self):
         inset = support.addon("pull.window.inset")
@@ -300,9 +303,9 @@ class Toolbar(unittest.TestCase):
 
     def tools(self, mode):
         from bl_ui.space_toolsystem_toolbar import VIEW3D_PT_tools_active
+
         found = VIEW3D_PT_tools_active._tools[mode]
-        return [tool for tool in VIEW3D_PT_tools_active._tools_flatten(found)
-                if getattr(tool, "idname", "") == "motus.pick_pull"]
+        return [tool for tool in VIEW3D_PT_tools_active._tools_flatten(found) if getattr(tool, "idname", "") == "motus.pick_pull"]
 
     def test_in_three_modes_while_enabled(self):
         for mode in self.MODES:
@@ -313,7 +316,7 @@ class Toolbar(unittest.TestCase):
             self.assertEqual(self.tools(mode), [], mode)
 
     def test_the_icon_is_packaged_and_valid(self):
-        tool, = self.tools('OBJECT')
+        (tool,) = self.tools('OBJECT')
         icon = bpy.app.icons.new_triangles_from_file(f"{tool.icon}.dat")
         self.assertGreater(icon, 0)
         bpy.app.icons.release(icon)
@@ -322,7 +325,7 @@ class Toolbar(unittest.TestCase):
         script = support.CLONE / "docs" / "scripts" / "tool_icons.py"
         made = {"__name__": "icons", "__file__": str(script)}
         exec(compile(script.read_text(encoding="utf-8"), str(script), "exec"), made)
-        tool, = self.tools('OBJECT')
+        (tool,) = self.tools('OBJECT')
         self.assertEqual(Path(f"{tool.icon}.dat").read_bytes(), made["pick_pull"]())
 
     def test_keys_name_operators_and_properties_that_exist(self):
@@ -366,10 +369,10 @@ class WithoutAWindow(support.SceneTestCase):
         brush.radius = 1.0
         bpy.ops.motus.pull_adjust(number='RADIUS', steps=100)
         self.assertEqual(len(asked), 1)
-        self.assertAlmostEqual(brush.radius / 1.1 ** 100, 1.0, places=6)
+        self.assertAlmostEqual(brush.radius / 1.1**100, 1.0, places=6)
         bpy.ops.motus.pull_adjust(number='RADIUS', steps=-100)
         self.assertAlmostEqual(brush.radius, 1.0, places=5)
-        for steps in (2 ** 31 - 1, -2 ** 31):
+        for steps in (2**31 - 1, -(2**31)):
             self.assertEqual(bpy.ops.motus.pull_adjust(number='RADIUS', steps=steps), {'FINISHED'})
             self.assertTrue(np.isfinite(brush.radius))
         self.assertEqual(len(asked), 4)

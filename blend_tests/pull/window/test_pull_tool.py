@@ -19,9 +19,21 @@ class Settings(PullTestCase):
 
     def test_header(self):
         layout = self.drawn('TOOL_HEADER')
-        self.assertEqual(layout.names, [
-            "radius", "use_pressure_size", "strength", "use_pressure_strength", "direction", "falloff", "distance",
-            "accumulate", "mirror", "show_inset"])
+        self.assertEqual(
+            layout.names,
+            [
+                "radius",
+                "use_pressure_size",
+                "strength",
+                "use_pressure_strength",
+                "direction",
+                "falloff",
+                "distance",
+                "accumulate",
+                "mirror",
+                "show_inset",
+            ],
+        )
         for name in ("falloff", "distance", "direction"):
             self.assertIsNone(layout.texts[name])
         self.assertIn("Mirror", layout.labels)
@@ -51,6 +63,7 @@ class Settings(PullTestCase):
     def test_blender_has_the_tool_in_each_mode(self):
         tools = support.addon("pull.window.tool")
         from bl_ui.space_toolsystem_common import ToolSelectPanelHelper
+
         bar = ToolSelectPanelHelper._tool_class_from_space_type('VIEW_3D')
         for tool in tools.TOOLS:
             found = [one for one in bar._tools[tool.bl_context_mode] if getattr(one, "idname", None) == tool.bl_idname]

@@ -4,9 +4,10 @@ import tempfile
 from pathlib import Path
 
 import bpy
-from chroma import chroma_cases as cases
 import numpy as np
+
 import support
+from chroma import chroma_cases as cases
 from window import window_support
 
 compositor = support.addon("chroma.compositor")
@@ -63,7 +64,7 @@ def colors(path):
 
 def in_viewport(path):
     view, sidebar = window_support.region(), window_support.region('UI')
-    return colors(path)[view.y:view.y + view.height, view.x:sidebar.x]
+    return colors(path)[view.y : view.y + view.height, view.x : sidebar.x]
 
 
 def is_purple(seen):
@@ -136,7 +137,7 @@ def set_up(path):
 def field_of_green(path):
     """Where the field of the screen's colour is in the window."""
     sidebar = window_support.region('UI')
-    part = is_green(colors(path)[sidebar.y:sidebar.y + sidebar.height, sidebar.x:sidebar.x + sidebar.width])
+    part = is_green(colors(path)[sidebar.y : sidebar.y + sidebar.height, sidebar.x : sidebar.x + sidebar.width])
     rows, columns = np.nonzero(part)
     return sidebar.x + int(np.median(columns)), sidebar.y + int(np.median(rows))
 

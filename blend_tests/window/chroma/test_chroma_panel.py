@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+
 import support
 from window import window_support
 
@@ -44,7 +45,7 @@ def has_color(path):
     width, _, values = window_support.pixels(path)
     seen = np.array(values).reshape(-1, width, 4)
     sidebar = window_support.region('UI')
-    seen = seen[sidebar.y:sidebar.y + sidebar.height, sidebar.x:sidebar.x + sidebar.width, :3]
+    seen = seen[sidebar.y : sidebar.y + sidebar.height, sidebar.x : sidebar.x + sidebar.width, :3]
     return ((seen[..., 1] > seen[..., 0] + 0.3) & (seen[..., 1] > seen[..., 2] + 0.3)).sum() > 200
 
 
@@ -116,5 +117,11 @@ def test_one_step_of_undo():
 def state(scene):
     """What one step of undo takes back."""
     tree = compositor.tree_of(scene)
-    return (sorted(node.name for node in tree.nodes) if tree else None, len(bpy.data.node_groups), len(bpy.data.meshes),
-            sorted(thing.name for thing in scene.objects), scene.render.resolution_x, scene.view_settings.view_transform)
+    return (
+        sorted(node.name for node in tree.nodes) if tree else None,
+        len(bpy.data.node_groups),
+        len(bpy.data.meshes),
+        sorted(thing.name for thing in scene.objects),
+        scene.render.resolution_x,
+        scene.view_settings.view_transform,
+    )

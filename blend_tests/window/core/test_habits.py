@@ -3,8 +3,9 @@
 import types
 
 import bpy
-import live_scenes
 import numpy as np
+
+import live_scenes
 import support
 from layers import layer_cases
 from window import window_support
@@ -90,8 +91,11 @@ def redo(picture):
 def test_redo_panel():
     glider, course, rig = build()
     for name, objects, keywords in (
-            ("path_follow_add", (glider, course), {"orientation": 'BANKING'}), ("ik_add", (rig,), {"make_pole": True}),
-            ("look_at_add", (rig,), {"bone": "shin"}), ("grid_add", (), {})):
+        ("path_follow_add", (glider, course), {"orientation": 'BANKING'}),
+        ("ik_add", (rig,), {"make_pole": True}),
+        ("look_at_add", (rig,), {"bone": "shin"}),
+        ("grid_add", (), {}),
+    ):
         choose(*objects)
         with window_support.override():
             assert getattr(bpy.ops.motus, name)('INVOKE_DEFAULT', True, **keywords) == {'FINISHED'}
@@ -210,8 +214,13 @@ def test_a_panels_bake_button_bakes_all_systems_of_the_armature():
     own = ui.draw_bake
 
     def noting(layout):
-        own(types.SimpleNamespace(operator=lambda identifier, **_keywords: drawn.append(types.SimpleNamespace(button=identifier)) or drawn[-1]))
+        own(
+            types.SimpleNamespace(
+                operator=lambda identifier, **_keywords: drawn.append(types.SimpleNamespace(button=identifier)) or drawn[-1]
+            )
+        )
         own(layout)
+
     ui.draw_bake = noting
     try:
         yield from window_support.open_tab("Motus")
@@ -223,6 +232,7 @@ def test_a_panels_bake_button_bakes_all_systems_of_the_armature():
     def pose():
         bpy.context.view_layer.update()
         return np.array([rig.pose.bones[name].matrix for name in ("thigh", "shin")])
+
     before = pose()
     for step in ("bake", "unbake"):
         with window_support.override():
@@ -306,9 +316,12 @@ def test_labels_fit_at_the_default_width():
     def noting(row, layout, settings):
         if layout.use_property_split and bpy.context.region.type == 'UI' and not row.expand:
             prop = getattr(settings, "properties", settings).bl_rna.properties[row.name]
-            label = bpy.app.translations.pgettext_iface(prop.name if row.text is None else row.text, row.text_ctxt or prop.translation_context)
+            label = bpy.app.translations.pgettext_iface(
+                prop.name if row.text is None else row.text, row.text_ctxt or prop.translation_context
+            )
             noted[view.language, label] = prop.type == 'BOOLEAN'
         own_draw(row, layout, settings)
+
     rows.Row.draw = noting
     view.use_translate_interface = True
     scale = bpy.context.preferences.system.ui_scale

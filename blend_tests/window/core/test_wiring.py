@@ -1,6 +1,7 @@
 """Wired objects in a real window: played, dragged, undone with the keyboard, baked by the modal operator and cancelled."""
 
 import bpy
+
 import support
 import toy_system
 from window import window_support

@@ -3,6 +3,7 @@
 from functools import partial
 
 import bpy
+
 import support
 from window import window_support
 

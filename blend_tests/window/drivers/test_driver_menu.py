@@ -1,6 +1,7 @@
 """A motion driver by the mouse: the right button's menu on a property, the dialog with its graph, the list in the sidebar."""
 
 import bpy
+
 import support
 from window import properties_editor, window_support
 
@@ -48,7 +49,7 @@ def test_from_the_menu_of_a_property_to_the_list():
     yield from window_support.picture("driver_dialog")
     window_support.press('RET', x, y)
     yield from window_support.until(lambda: lamp.animation_data and lamp.animation_data.drivers)
-    driven, = lamp.animation_data.drivers
+    (driven,) = lamp.animation_data.drivers
     assert driven.data_path == "rotation_euler" and "motus_pendulum(frame" in driven.driver.expression
 
     drawn = yield from window_support.open_tab("Motus")

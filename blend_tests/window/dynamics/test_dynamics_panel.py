@@ -4,8 +4,9 @@ import types
 
 import bpy
 import numpy as np
-from dynamics import dynamics_cases as cases
+
 import support
+from dynamics import dynamics_cases as cases
 from window import properties_editor, window_support
 
 

@@ -1,10 +1,12 @@
 """Dragging a chain with the mouse: no jump, the point stays under the cursor, one undo step, Esc puts all back."""
 
+import itertools
+
 import bpy
-from window import window_support
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
-import itertools
+
+from window import window_support
 
 JOINTS = ((0.0, 0.0, 2.0), (0.1, -0.2, 1.2), (0.0, 0.0, 0.4), (0.1, -0.1, -0.2))
 NEAR = 1.5  # pixels
@@ -140,8 +142,9 @@ def test_escape_puts_back():
             x, y = yield from start("Bone 2", 0.8)
             window_support.move(x + 40, y + 30)
             yield
-            moved = tuple(target.location) not in places if with_ik else (
-                [tuple(bone.rotation_quaternion) for bone in rig.pose.bones] != own)
+            moved = (
+                tuple(target.location) not in places if with_ik else ([tuple(bone.rotation_quaternion) for bone in rig.pose.bones] != own)
+            )
             assert moved, "nothing was dragged"
             button('PRESS', x + 40, y + 30, kind)
             yield

@@ -1,9 +1,10 @@
 """Inverse kinematics as an artist sees it: the sidebar, the bone's constraint tab, and the overlay."""
 
 import bpy
+from mathutils import Vector
+
 import support
 from window import window_support
-from mathutils import Vector
 
 JOINTS = ((0.0, 0.0, 0.0), (0.0, -0.3, 1.5), (0.0, 0.0, 3.0))
 SETTINGS = {
@@ -107,8 +108,7 @@ def test_bone_constraint_properties():
     choose(rig, 'POSE')
     rig.motus.ik.entries["shin.L"].use_limits = True
     rig.pose.bones["shin.L"].use_ik_limit_x = True
-    panels = [panel for panel in support.addon("ik.panel").classes
-              if panel.__name__.startswith("MOTUS_PT_ik_constraint")]
+    panels = [panel for panel in support.addon("ik.panel").classes if panel.__name__.startswith("MOTUS_PT_ik_constraint")]
     properties = window_support.area('PROPERTIES')
     # A tall editor, so that the whole panel is in the picture.
     window_support.area('VIEW_3D').type = 'PROPERTIES'
@@ -141,8 +141,7 @@ def test_labels_are_not_clipped_in_a_narrow_editor():
     def noting(layout, longest=""):
         column = split(layout, longest)
         region = bpy.context.region
-        seen[region.type, region.width, longest or "Influence"] = (
-            column.use_property_split, LABELS * (region.width - margin))
+        seen[region.type, region.width, longest or "Influence"] = (column.use_property_split, LABELS * (region.width - margin))
         return column
 
     yield  # the editor has to see the bone before it has a tab for it

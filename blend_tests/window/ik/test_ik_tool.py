@@ -1,6 +1,7 @@
 """Drag Chain in the toolbar of Pose Mode, control bones and poles by their buttons, and the question when chains are removed."""
 
 import bpy
+
 import support
 from window import window_support
 from window.ik import test_ik_drag as dragging

@@ -1,9 +1,10 @@
 """The tools of inverse kinematics in the window: their panel, and walks over frames with progress and Esc."""
 
 import bpy
+from mathutils import Quaternion
+
 import support
 from window import window_support
-from mathutils import Quaternion
 
 LAST = 400
 

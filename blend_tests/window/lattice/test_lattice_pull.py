@@ -2,11 +2,11 @@
 
 import bpy
 import numpy as np
-from window import window_support
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
 
 from lattice import lattice_cases as cases
+from window import window_support
 
 
 def build():
@@ -202,4 +202,4 @@ def viewport(path, region):
     """Of a picture the part that is the region, (height, width, 3)."""
     width, height, values = window_support.pixels(path)
     picture = np.array(values, np.float32).reshape(height, width, 4)
-    return picture[region.y:region.y + region.height, region.x:region.x + region.width, :3]
+    return picture[region.y : region.y + region.height, region.x : region.x + region.width, :3]

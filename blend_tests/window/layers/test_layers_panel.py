@@ -1,10 +1,11 @@
 """Animation layers as an artist sees them: adding one in Pose Mode by its button, sidebar, armature properties, and the overlay."""
 
 import bpy
+from mathutils import Vector
+
 from layers import layer_cases
 from look_at import look_at_cases
 from window import window_support
-from mathutils import Vector
 
 
 def build():
@@ -39,7 +40,7 @@ def test_adding_by_the_button_and_the_panels():
     with window_support.override():
         assert bpy.ops.motus.layer_add('INVOKE_DEFAULT', action="Throw", after='HOLD', feather=1) == {'FINISHED'}
     yield
-    entry, = rig.motus.layers.entries
+    (entry,) = rig.motus.layers.entries
     assert [item.name for item in entry.mask] == ["Chest"]
     bpy.context.scene.frame_set(15)
     drawn = yield from window_support.open_tab("Motus")

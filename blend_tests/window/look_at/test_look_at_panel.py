@@ -3,9 +3,10 @@
 import sys
 
 import bpy
+from mathutils import Vector
+
 import support
 from window import window_support
-from mathutils import Vector
 
 sys.path.insert(0, str(support.CLONE / "docs" / "scripts"))
 

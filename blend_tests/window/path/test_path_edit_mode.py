@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+
 import support
 from window import window_support
 from window.path.test_path_panel import build

@@ -1,9 +1,10 @@
 """Edit Views in the window: Blender's quad view fitted to the curve, a visible way back, and everything as it was."""
 
 import bpy
-import support
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
+
+import support
 from window import window_support
 
 KNOTS = ((-3.0, 0.0, 0.0), (2.0, 4.0, 1.0), (14.0, 1.0, 3.0))
@@ -50,7 +51,10 @@ def state():
     view = space().region_3d
     found = [getattr(view, name) for name in NAMES]
     return [tuple(value) if hasattr(value, "__len__") and not isinstance(value, str) else value for value in found] + [
-        matrix(view), space().use_local_camera, len(windows())]
+        matrix(view),
+        space().use_local_camera,
+        len(windows()),
+    ]
 
 
 def run(**keywords):

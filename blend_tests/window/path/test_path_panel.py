@@ -1,6 +1,7 @@
 """Follow Path as an artist sees it: the sidebar, the constraint properties and the overlay, on a curve with a banked follower."""
 
 import bpy
+
 import support
 from window import window_support
 
@@ -22,8 +23,7 @@ def build():
     glider.empty_display_type = 'ARROWS'
     for obj in (course, glider):
         bpy.context.scene.collection.objects.link(obj)
-    bpy.ops.motus.path_follow_add(
-        object="Glider", curve="Course", timing='SPEED', speed=4.0, orientation='BANKING', bank_strength=2.0)
+    bpy.ops.motus.path_follow_add(object="Glider", curve="Course", timing='SPEED', speed=4.0, orientation='BANKING', bank_strength=2.0)
     for obj in (course, glider):
         obj.select_set(obj == glider)
     bpy.context.view_layer.objects.active = glider

@@ -4,9 +4,9 @@ import bpy
 import numpy as np
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
-from window import window_support
 
 from pendulum import pendulum_cases as cases
+from window import window_support
 
 KEPT = ("angle1", "angle2", "velocity1", "velocity2", "start_frame")
 

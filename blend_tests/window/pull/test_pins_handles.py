@@ -5,9 +5,10 @@ from math import hypot
 
 import bpy
 import numpy as np
-import support
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Euler, Vector
+
+import support
 from pull.pins import pin_cases
 from window import window_support
 from window.pull import pull_support as pull
@@ -109,8 +110,7 @@ def drags(**view):
         assert off(index, cursor) <= NEAR, (index, off(index, cursor))
         after = ways()
         assert after[index] != before[index] and grid().motus.pull.active_pin == index
-        assert [way for other, way in enumerate(after) if other != index] == (
-            [way for other, way in enumerate(before) if other != index])
+        assert [way for other, way in enumerate(after) if other != index] == ([way for other, way in enumerate(before) if other != index])
         pull.undo()
         yield
         assert ways() == before, "it was not undone by one step"
@@ -259,8 +259,11 @@ def test_a_thousand_handles():
     with support.addon("core.settings.entries").unwired(settings):
         for number in range(997):
             vertex = 3 * number
-            setup._append(obj, f"Many {number}", {
-                "vertex": vertex, "place": obj.data.vertices[vertex].co, "displacement": (0.0, 0.0, 0.1), "radius": 0.05})
+            setup._append(
+                obj,
+                f"Many {number}",
+                {"vertex": vertex, "place": obj.data.vertices[vertex].co, "displacement": (0.0, 0.0, 0.1), "radius": 0.05},
+            )
     support.addon("core.wiring").refresh(system, obj)
     bpy.context.view_layer.update()
     yield

@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+
 from pull.pins import pin_cases
 from window import window_support
 

@@ -6,6 +6,7 @@ import bpy
 import numpy as np
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Euler, Vector
+
 from window import window_support
 from window.pull import pull_support as pull
 

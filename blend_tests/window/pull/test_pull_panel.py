@@ -1,9 +1,10 @@
 """The panel of Pick & Pull and the tool's settings in the header."""
 
 import bpy
+
 import support
-from window.pull import pull_support as pull
 from window import window_support
+from window.pull import pull_support as pull
 
 
 def test_panel():

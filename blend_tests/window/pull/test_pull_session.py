@@ -2,9 +2,10 @@
 
 import bpy
 import numpy as np
-from window.pull import pull_support as pull
-from window import window_support
 from mathutils import Euler
+
+from window import window_support
+from window.pull import pull_support as pull
 
 brush = lambda: bpy.context.scene.motus.pull  # noqa: E731
 
@@ -285,7 +286,7 @@ def test_a_stroke_becomes_a_pin():
     before = yield from window_support.picture("stroke")
     with window_support.override():
         assert bpy.ops.motus.pin_add(from_last=True) == {'FINISHED'}
-    pin, = bpy.data.objects["Grid"].motus.pull.pins
+    (pin,) = bpy.data.objects["Grid"].motus.pull.pins
     assert np.array_equal(pull.places(), flat)
     assert np.abs(evaluated() - stroked).max() < 2.5e-7
     pinned = yield from window_support.picture("stroke_pinned")
@@ -302,4 +303,4 @@ def viewport(path):
     width, height, values = window_support.pixels(path)
     (x, y), one = window_support.centre(), window_support.region()
     picture = np.array(values, np.float32).reshape(height, width, 4)
-    return picture[y - one.height // 3:y + one.height // 3, x - one.width // 3:x + one.width // 3, :3]
+    return picture[y - one.height // 3 : y + one.height // 3, x - one.width // 3 : x + one.width // 3, :3]

@@ -2,9 +2,10 @@
 
 import bpy
 import numpy as np
-from window.pull import pull_support as pull
+
 import support
 from window import window_support
+from window.pull import pull_support as pull
 
 brush = lambda: bpy.context.scene.motus.pull  # noqa: E731
 
@@ -200,16 +201,17 @@ def test_inset_on_and_off():
     region = window_support.region()
     x, y, width, height = support.addon("pull.window.inset").rectangle(region)
     shape = (window_support.window().height, window_support.window().width, 4)
-    parts = [np.frombuffer(picture, np.float32).reshape(shape)[
-        region.y + y:region.y + y + height, region.x + x:region.x + x + width] for picture in (without, with_inset)]
+    parts = [
+        np.frombuffer(picture, np.float32).reshape(shape)[region.y + y : region.y + y + height, region.x + x : region.x + x + width]
+        for picture in (without, with_inset)
+    ]
     assert np.abs(parts[0] - parts[1]).max(axis=2).mean() > 0.02, "the corner looks the same"
     # What is in the inset is a picture of a mesh, not one flat colour.
     assert len(np.unique(parts[1].round(2).reshape(-1, 4), axis=0)) > 30
     brush().show_inset = False
     yield from hover()
     again = window_support.pixels((yield from window_support.picture("pull_inset_off_again")))[2]
-    part = np.frombuffer(again, np.float32).reshape(shape)[
-        region.y + y:region.y + y + height, region.x + x:region.x + x + width]
+    part = np.frombuffer(again, np.float32).reshape(shape)[region.y + y : region.y + y + height, region.x + x : region.x + x + width]
     assert np.abs(part - parts[0]).mean() < 0.02
 
 
@@ -224,7 +226,7 @@ def test_the_cursor_is_drawn_on_the_surface():
     path = yield from window_support.picture("pull_cursor")
     width, height, values = window_support.pixels(path)
     values = np.frombuffer(values, np.float32).reshape(height, width, 4)
-    part = values[y - 105:y + 105, x - 105:x + 105, :3]
+    part = values[y - 105 : y + 105, x - 105 : x + 105, :3]
     orange = (part[..., 0] > 0.8) & (part[..., 2] < 0.45) & (part[..., 1] > 0.35) & (part[..., 1] < 0.75)
     assert orange.sum() > 150, orange.sum()
     log = support.addon("pull.window.cursor")._failed
@@ -264,8 +266,11 @@ def test_disabled_while_in_hand():
     pull.take_tool()
     yield from hover()
     keymaps = lambda: sum(  # noqa: E731
-        len(keymap.keymap_items) for config in (bpy.context.window_manager.keyconfigs.addon,)
-        for keymap in config.keymaps if "Pick & Pull" in keymap.name)
+        len(keymap.keymap_items)
+        for config in (bpy.context.window_manager.keyconfigs.addon,)
+        for keymap in config.keymaps
+        if "Pick & Pull" in keymap.name
+    )
     assert keymaps() > 0
     support.disable()
     yield

@@ -1,9 +1,9 @@
 """Snow added by hand: it looks like snow at once, frames backwards are those forwards, and edits while it plays are seen."""
 
 import bpy
-from window import window_support
 
 from snow import snow_cases as cases
+from window import window_support
 
 
 def build():

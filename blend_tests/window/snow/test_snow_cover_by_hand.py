@@ -3,10 +3,10 @@
 from unittest import mock
 
 import bpy
-import support
-from window import window_support
 
+import support
 from snow import cover_cases as cases
+from window import window_support
 
 
 def build():

@@ -6,10 +6,10 @@ from unittest import mock
 import bpy
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Euler
-from window import window_support
-from window.pull import pull_support as mouse
 
 import support
+from window import window_support
+from window.pull import pull_support as mouse
 
 
 def build(shape='CONE', **settings):
@@ -18,8 +18,9 @@ def build(shape='CONE', **settings):
         bpy.data.objects.remove(obj)
     bpy.context.scene.frame_set(1)
     with window_support.override():
-        bpy.ops.motus.snow_add(location=(0.0, 0.0, 2.0), shape=shape, cone_radius=1.0, cone_angle=0.5, start_speed=3.0,
-                               rate=200.0, **settings)
+        bpy.ops.motus.snow_add(
+            location=(0.0, 0.0, 2.0), shape=shape, cone_radius=1.0, cone_angle=0.5, start_speed=3.0, rate=200.0, **settings
+        )
     view = window_support.region().data
     view.view_perspective = 'ORTHO'
     view.view_rotation = Euler((1.3, 0.0, 0.2)).to_quaternion()
@@ -105,6 +106,7 @@ def test_an_emitter_that_is_removed_while_the_drag_waits():
     def noted(self, context):
         ended.append(True)
         cancel(self, context)
+
     with mock.patch.object(dragging, "cancel", noted):
         with window_support.override():
             bpy.ops.motus.snow_drag('INVOKE_DEFAULT')

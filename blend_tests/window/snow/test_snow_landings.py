@@ -1,10 +1,10 @@
 """Many flakes that land: Blender goes on answering, says how far it is, and shows in the end what a render finds at once."""
 
 import bpy
-from window import window_support
 
 import support
 from snow import snow_cases as cases
+from window import window_support
 
 
 def build(rate):
@@ -45,8 +45,14 @@ def test_many_are_found_bit_by_bit():
     assert cases.wiring().problem(cases.system(), emitter, bpy.context.evaluated_depsgraph_get()) is None
     # What a Blender without a window finds.
     snow = cases.native().Snow(
-        rate=25000.0, lifetime=4.0, start_speed=2.0, ground=0.0, start_size=0.025, emitter_times=[0.0],
-        emitter_matrices=[[list(row) for row in emitter.matrix_world]])
+        rate=25000.0,
+        lifetime=4.0,
+        start_speed=2.0,
+        ground=0.0,
+        start_size=0.025,
+        emitter_times=[0.0],
+        emitter_matrices=[[list(row) for row in emitter.matrix_world]],
+    )
     expected = snow.evaluate(cases.seconds(200))
     assert (cases.flakes(emitter)["position"] == expected["position"]).all()
     scene.frame_set(210)

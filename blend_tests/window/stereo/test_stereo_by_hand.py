@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+
 from stereo import stereo_cases as cases
 from window import window_support
 
@@ -42,7 +43,7 @@ def colored(path):
     width, _, values = window_support.pixels(path)
     seen = np.array(values).reshape(-1, width, 4)
     view = window_support.region()
-    inner = seen[view.y + view.height // 4:view.y + 3 * view.height // 4, view.x + view.width // 4:view.x + 3 * view.width // 4]
+    inner = seen[view.y + view.height // 4 : view.y + 3 * view.height // 4, view.x + view.width // 4 : view.x + 3 * view.width // 4]
     return int((np.abs(inner[..., 0] - inner[..., 1]) > 0.2).sum())
 
 

@@ -2,8 +2,9 @@
 
 import bpy
 import numpy as np
-from stereo import stereo_cases as cases
+
 import support
+from stereo import stereo_cases as cases
 from window import window_support
 
 LABELS, MARGIN = 0.4, 45.0
@@ -11,8 +12,19 @@ LABELS, MARGIN = 0.4, 45.0
 WIDE = 240.0
 """Of a sidebar as it is opened by a newer Blender; in 3.4 it is narrower."""
 SHOWN = (
-    "convergence", "interocular", "distance", "near", "far", "near_parallax", "far_parallax", "screen", "screen_width", "screen_distance",
-    "eye_separation", "influence")
+    "convergence",
+    "interocular",
+    "distance",
+    "near",
+    "far",
+    "near_parallax",
+    "far_parallax",
+    "screen",
+    "screen_width",
+    "screen_distance",
+    "eye_separation",
+    "influence",
+)
 
 
 def build(**keywords):
@@ -49,7 +61,7 @@ def test_a_warning_is_read():
     window_support.draw_all()
     yield
     yield from window_support.picture("stereo_warning")
-    sentence, = support.addon("stereo.results").of(camera).sentences
+    (sentence,) = support.addon("stereo.results").of(camera).sentences
     assert sentence.startswith("Diverges on a 12 m screen by"), sentence
 
 

@@ -4,8 +4,9 @@ from unittest import mock
 
 import bpy
 import numpy as np
-import support
 from mathutils import Vector
+
+import support
 from walker import walker_cases as cases
 from window import window_support
 
@@ -105,8 +106,12 @@ def test_footholds_are_drawn():
         path = yield from window_support.picture(f"walker_footholds_{len(counts)}")
         _, _, values = window_support.pixels(path)
         colors = list(zip(values[0::4], values[1::4], values[2::4]))
-        counts.append((sum(1 for red, green, blue in colors if blue > 0.7 and green > 0.5 and red < 0.55),
-                       sum(1 for red, green, blue in colors if red > 0.75 and 0.4 < green < 0.8 and blue < 0.5)))
+        counts.append(
+            (
+                sum(1 for red, green, blue in colors if blue > 0.7 and green > 0.5 and red < 0.55),
+                sum(1 for red, green, blue in colors if red > 0.75 and 0.4 < green < 0.8 and blue < 0.5),
+            )
+        )
     shown.show_walker_footholds = True
     assert all(with_them > without + 100 for with_them, without in zip(*counts)), counts
 

@@ -80,7 +80,7 @@ def _cut_out(folder):
     for index, name in ((2, "desert.png"), (0, "pilot.png")):
         left = index * (WIDTH + GAP)
         image = bpy.data.images.new(name, WIDTH, HEIGHT)
-        image.pixels.foreach_set(picture[:HEIGHT, left:left + WIDTH].ravel())
+        image.pixels.foreach_set(picture[:HEIGHT, left : left + WIDTH].ravel())
         image.file_format, image.filepath_raw = 'PNG', str(folder / name)
         image.save()
         bpy.data.images.remove(image)

@@ -15,6 +15,7 @@ sys.path[:0] = [str(SCRIPTS), str(CLONE / "blend_tests")]
 sys.dont_write_bytecode = True
 
 import bpy  # noqa: E402  (found by the lines above)
+
 import support  # noqa: E402
 from steps import strip  # noqa: E402
 from window import driver, window_support  # noqa: E402
@@ -45,8 +46,8 @@ def main(folder, *names):
     preferences.view.show_tooltips = False
     preferences.inputs.mouse_double_click_time = 1  # milliseconds: two clicks of the hand are no double click
     window_support.picture_folder = Path(folder)
-    known = sorted(path.stem[:-len("_steps")] for path in Path(__file__).parent.glob("*_steps.py"))
+    known = sorted(path.stem[: -len("_steps")] for path in Path(__file__).parent.glob("*_steps.py"))
     bpy.app.timers.register(driver.stepper(do_all(names or known)), first_interval=1.0, persistent=True)
 
 
-main(*sys.argv[sys.argv.index("--") + 1:])
+main(*sys.argv[sys.argv.index("--") + 1 :])

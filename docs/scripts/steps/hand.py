@@ -14,8 +14,14 @@ SCROLLED, WHOLE_TAB = 8, 60  # notches of the wheel
 SCROLLED_AFTER = 3.0  # seconds until the region that has to show words is scrolled down to them
 HOVERED = 0.4  # seconds until a submenu opens under the mouse
 DRAG_STEPS = 5
-CHARACTERS = {".": 'PERIOD', "/": 'SLASH', "-": 'MINUS', " ": 'SPACE', "_": 'MINUS', **dict(zip("0123456789", (
-    'ZERO', 'ONE', 'TWO', 'THREE', 'FOUR', 'FIVE', 'SIX', 'SEVEN', 'EIGHT', 'NINE')))}
+CHARACTERS = {
+    ".": 'PERIOD',
+    "/": 'SLASH',
+    "-": 'MINUS',
+    " ": 'SPACE',
+    "_": 'MINUS',
+    **dict(zip("0123456789", ('ZERO', 'ONE', 'TWO', 'THREE', 'FOUR', 'FIVE', 'SIX', 'SEVEN', 'EIGHT', 'NINE'))),
+}
 
 place = (640, 400)
 """Where the mouse is, from the lower left of the window."""
@@ -103,7 +109,8 @@ def type_text(text):
     """Type into the field that is open."""
     for character in text:
         window_support.window().event_simulate(
-            type=CHARACTERS.get(character, character.upper()), value='PRESS', unicode=character, x=place[0], y=place[1])
+            type=CHARACTERS.get(character, character.upper()), value='PRESS', unicode=character, x=place[0], y=place[1]
+        )
     yield
 
 

@@ -5,9 +5,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 import bpy
-import demo_plan
 from mathutils import Euler, Vector
 
+import demo_plan
 from window import window_support
 
 from . import hand

@@ -21,7 +21,7 @@ def find(screen, words, within=None):
     """
     height, width, _ = screen.shape
     left, bottom, right, top = within or (0, 0, width, height)
-    gray = screen[height - top:height - bottom, left:right].mean(axis=2)
+    gray = screen[height - top : height - bottom, left:right].mean(axis=2)
     pattern = _drawn(words)
     if gray.shape[0] < pattern.shape[0] or gray.shape[1] < pattern.shape[1]:
         return None
@@ -30,7 +30,7 @@ def find(screen, words, within=None):
     lines = np.flatnonzero(alike.max(axis=1) >= LEAST_ALIKE)
     if not lines.size:
         return None
-    line = alike[lines[0]:lines[0] + pattern.shape[0]]
+    line = alike[lines[0] : lines[0] + pattern.shape[0]]
     row, column = np.unravel_index(np.argmax(line), line.shape)
     row += lines[0]
     return left + int(column) + pattern.shape[1] // 2, top - int(row) - pattern.shape[0] // 2
@@ -54,15 +54,16 @@ def _drawn(words):
         frame.clear(color=(0.0, 0.0, 0.0, 1.0))
         with gpu.matrix.push_pop(), gpu.matrix.push_pop_projection():
             gpu.matrix.load_matrix(Matrix.Identity(4))
-            gpu.matrix.load_projection_matrix(Matrix((
-                (2.0 / width, 0.0, 0.0, -1.0), (0.0, 2.0 / height, 0.0, -1.0), (0.0, 0.0, -1.0, 0.0), (0.0, 0.0, 0.0, 1.0))))
+            gpu.matrix.load_projection_matrix(
+                Matrix(((2.0 / width, 0.0, 0.0, -1.0), (0.0, 2.0 / height, 0.0, -1.0), (0.0, 0.0, -1.0, 0.0), (0.0, 0.0, 0.0, 1.0)))
+            )
             blf.position(0, 4.0, 8.0, 0.0)
             blf.draw(0, words)
         pixels = np.array(frame.read_color(0, 0, width, height, 3, 0, 'UBYTE').to_list(), np.float64)
     canvas.free()
     pixels = pixels.reshape(height, width, 3).mean(axis=2)[::-1]
     rows, columns = (np.flatnonzero(pixels.max(axis=axis) > 32.0) for axis in (1, 0))
-    return np.pad(pixels[rows[0]:rows[-1] + 1, columns[0]:columns[-1] + 1], ((0, 0), (MARGIN, MARGIN)))
+    return np.pad(pixels[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1], ((0, 0), (MARGIN, MARGIN)))
 
 
 def _correlation(picture, pattern):
@@ -72,7 +73,7 @@ def _correlation(picture, pattern):
     shape = [one + other - 1 for one, other in zip(picture.shape, pattern.shape)]
     product = np.fft.irfft2(np.fft.rfft2(picture, shape) * np.fft.rfft2(pattern[::-1, ::-1], shape), shape)
     rows, columns = pattern.shape
-    product = product[rows - 1:picture.shape[0], columns - 1:picture.shape[1]]
+    product = product[rows - 1 : picture.shape[0], columns - 1 : picture.shape[1]]
     mean, squares = (_window_sums(values, rows, columns) / count for values in (picture, picture**2))
     spread = np.sqrt(np.maximum(squares - mean**2, 1.0) * count * (pattern**2).sum())
     return product / spread

@@ -19,14 +19,32 @@ INSET, RIM = (300, 220), 3
 BADGE = 15  # pixels, radius
 BADGE_COLOR = (255, 140, 25)
 CURSOR = (
-    "#", "##", "#.#", "#..#", "#...#", "#....#", "#.....#", "#......#", "#.......#", "#........#", "#.........#",
-    "#......#####", "#...#..#", "#..##...#", "#.#  #..#", "##   #...#", "#     #..#", "       ##")
+    "#",
+    "##",
+    "#.#",
+    "#..#",
+    "#...#",
+    "#....#",
+    "#.....#",
+    "#......#",
+    "#.......#",
+    "#........#",
+    "#.........#",
+    "#......#####",
+    "#...#..#",
+    "#..##...#",
+    "#.#  #..#",
+    "##   #...#",
+    "#     #..#",
+    "       ##",
+)
 DIGITS = {
     1: ("..#..", ".##..", "..#..", "..#..", "..#..", "..#..", ".###."),
     2: (".###.", "#...#", "....#", "...#.", "..#..", ".#...", "#####"),
     3: (".###.", "#...#", "....#", "..##.", "....#", "#...#", ".###."),
     4: ("...#.", "..##.", ".#.#.", "#..#.", "#####", "...#.", "...#."),
-    5: ("#####", "#....", "####.", "....#", "....#", "#...#", ".###.")}
+    5: ("#####", "#....", "####.", "....#", "....#", "#...#", ".###."),
+}
 
 
 class Strip:
@@ -50,7 +68,7 @@ class Strip:
         if is_moved:
             left, top = min(max(left, x + AROUND - width), x - AROUND), min(max(top, y + AROUND - HEIGHT), y - AROUND)
         left, top = min(max(left, 0), screen.shape[1] - width), min(max(top, 0), screen.shape[0] - HEIGHT)
-        picture = screen[top:top + HEIGHT, left:left + width].copy()
+        picture = screen[top : top + HEIGHT, left : left + width].copy()
         _paint_badge(picture, number)
         self._pictures.append(picture)
 
@@ -64,12 +82,12 @@ class Strip:
         screen = yield from _smooth_screen()
         x, y = window_support.centre()
         y = screen.shape[0] - y
-        found = screen[y - INSET[1]:y + INSET[1], x - INSET[0]:x + INSET[0]].astype(np.uint16)
+        found = screen[y - INSET[1] : y + INSET[1], x - INSET[0] : x + INSET[0]].astype(np.uint16)
         small = (found[::2, ::2] + found[1::2, ::2] + found[::2, 1::2] + found[1::2, 1::2]) // 4
         width, height, values = window_support.pixels(file)
         picture = np.round(np.array(values).reshape(height, width, 4)[::-1, :, :3] * 255.0).astype(np.uint8)
-        picture[top - RIM:top + INSET[1] + RIM, left - RIM:left + INSET[0] + RIM] = PAPER
-        picture[top:top + INSET[1], left:left + INSET[0]] = small
+        picture[top - RIM : top + INSET[1] + RIM, left - RIM : left + INSET[0] + RIM] = PAPER
+        picture[top : top + INSET[1], left : left + INSET[0]] = small
         file.write_bytes(_png(picture))
         print(f"docs/pictures/{file.name}", flush=True)
 
@@ -81,7 +99,7 @@ class Strip:
         for index, picture in enumerate(self._pictures):
             row, column = divmod(index, COLUMNS)
             top, left = row * (HEIGHT + GAP), column * (WIDTH + GAP)
-            sheet[top:top + HEIGHT, left:left + picture.shape[1]] = picture
+            sheet[top : top + HEIGHT, left : left + picture.shape[1]] = picture
         pictures = {file: sheet, **{file.with_name(f"{name}.png"): found for name, found in self._panels.items()}}
         for path, pixels in pictures.items():
             path.write_bytes(_png(pixels & 0xFC | pixels >> 6))  # 64 shades of each colour are enough, and pack better
@@ -110,22 +128,24 @@ def _paint_cursor(screen, x, y):
 
 def _paint_badge(picture, number):
     middle = BADGE + 5
-    rows, columns = np.ogrid[:2 * middle, :2 * middle]
+    rows, columns = np.ogrid[: 2 * middle, : 2 * middle]
     distance = np.hypot(rows - middle, columns - middle)
     cover = np.clip(BADGE + 0.5 - distance, 0.0, 1.0)[..., None]
-    corner = picture[:2 * middle, :2 * middle]
+    corner = picture[: 2 * middle, : 2 * middle]
     corner[:] = corner * (1.0 - cover) + np.array(BADGE_COLOR) * cover
     for row, line in enumerate(DIGITS[number]):
         for column, pixel in enumerate(line):
             if pixel == "#":
                 top, left = middle - 7 + 2 * row, middle - 5 + 2 * column
-                corner[top:top + 2, left:left + 2] = 0
+                corner[top : top + 2, left : left + 2] = 0
 
 
 def _png(pixels):
     """The content of a PNG file; each line has the filter that leaves least."""
+
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
     height, width, _ = pixels.shape
     padded = np.zeros((height + 1, width + 1, 3), np.int16)
     padded[1:, 1:] = pixels
@@ -134,5 +154,9 @@ def _png(pixels):
     costs = np.array([np.abs(one.astype(np.int8).astype(np.int16)).sum(axis=(1, 2)) for one in filtered])
     chosen = costs.argmin(axis=0)
     lines = b"".join(bytes([kind]) + filtered[kind][row].tobytes() for row, kind in enumerate(chosen))
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)) +
-            chunk(b"IDAT", zlib.compress(lines, 9)) + chunk(b"IEND", b""))
+    return (
+        b"\x89PNG\r\n\x1a\n"
+        + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0))
+        + chunk(b"IDAT", zlib.compress(lines, 9))
+        + chunk(b"IEND", b"")
+    )

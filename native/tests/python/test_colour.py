@@ -2,8 +2,9 @@
 
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 GREEN = (0.05, 0.45, 0.08)
 
@@ -12,7 +13,7 @@ def picture(rows=24, columns=32):
     """A grey square in front of a green screen."""
     found = np.ones((rows, columns, 4), np.float32)
     found[..., :3] = GREEN
-    found[rows // 3:2 * rows // 3, columns // 3:2 * columns // 3, :3] = 0.4
+    found[rows // 3 : 2 * rows // 3, columns // 3 : 2 * columns // 3, :3] = 0.4
     return found
 
 
@@ -42,17 +43,18 @@ class ColourTest(unittest.TestCase):
         broken = picture()
         broken[3, 4, 1] = np.nan
         for call, name in (
-                (lambda: native.screen_color(np.zeros((4, 4, 3))), "picture"),
-                (lambda: native.screen_color(np.zeros((0, 4, 4))), "picture"),
-                (lambda: native.screen_color(broken), "picture"),
-                (lambda: native.screen_color(np.full((2, 2, 4), np.inf)), "picture"),
-                (lambda: native.screen_report(picture(), (0.5, 0.5, 0.5)), "color"),
-                (lambda: native.screen_report(picture(), (0.5, 0.5)), "color"),
-                (lambda: native.screen_matte(picture(), (0.5, float("inf"), 0.5)), "color"),
-                (lambda: native.screen_matte(picture(), GREEN, 1.5), "balance"),
-                (lambda: native.screen_matte(picture(), GREEN, gain=-1.0), "gain"),
-                (lambda: native.screen_report(picture(), GREEN, -0.5), "balance"),
-                (lambda: native.screen_report(picture(), (0.7, 0.1, 0.8)), "color")):
+            (lambda: native.screen_color(np.zeros((4, 4, 3))), "picture"),
+            (lambda: native.screen_color(np.zeros((0, 4, 4))), "picture"),
+            (lambda: native.screen_color(broken), "picture"),
+            (lambda: native.screen_color(np.full((2, 2, 4), np.inf)), "picture"),
+            (lambda: native.screen_report(picture(), (0.5, 0.5, 0.5)), "color"),
+            (lambda: native.screen_report(picture(), (0.5, 0.5)), "color"),
+            (lambda: native.screen_matte(picture(), (0.5, float("inf"), 0.5)), "color"),
+            (lambda: native.screen_matte(picture(), GREEN, 1.5), "balance"),
+            (lambda: native.screen_matte(picture(), GREEN, gain=-1.0), "gain"),
+            (lambda: native.screen_report(picture(), GREEN, -0.5), "balance"),
+            (lambda: native.screen_report(picture(), (0.7, 0.1, 0.8)), "color"),
+        ):
             with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}: "):
                 call()
         with self.assertRaisesRegex(TypeError, "^picture: "):

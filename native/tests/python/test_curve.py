@@ -3,8 +3,9 @@
 import threading
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 S_CURVE = np.array([(0.0, 0.0, 0.0), (3.0, 0.0, 0.0), (1.0, 4.0, 0.0), (4.0, 4.0, 0.0)])
 S_LENGTH = 6.289030810696900
@@ -30,8 +31,13 @@ class Construction(unittest.TestCase):
 
     def test_numbers_of_other_types_are_converted(self):
         expected = native.Bezier(S_CURVE).position(0.25)
-        for points in (S_CURVE.astype(np.float32), S_CURVE.astype(np.int16), S_CURVE.tolist(), S_CURVE[:, ::-1][:, ::-1],
-                       np.asfortranarray(S_CURVE)):
+        for points in (
+            S_CURVE.astype(np.float32),
+            S_CURVE.astype(np.int16),
+            S_CURVE.tolist(),
+            S_CURVE[:, ::-1][:, ::-1],
+            np.asfortranarray(S_CURVE),
+        ):
             np.testing.assert_array_equal(native.Bezier(points).position(0.25), expected)
 
     def test_spline(self):
@@ -213,17 +219,32 @@ class Errors(unittest.TestCase):
 
     def test_arguments_of_methods(self):
         curve = native.Bezier(S_CURVE)
-        for method, name in ((curve.position, "t"), (curve.derivative, "t"), (curve.tangent, "t"), (curve.curvature, "t"),
-                             (curve.torsion, "t"), (curve.length_at, "t"), (curve.t_at_length, "s"),
-                             (curve.position_at_length, "s")):
+        for method, name in (
+            (curve.position, "t"),
+            (curve.derivative, "t"),
+            (curve.tangent, "t"),
+            (curve.curvature, "t"),
+            (curve.torsion, "t"),
+            (curve.length_at, "t"),
+            (curve.t_at_length, "s"),
+            (curve.position_at_length, "s"),
+        ):
             self.check(ValueError, name, method, float("nan"))
             self.check(ValueError, name, method, [0.0, np.inf])
             self.check(ValueError, name, method, np.zeros((2, 2)))
             self.check(TypeError, name, method, "0.5")
             self.check(TypeError, name, method, 0.5j)
             self.check(TypeError, name, method, None)
-        for method in (curve.position, curve.derivative, curve.tangent, curve.curvature, curve.torsion, curve.length_at,
-                       curve.t_at_length, curve.position_at_length):
+        for method in (
+            curve.position,
+            curve.derivative,
+            curve.tangent,
+            curve.curvature,
+            curve.torsion,
+            curve.length_at,
+            curve.t_at_length,
+            curve.position_at_length,
+        ):
             self.check(ValueError, "extend", method, 0.5, extend="mirror")
             for extend in (None, 3, b"clamp", ["clamp"]):
                 self.check(TypeError, "extend", method, 0.5, extend=extend)
@@ -243,7 +264,6 @@ class Errors(unittest.TestCase):
         self.check(ValueError, "matrix", curve.transformed, np.eye(3))
         self.check(ValueError, "point", curve.nearest, (1.0, 2.0))
         self.check(ValueError, "point", curve.nearest, np.zeros((2, 2, 3)))
-
 
     def test_flags(self):
         points = np.arange(12.0).reshape(4, 3)

@@ -3,8 +3,9 @@
 import math
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 
 class PendulumTest(unittest.TestCase):
@@ -25,9 +26,11 @@ class PendulumTest(unittest.TestCase):
         state = native.double_pendulum(2.5, 2.0, 1.0, mass2=0.5)
         for which in range(4):
             self.assertEqual(native.double_pendulum_value(2.5, which, 2.0, 1.0, mass2=0.5), state[which])
-        for call, name in ((lambda: native.pendulum_angle(1.0, 0.5, length=0.0), "length"),
-                           (lambda: native.pendulum_angle(float("inf"), 0.5), "times"),
-                           (lambda: native.double_pendulum_value(1.0, 4, 0.5, 0.5), "which")):
+        for call, name in (
+            (lambda: native.pendulum_angle(1.0, 0.5, length=0.0), "length"),
+            (lambda: native.pendulum_angle(float("inf"), 0.5), "times"),
+            (lambda: native.double_pendulum_value(1.0, 4, 0.5, 0.5), "which"),
+        ):
             with self.assertRaisesRegex(ValueError, name):
                 call()
 
@@ -63,16 +66,25 @@ class PendulumTest(unittest.TestCase):
 
     def test_errors_name_the_argument(self):
         for keywords, name in (
-                ({"length": 0.0}, "length"), ({"gravity": -1.0}, "gravity"), ({"damping": -1.0}, "damping"),
-                ({"theta": math.nan}, "theta"), ({"times": [math.nan]}, "times"), ({"damping": 0.1, "times": 1e9}, "times"),
-                ({"pivot_accelerations": [[0.0, 0.0]]}, "pivot_step"),
-                ({"pivot_step": 1.0, "pivot_accelerations": [0.0]}, "pivot_accelerations"),
-                ({"pivot_step": 1.0, "pivot_accelerations": [[0.0, 1.0]], "times": -1.0}, "times")):
+            ({"length": 0.0}, "length"),
+            ({"gravity": -1.0}, "gravity"),
+            ({"damping": -1.0}, "damping"),
+            ({"theta": math.nan}, "theta"),
+            ({"times": [math.nan]}, "times"),
+            ({"damping": 0.1, "times": 1e9}, "times"),
+            ({"pivot_accelerations": [[0.0, 0.0]]}, "pivot_step"),
+            ({"pivot_step": 1.0, "pivot_accelerations": [0.0]}, "pivot_accelerations"),
+            ({"pivot_step": 1.0, "pivot_accelerations": [[0.0, 1.0]], "times": -1.0}, "times"),
+        ):
             with self.subTest(keywords), self.assertRaisesRegex(ValueError, name):
                 native.single_pendulum(**{"times": 1.0, "theta": 0.5, **keywords})
         for keywords, name in (
-                ({"mass1": 0.0}, "mass1"), ({"length2": -1.0}, "length2"), ({"most_velocity": 0.0}, "most_velocity"),
-                ({"times": 1e9}, "times"), ({"mass2": 1e-30}, "mass2")):
+            ({"mass1": 0.0}, "mass1"),
+            ({"length2": -1.0}, "length2"),
+            ({"most_velocity": 0.0}, "most_velocity"),
+            ({"times": 1e9}, "times"),
+            ({"mass2": 1e-30}, "mass2"),
+        ):
             with self.subTest(keywords), self.assertRaisesRegex(ValueError, name):
                 native.double_pendulum(**{"times": 1.0, "theta1": 0.5, "theta2": 0.5, **keywords})
         with self.assertRaisesRegex(TypeError, "theta"):
@@ -144,17 +156,18 @@ class SecondOrderTest(unittest.TestCase):
     def test_errors_name_the_argument(self):
         filter = native.SecondOrder(1.0, 1.0, 0.0)
         for call, name in (
-                (lambda: native.SecondOrder(0.0, 1.0, 0.0), "frequency"),
-                (lambda: native.SecondOrder(1.0, -1.0, 0.0), "damping"),
-                (lambda: native.step_response([0.0, math.inf], 1.0, 1.0, 0.0), "times"),
-                (lambda: native.second_order([0.0, 0.0], [1.0, 2.0], 1.0, 1.0, 0.0), "times"),
-                (lambda: native.second_order([0.0, 1.0], [1.0], 1.0, 1.0, 0.0), "inputs"),
-                (lambda: native.Track(filter, [0.0], [math.nan]), "inputs"),
-                (lambda: native.Track(filter, [0.0], [0.0], resets=[-1]), "resets"),
-                (lambda: native.Track(filter, [0.0], [0.0], resets=[1]), "resets"),
-                (lambda: native.Track(native.SecondOrder(1.0, 0.0, 0.0), [0.0, 1.0], [0.0, 0.0], loop=True), "damping"),
-                (lambda: native.RotationTrack(filter, [0.0], [[1.0, 0.0, 0.0]]), "inputs"),
-                (lambda: native.RotationTrack(filter, [0.0], [[2.0, 0.0, 0.0, 0.0]]), "inputs")):
+            (lambda: native.SecondOrder(0.0, 1.0, 0.0), "frequency"),
+            (lambda: native.SecondOrder(1.0, -1.0, 0.0), "damping"),
+            (lambda: native.step_response([0.0, math.inf], 1.0, 1.0, 0.0), "times"),
+            (lambda: native.second_order([0.0, 0.0], [1.0, 2.0], 1.0, 1.0, 0.0), "times"),
+            (lambda: native.second_order([0.0, 1.0], [1.0], 1.0, 1.0, 0.0), "inputs"),
+            (lambda: native.Track(filter, [0.0], [math.nan]), "inputs"),
+            (lambda: native.Track(filter, [0.0], [0.0], resets=[-1]), "resets"),
+            (lambda: native.Track(filter, [0.0], [0.0], resets=[1]), "resets"),
+            (lambda: native.Track(native.SecondOrder(1.0, 0.0, 0.0), [0.0, 1.0], [0.0, 0.0], loop=True), "damping"),
+            (lambda: native.RotationTrack(filter, [0.0], [[1.0, 0.0, 0.0]]), "inputs"),
+            (lambda: native.RotationTrack(filter, [0.0], [[2.0, 0.0, 0.0, 0.0]]), "inputs"),
+        ):
             with self.subTest(name), self.assertRaisesRegex(ValueError, name):
                 call()
         with self.assertRaisesRegex(TypeError, "resets"):

@@ -2,8 +2,9 @@
 
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 
 class FollowTest(unittest.TestCase):
@@ -28,9 +29,7 @@ class FollowTest(unittest.TestCase):
 
     def test_writes_into_given_arrays(self):
         locations, rotations = np.empty((20, 3)), np.empty((20, 4))
-        result = native.follow(
-            self.curve, self.timing, 3.0, self.offsets, "world_up", locations=locations, rotations=rotations
-        )
+        result = native.follow(self.curve, self.timing, 3.0, self.offsets, "world_up", locations=locations, rotations=rotations)
         self.assertIs(result[0], locations)
         self.assertIs(result[1], rotations)
         fresh = native.follow(self.curve, self.timing, 3.0, self.offsets, "world_up")
@@ -44,9 +43,7 @@ class FollowTest(unittest.TestCase):
         self.assertTrue(np.frombuffer(memory, np.float64).any())
 
     def test_extrapolate(self):
-        locations, _ = native.follow(
-            self.curve, native.Timing.constant(0.0), 0.0, -2.0, "minimal", extend="extrapolate"
-        )
+        locations, _ = native.follow(self.curve, native.Timing.constant(0.0), 0.0, -2.0, "minimal", extend="extrapolate")
         expected = self.curve.position(0.0) - 2.0 * self.curve.tangent(0.0)
         np.testing.assert_allclose(locations[0], expected, atol=1e-12)
 
@@ -60,9 +57,7 @@ class FollowTest(unittest.TestCase):
     def test_rotation_switched_off(self):
         locations, rotations = native.follow(self.curve, self.timing, 3.0, self.offsets, "banking", rotate=False)
         np.testing.assert_array_equal(rotations, np.tile([1.0, 0.0, 0.0, 0.0], (20, 1)))
-        np.testing.assert_allclose(
-            locations, self.curve.position_at_length(self.timing.distance(3.0) + self.offsets), atol=1e-12
-        )
+        np.testing.assert_allclose(locations, self.curve.position_at_length(self.timing.distance(3.0) + self.offsets), atol=1e-12)
 
     def test_lag_is_a_function_of_time(self):
         def at(time):
@@ -114,14 +109,24 @@ class FollowTest(unittest.TestCase):
         memory = np.zeros(14)
         with self.assertRaisesRegex(ValueError, "rotations: must not share memory with locations"):
             native.follow(
-                self.curve, self.timing, 1.0, [0.0, 1.0], "minimal",
-                locations=memory[:6].reshape(2, 3), rotations=memory[5:13].reshape(2, 4),
+                self.curve,
+                self.timing,
+                1.0,
+                [0.0, 1.0],
+                "minimal",
+                locations=memory[:6].reshape(2, 3),
+                rotations=memory[5:13].reshape(2, 4),
             )
         with self.assertRaisesRegex(ValueError, "locations: must not share memory with offsets"):
             native.follow(self.curve, self.timing, 1.0, memory[:2], "minimal", locations=memory[:6].reshape(2, 3))
         beside = native.follow(
-            self.curve, self.timing, 1.0, [0.0, 1.0], "minimal",
-            locations=memory[:6].reshape(2, 3), rotations=memory[6:].reshape(2, 4),
+            self.curve,
+            self.timing,
+            1.0,
+            [0.0, 1.0],
+            "minimal",
+            locations=memory[:6].reshape(2, 3),
+            rotations=memory[6:].reshape(2, 4),
         )
         fresh = native.follow(self.curve, self.timing, 1.0, [0.0, 1.0], "minimal")
         np.testing.assert_array_equal(beside[0], fresh[0])

@@ -3,8 +3,9 @@
 import math
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 UNIT = np.eye(3)
 BASES = ("bernstein", "linear", "cardinal", "catmull_rom", "bspline")
@@ -20,8 +21,7 @@ class Deform(unittest.TestCase):
     def test_the_points_are_counted_with_u_fastest(self):
         lattice = native.Lattice((1.0, 2.0, 3.0), np.diag((2.0, 3.0, 4.0)), (3, 2, 1))
         self.assertEqual(lattice.resolution, (3, 2, 1))
-        np.testing.assert_allclose(lattice.rest_points(), [
-            (1, 2, 3), (2, 2, 3), (3, 2, 3), (1, 5, 3), (2, 5, 3), (3, 5, 3)])
+        np.testing.assert_allclose(lattice.rest_points(), [(1, 2, 3), (2, 2, 3), (3, 2, 3), (1, 5, 3), (2, 5, 3), (3, 5, 3)])
 
     def test_it_is_the_weighted_sum(self):
         places = np.random.default_rng(2).uniform(-0.5, 1.5, (40, 3)).astype(np.float32)
@@ -42,8 +42,7 @@ class Deform(unittest.TestCase):
         change = influence[:, None] * (weights @ displacements)
         np.testing.assert_allclose(lattice.deform(places, displacements, influence), places + change, atol=3e-6)
         faded = (influence * (weights @ point_weights))[:, None] * change
-        np.testing.assert_allclose(
-            lattice.deform(places, displacements, influence, point_weights), places + faded, atol=3e-6)
+        np.testing.assert_allclose(lattice.deform(places, displacements, influence, point_weights), places + faded, atol=3e-6)
 
     def test_in_place(self):
         lattice, displacements = wavy()
@@ -114,12 +113,19 @@ class Errors(unittest.TestCase):
     def test_they_name_the_argument(self):
         plain = {"origin": (0, 0, 0), "axes": UNIT, "resolution": (2, 2, 2), "basis": "linear"}
         for name, value, error in (
-                ("origin", (0, 0), ValueError), ("origin", (0, 0, math.nan), ValueError),
-                ("axes", (1, 2, 3), ValueError),
-                ("axes", [(1, 0, 0), (0, 1, 0), (1, 1, 0)], ValueError), ("resolution", (2, 2), ValueError),
-                ("resolution", (2, 2, 0), ValueError), ("resolution", (2, 2, 65), ValueError),
-                ("resolution", (2, 2, 2.0), TypeError), ("resolution", 3, TypeError), ("basis", "cubic", ValueError),
-                ("basis", ("linear", "linear"), ValueError), ("basis", 1, TypeError)):
+            ("origin", (0, 0), ValueError),
+            ("origin", (0, 0, math.nan), ValueError),
+            ("axes", (1, 2, 3), ValueError),
+            ("axes", [(1, 0, 0), (0, 1, 0), (1, 1, 0)], ValueError),
+            ("resolution", (2, 2), ValueError),
+            ("resolution", (2, 2, 0), ValueError),
+            ("resolution", (2, 2, 65), ValueError),
+            ("resolution", (2, 2, 2.0), TypeError),
+            ("resolution", 3, TypeError),
+            ("basis", "cubic", ValueError),
+            ("basis", ("linear", "linear"), ValueError),
+            ("basis", 1, TypeError),
+        ):
             with self.subTest(name=name, value=value), self.assertRaises(error) as caught:
                 native.Lattice(**{**plain, name: value})
             self.assertIn(name, str(caught.exception))
@@ -127,28 +133,43 @@ class Errors(unittest.TestCase):
         lattice = native.Lattice(**plain)
         deform = {"positions": [(0, 0, 0)], "displacements": np.zeros((8, 3))}
         for name, value, error in (
-                ("positions", [(0, 0)], ValueError), ("positions", [(0, 0, math.inf)], ValueError),
-                ("positions", "x", TypeError), ("displacements", np.zeros((7, 3)), ValueError),
-                ("influence", [1.0, 1.0], ValueError), ("influence", [math.nan], ValueError),
-                ("point_weights", np.zeros(7), ValueError), ("out", np.zeros((1, 3)), TypeError),
-                ("out", np.zeros((2, 3), np.float32), ValueError)):
+            ("positions", [(0, 0)], ValueError),
+            ("positions", [(0, 0, math.inf)], ValueError),
+            ("positions", "x", TypeError),
+            ("displacements", np.zeros((7, 3)), ValueError),
+            ("influence", [1.0, 1.0], ValueError),
+            ("influence", [math.nan], ValueError),
+            ("point_weights", np.zeros(7), ValueError),
+            ("out", np.zeros((1, 3)), TypeError),
+            ("out", np.zeros((2, 3), np.float32), ValueError),
+        ):
             with self.subTest(name=name, value=value), self.assertRaises(error) as caught:
                 lattice.deform(**{**deform, name: value})
             self.assertIn(name, str(caught.exception))
 
         pull = {"places": [(0, 0, 0)], "displacements": [(0, 0, 1)]}
         for name, value, error in (
-                ("places", [(0, 0, math.nan)], ValueError), ("displacements", np.zeros((2, 3)), ValueError),
-                ("pulls", [1], ValueError), ("pulls", [0.5], ValueError), ("shares", [1, 2], ValueError),
-                ("influence", 1.0, ValueError), ("point_weights", [1.0], ValueError), ("outside_only", 1, TypeError),
-                ("max_gain", 0.0, ValueError), ("max_gain", math.inf, ValueError)):
+            ("places", [(0, 0, math.nan)], ValueError),
+            ("displacements", np.zeros((2, 3)), ValueError),
+            ("pulls", [1], ValueError),
+            ("pulls", [0.5], ValueError),
+            ("shares", [1, 2], ValueError),
+            ("influence", 1.0, ValueError),
+            ("point_weights", [1.0], ValueError),
+            ("outside_only", 1, TypeError),
+            ("max_gain", 0.0, ValueError),
+            ("max_gain", math.inf, ValueError),
+        ):
             with self.subTest(name=name, value=value), self.assertRaises(error) as caught:
                 lattice.pull(**{**pull, name: value})
             self.assertIn(name, str(caught.exception))
 
         for name, value, error in (
-                ("points", [(0, 0)], ValueError), ("axes", 2 * UNIT, ValueError), ("axes", (1, 0, 0), ValueError),
-                ("turn", "yes", TypeError)):
+            ("points", [(0, 0)], ValueError),
+            ("axes", 2 * UNIT, ValueError),
+            ("axes", (1, 0, 0), ValueError),
+            ("turn", "yes", TypeError),
+        ):
             with self.subTest(name=name, value=value), self.assertRaises(error) as caught:
                 native.box_around(**{"points": [(0, 0, 0)], name: value})
             self.assertIn(name, str(caught.exception))

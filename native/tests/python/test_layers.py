@@ -2,8 +2,9 @@
 
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 PLAIN = 8 | 16
 KEYS = np.array([[1, 0, 0, 0, 2, 0], [11, 1, 10, 1, 12, 1]], np.float32)
@@ -31,12 +32,22 @@ class Stack:
     def __init__(self):
         self.stack = native.LayerStack([-1, 0, 1], np.tile(EYE, (3, 1)), np.full(3, PLAIN, np.int32))
         self.arguments = {
-            "basis": np.tile(EYE, (3, 1)), "clips": [clip()], "settings": settings(), "masks": np.ones((1, 3)), "references": [None],
-            "given": [None], "rows": [0, 1]}
+            "basis": np.tile(EYE, (3, 1)),
+            "clips": [clip()],
+            "settings": settings(),
+            "masks": np.ones((1, 3)),
+            "references": [None],
+            "given": [None],
+            "rows": [0, 1],
+        }
 
     def solve(self, frame=6.0, **given):
-        found = {"locations": np.empty((2, 3)), "rotations": np.empty((2, 4)), "scales": np.empty((2, 3)),
-                 "laid": np.empty((2, 16), np.float32)}
+        found = {
+            "locations": np.empty((2, 3)),
+            "rotations": np.empty((2, 4)),
+            "scales": np.empty((2, 3)),
+            "laid": np.empty((2, 16), np.float32),
+        }
         self.stack.solve(frame, **(self.arguments | found | given))
         return found
 
@@ -59,11 +70,17 @@ class Clips(unittest.TestCase):
     def test_refusals(self):
         good = {"rotations": [1], "curves": np.array([[0, 5, 0, 2, 0]], np.int32), "keys": KEYS, "interpolations": LINEAR}
         bad = (
-            ("rotations", ValueError, [8]), ("curves", ValueError, np.zeros((1, 4), np.int32)),
-            ("curves", TypeError, np.zeros((1, 5))), ("curves", ValueError, np.array([[1, 5, 0, 2, 0]], np.int32)),
-            ("curves", ValueError, np.array([[0, 5, 1, 2, 0]], np.int32)), ("keys", ValueError, np.zeros((2, 5), np.float32)),
-            ("keys", ValueError, KEYS[::-1].copy()), ("keys", ValueError, np.full((2, 6), np.inf, np.float32)),
-            ("interpolations", ValueError, np.array([1, 3], np.int32)), ("interpolations", ValueError, LINEAR[:1].copy()))
+            ("rotations", ValueError, [8]),
+            ("curves", ValueError, np.zeros((1, 4), np.int32)),
+            ("curves", TypeError, np.zeros((1, 5))),
+            ("curves", ValueError, np.array([[1, 5, 0, 2, 0]], np.int32)),
+            ("curves", ValueError, np.array([[0, 5, 1, 2, 0]], np.int32)),
+            ("keys", ValueError, np.zeros((2, 5), np.float32)),
+            ("keys", ValueError, KEYS[::-1].copy()),
+            ("keys", ValueError, np.full((2, 6), np.inf, np.float32)),
+            ("interpolations", ValueError, np.array([1, 3], np.int32)),
+            ("interpolations", ValueError, LINEAR[:1].copy()),
+        )
         for name, error, value in bad:
             with self.subTest(name), self.assertRaisesRegex(error, f"^{name}: "):
                 native.LayerClip(**(good | {name: value}))
@@ -98,14 +115,28 @@ class Stacks(unittest.TestCase):
 
     def test_refusals(self):
         bad = (
-            ("frame", ValueError, np.nan), ("basis", ValueError, np.tile(EYE, (2, 1))), ("basis", TypeError, np.eye(16)),
-            ("clips", TypeError, [3]), ("clips", ValueError, [clip(4)]), ("settings", ValueError, np.ones((1, 9))),
-            ("settings", ValueError, settings(speed=np.inf)), ("masks", ValueError, np.ones((1, 2))),
-            ("masks", ValueError, np.full((1, 3), 1.5)), ("references", ValueError, []),
-            ("references", ValueError, [np.zeros((2, 10))]), ("given", ValueError, [[1.0]]), ("given", ValueError, []),
-            ("laps", ValueError, []), ("laps", TypeError, 1.0), ("laps", ValueError, [np.zeros((1, 4))]),
-            ("rows", ValueError, [0, 3]), ("locations", ValueError, np.empty((3, 3))), ("rotations", TypeError, np.empty((2, 4), np.float32)),
-            ("scales", TypeError, [1.0]), ("laid", ValueError, np.empty((1, 16), np.float32)))
+            ("frame", ValueError, np.nan),
+            ("basis", ValueError, np.tile(EYE, (2, 1))),
+            ("basis", TypeError, np.eye(16)),
+            ("clips", TypeError, [3]),
+            ("clips", ValueError, [clip(4)]),
+            ("settings", ValueError, np.ones((1, 9))),
+            ("settings", ValueError, settings(speed=np.inf)),
+            ("masks", ValueError, np.ones((1, 2))),
+            ("masks", ValueError, np.full((1, 3), 1.5)),
+            ("references", ValueError, []),
+            ("references", ValueError, [np.zeros((2, 10))]),
+            ("given", ValueError, [[1.0]]),
+            ("given", ValueError, []),
+            ("laps", ValueError, []),
+            ("laps", TypeError, 1.0),
+            ("laps", ValueError, [np.zeros((1, 4))]),
+            ("rows", ValueError, [0, 3]),
+            ("locations", ValueError, np.empty((3, 3))),
+            ("rotations", TypeError, np.empty((2, 4), np.float32)),
+            ("scales", TypeError, [1.0]),
+            ("laid", ValueError, np.empty((1, 16), np.float32)),
+        )
         for name, error, value in bad:
             with self.subTest(name), self.assertRaisesRegex(error, f"^{name}: "):
                 frame = value if name == "frame" else 6.0
@@ -117,8 +148,12 @@ class Stacks(unittest.TestCase):
 class MasksAndMoments(unittest.TestCase):
     def test_a_soft_border(self):
         np.testing.assert_allclose(native.layer_mask([-1, 0, 1, 2], [0, 1, 1, 1], 1), (0, 0.5, 1, 1))
-        for name, arguments in (("chosen", ([-1], [2.0])), ("chosen", ([-1], [1.0, 0.0])), ("parents", ([0], [1.0])),
-                                ("feather", ([-1], [1.0], -1))):
+        for name, arguments in (
+            ("chosen", ([-1], [2.0])),
+            ("chosen", ([-1], [1.0, 0.0])),
+            ("parents", ([0], [1.0])),
+            ("feather", ([-1], [1.0], -1)),
+        ):
             with self.subTest(name), self.assertRaisesRegex(ValueError, f"^{name}: "):
                 native.layer_mask(*arguments)
 

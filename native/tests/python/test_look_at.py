@@ -3,8 +3,9 @@
 import math
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 PLAIN = 8 | 16
 DEGREE = math.pi / 180.0
@@ -70,11 +71,19 @@ class LookAt(unittest.TestCase):
 
     def test_errors_name_the_argument(self):
         for name, value, error in (
-                ("forward", (0, 0, 0), ValueError), ("forward", "x", TypeError), ("targets", (1, 2), ValueError),
-                ("targets", [(0, 0, 0)], ValueError), ("targets", [(0, math.nan, 0)], ValueError),
-                ("up", AHEAD, ValueError), ("chest", (0, 0, 1), ValueError), ("weight", 1.5, ValueError),
-                ("clamp", -0.1, ValueError), ("head_limit", -1.0, ValueError), ("eyes_weight", math.inf, ValueError),
-                ("body_limit", [1.0], TypeError)):
+            ("forward", (0, 0, 0), ValueError),
+            ("forward", "x", TypeError),
+            ("targets", (1, 2), ValueError),
+            ("targets", [(0, 0, 0)], ValueError),
+            ("targets", [(0, math.nan, 0)], ValueError),
+            ("up", AHEAD, ValueError),
+            ("chest", (0, 0, 1), ValueError),
+            ("weight", 1.5, ValueError),
+            ("clamp", -0.1, ValueError),
+            ("head_limit", -1.0, ValueError),
+            ("eyes_weight", math.inf, ValueError),
+            ("body_limit", [1.0], TypeError),
+        ):
             arguments = {"forward": AHEAD, "targets": (1, 0, 0), name: value}
             with self.subTest(name=name, value=value), self.assertRaises(error) as caught:
                 native.look_at(**arguments)
@@ -103,9 +112,16 @@ class Figure:
 
     def arguments(self, **changes):
         arguments = {
-            "rest": self.rest, "poses": self.rest.copy(), "basis": self.basis, "inheritance": self.inheritance,
-            "world": self.world, "settings": self.settings, "targets": self.targets, "head_forward": self.forward,
-            "eyes_forward": self.forward}
+            "rest": self.rest,
+            "poses": self.rest.copy(),
+            "basis": self.basis,
+            "inheritance": self.inheritance,
+            "world": self.world,
+            "settings": self.settings,
+            "targets": self.targets,
+            "head_forward": self.forward,
+            "eyes_forward": self.forward,
+        }
         arguments.update(changes)
         return arguments
 
@@ -189,10 +205,18 @@ class Plan(unittest.TestCase):
 
     def test_errors_name_the_argument(self):
         wrong = {
-            "rest": self.figure.rest[:4], "poses": self.figure.rest.astype(float), "basis": self.figure.basis.tolist(),
-            "inheritance": self.figure.inheritance.astype(np.int64), "world": np.eye(4), "settings": np.zeros((1, 8)),
-            "targets": np.zeros(3), "head_forward": np.zeros((1, 4)), "eyes_forward": np.zeros((2, 3)),
-            "rotations": np.zeros((3, 4)), "up": np.zeros(3)}
+            "rest": self.figure.rest[:4],
+            "poses": self.figure.rest.astype(float),
+            "basis": self.figure.basis.tolist(),
+            "inheritance": self.figure.inheritance.astype(np.int64),
+            "world": np.eye(4),
+            "settings": np.zeros((1, 8)),
+            "targets": np.zeros(3),
+            "head_forward": np.zeros((1, 4)),
+            "eyes_forward": np.zeros((2, 3)),
+            "rotations": np.zeros((3, 4)),
+            "up": np.zeros(3),
+        }
         for name, value in wrong.items():
             with self.subTest(name=name), self.assertRaises((TypeError, ValueError)) as caught:
                 self.plan.solve(**self.figure.arguments(**{name: value}))
@@ -206,10 +230,16 @@ class Plan(unittest.TestCase):
             self.plan.solve(**self.figure.arguments(rotations=shared, targets=shared.ravel()[:3].reshape(1, 3)))
 
     def test_wrong_bones(self):
-        for name, arguments in (("bodies", ([-1, 0], [[1]], [0], [[]])), ("heads", ([-1, 0], [[]], [5], [[]])),
-                                ("eyes", ([-1, 0], [[]], [1], [[0]])), ("bodies", ([-1, 0], [], [1], [[]])),
-                                ("eyes", ([-1, 0], [[]], [1], [])), ("parents", ([4], [[]], [0], [[]])),
-                                ("bodies", ([-1, 0], 3, [1], [[]])), ("heads", ([-1, 0], [[]], [0.5], [[]]))):
+        for name, arguments in (
+            ("bodies", ([-1, 0], [[1]], [0], [[]])),
+            ("heads", ([-1, 0], [[]], [5], [[]])),
+            ("eyes", ([-1, 0], [[]], [1], [[0]])),
+            ("bodies", ([-1, 0], [], [1], [[]])),
+            ("eyes", ([-1, 0], [[]], [1], [])),
+            ("parents", ([4], [[]], [0], [[]])),
+            ("bodies", ([-1, 0], 3, [1], [[]])),
+            ("heads", ([-1, 0], [[]], [0.5], [[]])),
+        ):
             with self.subTest(name=name, arguments=arguments), self.assertRaises((TypeError, ValueError)) as caught:
                 native.LookAtPlan(*arguments)
             self.assertTrue(str(caught.exception).startswith(name), caught.exception)

@@ -9,8 +9,9 @@ import threading
 import unittest
 from pathlib import Path
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 SECOND_COPY = """
 import importlib.util, sys
@@ -125,8 +126,9 @@ class ChangingArraysTest(unittest.TestCase):
         count = 3000
         bones = 3 * count
         parents = [-1 if i % 3 == 0 else i - 1 for i in range(bones)]
-        plan = native.IkPlan(parents, [[3 * i, 3 * i + 1, 3 * i + 2] for i in range(count)],
-                             [3 * i + 2 for i in range(count)], np.zeros((0, 2), np.int32))
+        plan = native.IkPlan(
+            parents, [[3 * i, 3 * i + 1, 3 * i + 2] for i in range(count)], [3 * i + 2 for i in range(count)], np.zeros((0, 2), np.int32)
+        )
         rest = np.tile(np.eye(4, dtype=np.float32).ravel(), (bones, 1))
         for i in range(bones):
             rest[i, 13] = i % 3

@@ -2,8 +2,9 @@
 
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 
 class NoiseTest(unittest.TestCase):
@@ -25,10 +26,15 @@ class NoiseTest(unittest.TestCase):
 
     def test_errors_name_the_argument(self):
         for call, name in (
-                (lambda: native.noise1(float("nan")), "x"), (lambda: native.noise1([1e300]), "x"),
-                (lambda: native.noise1([[1.0]]), "x"), (lambda: native.noise2([1.0, 2.0, 3.0]), "xy"),
-                (lambda: native.noise3([[1.0, 2.0]]), "xyz"), (lambda: native.noise1(0.5, -1), "seed"),
-                (lambda: native.noise1(0.5, 0.5), "seed"), (lambda: native.noise1(0.5, 2 ** 32), "seed")):
+            (lambda: native.noise1(float("nan")), "x"),
+            (lambda: native.noise1([1e300]), "x"),
+            (lambda: native.noise1([[1.0]]), "x"),
+            (lambda: native.noise2([1.0, 2.0, 3.0]), "xy"),
+            (lambda: native.noise3([[1.0, 2.0]]), "xyz"),
+            (lambda: native.noise1(0.5, -1), "seed"),
+            (lambda: native.noise1(0.5, 0.5), "seed"),
+            (lambda: native.noise1(0.5, 2**32), "seed"),
+        ):
             with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}: "):
                 call()
         with self.assertRaisesRegex(TypeError, "^x: "):

@@ -3,8 +3,9 @@
 import threading
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 from meshes import folded_sheet, grid
 
 
@@ -32,9 +33,14 @@ class PickerTest(unittest.TestCase):
         _, point, distance = self.picker.ray((0.02, 0.01, 5.0), (0.0, 0.0, -2.0), above, 0.5)
         self.assertAlmostEqual(distance, 4.5)
         np.testing.assert_allclose(point, (0.02, 0.01, 0.5), atol=1e-7)
-        for arguments, error, name in (((above[:-1], 0.5), ValueError, "positions"), ((above, -1.0), ValueError, "slack"),
-                                       ((above, float("nan")), ValueError, "slack"), ((above,), TypeError, "slack"),
-                                       ((above, "far"), TypeError, "slack"), ((None, 0.5), ValueError, "slack")):
+        for arguments, error, name in (
+            ((above[:-1], 0.5), ValueError, "positions"),
+            ((above, -1.0), ValueError, "slack"),
+            ((above, float("nan")), ValueError, "slack"),
+            ((above,), TypeError, "slack"),
+            ((above, "far"), TypeError, "slack"),
+            ((None, 0.5), ValueError, "slack"),
+        ):
             with self.assertRaisesRegex(error, name):
                 self.picker.ray((0.0, 0.0, 5.0), (0.0, 0.0, -1.0), *arguments)
 

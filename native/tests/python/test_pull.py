@@ -3,8 +3,9 @@
 import threading
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 from meshes import folded_sheet, grid
 
 CURVE = np.array([0.0, 0.8, 0.2, 1.0], np.float32)
@@ -55,8 +56,8 @@ class PullTest(unittest.TestCase):
 
     def test_a_point_as_the_root(self):
         np.testing.assert_array_equal(
-            native.pull(self.positions, tuple(self.positions[7]), (0, 0, 1), 0.5),
-            native.pull(self.positions, 7, (0, 0, 1), 0.5))
+            native.pull(self.positions, tuple(self.positions[7]), (0, 0, 1), 0.5), native.pull(self.positions, 7, (0, 0, 1), 0.5)
+        )
 
     def test_forces(self):
         distances = np.linspace(0.0, 1.3, 500)
@@ -79,8 +80,7 @@ class PullTest(unittest.TestCase):
         np.testing.assert_allclose(along[~above], straight[~above], atol=0.02)
 
     def test_by_edges(self):
-        pulled = native.pull(
-            self.positions, 220, (0, 0, 1), 3, "linear", "edges", self.triangles, edges=self.edges)
+        pulled = native.pull(self.positions, 220, (0, 0, 1), 3, "linear", "edges", self.triangles, edges=self.edges)
         steps = np.abs(self.positions[:, :2]).sum(1) / 0.1
         np.testing.assert_allclose(pulled[:, 2], np.clip(1 - np.round(steps) / 3, 0, 1), atol=1e-6)
 
@@ -94,18 +94,16 @@ class PullTest(unittest.TestCase):
                 for falloff in ("smooth", "classic", "constant"):
                     arguments = (positions, 3000, (0.1, 0.1, 1.0), radius, falloff)
                     options = {"weights": weights, "mirror": mirror, "metric": metric}
-                    np.testing.assert_array_equal(
-                        native.pull(*arguments, picker=picker, **options), native.pull(*arguments, **options))
+                    np.testing.assert_array_equal(native.pull(*arguments, picker=picker, **options), native.pull(*arguments, **options))
         for distance, radius in (("surface", 0.2), ("edges", 4)):
             arguments = (positions, 3000, (0.1, 0.1, 1.0), radius, "sphere", distance)
             np.testing.assert_array_equal(
-                native.pull(*arguments, picker=picker, mirror="x"),
-                native.pull(*arguments, triangles=triangles, mirror="x"))
+                native.pull(*arguments, picker=picker, mirror="x"), native.pull(*arguments, triangles=triangles, mirror="x")
+            )
 
     def test_distances_measured_earlier(self):
         for distance, radius in (("straight", 0.5), ("surface", 0.5), ("edges", 4)):
-            wanted = native.pull(
-                self.positions, 130, (0, 0, 1), radius, distance=distance, picker=self.picker, mirror="x")
+            wanted = native.pull(self.positions, 130, (0, 0, 1), radius, distance=distance, picker=self.picker, mirror="x")
             reach = self.picker.reaches(130, radius, distance, mirror="x")
             pulled = native.pull(self.positions, 130, (0, 0, 1), radius, mirror="x", reach=reach)
             np.testing.assert_allclose(pulled, wanted, atol=1e-6)
@@ -117,8 +115,8 @@ class PullTest(unittest.TestCase):
         pulled = native.pull(self.positions, 225, (0, 0, 1), 0.7, mirror="x").reshape(21, 21, 3)
         np.testing.assert_allclose(pulled[:, ::-1, 2], pulled[:, :, 2], atol=1e-6)
         np.testing.assert_allclose(
-            native.pull(self.positions, 220, (0, 0, 1), 0.7, mirror="xy"),
-            native.pull(self.positions, 220, (0, 0, 1), 0.7), atol=1e-6)
+            native.pull(self.positions, 220, (0, 0, 1), 0.7, mirror="xy"), native.pull(self.positions, 220, (0, 0, 1), 0.7), atol=1e-6
+        )
         weights = (self.positions[:, 0] > 0.0).astype(np.float32)
         pulled = native.pull(self.positions, 220, (0, 0, 1), 0.7, weights=weights)
         np.testing.assert_array_equal(pulled[weights == 0.0], self.positions[weights == 0.0])
@@ -160,8 +158,7 @@ class PullTest(unittest.TestCase):
 
     def test_copy(self):
         picker = native.Picker(self.positions, self.triangles, self.edges)
-        for keywords in ({}, {"picker": picker}, {"picker": picker, "distance": "surface"},
-                         {"reach": picker.reach(220, 0.4)}):
+        for keywords in ({}, {"picker": picker}, {"picker": picker, "distance": "surface"}, {"reach": picker.reach(220, 0.4)}):
             copy = np.full_like(self.positions, np.nan)
             found = native.pull(self.positions, 220, (0, 0, 1), 0.4, copy=copy, **keywords)
             np.testing.assert_array_equal(copy, found)

@@ -2,8 +2,9 @@
 
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 BONES = 4  # shoulder, upper arm, fore arm, hand
 CHAIN = [1, 2]
@@ -59,17 +60,13 @@ class Arm:
         return np.array(poses)
 
     def at_rest(self):
-        return {
-            "rest": columns(self.rest), "lengths": np.ones(BONES, np.float32),
-            "inheritance": np.full(BONES, FLAGS, np.int32)}
+        return {"rest": columns(self.rest), "lengths": np.ones(BONES, np.float32), "inheritance": np.full(BONES, FLAGS, np.int32)}
 
     def bones(self, plan):
         return plan.bones(plan.rest(**self.at_rest()), columns(self.basis))
 
     def rig(self, plan):
-        return {
-            "bones": self.bones(plan), "poses": columns(self.poses), "world": np.eye(4).T.ravel().copy(),
-            "settings": self.settings}
+        return {"bones": self.bones(plan), "poses": columns(self.poses), "world": np.eye(4).T.ravel().copy(), "settings": self.settings}
 
     def arguments(self, plan):
         return {**self.rig(plan), "targets": columns(self.target[None], np.float64), "poles": self.pole}
@@ -233,8 +230,11 @@ class BoneSpaceTest(unittest.TestCase):
     def test_wrong_arguments_are_named(self):
         one = np.eye(4)
         for name, arguments in {
-            "rest": (np.eye(3), None, None, one), "parent_pose": (one, one, None, one), "basis": (one, None, None, one[:3]),
-            "inherit_scale": (one, None, None, one, "SOME"), "inherit_rotation": (one, None, None, one, "FULL", 1),
+            "rest": (np.eye(3), None, None, one),
+            "parent_pose": (one, one, None, one),
+            "basis": (one, None, None, one[:3]),
+            "inherit_scale": (one, None, None, one, "SOME"),
+            "inherit_rotation": (one, None, None, one, "FULL", 1),
         }.items():
             with self.subTest(name), self.assertRaisesRegex((TypeError, ValueError), f"^{name}: "):
                 native.bone_to_pose(*arguments)

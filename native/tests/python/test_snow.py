@@ -3,8 +3,9 @@
 import threading
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 SHAPES = {"position": (3,), "velocity": (3,), "size": (), "color": (4,), "age": (), "rotation": (4,), "id": ()}
 
@@ -30,12 +31,12 @@ class SnowTest(unittest.TestCase):
         np.testing.assert_array_equal(snow.evaluate(3.0, ["velocity"])["velocity"], snow.evaluate(3.0)["velocity"])
 
     def test_given_arrays_are_written_into(self):
-        snow = native.Snow(rate=1000, random_lifetime=True, random_color=True, gravity=True,
-                           start_color=([0.0, 1.0], [[1, 0, 0, 1], [0, 0, 1, 1]]))
+        snow = native.Snow(
+            rate=1000, random_lifetime=True, random_color=True, gravity=True, start_color=([0.0, 1.0], [[1, 0, 0, 1], [0, 0, 1, 1]])
+        )
         wanted = snow.evaluate(7.0)
         count = len(wanted["id"])
-        out = {"position": np.zeros((5000, 3), np.float32), "color": np.zeros((count, 4), np.float32),
-               "id": np.zeros(5000, np.int64)}
+        out = {"position": np.zeros((5000, 3), np.float32), "color": np.zeros((count, 4), np.float32), "id": np.zeros(5000, np.int64)}
         found = snow.evaluate(7.0, out=out)
         self.assertEqual(list(found), list(out))
         for name, array in out.items():
@@ -61,10 +62,16 @@ class SnowTest(unittest.TestCase):
     def test_emitter_and_bursts(self):
         matrices = np.tile(np.eye(4), (2, 1, 1))
         matrices[1, :3, 3] = 10.0, 0.0, 5.0
-        snow = native.Snow(rate=0, burst_times=[0.0, 0.5, 1.0], burst_counts=[1, 2, 1], start_speed=0, cone_radius=0,
-                           emitter_times=[0, 1], emitter_matrices=matrices)
-        np.testing.assert_allclose(snow.evaluate(1.5)["position"], [[0, 0, 0], [5, 0, 2.5], [5, 0, 2.5], [10, 0, 5]],
-                                   atol=1e-6)
+        snow = native.Snow(
+            rate=0,
+            burst_times=[0.0, 0.5, 1.0],
+            burst_counts=[1, 2, 1],
+            start_speed=0,
+            cone_radius=0,
+            emitter_times=[0, 1],
+            emitter_matrices=matrices,
+        )
+        np.testing.assert_allclose(snow.evaluate(1.5)["position"], [[0, 0, 0], [5, 0, 2.5], [5, 0, 2.5], [10, 0, 5]], atol=1e-6)
 
     def test_surface(self):
         corners = [[0, 0, 1], [1, 0, 1], [0, 1, 1]]
@@ -75,20 +82,27 @@ class SnowTest(unittest.TestCase):
                 native.Snow(shape="surface", surface_positions=corners, surface_triangles=triangles)
 
     def test_frustum_and_keyed_wind(self):
-        places = native.Snow(rate=1000, shape="frustum", frustum_angles=(0.5, 0.3), frustum_near=2.0, frustum_far=9.0,
-                             start_speed=0).evaluate(2.0)["position"]
+        places = native.Snow(
+            rate=1000, shape="frustum", frustum_angles=(0.5, 0.3), frustum_near=2.0, frustum_far=9.0, start_speed=0
+        ).evaluate(2.0)["position"]
         self.assertTrue(((-places[:, 2] >= 1.9999) & (-places[:, 2] <= 9.0001)).all())
         self.assertTrue((np.abs(places[:, 0] / places[:, 2]) <= np.tan(0.5) + 1e-4).all())
         self.assertTrue((np.abs(places[:, 1] / places[:, 2]) <= np.tan(0.3) + 1e-4).all())
         settings = {"rate": 100, "drag": 50, "start_speed": 0, "lifetime": 5}
-        velocity = native.Snow(wind_times=[1.0, 3.0], wind_values=[[0, 0, 0], [4, 0, 2]], **settings).evaluate(
-            2.0, ["velocity"])["velocity"]
+        velocity = native.Snow(wind_times=[1.0, 3.0], wind_values=[[0, 0, 0], [4, 0, 2]], **settings).evaluate(2.0, ["velocity"])[
+            "velocity"
+        ]
         np.testing.assert_allclose(velocity[0], [1.96, 0, 0.98], atol=1e-4)  # 1 / 50 s behind the wind
-        for keywords, name in (({"frustum_angles": (1, 2)}, "frustum_angles"), ({"frustum_angles": (1,)}, "frustum_angles"),
-                               ({"frustum_near": 30}, "frustum_near"), ({"frustum_far": 0}, "frustum_far"),
-                               ({"wind_times": [1.0]}, "wind_values"), ({"wind_times": [[1.0]]}, "wind_times"),
-                               ({"wind_times": [1, 0], "wind_values": np.zeros((2, 3))}, "wind_times"),
-                               ({"wind_times": [1], "wind_values": np.zeros((1, 2))}, "wind_values")):
+        for keywords, name in (
+            ({"frustum_angles": (1, 2)}, "frustum_angles"),
+            ({"frustum_angles": (1,)}, "frustum_angles"),
+            ({"frustum_near": 30}, "frustum_near"),
+            ({"frustum_far": 0}, "frustum_far"),
+            ({"wind_times": [1.0]}, "wind_values"),
+            ({"wind_times": [[1.0]]}, "wind_times"),
+            ({"wind_times": [1, 0], "wind_values": np.zeros((2, 3))}, "wind_times"),
+            ({"wind_times": [1], "wind_values": np.zeros((1, 2))}, "wind_values"),
+        ):
             with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
                 native.Snow(**keywords)
 
@@ -114,14 +128,17 @@ class SnowTest(unittest.TestCase):
         self.assertEqual((collider.vertex_count, collider.triangle_count), (3, 1))
         matrix = np.diag([1.0, 1.0, 1.0, 1.0])[None]
         matrix[0, 2, 3] = 3.0
-        settings = {"rate": 100, "start_speed": -2, "cone_radius": 0.5, "emitter_times": [0.0], "emitter_matrices": matrix,
-                    "lifetime": 4}
-        for keywords, height, triangle in (({"ground": 0.5}, 0.5, -1), ({"collider": collider}, 1.0, 0),
-                                           ({"ground": 0.5, "collider": collider}, 1.0, 0)):
+        settings = {"rate": 100, "start_speed": -2, "cone_radius": 0.5, "emitter_times": [0.0], "emitter_matrices": matrix, "lifetime": 4}
+        for keywords, height, triangle in (
+            ({"ground": 0.5}, 0.5, -1),
+            ({"collider": collider}, 1.0, 0),
+            ({"ground": 0.5, "collider": collider}, 1.0, 0),
+        ):
             snow = native.Snow(**settings, **keywords)
             downs = snow.landings(3.0)
-            self.assertEqual({name: array.dtype.str for name, array in downs.items()},
-                             {"time": "<f8", "id": "<i8", "position": "<f4", "triangle": "<i8"})
+            self.assertEqual(
+                {name: array.dtype.str for name, array in downs.items()}, {"time": "<f8", "id": "<i8", "position": "<f4", "triangle": "<i8"}
+            )
             np.testing.assert_allclose(downs["time"], (downs["id"] + 1) / 100 + (3.0 - height) / 2.0, atol=1e-6)
             np.testing.assert_allclose(downs["position"][:, 2], height, atol=1e-6)
             self.assertTrue((downs["triangle"] == triangle).all())
@@ -159,17 +176,24 @@ class SnowTest(unittest.TestCase):
         self.assertIs(cover.heights(9.0, out), out)
         np.testing.assert_array_equal(out, cover.heights(9.0))
         for call, name in (
-                (lambda: native.SnowCover(native.Snow(), end=1), "snow"), (lambda: native.SnowCover(snow, end=np.inf), "end"),
-                (lambda: native.SnowCover(snow, end=1, flake_volume=0), "flake_volume"),
-                (lambda: native.SnowCover(snow, end=1, repose=2), "repose"),
-                (lambda: native.SnowCover(snow, end=1, smoothing=-1), "smoothing"),
-                (lambda: native.SnowCover(snow, end=1e9), "end"), (lambda: cover.heights(np.nan), "time"),
-                (lambda: cover.volume(np.nan), "time"), (lambda: cover.heights(1, np.zeros(5, np.float32)), "out"),
-                (lambda: cover.heights(1, np.zeros(8, np.float32)[::2]), "out")):
+            (lambda: native.SnowCover(native.Snow(), end=1), "snow"),
+            (lambda: native.SnowCover(snow, end=np.inf), "end"),
+            (lambda: native.SnowCover(snow, end=1, flake_volume=0), "flake_volume"),
+            (lambda: native.SnowCover(snow, end=1, repose=2), "repose"),
+            (lambda: native.SnowCover(snow, end=1, smoothing=-1), "smoothing"),
+            (lambda: native.SnowCover(snow, end=1e9), "end"),
+            (lambda: cover.heights(np.nan), "time"),
+            (lambda: cover.volume(np.nan), "time"),
+            (lambda: cover.heights(1, np.zeros(5, np.float32)), "out"),
+            (lambda: cover.heights(1, np.zeros(8, np.float32)[::2]), "out"),
+        ):
             with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
                 call()
-        for call, name in ((lambda: native.SnowCover(1, end=1), "snow"), (lambda: cover.heights(1, np.zeros(4)), "out"),
-                           (lambda: native.SnowCover(snow, end=1, smoothing=0.5), "smoothing")):
+        for call, name in (
+            (lambda: native.SnowCover(1, end=1), "snow"),
+            (lambda: cover.heights(1, np.zeros(4)), "out"),
+            (lambda: native.SnowCover(snow, end=1, smoothing=0.5), "smoothing"),
+        ):
             with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name}"):
                 call()
 
@@ -179,49 +203,59 @@ class SnowTest(unittest.TestCase):
         self.assertEqual(layer.vertex_count, len(corners))
         depths = np.where(corners[:, 0] > 0.4, 0.1, 0.0).astype(np.float32)
         found = layer.mesh(depths, 0.01)
-        self.assertEqual({name: array.dtype for name, array in found.items()}, {
-            "position": np.float32, "depth": np.float32, "triangle": np.int32, "edge": np.int32, "side": np.int32})
+        self.assertEqual(
+            {name: array.dtype for name, array in found.items()},
+            {"position": np.float32, "depth": np.float32, "triangle": np.int32, "edge": np.int32, "side": np.int32},
+        )
         self.assertAlmostEqual(float(found["position"][:, 2].max()), 0.1, places=6)
         self.assertEqual(found["position"].shape, (len(found["depth"]), 3))
         self.assertEqual(found["side"].shape, found["triangle"].shape)
         ends = np.sort(found["edge"], axis=1)[found["side"]]
-        np.testing.assert_array_equal(
-            ends, np.sort(np.stack((found["triangle"], np.roll(found["triangle"], -1, axis=1)), axis=2), axis=2))
+        np.testing.assert_array_equal(ends, np.sort(np.stack((found["triangle"], np.roll(found["triangle"], -1, axis=1)), axis=2), axis=2))
         self.assertEqual(len(layer.mesh(np.zeros(len(corners)))["position"]), 0)
         nan = float("nan")
         for call, name in (
-                (lambda: native.SnowLayer([[0, 0, nan]], []), "layer_positions"),
-                (lambda: native.SnowLayer([[0, 0, 0]], [[0, 0, 1]]), "layer_triangles"),
-                (lambda: native.SnowLayer(corners, triangles, (0, 0, 0)), "up"),
-                (lambda: native.SnowLayer(corners, triangles, repose=-0.1), "repose"),
-                (lambda: native.SnowLayer(corners, triangles, repose=1.6), "repose"),
-                (lambda: layer.mesh([1.0]), "depths"), (lambda: layer.mesh(depths * nan), "depths"),
-                (lambda: layer.mesh(depths, -1.0), "thinnest"), (lambda: layer.mesh(depths, 0.0, 0.0), "steepest"),
-                (lambda: native.refine([[0, 0, nan]], [], 1), "positions"),
-                (lambda: native.refine([[0, 0, 0]], [[0, 0, 1]], 1), "triangles"),
-                (lambda: native.refine(corners, triangles, 0), "longest_edge"),
-                (lambda: native.refine(corners, triangles, 1e-3, 1000), "longest_edge"),
-                (lambda: native.refine(corners, triangles, 1, -1), "most_vertices")):
+            (lambda: native.SnowLayer([[0, 0, nan]], []), "layer_positions"),
+            (lambda: native.SnowLayer([[0, 0, 0]], [[0, 0, 1]]), "layer_triangles"),
+            (lambda: native.SnowLayer(corners, triangles, (0, 0, 0)), "up"),
+            (lambda: native.SnowLayer(corners, triangles, repose=-0.1), "repose"),
+            (lambda: native.SnowLayer(corners, triangles, repose=1.6), "repose"),
+            (lambda: layer.mesh([1.0]), "depths"),
+            (lambda: layer.mesh(depths * nan), "depths"),
+            (lambda: layer.mesh(depths, -1.0), "thinnest"),
+            (lambda: layer.mesh(depths, 0.0, 0.0), "steepest"),
+            (lambda: native.refine([[0, 0, nan]], [], 1), "positions"),
+            (lambda: native.refine([[0, 0, 0]], [[0, 0, 1]], 1), "triangles"),
+            (lambda: native.refine(corners, triangles, 0), "longest_edge"),
+            (lambda: native.refine(corners, triangles, 1e-3, 1000), "longest_edge"),
+            (lambda: native.refine(corners, triangles, 1, -1), "most_vertices"),
+        ):
             with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
                 call()
 
     def test_errors_of_collisions_name_the_argument(self):
         nan = float("nan")
         for call, name in (
-                (lambda: native.Snow(ground=nan), "ground"), (lambda: native.Snow(collision="bounce"), "collision"),
-                (lambda: native.Snow(rest_time=-1), "rest_time"), (lambda: native.Snow(melt_time=-1), "melt_time"),
-                (lambda: native.Snow(friction=-1), "friction"),
-                (lambda: native.SnowCollider([[0, 0, nan]], []), "collider_positions"),
-                (lambda: native.SnowCollider([0, 0, 0], []), "collider_positions"),
-                (lambda: native.SnowCollider([[0, 0, 0]], [[0, 0, 1]]), "collider_triangles"),
-                (lambda: native.Snow().landings(nan), "end"),
-                (lambda: native.Snow().find_landings(nan, 1), "time"),
-                (lambda: native.Snow().find_landings(1.0, -1), "most"),
-                (lambda: native.Snow(rate=1e6, lifetime=1, ground=0).landings(100), "end")):
+            (lambda: native.Snow(ground=nan), "ground"),
+            (lambda: native.Snow(collision="bounce"), "collision"),
+            (lambda: native.Snow(rest_time=-1), "rest_time"),
+            (lambda: native.Snow(melt_time=-1), "melt_time"),
+            (lambda: native.Snow(friction=-1), "friction"),
+            (lambda: native.SnowCollider([[0, 0, nan]], []), "collider_positions"),
+            (lambda: native.SnowCollider([0, 0, 0], []), "collider_positions"),
+            (lambda: native.SnowCollider([[0, 0, 0]], [[0, 0, 1]]), "collider_triangles"),
+            (lambda: native.Snow().landings(nan), "end"),
+            (lambda: native.Snow().find_landings(nan, 1), "time"),
+            (lambda: native.Snow().find_landings(1.0, -1), "most"),
+            (lambda: native.Snow(rate=1e6, lifetime=1, ground=0).landings(100), "end"),
+        ):
             with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
                 call()
-        for call, name in ((lambda: native.Snow(collider=[1]), "collider"), (lambda: native.Snow(collision=1), "collision"),
-                           (lambda: native.SnowCollider([[0, 0, 0]], [[0.5, 0, 0]]), "collider_triangles")):
+        for call, name in (
+            (lambda: native.Snow(collider=[1]), "collider"),
+            (lambda: native.Snow(collision=1), "collision"),
+            (lambda: native.SnowCollider([[0, 0, 0]], [[0.5, 0, 0]]), "collider_triangles"),
+        ):
             with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name}"):
                 call()
 
@@ -230,38 +264,51 @@ class SnowTest(unittest.TestCase):
         snow = native.Snow(rate=100)
         rows = np.zeros((200, 3), np.float32)
         for call, name in (
-                (lambda: native.Snow(rate=-1), "rate"), (lambda: native.Snow(rate=nan), "rate"),
-                (lambda: native.Snow(lifetime=-1), "lifetime"), (lambda: native.Snow(seed=-1), "seed"),
-                (lambda: native.Snow(seed=2 ** 32), "seed"), (lambda: native.Snow(shape="cube"), "shape"),
-                (lambda: native.Snow(wind=(1, 2)), "wind"), (lambda: native.Snow(drag=1e9), "drag"),
-                (lambda: native.Snow(start_color=([0.0], [[1, 1, 1]])), "start_color"),
-                (lambda: native.Snow(start_color=([], np.zeros((0, 4)))), "start_color"),
-                (lambda: native.Snow(burst_times=[1.0]), "burst_counts"),
-                (lambda: native.Snow(burst_times=[1.0], burst_counts=[0.5]), "burst_counts"),
-                (lambda: native.Snow(emitter_times=[0.0]), "emitter_matrices"),
-                (lambda: native.Snow(emitter_times=[0.0, 0.0], emitter_matrices=np.zeros((2, 4, 4))), "emitter_times"),
-                (lambda: native.Snow(emitter_times=[0.0], emitter_matrices=np.eye(4)), "emitter_matrices"),
-                (lambda: snow.evaluate(nan), "time"), (lambda: snow.evaluate(1.0, ["mass"]), "fields"),
-                (lambda: snow.evaluate(2.0, out={"position": rows[:10]}), "out\\['position'\\]"),
-                (lambda: snow.evaluate(2.0, out={"position": rows[:, :2]}), "out\\['position'\\]"),
-                (lambda: snow.evaluate(2.0, out={"age": np.zeros((200, 2), np.float32)[:, 0]}), "out\\['age'\\]")):
+            (lambda: native.Snow(rate=-1), "rate"),
+            (lambda: native.Snow(rate=nan), "rate"),
+            (lambda: native.Snow(lifetime=-1), "lifetime"),
+            (lambda: native.Snow(seed=-1), "seed"),
+            (lambda: native.Snow(seed=2**32), "seed"),
+            (lambda: native.Snow(shape="cube"), "shape"),
+            (lambda: native.Snow(wind=(1, 2)), "wind"),
+            (lambda: native.Snow(drag=1e9), "drag"),
+            (lambda: native.Snow(start_color=([0.0], [[1, 1, 1]])), "start_color"),
+            (lambda: native.Snow(start_color=([], np.zeros((0, 4)))), "start_color"),
+            (lambda: native.Snow(burst_times=[1.0]), "burst_counts"),
+            (lambda: native.Snow(burst_times=[1.0], burst_counts=[0.5]), "burst_counts"),
+            (lambda: native.Snow(emitter_times=[0.0]), "emitter_matrices"),
+            (lambda: native.Snow(emitter_times=[0.0, 0.0], emitter_matrices=np.zeros((2, 4, 4))), "emitter_times"),
+            (lambda: native.Snow(emitter_times=[0.0], emitter_matrices=np.eye(4)), "emitter_matrices"),
+            (lambda: snow.evaluate(nan), "time"),
+            (lambda: snow.evaluate(1.0, ["mass"]), "fields"),
+            (lambda: snow.evaluate(2.0, out={"position": rows[:10]}), "out\\['position'\\]"),
+            (lambda: snow.evaluate(2.0, out={"position": rows[:, :2]}), "out\\['position'\\]"),
+            (lambda: snow.evaluate(2.0, out={"age": np.zeros((200, 2), np.float32)[:, 0]}), "out\\['age'\\]"),
+        ):
             with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
                 call()
         rows.flags.writeable = False
         with self.assertRaisesRegex(ValueError, "writable"):
             snow.evaluate(2.0, out={"position": rows})
-        for call, name in ((lambda: native.Snow(snow=1), "snow"), (lambda: native.Snow(rate="a"), "rate"),
-                           (lambda: native.Snow(start_color="white"), "start_color"),
-                           (lambda: snow.evaluate(1.0, "age"), "fields"), (lambda: snow.evaluate(1.0, 5), "fields"),
-                           (lambda: snow.evaluate(1.0, out=rows), "out"),
-                           (lambda: snow.evaluate(1.0, out={"age": np.zeros(200)}), "out\\['age'\\]"),
-                           (lambda: native.Snow(speed=1.0), "")):
+        for call, name in (
+            (lambda: native.Snow(snow=1), "snow"),
+            (lambda: native.Snow(rate="a"), "rate"),
+            (lambda: native.Snow(start_color="white"), "start_color"),
+            (lambda: snow.evaluate(1.0, "age"), "fields"),
+            (lambda: snow.evaluate(1.0, 5), "fields"),
+            (lambda: snow.evaluate(1.0, out=rows), "out"),
+            (lambda: snow.evaluate(1.0, out={"age": np.zeros(200)}), "out\\['age'\\]"),
+            (lambda: native.Snow(speed=1.0), ""),
+        ):
             with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name}"):
                 call()
 
     def test_too_many_flakes_are_a_sentence(self):
-        with self.assertRaisesRegex(ValueError, r"^rate must be lower: up to 2e\+12 flakes would live at once, which take "
-                                                r"1.44e\+05 GB; at most 1e\+08 may"):
+        with self.assertRaisesRegex(
+            ValueError,
+            r"^rate must be lower: up to 2e\+12 flakes would live at once, which take "
+            r"1.44e\+05 GB; at most 1e\+08 may",
+        ):
             native.Snow(rate=1e12)
         with self.assertRaisesRegex(ValueError, "^rate must be lower"):
             native.Snow(lifetime=1e12)

@@ -3,8 +3,9 @@
 import math
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 LENS = {"focal_length": 35.0, "sensor_width": 36.0}
 EYES = {"interaxial": 0.065, "convergence": 3.0, **LENS}
@@ -61,30 +62,32 @@ class StereoTest(unittest.TestCase):
         budget = {"near": 2.0, "far": 10.0, "near_parallax": 0.01, "far_parallax": 0.02, **LENS}
         samples = {"x": [0.0], "depths": [1.0], **EYES}
         for function, good, name, value in (
-                (native.parallax, {"depth": 2.0, **EYES}, "depth", 0.0), (native.parallax, {"depth": 2.0, **EYES}, "depth", [-1.0]),
-                (native.parallax, {"depth": 2.0, **EYES}, "interaxial", -0.1),
-                (native.parallax, {"depth": 2.0, **EYES}, "focal_length", 0.0),
-                (native.parallax, {"depth": 2.0, **EYES}, "sensor_width", 0.0),
-                (native.parallax, {"depth": 2.0, **EYES}, "convergence", 0.0),
-                (native.parallax, {"depth": 2.0, **EYES}, "convergence", math.nan),
-                (native.parallax, {"depth": 2.0, **EYES}, "mode", "cross"),
-                (native.solve_depth_budget, budget, "near", 0.0), (native.solve_depth_budget, budget, "far", 2.0),
-                (native.solve_depth_budget, budget, "near_parallax", -0.01),
-                (native.solve_depth_budget, budget, "far_parallax", math.nan),
-                (native.solve_depth_budget, budget, "focal_length", 0.0),
-                (native.stereo_points, {"points": [(0.0, 0.0, 1.0)], **EYES}, "point", [(0.0, 0.0, -1.0)]),
-                (native.seen_distance, {"parallax": 0.0, **SCREEN}, "width", 0.0),
-                (native.seen_distance, {"parallax": 0.0, **SCREEN}, "viewing_distance", -1.0),
-                (native.comfortable_parallax, SCREEN, "angle", 0.0),
-                (native.depth_range, {"depths": [1.0]}, "low", 2.0),
-                (native.window_violations, samples, "depths", [1.0, 2.0]),
-                (native.window_violations, samples, "tolerance", -1.0),
-                (native.smooth_ahead, {"values": [1.0], "ahead": 1}, "ahead", -1),
-                (native.smooth_ahead, {"values": [1.0], "ahead": 1}, "ahead", 10001),
-                (native.smooth_ahead, {"values": [1.0], "ahead": 1}, "side", "left")):
+            (native.parallax, {"depth": 2.0, **EYES}, "depth", 0.0),
+            (native.parallax, {"depth": 2.0, **EYES}, "depth", [-1.0]),
+            (native.parallax, {"depth": 2.0, **EYES}, "interaxial", -0.1),
+            (native.parallax, {"depth": 2.0, **EYES}, "focal_length", 0.0),
+            (native.parallax, {"depth": 2.0, **EYES}, "sensor_width", 0.0),
+            (native.parallax, {"depth": 2.0, **EYES}, "convergence", 0.0),
+            (native.parallax, {"depth": 2.0, **EYES}, "convergence", math.nan),
+            (native.parallax, {"depth": 2.0, **EYES}, "mode", "cross"),
+            (native.solve_depth_budget, budget, "near", 0.0),
+            (native.solve_depth_budget, budget, "far", 2.0),
+            (native.solve_depth_budget, budget, "near_parallax", -0.01),
+            (native.solve_depth_budget, budget, "far_parallax", math.nan),
+            (native.solve_depth_budget, budget, "focal_length", 0.0),
+            (native.stereo_points, {"points": [(0.0, 0.0, 1.0)], **EYES}, "point", [(0.0, 0.0, -1.0)]),
+            (native.seen_distance, {"parallax": 0.0, **SCREEN}, "width", 0.0),
+            (native.seen_distance, {"parallax": 0.0, **SCREEN}, "viewing_distance", -1.0),
+            (native.comfortable_parallax, SCREEN, "angle", 0.0),
+            (native.depth_range, {"depths": [1.0]}, "low", 2.0),
+            (native.window_violations, samples, "depths", [1.0, 2.0]),
+            (native.window_violations, samples, "tolerance", -1.0),
+            (native.smooth_ahead, {"values": [1.0], "ahead": 1}, "ahead", -1),
+            (native.smooth_ahead, {"values": [1.0], "ahead": 1}, "ahead", 10001),
+            (native.smooth_ahead, {"values": [1.0], "ahead": 1}, "side", "left"),
+        ):
             key = "points" if name == "point" else name
-            with self.subTest(function=function.__name__, name=name, value=value), \
-                    self.assertRaisesRegex(ValueError, f"\\b{name}\\b"):
+            with self.subTest(function=function.__name__, name=name, value=value), self.assertRaisesRegex(ValueError, f"\\b{name}\\b"):
                 function(**{**good, key: value})
         with self.assertRaises(TypeError):
             native.parallax("near", **EYES)

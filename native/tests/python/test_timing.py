@@ -2,8 +2,9 @@
 
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 
 class EaseTest(unittest.TestCase):

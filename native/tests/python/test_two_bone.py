@@ -3,8 +3,9 @@
 import pickle
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 
 class OneChainTest(unittest.TestCase):
@@ -121,9 +122,7 @@ class ManyChainsTest(unittest.TestCase):
     def test_views_and_other_numbers(self):
         points = np.arange(24, dtype=np.float32).reshape(4, 6)
         at = native.solve_two_bone(points[:, ::2], points[:, 1::2], np.int32(2), 1.5, [9, 0, 0], np.int8(-1))
-        expected = native.solve_two_bone(
-            points[:, ::2].astype(float), points[:, 1::2].astype(float), 2.0, 1.5, [9.0, 0.0, 0.0], -1
-        )
+        expected = native.solve_two_bone(points[:, ::2].astype(float), points[:, 1::2].astype(float), 2.0, 1.5, [9.0, 0.0, 0.0], -1)
         np.testing.assert_array_equal(at.elbow, expected.elbow)
 
 

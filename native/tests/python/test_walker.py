@@ -2,8 +2,9 @@
 
 import unittest
 
-import motus_native as native
 import numpy as np
+
+import motus_native as native
 
 REST = np.array([[side * 1.0, ahead, 0.0] for ahead in (0.9, 0.3, -0.3, -0.9) for side in (-1, 1)])
 TIMES = np.arange(97) / 24.0
@@ -18,8 +19,15 @@ def poses_ahead(speed=1.0):
 
 def walker(**settings):
     phases, duty = native.walker_gait("tetrapod", REST)
-    given = {"times": TIMES, "poses": poses_ahead(), "rest": REST, "ground": native.WalkerGround(*FLOOR), "phases": phases,
-             "duty": duty, **settings}
+    given = {
+        "times": TIMES,
+        "poses": poses_ahead(),
+        "rest": REST,
+        "ground": native.WalkerGround(*FLOOR),
+        "phases": phases,
+        "duty": duty,
+        **settings,
+    }
     return native.Walker(**given)
 
 
@@ -44,9 +52,14 @@ class WalkerTest(unittest.TestCase):
         self.assertEqual((ground.vertex_count, ground.triangle_count), (4, 2))
         self.assertEqual(native.WalkerGround().triangle_count, 0)
         native.WalkerGround(plane=[[0, 0, 1], [0, 0, 2]])
-        for arguments, name in (({"positions": [[0, 0]]}, "positions"), ({"positions": FLOOR[0], "triangles": [[0, 1, 4]]}, "triangles"),
-                                ({"triangles": [[0, 1, 2]]}, "triangles"), ({"plane": [0, 0, 1]}, "plane"),
-                                ({"plane": [[0, 0, 1], [0, 0, 0]]}, "plane"), ({"plane": [[0, 0, 1]]}, "plane")):
+        for arguments, name in (
+            ({"positions": [[0, 0]]}, "positions"),
+            ({"positions": FLOOR[0], "triangles": [[0, 1, 4]]}, "triangles"),
+            ({"triangles": [[0, 1, 2]]}, "triangles"),
+            ({"plane": [0, 0, 1]}, "plane"),
+            ({"plane": [[0, 0, 1], [0, 0, 0]]}, "plane"),
+            ({"plane": [[0, 0, 1]]}, "plane"),
+        ):
             with self.assertRaisesRegex(ValueError, name):
                 native.WalkerGround(**arguments)
         self.assertGreater(ground.nbytes, native.WalkerGround().nbytes)
@@ -120,9 +133,11 @@ class WalkerTest(unittest.TestCase):
         np.testing.assert_allclose(steps["apex"][long][:, 2], 0.1)
 
     def test_problems(self):
-        for settings, reason in (({"ground": native.WalkerGround(plane=[[0, 0, -9], [0, 0, 1]])}, "no_ground"),
-                                 ({"hips": 0.2 * REST + [0, 0, 0.4], "lengths": np.full(8, 0.2)}, "out_of_reach"),
-                                 ({"hips": 0.2 * REST, "lengths": np.zeros(8)}, "no_length")):
+        for settings, reason in (
+            ({"ground": native.WalkerGround(plane=[[0, 0, -9], [0, 0, 1]])}, "no_ground"),
+            ({"hips": 0.2 * REST + [0, 0, 0.4], "lengths": np.full(8, 0.2)}, "out_of_reach"),
+            ({"hips": 0.2 * REST, "lengths": np.zeros(8)}, "no_length"),
+        ):
             problems = walker(**settings).problems
             self.assertEqual({leg for leg, *_ in problems}, set(range(8)), reason)
             for _leg, first, last, found in problems:
@@ -141,12 +156,27 @@ class WalkerTest(unittest.TestCase):
 
     def test_errors_name_the_argument(self):
         wrong = {
-            "times": (np.zeros(97), TIMES[:5], [TIMES], "now"), "poses": (np.eye(4), poses_ahead() * np.nan, poses_ahead()[:, :3]),
-            "rest": (REST[:0], REST[0], np.full((8, 3), np.inf)), "phases": ([0.0], None, [[0.0] * 8]), "duty": (0.0, 1.0, "half", None),
-            "stride": (0.0, -1.0, np.nan), "cadence": (0.0, np.inf), "clearance": (-0.1,), "reach_up": (-1.0,),
-            "reach_down": (np.nan,), "minimum_step": (-1.0,), "up": ((0, 0, 0), (0, 1)), "resets": ([-1], [3, 3], 7, [0.5], [97]),
-            "jump": (0.0, np.nan), "frequency": (0.0,), "damping": (-1.0,), "response": (np.inf,), "height": (1.5,),
-            "tilt": (-0.5,), "hips": (REST[:3], REST[0]), "ground": (FLOOR, 1),
+            "times": (np.zeros(97), TIMES[:5], [TIMES], "now"),
+            "poses": (np.eye(4), poses_ahead() * np.nan, poses_ahead()[:, :3]),
+            "rest": (REST[:0], REST[0], np.full((8, 3), np.inf)),
+            "phases": ([0.0], None, [[0.0] * 8]),
+            "duty": (0.0, 1.0, "half", None),
+            "stride": (0.0, -1.0, np.nan),
+            "cadence": (0.0, np.inf),
+            "clearance": (-0.1,),
+            "reach_up": (-1.0,),
+            "reach_down": (np.nan,),
+            "minimum_step": (-1.0,),
+            "up": ((0, 0, 0), (0, 1)),
+            "resets": ([-1], [3, 3], 7, [0.5], [97]),
+            "jump": (0.0, np.nan),
+            "frequency": (0.0,),
+            "damping": (-1.0,),
+            "response": (np.inf,),
+            "height": (1.5,),
+            "tilt": (-0.5,),
+            "hips": (REST[:3], REST[0]),
+            "ground": (FLOOR, 1),
         }
         for name, values in wrong.items():
             for value in values:

@@ -170,8 +170,12 @@ def is_in_strips(id_data: Any, data_path: str, index: int = 0) -> bool:
     if not played:
         return False
     if acting_curve(id_data, data_path, index):
-        return (animation.use_tweak_mode or animation.action_blend_type != 'REPLACE' or animation.action_influence != 1.0
-                or animation.action_extrapolation != 'HOLD')
+        return (
+            animation.use_tweak_mode
+            or animation.action_blend_type != 'REPLACE'
+            or animation.action_influence != 1.0
+            or animation.action_extrapolation != 'HOLD'
+        )
     return any(strips.animates(strip, data_path, index) for strip in played)
 
 
@@ -180,7 +184,7 @@ def _holder(id_data: Any, data_path: str) -> tuple[Any, str]:
     custom = _CUSTOM.search(data_path)
     path, _, name = data_path.rpartition(".")
     if custom:
-        path, name = data_path[:custom.start()], custom[0]
+        path, name = data_path[: custom.start()], custom[0]
     return (id_data.path_resolve(path) if path else id_data), name
 
 
@@ -216,5 +220,6 @@ def _custom(holder: Any, name: str, index: int) -> Number:
     default = limits.get("default", 0.0)
     if hasattr(default, "__len__"):  # empty where an array has none (3.4)
         default = default[index] if len(default) else 0.0
-    return Number(holder, name, index, kind, limits.get("min", -np.inf), limits.get("max", np.inf),
-                  limits.get("subtype", 'NONE'), float(default))
+    return Number(
+        holder, name, index, kind, limits.get("min", -np.inf), limits.get("max", np.inf), limits.get("subtype", 'NONE'), float(default)
+    )

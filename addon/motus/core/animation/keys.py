@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from ..lazy import numpy as np
-import itertools
 
 if TYPE_CHECKING:
     Array = np.ndarray[Any, Any]
@@ -29,7 +29,7 @@ LEAST = 32
 """Pieces between two keys, however many keys there are, up to MOST keys. Of more keys MOST // LEAST stand for all."""
 NEAR = 2048  # frames beyond the keys, each a piece where modifiers change the value there
 OCTAVE = 256  # pieces from there to twice as far, and so on
-FARTHEST = 2.0 ** 20  # frames; what lies beyond is one piece
+FARTHEST = 2.0**20  # frames; what lies beyond is one piece
 
 
 def values(curve: Any, times: Array) -> Array:

@@ -67,8 +67,11 @@ class Stack:
         if animation.use_tweak_mode or any(track.is_solo for track in animation.nla_tracks):
             return unknown
         index = max(number.index, 0)
-        layers: list[_Track | _Acting] = [_Track([(strip, _curve(strip, data_path, index)) for strip in track.strips])
-                  for track in animation.nla_tracks if not track.mute and len(track.strips)]
+        layers: list[_Track | _Acting] = [
+            _Track([(strip, _curve(strip, data_path, index)) for strip in track.strips])
+            for track in animation.nla_tracks
+            if not track.mute and len(track.strips)
+        ]
         if animation.action:
             layers.append(_Acting(animation, top))
         layers = [layer for layer in layers if layer.animates]
@@ -117,12 +120,21 @@ def stamp_of(animation: Any) -> tuple[Any, ...] | None:
     """Of all that evaluated animation data plays, whatever that sets: hashable; None where nobody can tell its edits."""
     if animation is None:
         return ()
-    acting = together((stamp_of_action(animation), animation.action_influence, animation.action_blend_type,
-                       animation.action_extrapolation)) if animation.action else ()
+    acting = (
+        together((stamp_of_action(animation), animation.action_influence, animation.action_blend_type, animation.action_extrapolation))
+        if animation.action
+        else ()
+    )
     if not animation.nla_tracks:
         return acting
-    return together((acting, animation.use_nla, animation.use_tweak_mode, *(
-        together((track.mute, track.is_solo, *map(_strip_stamp, track.strips))) for track in animation.nla_tracks)))
+    return together(
+        (
+            acting,
+            animation.use_nla,
+            animation.use_tweak_mode,
+            *(together((track.mute, track.is_solo, *map(_strip_stamp, track.strips))) for track in animation.nla_tracks),
+        )
+    )
 
 
 def keys_stamp(id_data: Any) -> tuple[int, int] | None:
@@ -150,8 +162,7 @@ def _blended(kind: str, lower: Array, upper: Array, influence: Any, number: Any)
 def _powers(bases: Array, exponents: Any) -> Array:
     # By the mathematics library: NumPy's own results may differ in their last bit from call to call.
     pairs = zip(bases.tolist(), np.broadcast_to(exponents, bases.shape).tolist())
-    return np.array([math.pow(base, exponent) if base >= 0.0 or exponent.is_integer() else math.nan
-                     for base, exponent in pairs])
+    return np.array([math.pow(base, exponent) if base >= 0.0 or exponent.is_integer() else math.nan for base, exponent in pairs])
 
 
 def _is_blend_known(kind: str, number: Any) -> bool:
@@ -175,8 +186,7 @@ class _Acting:
 
     def is_known(self, number: Any, _data_path: str) -> bool:
         # Held forward, it is not there before its first key in some Blenders (5.2), and in others it is (3.4, 4.3).
-        return self._animation.action_extrapolation != 'HOLD_FORWARD' and _is_blend_known(
-            self._animation.action_blend_type, number)
+        return self._animation.action_extrapolation != 'HOLD_FORWARD' and _is_blend_known(self._animation.action_blend_type, number)
 
     def parts(self, times: Array) -> Iterator[tuple[Any, Any, str, Any]]:
         at = np.flatnonzero((self._start <= times) & (times <= self._end))
@@ -190,8 +200,7 @@ class _Acting:
     @property
     def stamp(self) -> Any:
         animation = self._animation
-        return (stamp_of_action(animation), animation.action_influence, animation.action_blend_type,
-                animation.action_extrapolation)
+        return (stamp_of_action(animation), animation.action_influence, animation.action_blend_type, animation.action_extrapolation)
 
 
 class _Track:
@@ -201,9 +210,14 @@ class _Track:
         self._strips = strips
         usable = [strip for strip, curve in strips if curve is not None and not strip.mute]
         self.animates = any(not strip.mute and (curve is not None or strip.type == 'META') for strip, curve in strips)
-        self.is_always = len(usable) == len(strips) and usable[0].extrapolation == 'HOLD' and all(
-            strip.extrapolation != 'NOTHING' and not strip.use_animated_influence
-            and strip.blend_in == strip.blend_out == 0.0 for strip in usable)
+        self.is_always = (
+            len(usable) == len(strips)
+            and usable[0].extrapolation == 'HOLD'
+            and all(
+                strip.extrapolation != 'NOTHING' and not strip.use_animated_influence and strip.blend_in == strip.blend_out == 0.0
+                for strip in usable
+            )
+        )
 
     def is_known(self, number: Any, data_path: str) -> bool:
         return all(strip.mute or self._is_strip_known(strip, curve, number, data_path) for strip, curve in self._strips)
@@ -253,8 +267,7 @@ class _Track:
 
     def bounds(self, first: float, last: float) -> Iterable[float]:
         for strip, curve in self._strips:
-            yield from (strip.frame_start, strip.frame_end, strip.frame_start + strip.blend_in,
-                        strip.frame_end - strip.blend_out)
+            yield from (strip.frame_start, strip.frame_end, strip.frame_start + strip.blend_in, strip.frame_end - strip.blend_out)
             if curve is None:
                 continue
             start, end = max(first, strip.frame_start), min(last, strip.frame_end)
@@ -283,10 +296,23 @@ def _strip_stamp(strip: Any) -> tuple[Any, ...] | None:
     """None of a strip with F-curves of its own, of which nothing tells whether they were edited."""
     if strip.use_animated_influence or strip.use_animated_time:
         return None
-    return together((
-        stamp_of_action(strip) if strip.action else (), strip.mute, strip.frame_start, strip.frame_end, strip.action_frame_start,
-        strip.action_frame_end, strip.scale, strip.repeat, strip.use_reverse, strip.blend_type, strip.extrapolation, strip.blend_in,
-        strip.blend_out))
+    return together(
+        (
+            stamp_of_action(strip) if strip.action else (),
+            strip.mute,
+            strip.frame_start,
+            strip.frame_end,
+            strip.action_frame_start,
+            strip.action_frame_end,
+            strip.scale,
+            strip.repeat,
+            strip.use_reverse,
+            strip.blend_type,
+            strip.extrapolation,
+            strip.blend_in,
+            strip.blend_out,
+        )
+    )
 
 
 def _influences(strip: Any, times: Array) -> Array:

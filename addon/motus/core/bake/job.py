@@ -78,8 +78,7 @@ def _baked_owner(thing):
     if thing.motus.bake.is_baked:
         return pointed(thing.motus.bake, "owner") or thing
     leaders = [declare.leader_of(one, thing) for one in declare.systems()]
-    return next((leader for leader in leaders if leader and any(
-        state.is_baked_owner(one, leader) for one in declare.systems())), thing)
+    return next((leader for leader in leaders if leader and any(state.is_baked_owner(one, leader) for one in declare.systems())), thing)
 
 
 def objects_of(owner, systems):
@@ -90,8 +89,9 @@ def objects_of(owner, systems):
 
 def inexact(owner, systems):
     """Names of bones that the systems free of a scale that they inherit, which keyframes cannot do."""
-    return [member.thing.name for one in systems for member in _members(one, owner)
-            if member.space == 'POSE' and "scale" in member.channels]
+    return [
+        member.thing.name for one in systems for member in _members(one, owner) if member.space == 'POSE' and "scale" in member.channels
+    ]
 
 
 def _members(one, owner):
@@ -110,14 +110,14 @@ def _tracks(owner, systems):
             channels.setdefault(member.thing, set()).update(member.channels)
     for thing, names in channels.items():
         if "location" in names and isinstance(thing, bpy.types.PoseBone) and thing.bone.use_connect:
-            raise Refused(tr("{bone} is connected to its parent, so keyframes cannot move it: disconnect it first").format(
-                bone=thing.name))
+            raise Refused(tr("{bone} is connected to its parent, so keyframes cannot move it: disconnect it first").format(bone=thing.name))
         # The user's constraints act on top of the result or below it: all of it is baked, and they are switched off.
         # A mirrored thing loses its negative scale in the sinks.
         if keys.others(thing, sinks) or scale_is_mirrored(thing.scale):
             names.update(("location", "rotation", "scale"))
     return [Track(thing, frozenset(names)) for thing, names in channels.items()] + [
-        NumberTrack(*one) for owned in systems for one in wiring.driven_properties(owned, owner)]
+        NumberTrack(*one) for owned in systems for one in wiring.driven_properties(owned, owner)
+    ]
 
 
 def _check(tracks, view_layer):

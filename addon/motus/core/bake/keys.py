@@ -110,12 +110,12 @@ def _kept(text):
     except (ValueError, RecursionError):
         found = None
     muted = _get(found, "muted", dict)
-    values, constraints, drivers = (
-        _get(found, "values", dict), _get(muted, "constraints", list), _get(muted, "drivers", list))
+    values, constraints, drivers = (_get(found, "values", dict), _get(muted, "constraints", list), _get(muted, "drivers", list))
     parts = [
         {path: numbers for path, numbers in (values or {}).items() if _is_channel(path, numbers)},
         [path for path in constraints or () if isinstance(path, str) and _MUTE_PATH.fullmatch(path)],
-        [tuple(place) for place in drivers or () if _is_driver(place)]]
+        [tuple(place) for place in drivers or () if _is_driver(place)],
+    ]
     return *parts, all(one is not None and len(one) == len(part) for one, part in zip((values, constraints, drivers), parts))
 
 
@@ -128,8 +128,7 @@ def _numbers(text, baked):
     found = said.get("numbers", []) if isinstance(said, dict) else []
     if not stored.fits(found, [(str, lambda value: type(value) is int and value >= -1, float)]):
         return [], False
-    animated_ones = {(curve.data_path, curve.array_index) for curves in (actions.all_fcurves(baked) if baked else ())
-                     for curve in curves}
+    animated_ones = {(curve.data_path, curve.array_index) for curves in (actions.all_fcurves(baked) if baked else ()) for curve in curves}
     kept = [tuple(one) for one in found if (one[0], max(one[1], 0)) in animated_ones]
     return kept, len(kept) == len(found)
 
@@ -165,8 +164,7 @@ def mute(id_data, tracks, sinks):
     A driver is not only muted but aimed at another property: in Blender 5.2 the value of a key for a property that has a
     muted driver sometimes arrives after the transform was computed (seen in about one frame of a hundred).
     """
-    constraints = [f"{constraint.path_from_id()}.mute" for track in tracks if track.values
-                   for constraint in others(track.thing, sinks)]
+    constraints = [f"{constraint.path_from_id()}.mute" for track in tracks if track.values for constraint in others(track.thing, sinks)]
     baked = {track.data_path(name) for track in tracks for name in track.values}
     parked = [curve for curve in _drivers(id_data) if curve.data_path in baked]
     for path in constraints:

@@ -52,10 +52,12 @@ class Track:
             self.values[path].append(self._last_rotation)
         if "scale" in self.channels:
             lengths = [axis.length * sign for axis, sign in zip(matrix.to_3x3().col, signs)]
-            self.values["scale"].append([
-                length / delta if delta else factor  # where the delta is 0 any value would do
-                for length, delta, factor in zip(lengths, deltas.scale, self.thing.scale)])
-
+            self.values["scale"].append(
+                [
+                    length / delta if delta else factor  # where the delta is 0 any value would do
+                    for length, delta, factor in zip(lengths, deltas.scale, self.thing.scale)
+                ]
+            )
 
     def curves(self):
         """(data path, index, values by frames) of the F-curves that it makes."""

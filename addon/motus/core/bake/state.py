@@ -9,8 +9,15 @@ from ..file.pointers import pointed
 KEY = "motus_bake"
 """Custom property that holds, on what is no object, what MOTUS_PG_bake does."""
 _FORMS = {
-    "is_baked": (int, False), "owner": (bpy.types.Object, None), "action": (bpy.types.Action, None), "frame_start": (float, 0.0),
-    "frame_end": (float, 0.0), "previous_action": (bpy.types.Action, None), "previous_slot": (str, ""), "kept": (str, "")}
+    "is_baked": (int, False),
+    "owner": (bpy.types.Object, None),
+    "action": (bpy.types.Action, None),
+    "frame_start": (float, 0.0),
+    "frame_end": (float, 0.0),
+    "previous_action": (bpy.types.Action, None),
+    "previous_slot": (str, ""),
+    "kept": (str, ""),
+}
 
 
 class _Noted:
@@ -85,7 +92,8 @@ def frames(system, obj):
     owner = owner_of(system, obj)
     # Where the owner drives others only, these have the keyframes.
     baked = [one for one in (obj, owner) if one.is_property_set("motus") and one.motus.bake.is_baked] or [
-        one for one in bpy.data.objects if one.is_property_set("motus") and pointed(one.motus.bake, "owner") == owner]
+        one for one in bpy.data.objects if one.is_property_set("motus") and pointed(one.motus.bake, "owner") == owner
+    ]
     # Where nothing but properties of other datablocks is driven, the owner alone tells.
     state = (baked[0] if baked else owner).motus.bake
     return tuple(f"{frame:g}" for frame in _range(state)) if state.frame_end else ("?", "?")

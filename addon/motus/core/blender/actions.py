@@ -12,8 +12,7 @@ from . import capabilities
 
 Curves = Any
 """A collection of F-curves, which versions have under different types; or an empty tuple."""
-OWN_CHANNEL = re.compile(
-    r'pose\.bones\[(?:"(?P<bone>(?:[^"\\]|\\.)*)"|\d+)\]\.(?:location|rotation_\w+|scale)$')
+OWN_CHANNEL = re.compile(r'pose\.bones\[(?:"(?P<bone>(?:[^"\\]|\\.)*)"|\d+)\]\.(?:location|rotation_\w+|scale)$')
 """Matches data paths of a bone's own transform. "bone" is its name, escaped; None where the path has its number."""
 
 

@@ -70,6 +70,7 @@ def has_textures_in_display_colors() -> bool:
     import inspect
 
     from gpu_extras.presets import draw_texture_2d
+
     return "is_scene_linear_with_rec709_srgb_target" in inspect.signature(draw_texture_2d).parameters
 
 

@@ -2,8 +2,19 @@
 
 from . import actions
 
-_KEY_FIELDS = ("co", "handle_left", "handle_right", "handle_left_type", "handle_right_type", "interpolation", "easing",
-               "back", "amplitude", "period", "type")
+_KEY_FIELDS = (
+    "co",
+    "handle_left",
+    "handle_right",
+    "handle_left_type",
+    "handle_right_type",
+    "interpolation",
+    "easing",
+    "back",
+    "amplitude",
+    "period",
+    "type",
+)
 
 
 def copy_all(id_data, path, holder, name):

@@ -14,16 +14,22 @@ class OfADatablock:
     """Mixin of an operator: the keywords that name a property of a datablock."""
 
     datablock: bpy.props.StringProperty(
-        name="Datablock", description="Name of the object or other datablock; empty takes the active object",
-        options={'SKIP_SAVE'})
+        name="Datablock", description="Name of the object or other datablock; empty takes the active object", options={'SKIP_SAVE'}
+    )
     collection: bpy.props.StringProperty(
-        name="Collection", description="Collection of the file that the datablock is in, such as materials",
-        default="objects", options={'SKIP_SAVE'})
-    data_path: bpy.props.StringProperty(
-        name="Data Path", description="Path of a property from the datablock", options={'SKIP_SAVE'})
+        name="Collection",
+        description="Collection of the file that the datablock is in, such as materials",
+        default="objects",
+        options={'SKIP_SAVE'},
+    )
+    data_path: bpy.props.StringProperty(name="Data Path", description="Path of a property from the datablock", options={'SKIP_SAVE'})
     index: bpy.props.IntProperty(
-        name="Index", description="Index of a number in an array property; -1 for a property that is no array, or all",
-        default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Index",
+        description="Index of a number in an array property; -1 for a property that is no array, or all",
+        default=-1,
+        min=-1,
+        options={'SKIP_SAVE'},
+    )
 
     def id_data(self, context: Any) -> Any:
         """The datablock that is named."""
@@ -34,8 +40,7 @@ class OfADatablock:
         listed = bpy.data.bl_rna.properties.get(self.collection)
         found = getattr(bpy.data, self.collection).get(self.datablock) if listed and listed.type == 'COLLECTION' else None
         if found is None:
-            raise Refused(tr("There is no {object} in {collection}").format(
-                object=self.datablock, collection=self.collection))
+            raise Refused(tr("There is no {object} in {collection}").format(object=self.datablock, collection=self.collection))
         return found
 
 
@@ -89,8 +94,12 @@ def collection_of(datablock: Any) -> str:
 
 
 _ID_TYPES = {
-    "LIGHTPROBE": 'LIGHT_PROBE', "METABALL": 'META', "VECTORFONT": 'FONT', "FREESTYLELINESTYLE": 'LINESTYLE',
-    "PARTICLESETTINGS": 'PARTICLE'}
+    "LIGHTPROBE": 'LIGHT_PROBE',
+    "METABALL": 'META',
+    "VECTORFONT": 'FONT',
+    "FREESTYLELINESTYLE": 'LINESTYLE',
+    "PARTICLESETTINGS": 'PARTICLE',
+}
 
 
 def id_type(datablock: Any) -> str:
@@ -140,8 +149,18 @@ _SHOWN = {"rotation_euler": "Rotation"}
 """Labels that Blender's panels give to properties whose RNA name is a different one, here "Euler Rotation"."""
 
 _AXES = {
-    'TRANSLATION': "XYZ", 'EULER': "XYZ", 'XYZ': "XYZ", 'XYZ_LENGTH': "XYZ", 'DIRECTION': "XYZ", 'VELOCITY': "XYZ",
-    'ACCELERATION': "XYZ", 'QUATERNION': "WXYZ", 'AXISANGLE': "WXYZ", 'COLOR': "RGBA", 'COLOR_GAMMA': "RGBA"}
+    'TRANSLATION': "XYZ",
+    'EULER': "XYZ",
+    'XYZ': "XYZ",
+    'XYZ_LENGTH': "XYZ",
+    'DIRECTION': "XYZ",
+    'VELOCITY': "XYZ",
+    'ACCELERATION': "XYZ",
+    'QUATERNION': "WXYZ",
+    'AXISANGLE': "WXYZ",
+    'COLOR': "RGBA",
+    'COLOR_GAMMA': "RGBA",
+}
 
 
 def remove_objects(objects: Iterable[bpy.types.Object]) -> None:

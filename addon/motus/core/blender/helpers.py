@@ -70,8 +70,9 @@ def _give_away(shape: Any) -> None:
 def adopt_old() -> list[Any]:
     """Mark and name helpers of this file that older versions have made; returns them."""
     objects: Any = bpy.data.objects
-    found = {obj: hidden for obj in objects if not obj.library and KEY not in obj
-             for hidden in [_is_hidden_of_old(obj)] if hidden is not None}
+    found = {
+        obj: hidden for obj in objects if not obj.library and KEY not in obj for hidden in [_is_hidden_of_old(obj)] if hidden is not None
+    }
     for obj, is_hidden in found.items():
         _mark(obj, is_hidden)
         for named in (obj, obj.data):

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import bpy
 
-HOLDERS = (
-    bpy.types.Collection, bpy.types.Scene, bpy.types.Action, bpy.types.Screen, bpy.types.WindowManager, bpy.types.WorkSpace)
+HOLDERS = (bpy.types.Collection, bpy.types.Scene, bpy.types.Action, bpy.types.Screen, bpy.types.WindowManager, bpy.types.WorkSpace)
 """Types of datablocks for which an object does nothing. ID.id_type, which would name them, is not there in 3.4."""
 
 

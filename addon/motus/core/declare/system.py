@@ -39,8 +39,9 @@ class System(Feature):
     moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. makes_points: the solver
     makes these, by a modifier too. dress: called with the owner where Blender has lost what the modifier was given by
     wiring.set_points_material() and the like. unbakeable: a sentence that says why there is nothing to bake. settle: called after an
-    evaluation in which solve() has asked for it (Context.wants_to_settle), with the owner. rebuild: called with the owner by *Refresh*, in place of wiring.refresh(). over_time: called with the owner,
-    a driven object and the scene; gives what core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner,
+    evaluation in which solve() has asked for it (Context.wants_to_settle), with the owner. rebuild: called with the owner by *Refresh*,
+    in place of wiring.refresh(). over_time: called with the owner, a driven object
+    and the scene; gives what core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner,
     a rig, and the old and the new name of a bone of it that the owner drives or reads. shared: names of the settings that
     solve() reads beside its inputs; if it reads nothing else, owners with the same inputs are solved by one solver as long as
     their settings are still. is_relative: of the members, where no groups are declared: see Member; solve() applies the

@@ -122,8 +122,7 @@ def call_again(depsgraph: bpy.types.Depsgraph) -> None:
         return
     edited = [update.id for update in depsgraph.updates if isinstance(update.id, bpy.types.Action)]
     numbers = {action.as_pointer(): copies.number_of_action(action) for action in edited}
-    for original in {reading.original for reading in list(readings.values())
-                     if reading.is_of(depsgraph) and reading.is_outdated(numbers)}:
+    for original in {reading.original for reading in list(readings.values()) if reading.is_of(depsgraph) and reading.is_outdated(numbers)}:
         original.update_tag()
 
 

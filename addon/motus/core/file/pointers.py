@@ -19,6 +19,7 @@ def to_object(*types: str, also: Callable[[Any, Any], bool] = lambda _settings, 
     Pickers offer neither what works for Motus behind the scenes nor objects that were deleted: both stand in no collection.
     also(settings, obj): what else an object that is offered has to be.
     """
+
     def poll(settings: Any, obj: Any) -> bool:
         return (not types or obj.type in types) and _stands(obj) and also(settings, obj)
 
@@ -36,6 +37,7 @@ def to_node_tree(**options: Any) -> Any:
 
     It is declared for any datablock: Blender 3.4 and 4.3 end if they read a datablock of another type as a node tree.
     """
+
     def poll(_settings: Any, datablock: Any) -> bool:
         return isinstance(datablock, bpy.types.NodeTree)
 

@@ -81,8 +81,8 @@ def fits(value: Any, form: Any) -> bool:
 def _has_fields(value: dict[str, Any], form: dict[str, Any]) -> bool:
     names = {name.rstrip("?") for name in form}
     return value.keys() <= names and all(
-        fits(value[name.rstrip("?")], one) if name.rstrip("?") in value else name.endswith("?")
-        for name, one in form.items())
+        fits(value[name.rstrip("?")], one) if name.rstrip("?") in value else name.endswith("?") for name, one in form.items()
+    )
 
 
 def _is_number(value: Any) -> bool:

@@ -21,7 +21,8 @@ class MOTUS_OT_bake(OverFrames, bpy.types.Operator):
 
     object: object_keyword("Object that is driven or drives others; empty means the active one")
     system: bpy.props.StringProperty(
-        name="System", description="Name of the system to bake; empty means all of the object's", options={'SKIP_SAVE'})
+        name="System", description="Name of the system to bake; empty means all of the object's", options={'SKIP_SAVE'}
+    )
 
     @classmethod
     def check_offer(cls, context):
@@ -53,13 +54,22 @@ class MOTUS_OT_bake(OverFrames, bpy.types.Operator):
 
     def result(self, _context):
         frames, objects = self._result
-        self.report({'INFO'}, tr("Baked {objects}, {frames}: {first}-{last}").format(
-            objects=_objects(objects), frames=counted(len(frames), tr("1 frame"), tr("{count} frames")),
-            first=f"{frames[0]:g}", last=f"{frames[-1]:g}"))
+        self.report(
+            {'INFO'},
+            tr("Baked {objects}, {frames}: {first}-{last}").format(
+                objects=_objects(objects),
+                frames=counted(len(frames), tr("1 frame"), tr("{count} frames")),
+                first=f"{frames[0]:g}",
+                last=f"{frames[-1]:g}",
+            ),
+        )
         if self._inexact:
-            self.report({'WARNING'}, tr(
-                "Keyframes cannot undo the stretch that these bones inherit from the chain: {bones}").format(
-                    bones=", ".join(self._inexact)))
+            self.report(
+                {'WARNING'},
+                tr("Keyframes cannot undo the stretch that these bones inherit from the chain: {bones}").format(
+                    bones=", ".join(self._inexact)
+                ),
+            )
 
 
 class MOTUS_OT_unbake(Operator, bpy.types.Operator):
@@ -68,8 +78,7 @@ class MOTUS_OT_unbake(Operator, bpy.types.Operator):
     bl_description = "Take the baked keyframes away, put the object's own action back and switch the systems on again"
 
     object: object_keyword("Object that was baked; empty means the active one")
-    system: bpy.props.StringProperty(
-        name="System", description="Name of a system that was baked; empty means any", options={'SKIP_SAVE'})
+    system: bpy.props.StringProperty(name="System", description="Name of a system that was baked; empty means any", options={'SKIP_SAVE'})
 
     @classmethod
     def check_offer(cls, context):
@@ -79,8 +88,12 @@ class MOTUS_OT_unbake(Operator, bpy.types.Operator):
         baked, partial = job.unbake(named_or_active(context, self.object), self.system)
         self.report({'INFO'}, tr("Unbaked {objects}").format(objects=_objects(len(baked))))
         if partial:
-            self.report({'WARNING'}, tr("Not all that these were before baking is in the file any more: {objects}").format(
-                objects=", ".join(one.name for one in partial)))
+            self.report(
+                {'WARNING'},
+                tr("Not all that these were before baking is in the file any more: {objects}").format(
+                    objects=", ".join(one.name for one in partial)
+                ),
+            )
 
 
 classes = (MOTUS_OT_bake, MOTUS_OT_unbake)

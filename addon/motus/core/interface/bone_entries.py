@@ -16,6 +16,7 @@ def active_property(label, index_of):
     In Pose Mode it is the entry of the active bone, and to choose another one makes its bone the active one. In other modes,
     and for a bone without an entry, it is the one chosen last, `chosen_entry`.
     """
+
     def get(settings):
         bone = _active_bone(settings.id_data)
         index = index_of(settings, bone.name) if bone else -1
@@ -78,8 +79,9 @@ def check_apart(found):
     for entry, bones in found.items():
         for name in bones:
             if name in taken:
-                raise Refused(tr("{bone} would be driven from {first} and from {second}").format(
-                    bone=name, first=taken[name], second=entry))
+                raise Refused(
+                    tr("{bone} would be driven from {first} and from {second}").format(bone=name, first=taken[name], second=entry)
+                )
             taken[name] = entry
 
 
@@ -114,17 +116,23 @@ def _entry_of(bone, name):
 class MOTUS_OT_to_selected(Operator, bpy.types.Operator):
     bl_idname = "motus.to_selected"
     bl_label = "To All Selected"
-    bl_description = "Give the settings of the active bone to all selected bones that have the same system, in Object Mode to all selected objects"
+    bl_description = (
+        "Give the settings of the active bone to all selected bones that have the same system, in Object Mode to all selected objects"
+    )
     modes = OBJECT_OR_POSE_MODE
 
     object: object_keyword("Name of the object; empty takes the active one, and the selected bones or objects")
     system: bpy.props.StringProperty(
-        name="System", description="Name of the system whose settings are copied, such as dynamics", options={'SKIP_SAVE'})
+        name="System", description="Name of the system whose settings are copied, such as dynamics", options={'SKIP_SAVE'}
+    )
     bone: bpy.props.StringProperty(
-        name="Bone", description="Name of the bone whose settings are copied; empty takes the active one", options={'SKIP_SAVE'})
+        name="Bone", description="Name of the bone whose settings are copied; empty takes the active one", options={'SKIP_SAVE'}
+    )
     bones: bpy.props.StringProperty(
-        name="Bones", description="Names of the bones that are given the settings, with commas between; empty takes the selected ones",
-        options={'SKIP_SAVE'})
+        name="Bones",
+        description="Names of the bones that are given the settings, with commas between; empty takes the selected ones",
+        options={'SKIP_SAVE'},
+    )
 
     @classmethod
     def check_offer(cls, context):
@@ -137,16 +145,14 @@ class MOTUS_OT_to_selected(Operator, bpy.types.Operator):
             raise Refused(tr("There is no system {system}").format(system=self.system))
         first, *others = self._entries(context, system)
         if not others:
-            raise Refused(tr("Nothing else that is selected has {system}").format(
-                system=bpy.app.translations.pgettext_iface(system.label)))
+            raise Refused(tr("Nothing else that is selected has {system}").format(system=bpy.app.translations.pgettext_iface(system.label)))
         values = {name: getattr(first, name) for name in system.entry_settings}
         for owner in dict.fromkeys(entry.id_data for entry in others):
             check_local(owner)
             check_unbaked(owner, of_owner(system, owner))
         for entry in others:
             _give(system, entry, values)
-        self.report({'INFO'}, counted(
-            len(others), tr("Settings copied to 1 other"), tr("Settings copied to {count} others")))
+        self.report({'INFO'}, counted(len(others), tr("Settings copied to 1 other"), tr("Settings copied to {count} others")))
 
     def _entries(self, context, system):
         """The entry whose settings are copied, and those that are given them. Raises Refused."""

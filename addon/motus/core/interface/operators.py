@@ -76,6 +76,7 @@ _INNER = {"box", "column", "column_flow", "grid_flow", "row", "split"}
 def _offering(make):
     def made(*arguments, **keywords):
         return _OfferingLayout(make(*arguments, **keywords))
+
     return made
 
 

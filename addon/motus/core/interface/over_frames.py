@@ -126,8 +126,7 @@ class Job(Operator):
 
     def _show(self, context, done):
         context.window_manager.progress_update(done)
-        context.workspace.status_text_set(
-            tr("Step {done} of {all} (Esc cancels)").format(done=done, all=self.total))
+        context.workspace.status_text_set(tr("Step {done} of {all} (Esc cancels)").format(done=done, all=self.total))
 
     def _finish(self, context):
         self.cancel(context)
@@ -144,17 +143,28 @@ class OverFrames(Job):
     """
 
     range: bpy.props.EnumProperty(
-        name="Frames", description="Frames that are gone through", items=RANGES, default='GIVEN', options={'SKIP_SAVE'})
-    frame_start: bpy.props.IntProperty(
-        name="Start", description="First frame; the scene's where it is not given", options={'SKIP_SAVE'})
-    frame_end: bpy.props.IntProperty(
-        name="End", description="Last frame; the scene's where it is not given", options={'SKIP_SAVE'})
+        name="Frames", description="Frames that are gone through", items=RANGES, default='GIVEN', options={'SKIP_SAVE'}
+    )
+    frame_start: bpy.props.IntProperty(name="Start", description="First frame; the scene's where it is not given", options={'SKIP_SAVE'})
+    frame_end: bpy.props.IntProperty(name="End", description="Last frame; the scene's where it is not given", options={'SKIP_SAVE'})
     step: bpy.props.FloatProperty(
-        name="Step", description="Frames from one to the next, less than one for sub-frames", default=1.0, min=0.001,
-        soft_min=0.1, soft_max=10.0)
-    redo: tuple[Any, ...] = (Rows((
-        "range", Row("frame_start", when=is_one_of("range", 'GIVEN')), Row("frame_end", when=is_one_of("range", 'GIVEN')),
-        Row("step", when=is_not("range", 'CURRENT')))),)
+        name="Step",
+        description="Frames from one to the next, less than one for sub-frames",
+        default=1.0,
+        min=0.001,
+        soft_min=0.1,
+        soft_max=10.0,
+    )
+    redo: tuple[Any, ...] = (
+        Rows(
+            (
+                "range",
+                Row("frame_start", when=is_one_of("range", 'GIVEN')),
+                Row("frame_end", when=is_one_of("range", 'GIVEN')),
+                Row("step", when=is_not("range", 'CURRENT')),
+            )
+        ),
+    )
 
     _is_asked = False
 

@@ -1,9 +1,9 @@
 """What all systems show in the viewport: each gives batches of lines and points for a selected object, and a sentence for the active one."""
 
 import logging
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
-from collections.abc import Callable
 
 import bpy
 
@@ -20,7 +20,8 @@ class MOTUS_PG_scene(bpy.types.PropertyGroup):
     """Settings that belong to the scene: what the viewport shows. Systems add the switches of their overlays, and the settings of their tools."""
 
     show_overlay: bpy.props.BoolProperty(
-        name="Overlay", description="Show what the systems compute in the viewport", default=True, options=set())
+        name="Overlay", description="Show what the systems compute in the viewport", default=True, options=set()
+    )
 
 
 classes = (MOTUS_PG_scene,)
@@ -77,11 +78,15 @@ def properties_of(system):
     """{name: property} of Scene.motus that the system's overlay has."""
     if system.overlay is None:
         return {}
-    found = {switch_of(system): bpy.props.BoolProperty(
-        name="Show", description="Draw what this system computes for the selected objects", default=True, options=set())}
+    found = {
+        switch_of(system): bpy.props.BoolProperty(
+            name="Show", description="Draw what this system computes for the selected objects", default=True, options=set()
+        )
+    }
     for switch in switches_of(system):
         found[switch.name] = bpy.props.BoolProperty(
-            name=switch.label, description=switch.description, default=switch.default, options=set())
+            name=switch.label, description=switch.description, default=switch.default, options=set()
+        )
     return found
 
 
@@ -108,14 +113,22 @@ def unregister():
 def batches(context):
     """All batches for the context's selection; of what is baked nothing is computed."""
     owners = {found.name_full: found for found in [context.object, *context.selected_objects] if found}
-    return [batch for system in _switched_on(context) for owner in owners.values() if not state.is_baked(system, owner)
-            for batch in system.overlay(context, owner)]
+    return [
+        batch
+        for system in _switched_on(context)
+        for owner in owners.values()
+        if not state.is_baked(system, owner)
+        for batch in system.overlay(context, owner)
+    ]
 
 
 def notes(context):
     """What is said of the active object, in the user's language."""
-    found = [system.overlay.note(context, context.object) for system in _switched_on(context)
-             if context.object and getattr(system.overlay, "note", None)]
+    found = [
+        system.overlay.note(context, context.object)
+        for system in _switched_on(context)
+        if context.object and getattr(system.overlay, "note", None)
+    ]
     return [bpy.app.translations.pgettext_tip(sentence) for sentence in found if sentence]
 
 
@@ -129,8 +142,7 @@ def _is_on(context):
 
 
 def _switched_on(context):
-    return [system for system in registered.values()
-            if system.overlay and getattr(context.scene.motus, switch_of(system))]
+    return [system for system in registered.values() if system.overlay and getattr(context.scene.motus, switch_of(system))]
 
 
 def _draw():

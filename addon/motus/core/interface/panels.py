@@ -4,9 +4,9 @@ Where the object does not use the system there is no panel; a short one for all 
 looks baked: a box with the frames, settings that are grey, and no read-outs.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
-from collections.abc import Callable
 
 import bpy
 
@@ -95,8 +95,7 @@ def classes(panel):
 def _of_editor(panel, end, editor):
     name = panel.prefix + end
     menu = [_menu(panel, f"{name.replace('_PT_', '_MT_')}_more")] if panel.refresh else []
-    own = {"bl_options": {'DEFAULT_CLOSED'} if panel.is_used is None else set(),
-           "bl_label": panel.labels.get(end, panel.label)}
+    own = {"bl_options": {'DEFAULT_CLOSED'} if panel.is_used is None else set(), "bl_label": panel.labels.get(end, panel.label)}
     found = [*menu, type(name, (_main(panel), editor, bpy.types.Panel), own | _common(panel))]
     for part, mixin in _parts(panel, *menu):
         found.append(type(f"{name}_{part}", (mixin, editor, bpy.types.Panel), {"bl_parent_id": name} | _common(panel)))
@@ -111,7 +110,8 @@ def _parts(panel, menu=None):
         *((part.name, _part(panel, part)) for part in settings),
         *([("readouts", _readouts(panel))] if panel.readouts else ()),
         *((part.name, _part(panel, part)) for part in tools),
-        *([("actions", _actions(panel, menu))] if panel.actions else ())]
+        *([("actions", _actions(panel, menu))] if panel.actions else ()),
+    ]
 
 
 def _common(panel):

@@ -2,9 +2,9 @@
 
 from typing import NamedTuple
 
+import bpy
 from bl_operators.presets import AddPresetBase
 from bl_ui.utils import PresetPanel
-import bpy
 
 from ..measures import units
 from ..refusals import Refused, check_local
@@ -33,20 +33,46 @@ def classes(name, label, values, brought=(), settings_of=None):
     Blender's preset_defines, which would make these shorter, do not work with Python 3.13 (Blender 4.3 on Debian).
     """
     operator, menu, folder = f"motus.{name}_preset_add", f"MOTUS_PT_{name}_presets", f"motus/{name}"
-    add = type(f"MOTUS_OT_{name}_preset_add", (AddPresetBase, bpy.types.Operator), {
-        "bl_idname": operator, "bl_label": f"Add {label} Preset",
-        "bl_description": "Keep these settings as a preset, or remove it",
-        "preset_menu": menu, "preset_subdir": folder, "preset_values": list(values)})
-    panel = type(menu, (_Panel, PresetPanel, bpy.types.Panel), {
-        "bl_label": f"{label} Presets", "preset_subdir": folder, "preset_operator": "script.execute_preset",
-        "preset_add_operator": operator, "brought": (f"motus.{name}_preset_use", brought)})
+    add = type(
+        f"MOTUS_OT_{name}_preset_add",
+        (AddPresetBase, bpy.types.Operator),
+        {
+            "bl_idname": operator,
+            "bl_label": f"Add {label} Preset",
+            "bl_description": "Keep these settings as a preset, or remove it",
+            "preset_menu": menu,
+            "preset_subdir": folder,
+            "preset_values": list(values),
+        },
+    )
+    panel = type(
+        menu,
+        (_Panel, PresetPanel, bpy.types.Panel),
+        {
+            "bl_label": f"{label} Presets",
+            "preset_subdir": folder,
+            "preset_operator": "script.execute_preset",
+            "preset_add_operator": operator,
+            "brought": (f"motus.{name}_preset_use", brought),
+        },
+    )
     if not brought:
         return add, panel
-    use = type(f"MOTUS_OT_{name}_preset_use", (_Use, bpy.types.Operator), {
-        "bl_idname": f"motus.{name}_preset_use", "bl_label": f"Use {label} Preset", "brought": brought,
-        "settings_of": staticmethod(settings_of),
-        "__annotations__": {"preset": bpy.props.EnumProperty(
-            name="Preset", description="Preset that gives the settings their values", items=[preset[:3] for preset in brought])}})
+    use = type(
+        f"MOTUS_OT_{name}_preset_use",
+        (_Use, bpy.types.Operator),
+        {
+            "bl_idname": f"motus.{name}_preset_use",
+            "bl_label": f"Use {label} Preset",
+            "brought": brought,
+            "settings_of": staticmethod(settings_of),
+            "__annotations__": {
+                "preset": bpy.props.EnumProperty(
+                    name="Preset", description="Preset that gives the settings their values", items=[preset[:3] for preset in brought]
+                )
+            },
+        },
+    )
     return add, panel, use
 
 

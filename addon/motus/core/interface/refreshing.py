@@ -28,7 +28,8 @@ class MOTUS_OT_refresh(Operator, bpy.types.Operator):
 
     object: object_keyword("Object that is driven or drives others; empty means the active one")
     system: bpy.props.StringProperty(
-        name="System", description="Name of the system to rebuild; empty means all of the object's", options={'SKIP_SAVE'})
+        name="System", description="Name of the system to rebuild; empty means all of the object's", options={'SKIP_SAVE'}
+    )
 
     @classmethod
     def check_offer(cls, context):

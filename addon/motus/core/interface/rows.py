@@ -1,7 +1,7 @@
 """Rows of settings, declared once: a panel draws them for the settings, and the redo panel for an operator's keywords."""
 
-from dataclasses import dataclass
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import bpy
 
@@ -57,7 +57,8 @@ class Row:
         """Whether the region that is drawn has room for the label, or the items, beside or among the fields."""
         prop = _properties(settings)[self.name]
         label = bpy.app.translations.pgettext_iface(
-            prop.name if self.text is None else self.text, self.text_ctxt or prop.translation_context)
+            prop.name if self.text is None else self.text, self.text_ctxt or prop.translation_context
+        )
         if prop.type == 'BOOLEAN' and not prop.is_array:
             return widths.switch_fits(label)
         if self.expand and not self.stacks:

@@ -154,6 +154,7 @@ def draw_rig_influence(layout, settings):
 def draw_message(layout, sentence, icon):
     """A sentence over as many lines as the region that is drawn needs."""
     import textwrap
+
     box, most = layout.box().column(align=True), _characters(bpy.context)
     for index, line in enumerate(textwrap.wrap(bpy.app.translations.pgettext_tip(sentence), most)):
         box.label(text=line, icon=icon if index == 0 else 'BLANK1', translate=False)

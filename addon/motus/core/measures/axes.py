@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 AXES = (
-    ('POS_X', "X", ""), ('POS_Y', "Y", ""), ('POS_Z', "Z", ""),
-    ('NEG_X', "-X", ""), ('NEG_Y', "-Y", ""), ('NEG_Z', "-Z", ""),
+    ('POS_X', "X", ""),
+    ('POS_Y', "Y", ""),
+    ('POS_Z', "Z", ""),
+    ('NEG_X', "-X", ""),
+    ('NEG_Y', "-Y", ""),
+    ('NEG_Z', "-Z", ""),
 )
 LABELS = {name: label for name, label, _ in AXES}
 IDENTIFIERS = frozenset(LABELS)

@@ -32,8 +32,11 @@ def is_finite(numbers: np.ndarray[Any, Any]) -> bool:
 
 def has_bad_settings(settings: Any) -> bool:
     """Whether a number among settings, of entries in their lists too, is not finite, or outside of its limits, as only a file can have it."""
-    return any(_is_bad(declared, getattr(settings, declared.identifier)) for declared in settings.bl_rna.properties
-               if declared.identifier != "rna_type" and declared.type in _LOOKED_AT and settings.is_property_set(declared.identifier))
+    return any(
+        _is_bad(declared, getattr(settings, declared.identifier))
+        for declared in settings.bl_rna.properties
+        if declared.identifier != "rna_type" and declared.type in _LOOKED_AT and settings.is_property_set(declared.identifier)
+    )
 
 
 def _is_bad(declared: Any, value: Any) -> bool:

@@ -1,12 +1,46 @@
 """Rigs as solvers of bones read them: arrays, plans that are kept, and where other objects stand."""
 
 from .arrays import (
-    HAS_LOCAL_LOCATION, INHERITS_ROTATION, Arrays, Still, basis, columns, is_laid, is_still, laid_bones, lay, names_of, own_basis, parents, poses, read,
-    still)
+    HAS_LOCAL_LOCATION,
+    INHERITS_ROTATION,
+    Arrays,
+    Still,
+    basis,
+    columns,
+    is_laid,
+    is_still,
+    laid_bones,
+    lay,
+    names_of,
+    own_basis,
+    parents,
+    poses,
+    read,
+    still,
+)
 from .plans import fingerprint, plan, source
 from .standing import Standing, standing
 
 __all__ = (
-    "HAS_LOCAL_LOCATION", "INHERITS_ROTATION", "Arrays", "Standing", "Still", "basis", "columns", "fingerprint", "is_laid", "is_still", "laid_bones",
-    "lay", "names_of", "own_basis", "parents", "plan", "poses", "read", "source", "standing", "still",
+    "HAS_LOCAL_LOCATION",
+    "INHERITS_ROTATION",
+    "Arrays",
+    "Standing",
+    "Still",
+    "basis",
+    "columns",
+    "fingerprint",
+    "is_laid",
+    "is_still",
+    "laid_bones",
+    "lay",
+    "names_of",
+    "own_basis",
+    "parents",
+    "plan",
+    "poses",
+    "read",
+    "source",
+    "standing",
+    "still",
 )

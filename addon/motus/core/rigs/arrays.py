@@ -23,23 +23,23 @@ class Still(NamedTuple):
     """What of a rig only an edit of its armature changes; a new fingerprint comes with that."""
 
     names: tuple
-    places: Any       # for each row the place in Bone order, None where they are the same
+    places: Any  # for each row the place in Bone order, None where they are the same
     inheritance: Any  # (B,) int32: motus::InheritScale | INHERITS_ROTATION | HAS_LOCAL_LOCATION
-    rest: Any         # as in Arrays
-    lengths: Any      # (B,) float32
-    bones: tuple      # bytes of what _at_rest() reads, in Bone order
+    rest: Any  # as in Arrays
+    lengths: Any  # (B,) float32
+    bones: tuple  # bytes of what _at_rest() reads, in Bone order
 
 
 class Arrays(NamedTuple):
     """One rig at one moment, in armature space; valid until the thread reads the next rig."""
 
     names: tuple
-    rest: Any         # (B, 16) float32, column by column: Bone.matrix_local
-    poses: Any        # (B, 16) float32: PoseBone.matrix, right for bones that stand already and were asked for
-    basis: Any        # (B, 16) float32: PoseBone.matrix_basis, the animated transform
-    lengths: Any      # as in Still
+    rest: Any  # (B, 16) float32, column by column: Bone.matrix_local
+    poses: Any  # (B, 16) float32: PoseBone.matrix, right for bones that stand already and were asked for
+    basis: Any  # (B, 16) float32: PoseBone.matrix_basis, the animated transform
+    lengths: Any  # as in Still
     inheritance: Any  # as in Still
-    world: Any        # (16,) float64, column by column: the rig's matrix_world
+    world: Any  # (16,) float64, column by column: the rig's matrix_world
 
 
 def names_of(rig):
@@ -81,16 +81,15 @@ def _at_rest(bones, count):
 
 def inheritance(bone):
     """How a bone inherits from its parent: motus::InheritScale with the flags above."""
-    return (_INHERIT_SCALE[bone.inherit_scale] | INHERITS_ROTATION * bone.use_inherit_rotation
-            | HAS_LOCAL_LOCATION * bone.use_local_location)
+    return _INHERIT_SCALE[bone.inherit_scale] | INHERITS_ROTATION * bone.use_inherit_rotation | HAS_LOCAL_LOCATION * bone.use_local_location
 
 
 def read(rig, known=None):
     """Arrays of an evaluated rig. known: its Still, where plan() has just given that."""
     known = known or still(rig, names_of(rig))
     return Arrays(
-        known.names, known.rest, poses(rig, known), basis(rig, known), known.lengths, known.inheritance,
-        columns(rig.matrix_world))
+        known.names, known.rest, poses(rig, known), basis(rig, known), known.lengths, known.inheritance, columns(rig.matrix_world)
+    )
 
 
 FEW = 5

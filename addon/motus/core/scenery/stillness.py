@@ -9,8 +9,20 @@ from .. import tracks
 from ..blender import actions, node_groups
 from ..evaluated.question import answered
 
-_OVER_TIME = {'BUILD', 'CLOTH', 'DYNAMIC_PAINT', 'EXPLODE', 'FLUID', 'MESH_CACHE', 'MESH_SEQUENCE_CACHE', 'OCEAN',
-              'PARTICLE_INSTANCE', 'PARTICLE_SYSTEM', 'SOFT_BODY', 'WAVE'}
+_OVER_TIME = {
+    'BUILD',
+    'CLOTH',
+    'DYNAMIC_PAINT',
+    'EXPLODE',
+    'FLUID',
+    'MESH_CACHE',
+    'MESH_SEQUENCE_CACHE',
+    'OCEAN',
+    'PARTICLE_INSTANCE',
+    'PARTICLE_SYSTEM',
+    'SOFT_BODY',
+    'WAVE',
+}
 """Modifiers that look at the time."""
 _TIME_NODES = "GeometryNodeInputSceneTime", "GeometryNodeSimulation"
 """Beginnings of the names of nodes that do."""
@@ -91,9 +103,12 @@ def _changes(modifier, owner, scene, seen):
 
 def _read(modifier):
     """Objects that a modifier reads."""
-    found = [obj for prop in modifier.bl_rna.properties
-             if prop.type == 'POINTER' and prop.fixed_type.identifier in {"Object", "Collection"}
-             for obj in _objects_of(getattr(modifier, prop.identifier))]
+    found = [
+        obj
+        for prop in modifier.bl_rna.properties
+        if prop.type == 'POINTER' and prop.fixed_type.identifier in {"Object", "Collection"}
+        for obj in _objects_of(getattr(modifier, prop.identifier))
+    ]
     if modifier.type == 'NODES' and modifier.node_group is not None:
         for value in node_groups.inputs_of(modifier):
             found += _objects_of(value)

@@ -49,5 +49,5 @@ def _move(curve, places):
     """places: beginning of a data path -> what it is to be."""
     for old, new in places.items():
         if curve.data_path.startswith(old):
-            curve.data_path = new + curve.data_path[len(old):]
+            curve.data_path = new + curve.data_path[len(old) :]
             return

@@ -45,38 +45,51 @@ def _is_keyword(item):
 class MOTUS_PG_helper(bpy.types.PropertyGroup):
     """A hidden object that the wiring has made."""
 
-    object: to_object(name="Object", description="Hidden object that computes for this one",
-        override={'LIBRARY_OVERRIDABLE'})
+    object: to_object(name="Object", description="Hidden object that computes for this one", override={'LIBRARY_OVERRIDABLE'})
 
 
 class SystemSettings:
     """Mixin for every system's PropertyGroup: what the wiring itself keeps with the owner."""
 
     is_active: bpy.props.BoolProperty(
-        name="Active", description="This system drives the object", options=set(),
-        override={'LIBRARY_OVERRIDABLE'})
+        name="Active", description="This system drives the object", options=set(), override={'LIBRARY_OVERRIDABLE'}
+    )
     is_baked: bpy.props.BoolProperty(
-        name="Baked", description="The motion stands in keyframes and the live set-up is switched off", options=set(),
-        override={'LIBRARY_OVERRIDABLE'})
+        name="Baked",
+        description="The motion stands in keyframes and the live set-up is switched off",
+        options=set(),
+        override={'LIBRARY_OVERRIDABLE'},
+    )
     is_released: bpy.props.BoolProperty(
-        name="Released", description="What the library has wired on this override was taken off it", options=set(),
-        override={'LIBRARY_OVERRIDABLE'})
-    hub: to_object(name="Hub", description="Hidden object that computes for all members",
-        override={'LIBRARY_OVERRIDABLE'})
+        name="Released",
+        description="What the library has wired on this override was taken off it",
+        options=set(),
+        override={'LIBRARY_OVERRIDABLE'},
+    )
+    hub: to_object(name="Hub", description="Hidden object that computes for all members", override={'LIBRARY_OVERRIDABLE'})
     row: bpy.props.IntProperty(
-        name="Row", description="Which of the objects that share the hub this one is", min=0, options=set(),
-        override={'LIBRARY_OVERRIDABLE'})
+        name="Row",
+        description="Which of the objects that share the hub this one is",
+        min=0,
+        options=set(),
+        override={'LIBRARY_OVERRIDABLE'},
+    )
     more_hubs: bpy.props.CollectionProperty(
-        type=MOTUS_PG_helper, name="More Hubs", description="Hubs of the groups but the first, by the groups' keys",
-        override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'})
+        type=MOTUS_PG_helper,
+        name="More Hubs",
+        description="Hubs of the groups but the first, by the groups' keys",
+        override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'},
+    )
     targets: bpy.props.CollectionProperty(
-        type=MOTUS_PG_helper, name="Targets", description="Hidden objects that the constraints have as targets",
-        override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'})
+        type=MOTUS_PG_helper,
+        name="Targets",
+        description="Hidden objects that the constraints have as targets",
+        override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'},
+    )
     wired: bpy.props.StringProperty(
-        name="Wired", description="What was wired, to notice where it has changed since", options=set(),
-        override={'LIBRARY_OVERRIDABLE'})
-    order_proxy: to_object(name="Order Proxy",
-        description="Hidden object that lets the curve's deformation be evaluated first")
+        name="Wired", description="What was wired, to notice where it has changed since", options=set(), override={'LIBRARY_OVERRIDABLE'}
+    )
+    order_proxy: to_object(name="Order Proxy", description="Hidden object that lets the curve's deformation be evaluated first")
     leader: to_object(name="Leader", description="Object whose settings drive this one")
 
 

@@ -13,5 +13,14 @@ from ..animation.strips import keys_stamp
 from .track import Kind, Track, forget, kept, kept_by, moving_numbers, own_track, property_track, world_track
 
 __all__ = (
-    "Kind", "Track", "forget", "kept", "kept_by", "keys_stamp", "moving_numbers", "own_track", "property_track", "world_track",
+    "Kind",
+    "Track",
+    "forget",
+    "kept",
+    "kept_by",
+    "keys_stamp",
+    "moving_numbers",
+    "own_track",
+    "property_track",
+    "world_track",
 )

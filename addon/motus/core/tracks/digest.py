@@ -26,11 +26,16 @@ _OF_EDITORS = {"rna_type", "name", "select", "active", "show_expanded", "wired"}
 """Properties that move nothing."""
 _KEYS = (("co", 2), ("handle_left", 2), ("handle_right", 2), ("back", 1), ("amplitude", 1), ("period", 1))
 _KINDS = "interpolation", "easing"
-_TRANSFORM = (
-    "location", "rotation_mode", "rotation_euler", "rotation_quaternion", "rotation_axis_angle", "scale")
+_TRANSFORM = ("location", "rotation_mode", "rotation_euler", "rotation_quaternion", "rotation_axis_angle", "scale")
 _OBJECT = _TRANSFORM + (
-    "delta_location", "delta_rotation_euler", "delta_rotation_quaternion", "delta_scale", "matrix_parent_inverse",
-    "parent_type", "parent_bone")
+    "delta_location",
+    "delta_rotation_euler",
+    "delta_rotation_quaternion",
+    "delta_scale",
+    "matrix_parent_inverse",
+    "parent_type",
+    "parent_bone",
+)
 
 
 def of(id_data):

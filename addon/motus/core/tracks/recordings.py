@@ -37,9 +37,12 @@ _read = OrderedDict()
 class MOTUS_PG_recording(bpy.types.PropertyGroup):
     # The name is what was recorded.
     head: bpy.props.StringProperty(
-        name="Header", description="Times at which the samples were taken, and their source", options=set(), override={'LIBRARY_OVERRIDABLE'})
-    data: bpy.props.StringProperty(
-        name="Data", description="The samples", options=set(), override={'LIBRARY_OVERRIDABLE'})
+        name="Header",
+        description="Times at which the samples were taken, and their source",
+        options=set(),
+        override={'LIBRARY_OVERRIDABLE'},
+    )
+    data: bpy.props.StringProperty(name="Data", description="The samples", options=set(), override={'LIBRARY_OVERRIDABLE'})
 
 
 class Recording(NamedTuple):

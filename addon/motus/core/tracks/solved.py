@@ -80,8 +80,12 @@ def of(obj, scene):
     acting = [constraint for constraint in obj.constraints if not constraint.mute]
     if not acting or not obj.is_property_set("motus"):
         return None
-    owners = [(system, obj if settings.is_active else pointed(settings, "leader"))
-              for system in systems() if system.over_time for settings in [getattr(obj.motus, system.name)]]
+    owners = [
+        (system, obj if settings.is_active else pointed(settings, "leader"))
+        for system in systems()
+        if system.over_time
+        for settings in [getattr(obj.motus, system.name)]
+    ]
     for are_sinks in _have_marks, _are_known:
         for system, owner in owners:
             source = system.over_time(owner, obj, scene) if owner and are_sinks(system, obj, acting) else None  # type: ignore[misc]

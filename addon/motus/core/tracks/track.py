@@ -112,10 +112,10 @@ class Track:
                 return tr("Exact at any frame: solved by {systems}").format(systems=", ".join(map(tr, self._solvers)))
             return tr("Exact at any frame: read from keys")
         if self.recording:
-            start, end, step = (f"{round(value, 3):g}" for value in (
-                self.recording.start, self.recording.end, self.recording.step))
+            start, end, step = (f"{round(value, 3):g}" for value in (self.recording.start, self.recording.end, self.recording.step))
             return tr("Recorded {start}-{end} by steps of {step}; beyond, the first and last value hold").format(
-                start=start, end=end, step=step)
+                start=start, end=end, step=step
+            )
         return tr("Needs recording: {reason}").format(reason=self.reason.sentence)
 
     def values(self, times):

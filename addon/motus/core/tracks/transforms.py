@@ -65,8 +65,7 @@ class Own:
     @functools.cached_property
     def channels(self):
         """{property: its Channels}, of those that count in the rotation mode."""
-        return {name: [Channel(self._id, self._prefix + name, index) for index in range(size)]
-                for name, size in self._names().items()}
+        return {name: [Channel(self._id, self._prefix + name, index) for index in range(size)] for name, size in self._names().items()}
 
     @functools.cached_property
     def reason(self):
@@ -99,8 +98,7 @@ class Own:
         """Transforms at times (n,)."""
         if self._is_simple:
             return self._combined({name: self._keyed(name, size, times) for name, size in self._names().items()})
-        return self._combined({
-            name: np.stack([one.values(times) for one in group], axis=1) for name, group in self.channels.items()})
+        return self._combined({name: np.stack([one.values(times) for one in group], axis=1) for name, group in self.channels.items()})
 
     def _keyed(self, name, size, times):
         """(n, size) of a property that at most keys of the active action animate. Transforms have no limits."""
@@ -159,8 +157,11 @@ class Own:
         known = {} if copy is None else copy.found
         place = "own drivers", self._prefix, self._mode
         if place not in known:
-            known[place] = any(is_driven(self._id, self._prefix + name, index)
-                               for name, size in (*self._names().items(), ("rotation_mode", 1)) for index in range(size))
+            known[place] = any(
+                is_driven(self._id, self._prefix + name, index)
+                for name, size in (*self._names().items(), ("rotation_mode", 1))
+                for index in range(size)
+            )
         return known[place]
 
     @functools.cached_property
@@ -177,8 +178,10 @@ class Own:
         place = (self._action, self._prefix, self._mode) if self._id.is_evaluated and self._action else None
         found = _keys.get(place)
         if found is None:
-            still = {name: [index for index, curve in enumerate(self._curves(name, size)) if curve is None]
-                     for name, size in self._names().items()}
+            still = {
+                name: [index for index, curve in enumerate(self._curves(name, size)) if curve is None]
+                for name, size in self._names().items()
+            }
             found = still, any(self._curves("rotation_mode", 1))
             if place:
                 _keys[place] = found
@@ -237,8 +240,10 @@ class World:
     @functools.cached_property
     def reason(self):
         """As Channel.reason."""
-        return answered((self, "reason"), lambda: next(filter(None, (
-            self._of(link, "reason", lambda link=link: link.reason) for link in reversed(self._links))), None))
+        return answered(
+            (self, "reason"),
+            lambda: next(filter(None, (self._of(link, "reason", lambda link=link: link.reason) for link in reversed(self._links))), None),
+        )
 
     @property
     def solvers(self):
@@ -268,14 +273,17 @@ class World:
 
     def bounds(self, first, last):
         """As Channel.bounds()."""
-        return answered((self, "bounds", first, last), lambda: keys.union([
-            self._of(link, "bounds", first, last, lambda link=link: link.bounds(first, last)) for link in self._links]))
+        return answered(
+            (self, "bounds", first, last),
+            lambda: keys.union([self._of(link, "bounds", first, last, lambda link=link: link.bounds(first, last)) for link in self._links]),
+        )
 
     @property
     def extent(self):
         """As Channel.extent."""
-        return answered((self, "extent"), lambda: keys.united([
-            self._of(link, "extent", lambda link=link: link.extent) for link in self._links]))
+        return answered(
+            (self, "extent"), lambda: keys.united([self._of(link, "extent", lambda link=link: link.extent) for link in self._links])
+        )
 
     @property
     def price(self):
@@ -285,8 +293,9 @@ class World:
     @property
     def stamp(self):
         """As Channel.stamp."""
-        return answered((self, "stamp"), lambda: strips.together([
-            self._of(link, "stamp", lambda link=link: link.stamp) for link in self._links]))
+        return answered(
+            (self, "stamp"), lambda: strips.together([self._of(link, "stamp", lambda link=link: link.stamp) for link in self._links])
+        )
 
     @property
     def present(self):
@@ -308,8 +317,12 @@ class _Link:
 
     @functools.cached_property
     def reason(self):
-        return of_parent(self._object) or self._of_object() or self._of_bones() or next(
-            (own.reason for own in (self._own, *self._posed) if own.reason), None)
+        return (
+            of_parent(self._object)
+            or self._of_object()
+            or self._of_bones()
+            or next((own.reason for own in (self._own, *self._posed) if own.reason), None)
+        )
 
     def _of_object(self):
         if self._object.rigid_body:
@@ -395,12 +408,20 @@ class _Link:
     @property
     def stamp(self):
         obj = self._object
-        bones = tuple((_numbers(bone.bone.matrix_local), bone.bone.inherit_scale, bone.bone.use_inherit_rotation,
-                       bone.bone.use_local_location, bone.bone.use_connect, bone.bone.use_relative_parent, bone.bone.length)
-                      for bone in self._bones)
+        bones = tuple(
+            (
+                _numbers(bone.bone.matrix_local),
+                bone.bone.inherit_scale,
+                bone.bone.use_inherit_rotation,
+                bone.bone.use_local_location,
+                bone.bone.use_connect,
+                bone.bone.use_relative_parent,
+                bone.bone.length,
+            )
+            for bone in self._bones
+        )
         pose = obj.data.pose_position if bones else ""
-        return strips.together((
-            *(part.stamp for part in self._parts), obj.parent_type, _numbers(obj.matrix_parent_inverse), bones, pose))
+        return strips.together((*(part.stamp for part in self._parts), obj.parent_type, _numbers(obj.matrix_parent_inverse), bones, pose))
 
 
 def _array(matrix):
@@ -428,7 +449,7 @@ def _turned_by(bone, constraint):
     if constraint.mute:
         return []
     chain = ([bone] if getattr(constraint, "use_tail", True) else []) + bone.parent_recursive
-    return [one.name for one in chain[:constraint.chain_count or None]]
+    return [one.name for one in chain[: constraint.chain_count or None]]
 
 
 def parent_of(obj):

@@ -7,25 +7,55 @@ detached here. See docs/wiring.md for the way of the data and docs/gotchas.md fo
 from ..blender.drivers import driven_bones, targets_on
 from ..declare import is_owner as is_attached
 from .attaching.attach import attach, detach, refresh, set_muted, touch
-from .attaching.waiting import waited_for
 from .attaching.levels import depends, hanging, levels
 from .attaching.readers import absent_path
+from .attaching.waiting import waited_for
 from .healing.heal import evaluation
 from .hubs.outputs import output, output_path, outputs_of
 from .problems import problem, report_problems
 from .sinks.finding import abandoned, has_sinks, is_sink, on_object, release, sinks
-from .sinks.geometry_sink import place as points_place
-from .sinks.geometry_sink import set_collection as set_points_collection
-from .sinks.geometry_sink import set_material as set_points_material
-from .sinks.geometry_sink import set_object as set_points_object
-from .sinks.property_sink import check as check_property
-from .sinks.property_sink import driven as driven_properties
-from .sinks.property_sink import place as property_place
+from .sinks.geometry_sink import (
+    place as points_place,
+    set_collection as set_points_collection,
+    set_material as set_points_material,
+    set_object as set_points_object,
+)
+from .sinks.property_sink import check as check_property, driven as driven_properties, place as property_place
 from .solving.namespace import register, unregister
 
 __all__ = (
-    "abandoned", "absent_path", "attach", "check_property", "depends", "detach", "driven_bones", "driven_properties", "evaluation",
-    "hanging", "has_sinks", "is_attached", "is_sink", "levels", "on_object", "output", "output_path", "outputs_of", "points_place",
-    "problem", "property_place", "refresh", "register", "release", "report_problems", "set_muted", "set_points_collection",
-    "set_points_material", "set_points_object", "sinks", "targets_on", "touch", "unregister", "waited_for",
+    "abandoned",
+    "absent_path",
+    "attach",
+    "check_property",
+    "depends",
+    "detach",
+    "driven_bones",
+    "driven_properties",
+    "evaluation",
+    "hanging",
+    "has_sinks",
+    "is_attached",
+    "is_sink",
+    "levels",
+    "on_object",
+    "output",
+    "output_path",
+    "outputs_of",
+    "points_place",
+    "problem",
+    "property_place",
+    "refresh",
+    "register",
+    "release",
+    "report_problems",
+    "set_muted",
+    "set_points_collection",
+    "set_points_material",
+    "set_points_object",
+    "sinks",
+    "targets_on",
+    "touch",
+    "unregister",
+    "waited_for",
 )

@@ -7,17 +7,22 @@ from .hubs import hub_lookup, outbox
 from .sinks import property_sink
 
 _DAMAGED_PROBLEM = Problem("The data of this system in the file is damaged: press Refresh, or set it up again")
-_NEWER_PROBLEM = Problem(
-    "Made by a newer version of Motus, whose data this one cannot read: update Motus, or press Refresh")
+_NEWER_PROBLEM = Problem("Made by a newer version of Motus, whose data this one cannot read: update Motus, or press Refresh")
 _INTERNAL_PROBLEM = Problem("Motus could not compute this: see the system console")
 _PROPERTY_PROBLEM = Problem(
-    "A property that is to be driven is gone, has another driver, or is another file's; what is left is driven", blocking=False)
+    "A property that is to be driven is gone, has another driver, or is another file's; what is left is driven", blocking=False
+)
 _SILENT_PROBLEM = Problem("Not evaluated: the add-on's driver functions are not available in this file yet")
 _FULL_PROBLEM = Problem("There are more points than there is room for: only the first ones are shown", blocking=False)
 _NOT_FINITE_PROBLEM = Problem("A setting, or what comes of it, is no number, or too large: look through the settings")
 _OWN_PROBLEMS = {
-    outbox.INTERNAL: _INTERNAL_PROBLEM, outbox.SILENT: _SILENT_PROBLEM, outbox.DAMAGED: _DAMAGED_PROBLEM,
-    outbox.NEWER: _NEWER_PROBLEM, outbox.FULL: _FULL_PROBLEM, outbox.NOT_FINITE: _NOT_FINITE_PROBLEM}
+    outbox.INTERNAL: _INTERNAL_PROBLEM,
+    outbox.SILENT: _SILENT_PROBLEM,
+    outbox.DAMAGED: _DAMAGED_PROBLEM,
+    outbox.NEWER: _NEWER_PROBLEM,
+    outbox.FULL: _FULL_PROBLEM,
+    outbox.NOT_FINITE: _NOT_FINITE_PROBLEM,
+}
 
 
 def problem(system, owner, depsgraph):
@@ -32,8 +37,7 @@ def problem(system, owner, depsgraph):
     if found:
         return found[0]
     if system.groups is not None:
-        are_driven = of_owner(system, owner).is_baked or all(
-            property_sink.are_driven(system, owner, carrier) for _, carrier in carried)
+        are_driven = of_owner(system, owner).is_baked or all(property_sink.are_driven(system, owner, carrier) for _, carrier in carried)
         return None if are_driven else _PROPERTY_PROBLEM
     return None
 

@@ -1,5 +1,6 @@
 """The three clips of the layered scene, of few keys each: a walk on the spot, a jump, and a throw from high."""
 
+import itertools
 import math
 
 import bpy
@@ -7,7 +8,6 @@ import bpy
 from ...core.blender import actions
 from ..stage.keying import key
 from . import skeleton
-import itertools
 
 STRIDE = 24  # frames of two steps
 THROW_FRAMES, RELEASE = 40, 21
@@ -17,14 +17,23 @@ CROUCH, LANDING = 0.15, 0.17  # m that the hips sink
 
 # A foot from one contact to the next: share of the stride, m ahead of the hip, m above the ground, degrees of the sole, toes up.
 STEP = (
-    (0.000, 0.245, 0.012, 16.0), (0.125, 0.125, 0.0, 0.0), (0.250, 0.000, 0.0, 0.0), (0.375, -0.125, 0.004, -6.0),
-    (0.500, -0.235, 0.055, -32.0), (0.625, -0.190, 0.150, -44.0), (0.750, 0.020, 0.140, -14.0), (0.875, 0.215, 0.062, 12.0),
+    (0.000, 0.245, 0.012, 16.0),
+    (0.125, 0.125, 0.0, 0.0),
+    (0.250, 0.000, 0.0, 0.0),
+    (0.375, -0.125, 0.004, -6.0),
+    (0.500, -0.235, 0.055, -32.0),
+    (0.625, -0.190, 0.150, -44.0),
+    (0.750, 0.020, 0.140, -14.0),
+    (0.875, 0.215, 0.062, 12.0),
 )
 HIP_SINK = ((0.0, 0.060), (0.125, 0.072), (0.250, 0.038), (0.375, 0.034))  # m, twice a stride
 SWAY = 0.022  # m to the side of the foot that stands
 # Degrees about a bone's axes, twice: of the stride's first half, and mirrored of the second.
 SWINGS = {
-    "pelvis": (0.0, 7.0, 2.0), "spine.002": (2.0, -6.0, -1.5), "spine.003": (1.0, -7.0, -1.0), "neck": (-2.0, 4.0, 0.0),
+    "pelvis": (0.0, 7.0, 2.0),
+    "spine.002": (2.0, -6.0, -1.5),
+    "spine.003": (1.0, -7.0, -1.0),
+    "neck": (-2.0, 4.0, 0.0),
     "head": (-1.0, 3.0, 0.5),
 }
 ARM_SWING, ELBOW, ELBOW_SWING = 27.0, 16.0, 12.0  # degrees
@@ -51,8 +60,12 @@ WHIP = ("upper_arm.R", "forearm.R")
 """Bones whose way to the release begins slowly and ends fast: their curves are shaped for it."""
 
 CARRY = {
-    ("upper_arm.L", 0): 30.0, ("upper_arm.L", 2): -41.0, ("forearm.L", 0): 124.0, ("hand.L", 0): -34.0,
-    ("hand.L", 1): 22.0, ("hand.L", 2): 18.0,
+    ("upper_arm.L", 0): 30.0,
+    ("upper_arm.L", 2): -41.0,
+    ("forearm.L", 0): 124.0,
+    ("hand.L", 0): -34.0,
+    ("hand.L", 1): 22.0,
+    ("hand.L", 2): 18.0,
 }
 
 JUMP = {
@@ -64,7 +77,12 @@ JUMP = {
     ("forearm.L", 0): ((1, 12.0), (8, 24.0), (17, 16.0), (34, 42.0), (JUMP_FRAMES, 12.0)),
 }
 LEGS_OF_JUMP = (  # frame, m that the hips sink or the feet are drawn up, degrees of the soles
-    (1, 0.030, 0.0), (8, CROUCH, 0.0), (TAKE_OFF, 0.012, -34.0), (21, 0.150, -24.0), (TOUCH_DOWN, 0.020, -12.0), (33, LANDING, 0.0),
+    (1, 0.030, 0.0),
+    (8, CROUCH, 0.0),
+    (TAKE_OFF, 0.012, -34.0),
+    (21, 0.150, -24.0),
+    (TOUCH_DOWN, 0.020, -12.0),
+    (33, LANDING, 0.0),
     (JUMP_FRAMES, 0.030, 0.0),
 )
 
@@ -145,11 +163,14 @@ def jump(rig):
             _add_leg(turns, side, frame, 0.01, sink, sole, lean.get(frame, lean.get(frame + 1, 0.0)))
     for (name, axis), keys in turns.items():
         _key_turns(bones[name], axis, keys)
-    key(bones["pelvis"], "location", ((1, -0.030), (8, -CROUCH), (TAKE_OFF, -0.012), (TOUCH_DOWN, -0.020), (33, -LANDING),
-                                      (JUMP_FRAMES, -0.030)), 1)
+    key(
+        bones["pelvis"],
+        "location",
+        ((1, -0.030), (8, -CROUCH), (TAKE_OFF, -0.012), (TOUCH_DOWN, -0.020), (33, -LANDING), (JUMP_FRAMES, -0.030)),
+        1,
+    )
     action = _named(rig, "Jump")
-    rise = next(curve for curve in actions.curves_for_object(action)
-                if curve.data_path.endswith("location") and curve.array_index == 1)
+    rise = next(curve for curve in actions.curves_for_object(action) if curve.data_path.endswith("location") and curve.array_index == 1)
     _shape_flight(rise)
     actions.assign(rig, None)
     return action
@@ -157,7 +178,7 @@ def jump(rig):
 
 def _sink(share):
     """How far the hips have sunk at a share of the stride, by straight lines between the keys."""
-    share = (share % 0.5)
+    share = share % 0.5
     keys = (*HIP_SINK, (0.5, HIP_SINK[0][1]))
     for (first, low), (second, high) in itertools.pairwise(keys):
         if share <= second:
@@ -224,7 +245,7 @@ def _shape_whip(curve):
     wound, let_go = points[17], points[RELEASE]
     for point in (wound, let_go):
         point.handle_left_type = point.handle_right_type = 'FREE'
-    rise = (let_go.co.y - wound.co.y)
+    rise = let_go.co.y - wound.co.y
     wound.handle_right = (wound.co.x + 2.6, wound.co.y)
     let_go.handle_left = (let_go.co.x - 0.7, let_go.co.y - 0.42 * rise)
     let_go.handle_right = (let_go.co.x + 2.0, let_go.co.y + 0.55 * rise)

@@ -70,9 +70,7 @@ def _tilted(vertices, angle):
 def _cap_ring(polar, count=72):
     """Directions around the cap's middle at an angle from it."""
     angle = shapes.ring(count)
-    ring = np.stack(
-        (math.sin(polar) * np.cos(angle), math.sin(polar) * np.sin(angle), np.full(count, math.cos(polar))), axis=-1
-    )
+    ring = np.stack((math.sin(polar) * np.cos(angle), math.sin(polar) * np.sin(angle), np.full(count, math.cos(polar))), axis=-1)
     return _tilted(ring, CAP_TILT)
 
 
@@ -81,10 +79,13 @@ def _cap_ring(polar, count=72):
 
 def _add_eye(body, side):
     """An eyeball in three colours, and an upper lid on a bone of its own."""
-    polar = np.concatenate((
-        np.linspace(1e-3, PUPIL_ANGLE, 6), np.linspace(PUPIL_ANGLE, IRIS_ANGLE, 5)[1:],
-        np.linspace(IRIS_ANGLE, math.pi - 1e-3, 18)[1:],
-    ))
+    polar = np.concatenate(
+        (
+            np.linspace(1e-3, PUPIL_ANGLE, 6),
+            np.linspace(PUPIL_ANGLE, IRIS_ANGLE, 5)[1:],
+            np.linspace(IRIS_ANGLE, math.pi - 1e-3, 18)[1:],
+        )
+    )
     ball = shapes.lathe(np.column_stack((np.sin(polar), np.cos(polar))) * EYE_RADIUS, 36)
     middle = 0.5 * (polar[1:] + polar[:-1])
     slots = np.where(middle < IRIS_ANGLE, parts.IRIS, parts.WHITE)
@@ -138,8 +139,12 @@ def _add_cap(body):
 def _add_goggles(body):
     """Pushed up on the cap: two brass rings with glass, on a strap."""
     polar = math.radians(52.0)
-    band = np.stack([_on_head(_cap_ring(math.radians(56.0) + d), CAP_GROWTH + g) for d, g in (
-        (-0.085, 0.0), (-0.085, 0.022), (0.085, 0.022), (0.085, 0.0))])
+    band = np.stack(
+        [
+            _on_head(_cap_ring(math.radians(56.0) + d), CAP_GROWTH + g)
+            for d, g in ((-0.085, 0.0), (-0.085, 0.022), (0.085, 0.022), (0.085, 0.0))
+        ]
+    )
     body.add(shapes.loft(band[:, ::-1]), "head", parts.DARK, smooth=False)
     for sign in (-1.0, 1.0):
         turn = -0.5 * math.pi + sign * 0.46

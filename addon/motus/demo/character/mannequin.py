@@ -10,12 +10,28 @@ from . import face, limbs, parts
 GRAIN = (22.0, 14.0, 3.0)  # of its wood
 # radius, height: turned about the body's upright axis.
 CHEST = (
-    (0.004, 1.442), (0.050, 1.440), (0.092, 1.428), (0.130, 1.400), (0.158, 1.350), (0.163, 1.300), (0.150, 1.240),
-    (0.126, 1.190), (0.112, 1.165), (0.090, 1.152), (0.004, 1.150),
+    (0.004, 1.442),
+    (0.050, 1.440),
+    (0.092, 1.428),
+    (0.130, 1.400),
+    (0.158, 1.350),
+    (0.163, 1.300),
+    (0.150, 1.240),
+    (0.126, 1.190),
+    (0.112, 1.165),
+    (0.090, 1.152),
+    (0.004, 1.150),
 )
 PELVIS = (
-    (0.004, 1.010), (0.085, 1.008), (0.112, 0.995), (0.126, 0.965), (0.140, 0.915), (0.136, 0.870), (0.105, 0.835),
-    (0.060, 0.822), (0.004, 0.820),
+    (0.004, 1.010),
+    (0.085, 1.008),
+    (0.112, 0.995),
+    (0.126, 0.965),
+    (0.140, 0.915),
+    (0.136, 0.870),
+    (0.105, 0.835),
+    (0.060, 0.822),
+    (0.004, 0.820),
 )
 NECK = ((0.004, 1.50), (0.046, 1.49), (0.048, 1.45), (0.052, 1.41), (0.004, 1.40))
 CHEST_DEPTH, PELVIS_DEPTH = 0.72, 0.78
@@ -56,9 +72,7 @@ def _add_scarf(body):
     """A roll around the neck, with two ends that hang over the chest's left side."""
     angle = shapes.ring(72)
     ridges = 0.0045 * np.sin(9.0 * angle) + 0.003 * np.sin(14.0 * angle + 1.0)
-    around = np.stack(
-        ((0.071 + ridges) * np.cos(angle), (0.068 + ridges) * np.sin(angle), 1.440 - 0.012 * np.sin(angle)), axis=-1
-    )
+    around = np.stack(((0.071 + ridges) * np.cos(angle), (0.068 + ridges) * np.sin(angle), 1.440 - 0.012 * np.sin(angle)), axis=-1)
     body.add(parts.tube(around, 0.029 + 0.3 * ridges, closed=True), "spine.003", parts.SCARF)
     body.add(shapes.sphere(0.034, (0.052, -0.092, 1.412), (1.0, 0.8, 0.9)), "spine.003", parts.SCARF)
     for fall, drift, out in ((0.205, 0.035, 0.0), (0.165, -0.012, 0.012)):

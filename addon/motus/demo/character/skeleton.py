@@ -56,15 +56,11 @@ def _mirror(point):
 def _sided(joint, side):
     left = side == "L"
     parent = joint.parent if joint.parent in {one.name for one in MIDDLE} else f"{joint.parent}.{side}"
-    head, tail, roll_to = (
-        point if left else _mirror(point) for point in (joint.head, joint.tail, joint.roll_to)
-    )
+    head, tail, roll_to = (point if left else _mirror(point) for point in (joint.head, joint.tail, joint.roll_to))
     return Joint(f"{joint.name}.{side}", parent, head, tail, roll_to)
 
 
-JOINTS = {
-    joint.name: joint for joint in (*MIDDLE, *(_sided(joint, side) for joint in SIDE for side in ("L", "R")))
-}
+JOINTS = {joint.name: joint for joint in (*MIDDLE, *(_sided(joint, side) for joint in SIDE for side in ("L", "R")))}
 
 
 def frame(name):

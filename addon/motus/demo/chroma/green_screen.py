@@ -25,7 +25,13 @@ LENS, EYE, TILT = 35.0, 1.42, math.radians(4.0)
 BOUNCE, BOUNCE_COLOR = 0.9, (1.0, 0.66, 0.36)
 SPILL = 0.25
 # Frames, and places in the pilot's space: of the hand that shows the aeroplane, and of what he looks at.
-HAND_KEYS = ((1, (0.46, -0.26, 1.16)), (14, (0.55, -0.20, 1.36)), (34, (0.60, -0.14, 1.42)), (54, (0.60, -0.16, 1.40)), (FRAMES, (0.56, -0.22, 1.32)))
+HAND_KEYS = (
+    (1, (0.46, -0.26, 1.16)),
+    (14, (0.55, -0.20, 1.36)),
+    (34, (0.60, -0.14, 1.42)),
+    (54, (0.60, -0.16, 1.40)),
+    (FRAMES, (0.56, -0.22, 1.32)),
+)
 GAZE_KEYS = ((1, (0.4, -4.0, 1.5)), (12, (1.6, -2.0, 1.9)), (34, (3.0, -1.2, 2.1)), (FRAMES, (3.2, -1.6, 2.0)))
 HAND, ELBOW = "hand.L", (0.62, 0.30, 0.85)
 FINGERS = (("index.L", 8.0), ("fingers.L", -14.0), ("index.R", -22.0), ("fingers.R", -28.0))  # degrees
@@ -70,8 +76,9 @@ def _add_screen(collection):
     """A cloth behind the pilot that is lit more from the left."""
     half = 0.5 * SCREEN_SIDE
     mesh = bpy.data.meshes.new("Screen")
-    mesh.from_pydata([(x, SCREEN_DISTANCE, z + EYE) for x, z in ((-half, -half), (half, -half), (half, half), (-half, half))], [],
-                     [(0, 1, 2, 3)])
+    mesh.from_pydata(
+        [(x, SCREEN_DISTANCE, z + EYE) for x, z in ((-half, -half), (half, -half), (half, half), (-half, half))], [], [(0, 1, 2, 3)]
+    )
     material, shader, output = materials.new_material("Green Screen")
     across = shader.add("ShaderNodeSeparateXYZ", {0: shader.add("ShaderNodeTexCoord").outputs["Generated"]}).outputs[0]
     light = shader.math("ADD", shader.math("MULTIPLY", across, DIMMEST - BRIGHTEST), BRIGHTEST)
@@ -91,17 +98,34 @@ def _add_pilot(context, collection):
     pole.location = ELBOW
     for thing, keys in ((goal, HAND_KEYS), (seen, GAZE_KEYS)):
         keying.key(thing, "location", keys)
-    keying.key(rig.pose.bones["spine.002"], "rotation_euler", [
-        (frame, [math.radians(angle) for angle in turn]) for frame, turn in SWAY])
+    keying.key(rig.pose.bones["spine.002"], "rotation_euler", [(frame, [math.radians(angle) for angle in turn]) for frame, turn in SWAY])
     for name, turn in FINGERS:
         rig.pose.bones[name].rotation_euler.x = math.radians(turn)
     context.view_layer.update()
-    _check(bpy.ops.motus.ik_add(
-        object=rig.name, bone=HAND, target=goal.name, pole=pole.name, chain_length=2, use_tail=False, rotation_weight=0.0,
-        keep_rotation=False))
-    _check(bpy.ops.motus.look_at_add(
-        object=rig.name, bone="head", target=seen.name, body_length=3, eyes="eye.L,eye.R", body_weight=0.3,
-        head_forward="POS_Z", eyes_forward="POS_Y"))
+    _check(
+        bpy.ops.motus.ik_add(
+            object=rig.name,
+            bone=HAND,
+            target=goal.name,
+            pole=pole.name,
+            chain_length=2,
+            use_tail=False,
+            rotation_weight=0.0,
+            keep_rotation=False,
+        )
+    )
+    _check(
+        bpy.ops.motus.look_at_add(
+            object=rig.name,
+            bone="head",
+            target=seen.name,
+            body_length=3,
+            eyes="eye.L,eye.R",
+            body_weight=0.3,
+            head_forward="POS_Z",
+            eyes_forward="POS_Y",
+        )
+    )
 
 
 def _check(result):

@@ -37,8 +37,17 @@ def build(context):
     lighting.set_color_management(scene)
     colonnade.build(land, lighting.build_haze_group(sky))
     flight.follow(
-        aeroplane.build(air), flight.add_course(air, COURSE), timing="SPEED", speed=SPEED, offset=START, orientation="BANKING",
-        bank_limit=BANK_LIMIT, bank_smoothing=BANK_SMOOTHING, forward_axis="POS_Y", up_axis="POS_Z")
+        aeroplane.build(air),
+        flight.add_course(air, COURSE),
+        timing="SPEED",
+        speed=SPEED,
+        offset=START,
+        orientation="BANKING",
+        bank_limit=BANK_LIMIT,
+        bank_smoothing=BANK_SMOOTHING,
+        forward_axis="POS_Y",
+        up_axis="POS_Z",
+    )
     scene.camera = green_screen.add_camera(land, "Place Camera")
     _blur_the_distance(scene.camera.data)
     _key(scene, studio, test_shot)
@@ -50,7 +59,8 @@ def _key(scene, studio, test_shot):
     """Key by the public operator, which measures the test shot; then what is keyed is the set itself, as it is rendered."""
     # The set is lit as the land is, and keyed before the view transform, which therefore stays.
     result = bpy.ops.motus.chroma_key_setup(
-        clip=test_shot.name, use_scene=False, smooth=SMOOTH, grow=GROW, feather=FEATHER, despill_limit=LIMIT, light_wrap=WRAP)
+        clip=test_shot.name, use_scene=False, smooth=SMOOTH, grow=GROW, feather=FEATHER, despill_limit=LIMIT, light_wrap=WRAP
+    )
     if result != {"FINISHED"}:
         raise RuntimeError("The footage could not be keyed")
     tree = compositor.tree_of(scene)

@@ -8,7 +8,9 @@ from . import skeleton
 SKIN, BELLY, DARK, WHITE, GLOW = range(5)
 BODY_CENTRE, BODY_SIZE = (0.0, 0.02, 0.55), (0.47, 0.44, 0.52)
 TUBES = {  # chain -> radius at its root and at its tip, m
-    skeleton.TAIL: (0.115, 0.030), **dict.fromkeys(skeleton.ANTENNAE, (0.030, 0.014))}
+    skeleton.TAIL: (0.115, 0.030),
+    **dict.fromkeys(skeleton.ANTENNAE, (0.030, 0.014)),
+}
 BALLS = {skeleton.TAIL: (0.105, (0.8, 0.8, 1.25)), **dict.fromkeys(skeleton.ANTENNAE, (0.075, (1.0, 1.0, 1.0)))}
 RINGS_A_BONE = 5
 
@@ -54,8 +56,7 @@ def _add_body(builder, groups):
         _add(builder, groups, shapes.sphere(0.125, (side * 0.155, -0.330, 0.755), (1.0, 0.62, 1.12), 28, 20), WHITE, body)
         _add(builder, groups, shapes.sphere(0.066, (side * 0.142, -0.388, 0.750), (1.0, 0.5, 1.15), 24, 16), DARK, body)
         _add(builder, groups, shapes.sphere(0.020, (side * 0.142 - 0.024, -0.420, 0.784), (1.0, 0.5, 1.0), 16, 10), WHITE, body)
-        _add(builder, groups, shapes.sphere(0.13, (side * 0.20, -0.16, 0.075), (0.9, 1.35, 0.55), 28, 18), GLOW,
-             {skeleton.ROOT: 1.0})
+        _add(builder, groups, shapes.sphere(0.13, (side * 0.20, -0.16, 0.075), (0.9, 1.35, 0.55), 28, 18), GLOW, {skeleton.ROOT: 1.0})
         _add(builder, groups, shapes.sphere(0.085, (side * 0.47, -0.13, 0.47), (0.55, 0.9, 1.5), 24, 16), SKIN, body)
     _add(builder, groups, shapes.sphere(0.052, (0.0, -0.445, 0.655), (1.25, 0.55, 0.75), 24, 16), DARK, body)
 
@@ -73,8 +74,7 @@ def _add_tube(builder, groups, chain):
     angle, share = shapes.ring(20), np.linspace(0.0, 1.0, rings)
     first, last = TUBES[chain]
     radius = (first + (last - first) * share)[:, None, None]
-    sections = places[:, None] + radius * (
-        np.cos(angle)[None, :, None] * across[:, None] + np.sin(angle)[None, :, None] * third[:, None])
+    sections = places[:, None] + radius * (np.cos(angle)[None, :, None] * across[:, None] + np.sin(angle)[None, :, None] * third[:, None])
     vertices, faces = shapes.loft(sections[:, ::-1])
     _add(builder, groups, (vertices, faces), SKIN, _along(chain, np.repeat(share * count, len(angle))))
     size, scale = BALLS[chain]

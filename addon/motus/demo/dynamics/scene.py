@@ -7,8 +7,7 @@ import bpy
 from ...core.blender import actions
 from ..places import clay_studio
 from ..stage import lighting, shapes, staging
-from . import skeleton
-from . import body as hopper_body
+from . import body as hopper_body, skeleton
 
 SCENE_NAME = "Motus Dynamics"
 FRAMES_PER_SECOND = 24
@@ -41,14 +40,14 @@ def build(context):
 def _add_dynamics(rig):
     """All that is not keyed. The last frame of the scene is followed by the first one without a seam."""
     tail, left, right = (",".join(skeleton.names(chain)) for chain in (skeleton.TAIL, *skeleton.ANTENNAE))
-    bpy.ops.motus.dynamics_add(
-        object=rig.name, bones=tail, style='FLOPPY', frequency=2.2, chain_delay=0.035, use_loop=True)
+    bpy.ops.motus.dynamics_add(object=rig.name, bones=tail, style='FLOPPY', frequency=2.2, chain_delay=0.035, use_loop=True)
     for antenna in (left, right):
         bpy.ops.motus.dynamics_add(
-            object=rig.name, bones=antenna, style='BOUNCY', frequency=4.0, damping=0.3, chain_delay=0.015, use_loop=True)
+            object=rig.name, bones=antenna, style='BOUNCY', frequency=4.0, damping=0.3, chain_delay=0.015, use_loop=True
+        )
     bpy.ops.motus.dynamics_add(
-        object=rig.name, bones=skeleton.BODY, style='BOUNCY', frequency=3.2, damping=0.25, follow='OWN', channels={'SCALE'},
-        use_loop=True)
+        object=rig.name, bones=skeleton.BODY, style='BOUNCY', frequency=3.2, damping=0.25, follow='OWN', channels={'SCALE'}, use_loop=True
+    )
 
 
 def _key_hops(rig):
@@ -70,8 +69,14 @@ def _key_hops(rig):
         _key(rig, "rotation_euler", 2, frame + CROUCH + AIR, turn + math.pi + 2.0 * math.pi / HOPS, 'CONSTANT')
         # Stepped: the swing between these shapes is what dynamics make of them.
         body = rig.pose.bones[skeleton.BODY]
-        for later, tall in ((0, 0.78), (CROUCH - 1, 1.22), (CROUCH + 4, 1.0), (CROUCH + AIR - 2, 1.12), (CROUCH + AIR, 0.70),
-                            (CROUCH + AIR + 3, 1.0)):
+        for later, tall in (
+            (0, 0.78),
+            (CROUCH - 1, 1.22),
+            (CROUCH + 4, 1.0),
+            (CROUCH + AIR - 2, 1.12),
+            (CROUCH + AIR, 0.70),
+            (CROUCH + AIR + 3, 1.0),
+        ):
             wide = 1.0 / math.sqrt(tall)
             for axis, value in enumerate((wide, tall, wide)):
                 _key(body, "scale", axis, frame + later, value, 'CONSTANT')

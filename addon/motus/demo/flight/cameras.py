@@ -64,9 +64,16 @@ def _add_chase_camera(collection, course, lap):
     ahead = shapes.link_object(collection, "Look Ahead", None)
     ahead.empty_display_size = 1.5
     flight.follow(
-        ahead, course, timing="SPEED", speed=flight.SPEED, offset=LOOK_AHEAD, orientation="BANKING",
-        bank_strength=LOOK_AHEAD_BANK, bank_smoothing=2.0 * flight.BANK_SMOOTHING,
-        forward_axis="POS_Y", up_axis="POS_Z",
+        ahead,
+        course,
+        timing="SPEED",
+        speed=flight.SPEED,
+        offset=LOOK_AHEAD,
+        orientation="BANKING",
+        bank_strength=LOOK_AHEAD_BANK,
+        bank_smoothing=2.0 * flight.BANK_SMOOTHING,
+        forward_axis="POS_Y",
+        up_axis="POS_Z",
     )
     path = _outer_path(collection, course, CHASE_PULL, CHASE_LIFT)
     camera = _add_camera(collection, "Chase Camera", CHASE_LENS)

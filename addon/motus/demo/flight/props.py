@@ -21,7 +21,14 @@ BALLOONS = (
 BALLOON_RADIUS = 8.0
 # radius, height in balloon radii, from the crown to the mouth.
 BALLOON_PROFILE = (
-    (0.01, 1.0), (0.42, 0.92), (0.80, 0.62), (0.99, 0.16), (0.97, -0.22), (0.72, -0.72), (0.36, -1.18), (0.24, -1.3),
+    (0.01, 1.0),
+    (0.42, 0.92),
+    (0.80, 0.62),
+    (0.99, 0.16),
+    (0.97, -0.22),
+    (0.72, -0.72),
+    (0.36, -1.18),
+    (0.24, -1.3),
 )
 VILLAGE_CENTRE, VILLAGE_RADIUS, HOUSES = (-30.0, -178.0), 75.0, 38
 
@@ -44,8 +51,13 @@ def add_gates(collection, course, length, haze):
     for index in range(GATES):
         gate = shapes.link_object(collection, f"Gate {index + 1}", mesh)
         flight.follow(
-            gate, course, timing="MANUAL", offset=length * (index + 0.5) / GATES, orientation="WORLD_UP",
-            forward_axis="POS_Y", up_axis="POS_Z",
+            gate,
+            course,
+            timing="MANUAL",
+            offset=length * (index + 0.5) / GATES,
+            orientation="WORLD_UP",
+            forward_axis="POS_Y",
+            up_axis="POS_Z",
         )
 
 
@@ -55,10 +67,13 @@ def _gate_mesh(haze):
     around = np.arange(len(faces)) % segments
     builder = shapes.MeshBuilder()
     builder.add((vertices, faces), (around * GATE_STRIPES // segments) % 2)
-    return builder.build("Gate", [
-        materials.principled("Gate Red", haze, color=(0.72, 0.03, 0.02), roughness=0.45),
-        materials.principled("Gate White", haze, color=(0.90, 0.86, 0.78), roughness=0.45),
-    ])
+    return builder.build(
+        "Gate",
+        [
+            materials.principled("Gate Red", haze, color=(0.72, 0.03, 0.02), roughness=0.45),
+            materials.principled("Gate White", haze, color=(0.90, 0.86, 0.78), roughness=0.45),
+        ],
+    )
 
 
 def _balloon_mesh(name, first, second, haze):
@@ -78,11 +93,14 @@ def _balloon_mesh(name, first, second, haze):
     for x in (-0.7, 0.7):
         for y in (-0.7, 0.7):
             builder.add(shapes.box((0.06, 0.06, 3.4), (x, y, basket_top + 1.6)), 2, smooth=False)
-    return builder.build(name, [
-        materials.principled(f"{name} A", haze, color=first, roughness=0.6),
-        materials.principled(f"{name} B", haze, color=second, roughness=0.6),
-        materials.principled("Wicker", haze, color=(0.20, 0.11, 0.05), roughness=0.9),
-    ])
+    return builder.build(
+        name,
+        [
+            materials.principled(f"{name} A", haze, color=first, roughness=0.6),
+            materials.principled(f"{name} B", haze, color=second, roughness=0.6),
+            materials.principled("Wicker", haze, color=(0.20, 0.11, 0.05), roughness=0.9),
+        ],
+    )
 
 
 def add_village(collection, haze):
@@ -102,10 +120,13 @@ def add_village(collection, haze):
     _add_house(builder, (*VILLAGE_CENTRE, ground - 0.8), 0.3, (17.0, 8.0, 7.0), 5.0)
     tower = np.array((math.cos(0.3), math.sin(0.3))) * 10.0 + VILLAGE_CENTRE
     _add_house(builder, (*tower, ground - 0.8), 0.3, (5.0, 5.0, 15.0), 9.0, spire=True)
-    mesh = builder.build("Village", [
-        materials.principled("Plaster", haze, color=(0.80, 0.72, 0.58), roughness=0.9),
-        materials.principled("Roof Tiles", haze, color=(0.42, 0.10, 0.05), roughness=0.8),
-    ])
+    mesh = builder.build(
+        "Village",
+        [
+            materials.principled("Plaster", haze, color=(0.80, 0.72, 0.58), roughness=0.9),
+            materials.principled("Roof Tiles", haze, color=(0.42, 0.10, 0.05), roughness=0.8),
+        ],
+    )
     return shapes.link_object(collection, "Village", mesh)
 
 
@@ -119,9 +140,7 @@ def _add_house(builder, place, turn, size, roof, spire=False):
     cover += [(-reach, 0.0, top), (reach, 0.0, top)]
     slopes, ends = [(0, 4, 5, 2), (1, 3, 5, 4)], [(0, 1, 4), (2, 5, 3)]
     # The wall under each end of the ridge, a little inside the roof.
-    gables = [
-        (sx * length / 2, y, z) for sx in (-1, 1) for y, z in ((-width / 2, wall), (width / 2, wall), (0.0, top - 0.5))
-    ]
+    gables = [(sx * length / 2, y, z) for sx in (-1, 1) for y, z in ((-width / 2, wall), (width / 2, wall), (0.0, top - 0.5))]
     cos, sin = math.cos(turn), math.sin(turn)
     rotation = np.array(((cos, sin, 0.0), (-sin, cos, 0.0), (0.0, 0.0, 1.0)))
     walls, wall_faces = shapes.box((length, width, wall + 1.0), (0.0, 0.0, wall / 2 - 0.5))

@@ -29,8 +29,17 @@ FUSELAGE = (
 FUSELAGE_SQUARENESS = 2.35  # exponent of the superellipse: 2 is an ellipse
 # radius, y: over the lip of the cowl, from the inside at the engine to the rear edge.
 COWL = (
-    (0.10, 2.34), (0.44, 2.36), (0.46, 2.50), (0.49, 2.58), (0.545, 2.62), (0.60, 2.58),
-    (0.645, 2.46), (0.67, 2.25), (0.67, 1.95), (0.645, 1.72), (0.60, 1.66),
+    (0.10, 2.34),
+    (0.44, 2.36),
+    (0.46, 2.50),
+    (0.49, 2.58),
+    (0.545, 2.62),
+    (0.60, 2.58),
+    (0.645, 2.46),
+    (0.67, 2.25),
+    (0.67, 1.95),
+    (0.645, 1.72),
+    (0.60, 1.66),
 )
 SPINNER = ((0.002, 3.04), (0.07, 3.0), (0.13, 2.9), (0.17, 2.76), (0.185, 2.62), (0.185, 2.36))
 TYRE = ((0.02, 0.075), (0.2, 0.075), (0.24, 0.03), (0.24, -0.03), (0.2, -0.075), (0.02, -0.075))
@@ -195,9 +204,7 @@ def _add_wheel(builder, side):
 def _canopy_mesh():
     builder = shapes.MeshBuilder()
     builder.add(shapes.sphere(1.0, (0.0, 0.12, 0.50), (0.355, 0.92, 0.46), 36, 22))
-    glass = materials.principled(
-        "Canopy Glass", color=(0.03, 0.07, 0.09), roughness=0.03, alpha=0.42, coat=1.0, specular=0.9
-    )
+    glass = materials.principled("Canopy Glass", color=(0.03, 0.07, 0.09), roughness=0.03, alpha=0.42, coat=1.0, specular=0.9)
     materials.make_transparent(glass)
     return builder.build("Canopy", [glass])
 

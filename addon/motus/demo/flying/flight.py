@@ -1,5 +1,6 @@
 """The flight: a course imported from an SVG file and lifted into 3D, and the aeroplane that follows it."""
 
+import itertools
 import math
 from pathlib import Path
 
@@ -9,7 +10,6 @@ from mathutils.geometry import interpolate_bezier
 
 from ..places import landscape
 from ..stage import materials, shapes
-import itertools
 
 COURSE_FILE = Path(__file__).with_name("course.svg")
 COURSE_WIDTH = 540.0  # metres from the course's western to its eastern end
@@ -139,9 +139,7 @@ def draw_course(course):
 
 def follow(follower, curve, **settings):
     """Put an object on a curve by the add-on's public operator."""
-    result = bpy.ops.motus.path_follow_add(
-        object=follower.name, curve=curve.name, start_frame=FIRST_FRAME, extend="LOOP", **settings
-    )
+    result = bpy.ops.motus.path_follow_add(object=follower.name, curve=curve.name, start_frame=FIRST_FRAME, extend="LOOP", **settings)
     if result != {"FINISHED"}:
         raise RuntimeError(f"{follower.name} could not be put on {curve.name}")
 
@@ -149,6 +147,13 @@ def follow(follower, curve, **settings):
 def fly(aeroplane, course):
     """The aeroplane: constant speed, banked as the bends ask."""
     follow(
-        aeroplane, course, timing="SPEED", speed=SPEED, orientation="BANKING", bank_limit=BANK_LIMIT,
-        bank_smoothing=BANK_SMOOTHING, forward_axis="POS_Y", up_axis="POS_Z",
+        aeroplane,
+        course,
+        timing="SPEED",
+        speed=SPEED,
+        orientation="BANKING",
+        bank_limit=BANK_LIMIT,
+        bank_smoothing=BANK_SMOOTHING,
+        forward_axis="POS_Y",
+        up_axis="POS_Z",
     )

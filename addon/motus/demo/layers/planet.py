@@ -16,7 +16,10 @@ CLEAR = 0.80  # m from the middle of the path where nothing stands
 SEED = 5
 # Half of the sine of the elevation, and linear rgb: a warm band above a horizon that lies far below.
 SKY_STOPS = (
-    (0.36, (0.97, 0.62, 0.40)), (0.49, (0.98, 0.80, 0.62)), (0.55, (0.66, 0.77, 0.86)), (0.66, (0.27, 0.50, 0.80)),
+    (0.36, (0.97, 0.62, 0.40)),
+    (0.49, (0.98, 0.80, 0.62)),
+    (0.55, (0.66, 0.77, 0.86)),
+    (0.66, (0.27, 0.50, 0.80)),
     (1.0, (0.06, 0.19, 0.50)),
 )
 SKY_STRENGTH = 0.9
@@ -24,8 +27,15 @@ SKY_STRENGTH = 0.9
 VIEWS = (("AgX", "AgX - Punchy", 1.35), ("Filmic", "High Contrast", 0.1), ("Filmic", "Filmic - High Contrast", 0.1))
 CLOUDS = ((-7.5, 9.0, 2.3, 1.0), (-2.6, 13.0, 4.6, 1.25), (3.4, 11.0, 1.5, 0.9), (7.4, 8.5, 3.7, 1.1), (12.5, 10.0, 0.6, 1.3))
 """Places and sizes, m."""
-PUFFS = ((0.0, 0.0, 0.0, 0.62), (0.70, 0.1, -0.10, 0.46), (-0.72, 0.0, -0.12, 0.44), (0.34, -0.1, 0.30, 0.42),
-         (-0.30, 0.1, 0.24, 0.40), (1.16, 0.0, -0.22, 0.26), (-1.14, 0.0, -0.22, 0.27))
+PUFFS = (
+    (0.0, 0.0, 0.0, 0.62),
+    (0.70, 0.1, -0.10, 0.46),
+    (-0.72, 0.0, -0.12, 0.44),
+    (0.34, -0.1, 0.30, 0.42),
+    (-0.30, 0.1, 0.24, 0.40),
+    (1.16, 0.0, -0.22, 0.26),
+    (-1.14, 0.0, -0.22, 0.27),
+)
 
 
 def build(collection, turn):
@@ -41,8 +51,9 @@ def build(collection, turn):
 
 def build_world():
     """Sky all around, below as well: there is no other land."""
-    return lighting.build_gradient_world("Motus Small Sky", SKY_STOPS, SKY_STRENGTH, lambda shader, height: shader.math(
-        "MULTIPLY", shader.math("ADD", height, 1.0), 0.5))
+    return lighting.build_gradient_world(
+        "Motus Small Sky", SKY_STOPS, SKY_STRENGTH, lambda shader, height: shader.math("MULTIPLY", shader.math("ADD", height, 1.0), 0.5)
+    )
 
 
 def _ground_mesh():
@@ -50,15 +61,21 @@ def _ground_mesh():
     vertices, faces = shapes.sphere(RADIUS, segments=256, rings=160)
     directions = vertices / RADIUS
     away = np.clip((np.abs(vertices[:, 0]) - PATH_WIDTH) / 2.0, 0.0, 1.0)
-    swell = sum(np.sin(3.1 * f * directions[:, 0] + s) * np.sin(2.3 * f * directions[:, 1] + 2 * s)
-                * np.sin(2.7 * f * directions[:, 2] + 3 * s) / f for f, s in ((1.0, 0.4), (2.3, 1.7), (4.9, 2.9)))
+    swell = sum(
+        np.sin(3.1 * f * directions[:, 0] + s) * np.sin(2.3 * f * directions[:, 1] + 2 * s) * np.sin(2.7 * f * directions[:, 2] + 3 * s) / f
+        for f, s in ((1.0, 0.4), (2.3, 1.7), (4.9, 2.9))
+    )
     builder.add((vertices * (1.0 + 0.035 * away * swell)[:, None], faces), 0)
     angle = np.linspace(0.0, 2.0 * np.pi, 240)
     across = np.linspace(-0.5 * PATH_WIDTH, 0.5 * PATH_WIDTH, 7)
     crown = PATH_RISE * (1.0 - (2.0 * across / PATH_WIDTH) ** 2) + 0.003
     ragged = 1.0 + 0.07 * np.sin(23.0 * angle) + 0.05 * np.sin(57.0 * angle + 1.0)
-    rows = np.stack([np.stack([ragged * x, (RADIUS + rise) * np.sin(angle), (RADIUS + rise) * np.cos(angle)], axis=-1)
-                     for x, rise in zip(across, crown)])
+    rows = np.stack(
+        [
+            np.stack([ragged * x, (RADIUS + rise) * np.sin(angle), (RADIUS + rise) * np.cos(angle)], axis=-1)
+            for x, rise in zip(across, crown)
+        ]
+    )
     builder.add(shapes.loft(rows, closed=True), 1)
     return builder.build("Planet", [_meadow(), materials.principled("Path", color=(0.48, 0.33, 0.19), roughness=0.95)])
 
@@ -66,8 +83,9 @@ def _ground_mesh():
 def _meadow():
     material, shader, output = materials.new_material("Small Meadow")
     place = shader.add("ShaderNodeTexCoord").outputs["Object"]
-    tint = shader.ramp(shader.noise(place, 0.9, detail=5.0), (
-        (0.30, (0.055, 0.125, 0.022)), (0.55, (0.120, 0.195, 0.032)), (0.78, (0.260, 0.255, 0.055))))
+    tint = shader.ramp(
+        shader.noise(place, 0.9, detail=5.0), ((0.30, (0.055, 0.125, 0.022)), (0.55, (0.120, 0.195, 0.032)), (0.78, (0.260, 0.255, 0.055)))
+    )
     node = shader.add("ShaderNodeBsdfPrincipled")
     materials.set_principled(shader, node, color=tint, roughness=0.9, specular=0.15)
     materials.finish(material, shader, output, node.outputs[0])
@@ -118,19 +136,24 @@ def _hang_clouds(collection):
 def _house_mesh():
     builder = shapes.MeshBuilder()
     builder.add(shapes.box((0.9, 0.7, 0.6), (0.0, 0.0, 0.28)), 0, smooth=False)
-    ridge = np.array([(-0.54, -0.45, 0.55), (0.54, -0.45, 0.55), (0.54, 0.45, 0.55), (-0.54, 0.45, 0.55), (-0.54, 0.0, 1.0),
-                      (0.54, 0.0, 1.0)])
+    ridge = np.array(
+        [(-0.54, -0.45, 0.55), (0.54, -0.45, 0.55), (0.54, 0.45, 0.55), (-0.54, 0.45, 0.55), (-0.54, 0.0, 1.0), (0.54, 0.0, 1.0)]
+    )
     builder.add((ridge[:, :], np.array([(0, 1, 5, 4), (2, 3, 4, 5)])), 1, smooth=False)
     builder.add((ridge, np.array([(1, 2, 5, 5), (3, 0, 4, 4)])[:, :3]), 0, smooth=False)
     builder.add(shapes.box((0.14, 0.14, 0.4), (0.26, 0.16, 0.95)), 0, smooth=False)
     builder.add(shapes.box((0.17, 0.02, 0.34), (0.0, -0.355, 0.15)), 2, smooth=False)
     for x in (-0.27, 0.27):
         builder.add(shapes.box((0.16, 0.02, 0.16), (x, -0.355, 0.34)), 3, smooth=False)
-    return builder.build("Small House", [
-        materials.principled("House Wall", color=(0.72, 0.62, 0.47), roughness=0.85),
-        materials.principled("House Roof", color=(0.42, 0.085, 0.045), roughness=0.7),
-        materials.principled("House Door", color=(0.10, 0.055, 0.03), roughness=0.6),
-        materials.principled("House Window", color=(0.09, 0.14, 0.19), roughness=0.15)])
+    return builder.build(
+        "Small House",
+        [
+            materials.principled("House Wall", color=(0.72, 0.62, 0.47), roughness=0.85),
+            materials.principled("House Roof", color=(0.42, 0.085, 0.045), roughness=0.7),
+            materials.principled("House Door", color=(0.10, 0.055, 0.03), roughness=0.6),
+            materials.principled("House Window", color=(0.09, 0.14, 0.19), roughness=0.15),
+        ],
+    )
 
 
 def _stone_mesh():

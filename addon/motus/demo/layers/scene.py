@@ -3,8 +3,7 @@
 import bpy
 from mathutils import Matrix, Vector
 
-from ..character import mannequin, skeleton
-from ..character import clips as character_clips
+from ..character import clips as character_clips, mannequin, skeleton
 from ..flying import aeroplane
 from ..stage import lighting, shapes, staging
 from . import planet
@@ -14,7 +13,13 @@ FRAMES_PER_SECOND, LAST_FRAME = 24, 216
 THROW_START, JUMP_START = 44.0, 128.0
 TOY_SIZE = 0.075  # of the aeroplane that the pilots fly
 TOY_IN_HAND = Matrix.Translation((0.0, 0.085, 0.0)) @ Matrix.Rotation(1.2, 4, 'X')
-FLIGHT = ((10, (0.60, -1.65, 1.95)), (28, (2.40, -1.00, 2.25)), (60, (5.80, 4.00, 3.40)), (110, (6.00, 20.00, 6.50)), (150, (3.00, 44.00, 12.00)))
+FLIGHT = (
+    (10, (0.60, -1.65, 1.95)),
+    (28, (2.40, -1.00, 2.25)),
+    (60, (5.80, 4.00, 3.40)),
+    (110, (6.00, 20.00, 6.50)),
+    (150, (3.00, 44.00, 12.00)),
+)
 """Frames after the release, and places: ahead, round, and away."""
 
 CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (-3.10, -4.95, 1.30), (0.02, -0.20, 1.16), 38.0
@@ -44,8 +49,9 @@ def _animate(rig):
     """Three layers, added by the public operators: the walk over and over, and now and then a throw or a jump."""
     clips = {"Throw": character_clips.throw(rig), "Jump": character_clips.jump(rig), "Walk": character_clips.walk(rig)}
     character_clips.lay(rig, clips["Walk"], mask='ALL', start=1.0, after='REPEAT')
-    character_clips.lay(rig, clips["Throw"], bones="spine.002", start=THROW_START, blend_in=7.0, blend_out=10.0, feather=1,
-                      in_armature=True)
+    character_clips.lay(
+        rig, clips["Throw"], bones="spine.002", start=THROW_START, blend_in=7.0, blend_out=10.0, feather=1, in_armature=True
+    )
     character_clips.lay(rig, clips["Jump"], mask='ALL', start=JUMP_START, blend_in=5.0, blend_out=6.0)
 
 
@@ -84,6 +90,7 @@ def _key_place(toy, matrix, frame):
 def _set_steps(thing):
     """Keys that were set until now hold their value."""
     from ...core.blender import actions
+
     for curve in actions.fcurves(thing):
         for point in curve.keyframe_points:
             point.interpolation = "CONSTANT"

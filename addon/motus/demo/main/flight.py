@@ -20,8 +20,15 @@ FASTER, EVEN = 16, 110  # frames after the throw: until it has slowed down to it
 BANK_SMOOTHING, BANK_LIMIT = 1.4, math.radians(58.0)
 SETTLING = 14  # frames in which it turns from the hand's hold to the course
 KNOTS = (  # x, y, and m above the ground: to the left, across the picture before the camera, and back on the right
-    (-1.5, 2.35, 2.45), (-2.65, 2.2, 3.0), (-3.3, 1.35, 3.25), (-2.6, 0.45, 3.1), (-0.3, 0.2, 2.7), (2.3, 0.55, 2.65),
-    (3.8, 1.75, 2.75), (3.65, 3.05, 2.25), (2.75, 3.2, 1.35),
+    (-1.5, 2.35, 2.45),
+    (-2.65, 2.2, 3.0),
+    (-3.3, 1.35, 3.25),
+    (-2.6, 0.45, 3.1),
+    (-0.3, 0.2, 2.7),
+    (2.3, 0.55, 2.65),
+    (3.8, 1.75, 2.75),
+    (3.65, 3.05, 2.25),
+    (2.75, 3.2, 1.35),
 )
 FINAL = (0.62, 1.75), math.radians(216.0)  # where it comes to a stop, and heading there
 GLIDE = ((1.95, 0.42), (1.15, 0.0), (0.0, 0.0))  # m before the stop, and above the ground
@@ -103,9 +110,19 @@ def _lead(point, direction, behind, before):
 
 def _follow(carrier, course, start):
     if bpy.ops.motus.path_follow_add(
-            object=carrier.name, curve=course.name, start_frame=start, timing="DURATION", duration=SECONDS, ease_in=EASE_IN,
-            ease_out=EASE_OUT, orientation="BANKING", bank_smoothing=BANK_SMOOTHING, bank_limit=BANK_LIMIT,
-            forward_axis="POS_Y", up_axis="POS_Z") != {"FINISHED"}:
+        object=carrier.name,
+        curve=course.name,
+        start_frame=start,
+        timing="DURATION",
+        duration=SECONDS,
+        ease_in=EASE_IN,
+        ease_out=EASE_OUT,
+        orientation="BANKING",
+        bank_smoothing=BANK_SMOOTHING,
+        bank_limit=BANK_LIMIT,
+        forward_axis="POS_Y",
+        up_axis="POS_Z",
+    ) != {"FINISHED"}:
         raise RuntimeError("The aeroplane could not be put on its course")
 
 

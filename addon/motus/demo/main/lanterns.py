@@ -43,8 +43,17 @@ def _add_pendulum(context, collection, place):
     view_layer = context.view_layer
     view_layer.active_layer_collection = view_layer.layer_collection.children[collection.name]
     if bpy.ops.motus.pendulum_add(
-            kind="DOUBLE", location=place, length1=LENGTHS[0], length2=LENGTHS[1], angle1=ANGLES[0], angle2=ANGLES[1],
-            mass1=MASSES[0], mass2=MASSES[1], rod_radius=ROD, bob_radius=BOB) != {"FINISHED"}:
+        kind="DOUBLE",
+        location=place,
+        length1=LENGTHS[0],
+        length2=LENGTHS[1],
+        angle1=ANGLES[0],
+        angle2=ANGLES[1],
+        mass1=MASSES[0],
+        mass2=MASSES[1],
+        rod_radius=ROD,
+        bob_radius=BOB,
+    ) != {"FINISHED"}:
         raise RuntimeError("The lanterns could not be hung up")
     pivot = context.object
     pivot.name = "Lantern Hook"
@@ -56,7 +65,7 @@ def _post_mesh(slots):
     builder = shapes.MeshBuilder()
     builder.add(shapes.beam((0.13, 0.13, HIGH + 0.62), (0.0, 0.0, 0.5 * (HIGH + 0.62) - 0.3), 0.015), smooth=False)
     builder.add(shapes.beam((ARM[0] + 0.34, 0.10, 0.11), (0.5 * ARM[0] + 0.02, 0.0, HIGH + 0.11), 0.012), smooth=False)
-    line = np.array([(0.05 + 0.50 * s, 0.0, HIGH - 0.46 + 0.52 * s ** 0.8) for s in np.linspace(0.0, 1.0, 8)])
+    line = np.array([(0.05 + 0.50 * s, 0.0, HIGH - 0.46 + 0.52 * s**0.8) for s in np.linspace(0.0, 1.0, 8)])
     builder.add(parts.tube(line, 0.035, sides=8))
     builder.add(shapes.upright(shapes.lathe(((0.010, 0.06), (0.010, 0.0), (0.02, -0.012), (0.004, -0.02)), 12), (ARM[0], 0.0, HIGH)), 1)
     return builder.build("Lantern Post", slots)

@@ -6,8 +6,7 @@ from typing import NamedTuple
 import bpy
 from mathutils import Matrix
 
-from ..character import mannequin, skeleton
-from ..character import clips as character_clips
+from ..character import clips as character_clips, mannequin, skeleton
 from ..stage import shapes
 from ..stage.keying import key
 from . import steps, transmitter
@@ -23,14 +22,21 @@ BESIDE = (0.105, 0.012, -0.030)  # m from the hold, in the remote's space: where
 SOFTNESS = 0.05
 ELBOWS = {"L": (0.80, 0.50, 0.85), "R": (-0.80, 0.50, 0.85)}
 # Beneath the layers. Frames and degrees, or metres in the bone's axes (X to its left, Y up, Z to the front).
-PELVIS = ((1, (0.0, -0.016, 0.0)), (76, (0.0, -0.030, 0.0)), (92, (0.004, -0.012, 0.0)), (150, (0.016, -0.016, 0.004)),
-          (205, (-0.012, -0.014, 0.0)), (264, (0.004, -0.016, 0.004)))
+PELVIS = (
+    (1, (0.0, -0.016, 0.0)),
+    (76, (0.0, -0.030, 0.0)),
+    (92, (0.004, -0.012, 0.0)),
+    (150, (0.016, -0.016, 0.004)),
+    (205, (-0.012, -0.014, 0.0)),
+    (264, (0.004, -0.016, 0.004)),
+)
 PELVIS_TURN = ((1, (0.0, 0.0, 0.0)), (92, (0.0, 0.0, 0.0)), (150, (1.0, 5.0, 1.5)), (205, (0.0, 3.0, -1.2)), (264, (0.5, 0.0, 0.5)))
 BREATH = tuple((frame, turn) for start in range(1, 265, 66) for frame, turn in ((start, -0.8), (start + 33, 0.8)))
 GRASP = {  # of index and other fingers
     ("index.L", 0): ((1, -26.0), (RELEASE - 1, -26.0), (RELEASE + 2, 6.0), (RELEASE + 22, 4.0), (RELEASE + 34, -16.0)),
     ("fingers.L", 0): ((1, -38.0), (RELEASE - 1, -38.0), (RELEASE + 2, 8.0), (RELEASE + 22, 2.0), (RELEASE + 34, -26.0)),
-    ("index.R", 0): ((1, -16.0),), ("fingers.R", 0): ((1, -26.0),),
+    ("index.R", 0): ((1, -16.0),),
+    ("fingers.R", 0): ((1, -26.0),),
 }
 BLINKS = (22, 64, 118, 176, 222, 250)
 BLINK = ((-3, 0.0), (0, 62.0), (1, 62.0), (6, 0.0))  # frames from the blink's, and degrees of a lid
@@ -65,24 +71,57 @@ def build(context, collection, marks, way):
 def attend(pilot, carrier):
     """Let his left hand come to the remote and his eyes follow, once the aeroplane flies."""
     rig = pilot.rig
-    _reach(pilot, "hand.L", pilot.marks["beside"], pole=pilot.marks["elbow.L"].name, position_weight=0.0, rotation_weight=0.0,
-           softness=SOFTNESS)
-    _check(bpy.ops.motus.ik_switch_target(
-        object=rig.name, bone="hand.L", target=pilot.marks["hand.L"].name, trigger_object=carrier.name, trigger_output="fraction",
-        trigger_start=AT_REMOTE[0], trigger_end=AT_REMOTE[1]), rig)
+    _reach(
+        pilot,
+        "hand.L",
+        pilot.marks["beside"],
+        pole=pilot.marks["elbow.L"].name,
+        position_weight=0.0,
+        rotation_weight=0.0,
+        softness=SOFTNESS,
+    )
+    _check(
+        bpy.ops.motus.ik_switch_target(
+            object=rig.name,
+            bone="hand.L",
+            target=pilot.marks["hand.L"].name,
+            trigger_object=carrier.name,
+            trigger_output="fraction",
+            trigger_start=AT_REMOTE[0],
+            trigger_end=AT_REMOTE[1],
+        ),
+        rig,
+    )
     for weight in ("position_weight", "rotation_weight"):
         key(rig.motus.ik.entries["hand.L"], weight, REACH_WEIGHT)
-    _check(bpy.ops.motus.look_at_add(
-        object=rig.name, bone="head", target=carrier.name, body_length=4, eyes="eye.L,eye.R", weight=0.0, body_weight=0.3,
-        head_weight=1.0, eyes_weight=1.0, clamp=0.3, head_forward="POS_Z", eyes_forward="POS_Y"), rig)
+    _check(
+        bpy.ops.motus.look_at_add(
+            object=rig.name,
+            bone="head",
+            target=carrier.name,
+            body_length=4,
+            eyes="eye.L,eye.R",
+            weight=0.0,
+            body_weight=0.3,
+            head_weight=1.0,
+            eyes_weight=1.0,
+            clamp=0.3,
+            head_forward="POS_Z",
+            eyes_forward="POS_Y",
+        ),
+        rig,
+    )
     key(rig.motus.look_at.entries["head"], "weight", LOOK_WEIGHT)
 
 
 def _add_marks(collection, way, stage, remote):
     """Empties: where the feet stand, where the hands hold, and where the elbows point."""
     hold = transmitter.grip("L")
-    found = {"hand.L": (remote, "Hold L", hold), "hand.R": (remote, "Hold R", transmitter.grip("R")),
-             "beside": (remote, "Beside the Remote", Matrix.Translation(BESIDE) @ hold)}
+    found = {
+        "hand.L": (remote, "Hold L", hold),
+        "hand.R": (remote, "Hold R", transmitter.grip("R")),
+        "beside": (remote, "Beside the Remote", Matrix.Translation(BESIDE) @ hold),
+    }
     for side, elbow in ELBOWS.items():
         found[f"foot.{side}"] = way, f"Foot {side}", Matrix()
         found[f"elbow.{side}"] = stage, f"Elbow {side}", Matrix.Translation(elbow)
@@ -100,8 +139,17 @@ def _lay_clips(rig):
     key(walk, "weight", WALK_WEIGHT)
     carry = character_clips.lay(rig, clips["Carry"], bones="upper_arm.L", start=1.0, after='HOLD')
     key(carry, "weight", CARRY_WEIGHT)
-    character_clips.lay(rig, clips["Throw"], bones="spine.002", start=THROW_START, speed=THROW_SPEED, blend_in=10.0, blend_out=14.0,
-                      feather=1, in_armature=True)
+    character_clips.lay(
+        rig,
+        clips["Throw"],
+        bones="spine.002",
+        start=THROW_START,
+        speed=THROW_SPEED,
+        blend_in=10.0,
+        blend_out=14.0,
+        feather=1,
+        in_armature=True,
+    )
 
 
 def _key_beneath(rig):
@@ -117,8 +165,12 @@ def _key_beneath(rig):
 def _reach(pilot, bone, target, **keywords):
     """A chain of two bones above a hand or foot, which takes the target's place and orientation."""
     given = {"position_weight": 1.0, "rotation_weight": 1.0, **keywords}
-    _check(bpy.ops.motus.ik_add(
-        object=pilot.rig.name, bone=bone, target=target.name, chain_length=2, use_tail=False, keep_rotation=False, **given), pilot.rig)
+    _check(
+        bpy.ops.motus.ik_add(
+            object=pilot.rig.name, bone=bone, target=target.name, chain_length=2, use_tail=False, keep_rotation=False, **given
+        ),
+        pilot.rig,
+    )
 
 
 def _check(result, rig):

@@ -11,10 +11,7 @@ import bpy
 from ..stage import gaze_camera, shapes, staging
 from ..stage.keying import key
 from ..village import snowfall
-from . import flight, terrain
-from . import lanterns as main_lanterns
-from . import pilot as main_pilot
-from . import spider as main_spider
+from . import flight, lanterns as main_lanterns, pilot as main_pilot, spider as main_spider, terrain
 
 SCENE_NAME = "Motus Main"
 FRAMES_PER_SECOND, LAST_FRAME = 24, 264
@@ -26,7 +23,13 @@ CLOUDS = (
 AHEAD, LIFETIME = 45.0, 14.0  # s before the scene in which it has snowed, and until flakes have come down
 COVER = {"lump": 0.30, "resolution": 0.22, "smoothing": 0.55, "thinnest": 0.004, "repose": math.radians(62.0)}
 STAND, LENS = (0.25, -4.4, 1.60), 34.0  # of the camera while the aeroplane flies
-DOLLY = ((1, (-1.2, 4.9, -0.45)), (60, (-0.95, 3.1, -0.40)), (112, (0.0, 0.0, 0.0)), (215, (0.1, 0.2, 0.0)), (LAST_FRAME, (-0.15, 2.1, -0.3)))
+DOLLY = (
+    (1, (-1.2, 4.9, -0.45)),
+    (60, (-0.95, 3.1, -0.40)),
+    (112, (0.0, 0.0, 0.0)),
+    (215, (0.1, 0.2, 0.0)),
+    (LAST_FRAME, (-0.15, 2.1, -0.3)),
+)
 """Frames, and m from there: near him as he walks, then back."""
 
 GAZE = 1.0  # of the camera's head, to what it attends to
@@ -71,6 +74,18 @@ def _add_camera(context, scene, collection, stage, carrier):
     for constraint, shares in zip(attention.constraints[1:], (PLANE_SHARE, PLANE_RISE)):
         key(constraint, "influence", shares)
     head, _ = gaze_camera.add(
-        context, scene, collection, "Main Camera", STAND, LENS, attention, GAZE, convergence="BUDGET", near=NEAR, far=FAR,
-        near_parallax=NEAR_PARALLAX, far_parallax=FAR_PARALLAX)
+        context,
+        scene,
+        collection,
+        "Main Camera",
+        STAND,
+        LENS,
+        attention,
+        GAZE,
+        convergence="BUDGET",
+        near=NEAR,
+        far=FAR,
+        near_parallax=NEAR_PARALLAX,
+        far_parallax=FAR_PARALLAX,
+    )
     key(head, "location", [(frame, [a + b for a, b in zip(STAND, move)]) for frame, move in DOLLY])

@@ -21,9 +21,20 @@ def build(context, collection, ground):
     spider = context.object
     course = flight.add_course(collection, places)
     course.name = "Spider Course"
-    _check(bpy.ops.motus.path_follow_add(
-        object=spider.name, curve=course.name, start_frame=START, timing="DURATION", duration=SECONDS, ease_in=EASE_IN,
-        ease_out=EASE_OUT, orientation="WORLD_UP", forward_axis="POS_Y", up_axis="POS_Z"))
+    _check(
+        bpy.ops.motus.path_follow_add(
+            object=spider.name,
+            curve=course.name,
+            start_frame=START,
+            timing="DURATION",
+            duration=SECONDS,
+            ease_in=EASE_IN,
+            ease_out=EASE_OUT,
+            orientation="WORLD_UP",
+            forward_axis="POS_Y",
+            up_axis="POS_Z",
+        )
+    )
     return spider
 
 

@@ -102,7 +102,10 @@ def _standing(side, number, since):
     return Step(
         left=sign * ((LAST_ASIDE[side] if is_last else ASIDE) + rolled * math.sin(TURNED_OUT)),
         ahead=flat + rolled * math.cos(TURNED_OUT),
-        high=pivot[1] + along * math.sin(turn) + up * math.cos(turn), sole=sole, toe=max(-sole, 0.0))
+        high=pivot[1] + along * math.sin(turn) + up * math.cos(turn),
+        sole=sole,
+        toe=max(-sole, 0.0),
+    )
 
 
 def _closes(side, number):

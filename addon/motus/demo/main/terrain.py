@@ -37,7 +37,8 @@ VIEWS = (("AgX", "AgX - Medium High Contrast", 0.15), ("Filmic", "Medium High Co
 def build(scene, collection, covered):
     """Land, village, light and sky; gives the ground. covered: the collection of what snow lies on; the ground is white by itself."""
     scene.world = lighting.build_gradient_world(
-        "Motus Winter Sky", SKY_STOPS, SKY_STRENGTH, lambda shader, height: shader.math("MAXIMUM", height, 0.0))
+        "Motus Winter Sky", SKY_STOPS, SKY_STRENGTH, lambda shader, height: shader.math("MAXIMUM", height, 0.0)
+    )
     lighting.set_color_management(scene, VIEWS)
     lighting.add_sun(collection, SUN_ELEVATION, SUN_AZIMUTH, SUN_COLOR, SUN_STRENGTH, SUN_ANGLE)
     snow = _snow()

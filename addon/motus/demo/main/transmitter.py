@@ -75,12 +75,15 @@ def _box_mesh():
     line = np.linspace(start, start + (0.05, -0.62 * AERIAL, 0.76 * AERIAL), 6)
     builder.add(parts.tube(line + _bow(6), np.linspace(0.0032, 0.0016, 6), sides=8), METAL)
     builder.add(shapes.sphere(0.0055, line[-1], segments=12, rings=8), RED)
-    return builder.build("Remote", [
-        materials.principled("Remote Paint", color=(0.80, 0.62, 0.10), roughness=0.4, coat=0.5, coat_roughness=0.1),
-        materials.principled("Remote Face", color=(0.025, 0.025, 0.028), roughness=0.5),
-        materials.principled("Remote Metal", color=(0.85, 0.83, 0.78), metallic=1.0, roughness=0.2),
-        materials.principled("Remote Light", color=(0.75, 0.03, 0.02), roughness=0.3),
-    ])
+    return builder.build(
+        "Remote",
+        [
+            materials.principled("Remote Paint", color=(0.80, 0.62, 0.10), roughness=0.4, coat=0.5, coat_roughness=0.1),
+            materials.principled("Remote Face", color=(0.025, 0.025, 0.028), roughness=0.5),
+            materials.principled("Remote Metal", color=(0.85, 0.83, 0.78), metallic=1.0, roughness=0.2),
+            materials.principled("Remote Light", color=(0.75, 0.03, 0.02), roughness=0.3),
+        ],
+    )
 
 
 def _bow(count):
@@ -98,8 +101,10 @@ def _strap_mesh():
         top = np.array((sign * NECK[0], *NECK[1:]))
         over = np.array((sign * 0.076, -0.096, 1.415))
         builder.add(parts.ribbon(_through((corner, chest, over, top)), *STRAP))
-    nape = [np.array((0.066 * math.cos(a), 0.055 * math.sin(a) + 0.004, 1.446 + 0.006 * math.sin(a)))
-            for a in np.linspace(-0.15, math.pi + 0.15, 24)]
+    nape = [
+        np.array((0.066 * math.cos(a), 0.055 * math.sin(a) + 0.004, 1.446 + 0.006 * math.sin(a)))
+        for a in np.linspace(-0.15, math.pi + 0.15, 24)
+    ]
     builder.add(parts.tube(np.array(nape), 0.0075, sides=10))
     return builder.build("Strap", [materials.principled("Strap", color=(0.10, 0.045, 0.02), roughness=0.7)])
 

@@ -88,8 +88,16 @@ def _add_brackets(collection, pivots):
     for pivot in pivots:
         front = -0.5 * COUNT * SPACING - 0.06
         builder = shapes.MeshBuilder()
-        profile = ((0.001, front), (0.045, front + 0.01), (0.055, front + 0.03), (0.045, front + 0.05),
-                   (0.024, front + 0.055), (0.024, WALL_Y - 0.05), (0.13, WALL_Y - 0.04), (0.14, WALL_Y + 0.01))
+        profile = (
+            (0.001, front),
+            (0.045, front + 0.01),
+            (0.055, front + 0.03),
+            (0.045, front + 0.05),
+            (0.024, front + 0.055),
+            (0.024, WALL_Y - 0.05),
+            (0.13, WALL_Y - 0.04),
+            (0.14, WALL_Y + 0.01),
+        )
         builder.add(shapes.lathe(profile[::-1]))
         bracket = shapes.link_object(collection, f"{pivot.name} Pin", builder.build("Pin", [brass]))
         bracket.location = pivot.location
@@ -103,14 +111,20 @@ def _add_pendulums(context, collection):
     view_layer = context.view_layer
     view_layer.active_layer_collection = view_layer.layer_collection.children[collection.name]
     if bpy.ops.motus.pendulum_add(
-            kind="CHAOS", count=COUNT, location=(0.0, 0.0, 0.0), length1=LENGTHS[0], length2=LENGTHS[1], rod_radius=ROD_RADIUS,
-            bob_radius=BOB_RADIUS, spacing=SPACING) != {"FINISHED"}:
+        kind="CHAOS",
+        count=COUNT,
+        location=(0.0, 0.0, 0.0),
+        length1=LENGTHS[0],
+        length2=LENGTHS[1],
+        rod_radius=ROD_RADIUS,
+        bob_radius=BOB_RADIUS,
+        spacing=SPACING,
+    ) != {"FINISHED"}:
         raise RuntimeError("The pendulums could not be added")
     fan, alone, other = sorted(context.selected_objects, key=lambda pivot: pivot.location.x)
     for pivot, place in zip((alone, fan, other), PLACES):
         pivot.location.x = place
-        bpy.ops.motus.pendulum_trail_add(
-            object=pivot.name, seconds=TRAIL if pivot != fan else FAN_TRAIL, thickness=TRAIL_RADIUS)
+        bpy.ops.motus.pendulum_trail_add(object=pivot.name, seconds=TRAIL if pivot != fan else FAN_TRAIL, thickness=TRAIL_RADIUS)
     fan.scale = FAN_SCALE, FAN_SCALE, FAN_SCALE
     return alone, fan, other
 

@@ -19,8 +19,9 @@ WORLD_STOPS = ((0.30, (0.10, 0.075, 0.06)), (0.52, (0.30, 0.36, 0.40)), (1.0, (0
 
 def build_world():
     """The dim light that comes from everywhere."""
-    return lighting.build_gradient_world("Motus Studio", WORLD_STOPS, 0.55, lambda shader, height: shader.math(
-        "MULTIPLY", shader.math("ADD", height, 1.0), 0.5))
+    return lighting.build_gradient_world(
+        "Motus Studio", WORLD_STOPS, 0.55, lambda shader, height: shader.math("MULTIPLY", shader.math("ADD", height, 1.0), 0.5)
+    )
 
 
 def build(collection):
@@ -65,16 +66,20 @@ def _table_mesh():
         y = TABLE_DEPTH[0] + (row + 0.5) * PLANK
         shade = float(landscape.lattice(np.int64(row), np.int64(3), 77))
         builder.add(
-            shapes.beam((LENGTH, PLANK - GAP, THICKNESS), (0.0, y, -0.5 * THICKNESS), 0.012),
-            min(int(3.0 * shade), 2), smooth=False)
+            shapes.beam((LENGTH, PLANK - GAP, THICKNESS), (0.0, y, -0.5 * THICKNESS), 0.012), min(int(3.0 * shade), 2), smooth=False
+        )
     along_x = (0.55, 9.0, 9.0)
-    return builder.build("Table", [
-        materials.wood(name, light, dark, along_x, roughness=0.38)
-        for name, light, dark in (
-            ("Table Oak", (0.235, 0.125, 0.062), (0.135, 0.064, 0.030)),
-            ("Dark Table Oak", (0.190, 0.095, 0.046), (0.110, 0.050, 0.024)),
-            ("Light Table Oak", (0.280, 0.155, 0.080), (0.165, 0.082, 0.040)),
-        )])
+    return builder.build(
+        "Table",
+        [
+            materials.wood(name, light, dark, along_x, roughness=0.38)
+            for name, light, dark in (
+                ("Table Oak", (0.235, 0.125, 0.062), (0.135, 0.064, 0.030)),
+                ("Dark Table Oak", (0.190, 0.095, 0.046), (0.110, 0.050, 0.024)),
+                ("Light Table Oak", (0.280, 0.155, 0.080), (0.165, 0.082, 0.040)),
+            )
+        ],
+    )
 
 
 def _wall_mesh():
@@ -92,8 +97,7 @@ def _wall_mesh():
 def _plaster():
     material, shader, output = materials.new_material("Plaster")
     place = shader.add("ShaderNodeTexCoord").outputs["Object"]
-    color = shader.ramp(
-        shader.noise(place, 0.55, detail=5.0), ((0.32, (0.030, 0.105, 0.118)), (0.70, (0.052, 0.160, 0.172))))
+    color = shader.ramp(shader.noise(place, 0.55, detail=5.0), ((0.32, (0.030, 0.105, 0.118)), (0.70, (0.052, 0.160, 0.172))))
     # No bump of noise: EEVEE in 3.4 makes single pixels of it black.
     node = shader.add("ShaderNodeBsdfPrincipled")
     materials.set_principled(shader, node, color=color, roughness=0.9, specular=0.15)
@@ -105,7 +109,13 @@ def _plaster():
 # --- tools -----------------------------------------------------------------------------------------------------------
 
 HANDLE = (  # radius, place along the handle
-    (0.004, 1.10), (0.030, 1.08), (0.042, 0.95), (0.056, 0.60), (0.050, 0.30), (0.058, 0.12), (0.044, 0.02),
+    (0.004, 1.10),
+    (0.030, 1.08),
+    (0.042, 0.95),
+    (0.056, 0.60),
+    (0.050, 0.30),
+    (0.058, 0.12),
+    (0.044, 0.02),
     (0.004, 0.0),
 )
 FERRULE = ((0.004, 1.30), (0.026, 1.29), (0.036, 1.10), (0.036, 1.02), (0.004, 1.015))
@@ -145,9 +155,9 @@ def _loop():
     ahead = np.gradient(np.stack((x, y), axis=1), axis=0)
     side = np.stack((-ahead[:, 1], ahead[:, 0]), axis=1) / np.linalg.norm(ahead, axis=1)[:, None]
     wide, tall = 0.010 * np.cos(angle), 0.010 * np.sin(angle)
-    sections = np.stack((
-        x[:, None] + side[:, :1] * wide, y[:, None] + side[:, 1:] * wide,
-        np.broadcast_to(tall, (len(x), len(angle)))), axis=-1)
+    sections = np.stack(
+        (x[:, None] + side[:, :1] * wide, y[:, None] + side[:, 1:] * wide, np.broadcast_to(tall, (len(x), len(angle)))), axis=-1
+    )
     return shapes.loft(sections)
 
 

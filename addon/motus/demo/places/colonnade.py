@@ -11,9 +11,24 @@ LEVEL, DUNES = 130.0, 420.0  # m from the temple: where the plain ends, and wher
 DUNE_HEIGHT = 46.0
 # x, y, height in m of each column; lower ones are broken.
 COLUMNS = (
-    (-21.0, 25.0, 14.0), (-4.0, 28.0, 14.0), (18.0, 15.0, 5.2), (25.0, 32.0, 14.0), (-2.0, 38.0, 7.5), (20.0, 48.0, 14.0),
-    (-25.0, 48.0, 11.0), (-32.0, 72.0, 14.0), (-3.0, 72.0, 14.0), (27.0, 58.0, 14.0), (-8.0, 86.0, 14.0), (16.0, 92.0, 9.0),
-    (39.0, 62.0, 14.0), (-44.0, 60.0, 14.0), (47.0, 92.0, 14.0), (-46.0, 104.0, 14.0), (8.0, 72.0, 14.0), (22.0, 118.0, 14.0),
+    (-21.0, 25.0, 14.0),
+    (-4.0, 28.0, 14.0),
+    (18.0, 15.0, 5.2),
+    (25.0, 32.0, 14.0),
+    (-2.0, 38.0, 7.5),
+    (20.0, 48.0, 14.0),
+    (-25.0, 48.0, 11.0),
+    (-32.0, 72.0, 14.0),
+    (-3.0, 72.0, 14.0),
+    (27.0, 58.0, 14.0),
+    (-8.0, 86.0, 14.0),
+    (16.0, 92.0, 9.0),
+    (39.0, 62.0, 14.0),
+    (-44.0, 60.0, 14.0),
+    (47.0, 92.0, 14.0),
+    (-46.0, 104.0, 14.0),
+    (8.0, 72.0, 14.0),
+    (22.0, 118.0, 14.0),
     (-16.0, 122.0, 14.0),
 )
 WHOLE = 14.0
@@ -41,12 +56,12 @@ def _height(x, y):
     far = np.hypot(x, y - 60.0)
     ridges = 1.0 - np.abs(2.0 * landscape.fractal_noise(x, y, 310.0, 3, SEED) - 1.0)
     ripples = 0.10 * landscape.fractal_noise(x, y, 5.0, 2, SEED + 7)
-    return DUNE_HEIGHT * landscape.smoothstep(far, LEVEL, DUNES) * ridges ** 2 + ripples
+    return DUNE_HEIGHT * landscape.smoothstep(far, LEVEL, DUNES) * ridges**2 + ripples
 
 
 def _ground_mesh(sand):
     axis = np.linspace(-1.0, 1.0, GRID)
-    warped = REACH * (0.1 * axis + 0.9 * axis ** 3)
+    warped = REACH * (0.1 * axis + 0.9 * axis**3)
     x, y = np.meshgrid(warped, warped + 60.0)
     builder = shapes.MeshBuilder()
     builder.add(shapes.loft(np.stack((x, y, _height(x, y)), axis=-1), closed=False))
@@ -60,8 +75,7 @@ def _column_mesh(index, height, stone):
     builder.add(shapes.upright(shapes.lathe(((1.0, 0.95), (1.32, 0.86), (1.40, 0.66), (1.32, 0.46), (1.42, 0.40)))))
     builder.add(_shaft(index, height))
     if height == WHOLE:
-        builder.add(shapes.upright(shapes.lathe(
-            ((1.30, height), (1.32, height - 0.12), (1.05, height - 0.55), (0.90, height - 0.75)), 64)))
+        builder.add(shapes.upright(shapes.lathe(((1.30, height), (1.32, height - 0.12), (1.05, height - 0.55), (0.90, height - 0.75)), 64)))
         builder.add(shapes.box((2.9, 2.9, 0.6), (0.0, 0.0, height + 0.3)), smooth=False)
     return builder.build("Column", [stone])
 

@@ -186,7 +186,11 @@ def _ground_material(haze):
     tufts = shader.noise(position, 0.35, detail=5.0)
     bump = shader.add("ShaderNodeBump", {"Height": tufts, "Strength": 0.5, "Distance": 1.2})
     materials.set_principled(
-        shader, node, color=shader.mix(1.0, color, grain, blend="MULTIPLY"), roughness=0.95, specular=0.1,
+        shader,
+        node,
+        color=shader.mix(1.0, color, grain, blend="MULTIPLY"),
+        roughness=0.95,
+        specular=0.1,
         normal=bump.outputs[0],
     )
     materials.finish(material, shader, output, node.outputs[0], haze)
@@ -200,9 +204,7 @@ def _water_material(haze):
     ripples = shader.noise(position, 0.25, detail=5.0)
     bump = shader.add("ShaderNodeBump", {"Height": ripples, "Strength": 0.16, "Distance": 0.6})
     node = shader.add("ShaderNodeBsdfPrincipled")
-    materials.set_principled(
-        shader, node, color=(0.012, 0.075, 0.095), roughness=0.06, specular=0.6, normal=bump.outputs[0]
-    )
+    materials.set_principled(shader, node, color=(0.012, 0.075, 0.095), roughness=0.06, specular=0.6, normal=bump.outputs[0])
     materials.finish(material, shader, output, node.outputs[0], haze)
     material.diffuse_color = (0.05, 0.2, 0.3, 1.0)
     return material

@@ -40,8 +40,20 @@ EYE_X, EYE_Z = 0.345, 0.255  # where the eyes are in the face
 GAZE = (0.060, -0.015)  # of the pupils, aside and up, towards the landscape
 IRIS, PUPIL = 0.118, 0.062
 POST = (  # radius, height below the head's middle
-    (0.004, -0.40), (0.34, -0.42), (0.37, -0.48), (0.30, -0.56), (0.21, -0.72), (0.17, -0.90), (0.19, -1.06),
-    (0.30, -1.17), (0.52, -1.24), (0.66, -1.30), (0.72, -1.36), (0.72, -1.44), (0.66, -1.52), (0.004, -1.52),
+    (0.004, -0.40),
+    (0.34, -0.42),
+    (0.37, -0.48),
+    (0.30, -0.56),
+    (0.21, -0.72),
+    (0.17, -0.90),
+    (0.19, -1.06),
+    (0.30, -1.17),
+    (0.52, -1.24),
+    (0.66, -1.30),
+    (0.72, -1.36),
+    (0.72, -1.44),
+    (0.66, -1.52),
+    (0.004, -1.52),
 )
 
 
@@ -54,13 +66,36 @@ def build(context, collection):
     context.view_layer.objects.active = head
     context.view_layer.update()
     for place, radius, way, falloff, distance, is_mirrored in PULLS:
-        _check(bpy.ops.motus.pick_pull(
-            object=head.name, location=place, radius=radius, displacement=way, falloff=falloff, distance=distance,
-            unit="LOCAL", accumulate=True, mirror={"X"} if is_mirrored else set()), head)
+        _check(
+            bpy.ops.motus.pick_pull(
+                object=head.name,
+                location=place,
+                radius=radius,
+                displacement=way,
+                falloff=falloff,
+                distance=distance,
+                unit="LOCAL",
+                accumulate=True,
+                mirror={"X"} if is_mirrored else set(),
+            ),
+            head,
+        )
     for name, place, radius, way, falloff, distance, is_mirrored in PINS:
-        _check(bpy.ops.motus.pin_add(
-            object=head.name, name=name, location=place, radius=radius, displacement=way, falloff=falloff,
-            distance=distance, unit="LOCAL", strength=0.0, mirror={"X"} if is_mirrored else set()), head)
+        _check(
+            bpy.ops.motus.pin_add(
+                object=head.name,
+                name=name,
+                location=place,
+                radius=radius,
+                displacement=way,
+                falloff=falloff,
+                distance=distance,
+                unit="LOCAL",
+                strength=0.0,
+                mirror={"X"} if is_mirrored else set(),
+            ),
+            head,
+        )
     _add_other_brow(head)
     face_motion.key(head.motus.pull.pins)
     return head
@@ -148,25 +183,29 @@ def _clay():
     apart = shader.add("ShaderNodeVectorMath", {0: rest}, operation="ABSOLUTE").outputs[0]
     ahead = shader.math("MULTIPLY", shader.add("ShaderNodeSeparateXYZ", {0: normal}).outputs[1], -1.0)
     is_ahead = shader.math("MULTIPLY", shader.math("ADD", ahead, 0.05), 9.0, clamp=True)
-    eyes, muzzle, ears = (_ellipse(shader, apart, rest, *patch) for patch in (
-        ((0.33, 0.27), (0.44, 0.44)), ((0.0, -0.54), (0.52, 0.60)), ((1.13, 0.24), (0.24, 0.24))))
+    eyes, muzzle, ears = (
+        _ellipse(shader, apart, rest, *patch)
+        for patch in (((0.33, 0.27), (0.44, 0.44)), ((0.0, -0.54), (0.52, 0.60)), ((1.13, 0.24), (0.24, 0.24)))
+    )
     # The nose has an upper side too; the brows' is left to the darker clay.
-    is_muzzle = shader.math("MULTIPLY", _inside(shader, muzzle, rest), shader.math(
-        "MULTIPLY", shader.math("SUBTRACT", -0.36, shader.add("ShaderNodeSeparateXYZ", {0: rest}).outputs[1]), 30.0,
-        clamp=True))
+    is_muzzle = shader.math(
+        "MULTIPLY",
+        _inside(shader, muzzle, rest),
+        shader.math(
+            "MULTIPLY", shader.math("SUBTRACT", -0.36, shader.add("ShaderNodeSeparateXYZ", {0: rest}).outputs[1]), 30.0, clamp=True
+        ),
+    )
     is_patch = shader.math("MULTIPLY", _inside(shader, shader.math("MINIMUM", eyes, ears), rest), is_ahead)
     color = shader.mix(shader.math("MAXIMUM", is_patch, is_muzzle), (*CLAY, 1.0), (*FACE, 1.0))
-    mouth = shader.ramp(_ellipse(shader, apart, rest, (0.0, -0.80), (0.19, 0.105)),
-                        ((0.80, (1.0,) * 3), (1.0, (0.0,) * 3)))
+    mouth = shader.ramp(_ellipse(shader, apart, rest, (0.0, -0.80), (0.19, 0.105)), ((0.80, (1.0,) * 3), (1.0, (0.0,) * 3)))
     color = shader.mix(shader.math("MULTIPLY", mouth, is_ahead), color, (*LIPS, 1.0))
     grain = shader.ramp(shader.noise(rest, 4.0, detail=6.0), ((0.30, (0.82,) * 3), (0.70, (1.10,) * 3)))
-    marks = shader.math("ADD", shader.noise(rest, 6.0, detail=2.0), shader.math(
-        "MULTIPLY", shader.noise(rest, 34.0, detail=4.0), 0.22))
+    marks = shader.math("ADD", shader.noise(rest, 6.0, detail=2.0), shader.math("MULTIPLY", shader.noise(rest, 34.0, detail=4.0), 0.22))
     bump = shader.add("ShaderNodeBump", {"Height": marks, "Strength": 0.22, "Distance": 0.08})
     node = shader.add("ShaderNodeBsdfPrincipled")
     materials.set_principled(
-        shader, node, color=shader.mix(1.0, color, grain, blend="MULTIPLY"), roughness=0.48, specular=0.38,
-        normal=bump.outputs[0])
+        shader, node, color=shader.mix(1.0, color, grain, blend="MULTIPLY"), roughness=0.48, specular=0.38, normal=bump.outputs[0]
+    )
     materials.finish(material, shader, output, node.outputs[0])
     material.diffuse_color = (*CLAY, 1.0)
     return material
@@ -174,8 +213,7 @@ def _clay():
 
 def _inside(shader, distance, rest):
     """1 where a distance is below 1, 0 beyond, with an edge as a hand draws it."""
-    wavy = shader.math("ADD", distance, shader.math(
-        "MULTIPLY", shader.math("SUBTRACT", shader.noise(rest, 7.0), 0.5), 0.12))
+    wavy = shader.math("ADD", distance, shader.math("MULTIPLY", shader.math("SUBTRACT", shader.noise(rest, 7.0), 0.5), 0.12))
     return shader.ramp(wavy, ((0.96, (1.0,) * 3), (1.0, (0.0,) * 3)))
 
 
@@ -183,9 +221,10 @@ def _ellipse(shader, apart, rest, middle, radii):
     """Distance from the middle of an ellipse in the face's plane, 1 at its rim; the same on both sides."""
     x = shader.add("ShaderNodeSeparateXYZ", {0: apart}).outputs[0]
     z = shader.add("ShaderNodeSeparateXYZ", {0: rest}).outputs[2]
-    parts = [shader.math("POWER", shader.math("ABSOLUTE", shader.math(
-        "DIVIDE", shader.math("SUBTRACT", value, centre), radius)), 2.0)
-        for value, centre, radius in zip((x, z), middle, radii)]
+    parts = [
+        shader.math("POWER", shader.math("ABSOLUTE", shader.math("DIVIDE", shader.math("SUBTRACT", value, centre), radius)), 2.0)
+        for value, centre, radius in zip((x, z), middle, radii)
+    ]
     return shader.math("SQRT", shader.math("ADD", *parts))
 
 
@@ -197,11 +236,17 @@ def _eye():
     side = shader.math("SIGN", parts[0])
     aside = shader.math("SUBTRACT", shader.math("SUBTRACT", parts[0], shader.math("MULTIPLY", side, EYE_X)), GAZE[0])
     upward = shader.math("SUBTRACT", parts[2], EYE_Z + GAZE[1])
-    away = shader.math("SQRT", shader.math(
-        "ADD", shader.math("MULTIPLY", aside, aside), shader.math("MULTIPLY", upward, upward)))
-    color = shader.ramp(shader.math("DIVIDE", away, 0.25), (
-        (PUPIL / 0.25 - 0.02, (0.006, 0.005, 0.005)), (PUPIL / 0.25 + 0.02, (0.16, 0.075, 0.020)),
-        (IRIS / 0.25 - 0.03, (0.36, 0.19, 0.050)), (IRIS / 0.25 + 0.02, (0.82, 0.80, 0.75))), interpolation="LINEAR")
+    away = shader.math("SQRT", shader.math("ADD", shader.math("MULTIPLY", aside, aside), shader.math("MULTIPLY", upward, upward)))
+    color = shader.ramp(
+        shader.math("DIVIDE", away, 0.25),
+        (
+            (PUPIL / 0.25 - 0.02, (0.006, 0.005, 0.005)),
+            (PUPIL / 0.25 + 0.02, (0.16, 0.075, 0.020)),
+            (IRIS / 0.25 - 0.03, (0.36, 0.19, 0.050)),
+            (IRIS / 0.25 + 0.02, (0.82, 0.80, 0.75)),
+        ),
+        interpolation="LINEAR",
+    )
     node = shader.add("ShaderNodeBsdfPrincipled")
     materials.set_principled(shader, node, color=color, roughness=0.12, specular=0.6, coat=0.6, coat_roughness=0.05)
     materials.finish(material, shader, output, node.outputs[0])
@@ -213,5 +258,6 @@ def _post_mesh():
     builder = shapes.MeshBuilder()
     part = shapes.lathe(shapes.smooth_profile_points(POST, 90), 64)
     builder.add(shapes.upright(part, (0.0, 0.22, 0.0)))
-    return builder.build("Post", [
-        materials.wood("Post Walnut", (0.155, 0.062, 0.030), (0.085, 0.031, 0.015), (7.0, 7.0, 0.9), roughness=0.30)])
+    return builder.build(
+        "Post", [materials.wood("Post Walnut", (0.155, 0.062, 0.030), (0.085, 0.031, 0.015), (7.0, 7.0, 0.9), roughness=0.30)]
+    )

@@ -4,8 +4,7 @@ import bpy
 
 from ..places import clay_studio
 from ..stage import keying, lighting, shapes, staging
-from . import terrain
-from . import face as clay_face
+from . import face as clay_face, terrain
 
 SCENE_NAME = "Motus Pull"
 FRAMES_PER_SECOND = 24

@@ -55,8 +55,17 @@ SAND, MEADOW, WOODLAND = (0.62, 0.50, 0.30), (0.20, 0.30, 0.055), (0.070, 0.145,
 ROCK, SNOW = (0.215, 0.180, 0.160), (0.84, 0.86, 0.90)
 # Height over the sea from -0.15 to 1.05 m, as a fraction, with the ground's colour there.
 HEIGHTS = (
-    (0.00, (0.012, 0.085, 0.140)), (0.045, (0.020, 0.130, 0.180)), (0.095, (0.10, 0.36, 0.37)), (0.123, SAND),
-    (0.152, SAND), (0.185, MEADOW), (0.30, MEADOW), (0.43, WOODLAND), (0.56, WOODLAND), (0.64, ROCK), (0.73, ROCK),
+    (0.00, (0.012, 0.085, 0.140)),
+    (0.045, (0.020, 0.130, 0.180)),
+    (0.095, (0.10, 0.36, 0.37)),
+    (0.123, SAND),
+    (0.152, SAND),
+    (0.185, MEADOW),
+    (0.30, MEADOW),
+    (0.43, WOODLAND),
+    (0.56, WOODLAND),
+    (0.64, ROCK),
+    (0.73, ROCK),
     (0.79, SNOW),
 )
 
@@ -73,9 +82,22 @@ def build(context, collection):
     context.view_layer.update()
     _roughen(land)
     for name, (x, y), radius, height, falloff, more in PINS:
-        _check(bpy.ops.motus.pin_add(
-            object=land.name, name=name, location=(x, y, 0.0), displacement=(0.0, 0.0, height), radius=radius,
-            falloff=falloff, unit="LOCAL", distance="STRAIGHT", mirror=set(), strength=0.0, **more), land)
+        _check(
+            bpy.ops.motus.pin_add(
+                object=land.name,
+                name=name,
+                location=(x, y, 0.0),
+                displacement=(0.0, 0.0, height),
+                radius=radius,
+                falloff=falloff,
+                unit="LOCAL",
+                distance="STRAIGHT",
+                mirror=set(),
+                strength=0.0,
+                **more,
+            ),
+            land,
+        )
     _key(land)
     return land
 
@@ -91,8 +113,12 @@ def _check(result, land):
 def _add_grid(context, collection):
     """The flat grid, by the operator, moved into the collection."""
     columns, rows = round(WIDTH / SPACING) + 1, round(DEPTH / SPACING) + 1
-    _check(bpy.ops.motus.grid_add(width=columns, height=rows, spacing=SPACING, align="WORLD", location=(0.0, 0.0, 0.0),
-                                  rotation=(0.0, 0.0, 0.0)), collection)
+    _check(
+        bpy.ops.motus.grid_add(
+            width=columns, height=rows, spacing=SPACING, align="WORLD", location=(0.0, 0.0, 0.0), rotation=(0.0, 0.0, 0.0)
+        ),
+        collection,
+    )
     land = context.view_layer.objects.active
     if context.mode != "OBJECT":  # the user lets new objects begin in Edit Mode
         bpy.ops.object.mode_set(mode="OBJECT")
@@ -110,9 +136,20 @@ def _roughen(land):
         x, y, size, way = (_luck(index, salt) for salt in range(4))
         radius = 0.10 + 0.24 * size * size
         place = ((x - 0.5) * (WIDTH - 2.0 * radius), (y - 0.5) * (DEPTH - 2.0 * radius), 0.0)
-        _check(bpy.ops.motus.pick_pull(
-            object=land.name, location=place, displacement=(0.0, 0.0, (way - 0.45) * 0.30 * radius), radius=radius,
-            unit="LOCAL", falloff="SHARP", distance="STRAIGHT", accumulate=True, mirror=set()), land)
+        _check(
+            bpy.ops.motus.pick_pull(
+                object=land.name,
+                location=place,
+                displacement=(0.0, 0.0, (way - 0.45) * 0.30 * radius),
+                radius=radius,
+                unit="LOCAL",
+                falloff="SHARP",
+                distance="STRAIGHT",
+                accumulate=True,
+                mirror=set(),
+            ),
+            land,
+        )
 
 
 def _luck(index, salt):
@@ -138,22 +175,19 @@ def _ground_material():
     place = geometry["Position"]
     patches = shader.math("SUBTRACT", shader.noise(place, 3.4, detail=6.0), 0.5)
     above = shader.math("SUBTRACT", shader.add("ShaderNodeSeparateXYZ", {0: place}).outputs[2], SEA)
-    ruffled = shader.math("ADD", above, shader.math("MULTIPLY", patches, shader.math(
-        "MULTIPLY", shader.math("MAXIMUM", above, 0.0), 0.9)))
+    ruffled = shader.math("ADD", above, shader.math("MULTIPLY", patches, shader.math("MULTIPLY", shader.math("MAXIMUM", above, 0.0), 0.9)))
     share = shader.math("DIVIDE", shader.math("ADD", ruffled, 0.15), 1.2, clamp=True)
     color = shader.ramp(share, HEIGHTS, interpolation="LINEAR")
     upward = shader.add("ShaderNodeSeparateXYZ", {0: geometry["Normal"]}).outputs[2]
-    steep = shader.ramp(shader.math("ADD", upward, shader.math("MULTIPLY", patches, 0.25)),
-                        ((0.46, (1.0,) * 3), (0.66, (0.0,) * 3)))
+    steep = shader.ramp(shader.math("ADD", upward, shader.math("MULTIPLY", patches, 0.25)), ((0.46, (1.0,) * 3), (0.66, (0.0,) * 3)))
     dry = shader.math("MULTIPLY", shader.math("SUBTRACT", above, 0.02), 25.0, clamp=True)
     color = shader.mix(shader.math("MULTIPLY", steep, dry), color, (*ROCK, 1.0))
     grain = shader.ramp(shader.noise(place, 26.0, detail=5.0), ((0.30, (0.72,) * 3), (0.70, (1.20,) * 3)))
-    bump = shader.add("ShaderNodeBump", {
-        "Height": shader.noise(place, 17.0, detail=8.0), "Strength": 0.55, "Distance": 0.06})
+    bump = shader.add("ShaderNodeBump", {"Height": shader.noise(place, 17.0, detail=8.0), "Strength": 0.55, "Distance": 0.06})
     node = shader.add("ShaderNodeBsdfPrincipled")
     materials.set_principled(
-        shader, node, color=shader.mix(1.0, color, grain, blend="MULTIPLY"), roughness=0.92, specular=0.15,
-        normal=bump.outputs[0])
+        shader, node, color=shader.mix(1.0, color, grain, blend="MULTIPLY"), roughness=0.92, specular=0.15, normal=bump.outputs[0]
+    )
     materials.finish(material, shader, output, node.outputs[0])
     material.diffuse_color = (*MEADOW, 1.0)
     return material
@@ -166,14 +200,22 @@ def _tray_mesh():
     builder = shapes.MeshBuilder()
     x, y, half = WIDTH / 2.0, DEPTH / 2.0, FRAME_WIDTH / 2.0
     for sign in (-1.0, 1.0):
-        builder.add(shapes.beam((WIDTH + 2.0 * FRAME_WIDTH, FRAME_WIDTH, FRAME_HEIGHT),
-                                (0.0, sign * (y + half), FRAME_HEIGHT / 2.0), 0.022), 0, smooth=False)
-        builder.add(shapes.beam((FRAME_WIDTH, DEPTH, FRAME_HEIGHT - 0.002),
-                                (sign * (x + half), 0.0, FRAME_HEIGHT / 2.0), 0.022), 1, smooth=False)
+        builder.add(
+            shapes.beam((WIDTH + 2.0 * FRAME_WIDTH, FRAME_WIDTH, FRAME_HEIGHT), (0.0, sign * (y + half), FRAME_HEIGHT / 2.0), 0.022),
+            0,
+            smooth=False,
+        )
+        builder.add(
+            shapes.beam((FRAME_WIDTH, DEPTH, FRAME_HEIGHT - 0.002), (sign * (x + half), 0.0, FRAME_HEIGHT / 2.0), 0.022), 1, smooth=False
+        )
     colors = ((0.135, 0.052, 0.026), (0.072, 0.026, 0.013))
-    return builder.build("Tray", [
-        materials.wood("Tray Walnut", *colors, (0.8, 14.0, 14.0), roughness=0.32),
-        materials.wood("Tray Walnut Ends", *colors, (14.0, 0.8, 14.0), roughness=0.32)])
+    return builder.build(
+        "Tray",
+        [
+            materials.wood("Tray Walnut", *colors, (0.8, 14.0, 14.0), roughness=0.32),
+            materials.wood("Tray Walnut Ends", *colors, (14.0, 0.8, 14.0), roughness=0.32),
+        ],
+    )
 
 
 def _sea_mesh():
@@ -187,11 +229,9 @@ def _water_material():
     """A clear sheet with ripples: its depth is in the colour of the bed."""
     material, shader, output = materials.new_material("Tray Water")
     place = shader.add("ShaderNodeNewGeometry").outputs["Position"]
-    bump = shader.add(
-        "ShaderNodeBump", {"Height": shader.noise(place, 5.0, detail=4.0), "Strength": 0.10, "Distance": 0.1})
+    bump = shader.add("ShaderNodeBump", {"Height": shader.noise(place, 5.0, detail=4.0), "Strength": 0.10, "Distance": 0.1})
     node = shader.add("ShaderNodeBsdfPrincipled")
-    materials.set_principled(
-        shader, node, color=(0.010, 0.095, 0.125), roughness=0.05, specular=0.7, alpha=0.42, normal=bump.outputs[0])
+    materials.set_principled(shader, node, color=(0.010, 0.095, 0.125), roughness=0.05, specular=0.7, alpha=0.42, normal=bump.outputs[0])
     materials.finish(material, shader, output, node.outputs[0])
     materials.make_transparent(material)
     material.diffuse_color = (0.03, 0.17, 0.22, 0.6)

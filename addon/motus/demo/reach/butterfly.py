@@ -9,12 +9,24 @@ from ..stage import materials, shapes
 
 # Outline of a right fore wing and a right hind wing, x outwards, y ahead, m.
 FORE_WING = (
-    (0.004, 0.012), (0.030, 0.052), (0.068, 0.084), (0.102, 0.088), (0.108, 0.062), (0.092, 0.022), (0.062, -0.002),
+    (0.004, 0.012),
+    (0.030, 0.052),
+    (0.068, 0.084),
+    (0.102, 0.088),
+    (0.108, 0.062),
+    (0.092, 0.022),
+    (0.062, -0.002),
     (0.004, -0.012),
 )
 HIND_WING = (
-    (0.004, -0.002), (0.052, 0.000), (0.080, -0.022), (0.078, -0.052), (0.056, -0.078), (0.034, -0.066),
-    (0.016, -0.040), (0.004, -0.020),
+    (0.004, -0.002),
+    (0.052, 0.000),
+    (0.080, -0.022),
+    (0.078, -0.052),
+    (0.056, -0.078),
+    (0.034, -0.066),
+    (0.016, -0.040),
+    (0.004, -0.020),
 )
 RIM, COLOR, HEART = range(3)
 BAND_EDGES = (1.0, 0.93, 0.86, 0.62, 0.60, 0.35, 0.02)  # in parts of the way from a wing's root to its outline
@@ -58,11 +70,14 @@ def _wing_mesh():
     builder = shapes.MeshBuilder()
     _add_wing(builder, HIND_WING, np.array((0.030, -0.022)), 0.0, HEART, COLOR)
     _add_wing(builder, FORE_WING, np.array((0.034, 0.020)), 0.0015, COLOR, HEART)
-    return builder.build("Butterfly Wing", [
-        _paper("Wing Rim", (0.030, 0.012, 0.010)),
-        _paper("Wing Orange", (0.86, 0.15, 0.008)),
-        _paper("Wing Gold", (0.93, 0.42, 0.03)),
-    ])
+    return builder.build(
+        "Butterfly Wing",
+        [
+            _paper("Wing Rim", (0.030, 0.012, 0.010)),
+            _paper("Wing Orange", (0.86, 0.15, 0.008)),
+            _paper("Wing Gold", (0.93, 0.42, 0.03)),
+        ],
+    )
 
 
 def _paper(name, color):
@@ -87,8 +102,7 @@ def _body_mesh():
         for place in line:
             builder.add(shapes.sphere(0.0016, place, segments=8, rings=6))
         builder.add(shapes.sphere(0.0032, line[-1], segments=10, rings=8))
-    return builder.build("Butterfly Body", [
-        materials.principled("Butterfly Felt", color=(0.028, 0.014, 0.012), roughness=0.7)])
+    return builder.build("Butterfly Body", [materials.principled("Butterfly Felt", color=(0.028, 0.014, 0.012), roughness=0.7)])
 
 
 def add_course(collection, stage, knots):

@@ -21,12 +21,29 @@ BALL_CENTRE = (RAIL_X, NEWEL_Y, 1.0)
 CRATE = (1.30, 0.30, 0.44)  # x, y, and its height
 MODEL_SCALE = 0.088
 BALUSTER = (  # radius, height
-    (0.013, 0.89), (0.014, 0.82), (0.020, 0.78), (0.013, 0.74), (0.017, 0.62), (0.022, 0.52), (0.017, 0.42),
-    (0.013, 0.28), (0.020, 0.24), (0.014, 0.20), (0.013, 0.15),
+    (0.013, 0.89),
+    (0.014, 0.82),
+    (0.020, 0.78),
+    (0.013, 0.74),
+    (0.017, 0.62),
+    (0.022, 0.52),
+    (0.017, 0.42),
+    (0.013, 0.28),
+    (0.020, 0.24),
+    (0.014, 0.20),
+    (0.013, 0.15),
 )
 POT = (  # radius, height
-    (0.004, 0.27), (0.135, 0.27), (0.14, 0.30), (0.165, 0.305), (0.170, 0.28), (0.165, 0.25), (0.148, 0.245),
-    (0.130, 0.12), (0.108, 0.0), (0.004, 0.0),
+    (0.004, 0.27),
+    (0.135, 0.27),
+    (0.14, 0.30),
+    (0.165, 0.305),
+    (0.170, 0.28),
+    (0.165, 0.25),
+    (0.148, 0.245),
+    (0.130, 0.12),
+    (0.108, 0.0),
+    (0.004, 0.0),
 )
 POTS = ((1.96, 0.62, 1.0), (2.34, 0.40, 0.72))  # x, y, size
 
@@ -61,8 +78,12 @@ def _timber():
     return [
         materials.wood(name, *colors, stretch, roughness=0.58)
         for name, colors, stretch in (
-            ("Planks", middle, along_y), ("Dark Planks", dark, along_y), ("Light Planks", light, along_y),
-            ("Posts", middle, along_z), ("Rails", light, along_x), ("Dark Rails", dark, along_x),
+            ("Planks", middle, along_y),
+            ("Dark Planks", dark, along_y),
+            ("Light Planks", light, along_y),
+            ("Posts", middle, along_z),
+            ("Rails", light, along_x),
+            ("Dark Rails", dark, along_x),
         )
     ]
 
@@ -127,8 +148,17 @@ def _add_newel(builder):
     x, y, z = BALL_CENTRE
     height = BALL_CENTRE[2] - 0.145
     _add_beam(builder, (POST, POST, height), (x, y, height / 2), POSTS)
-    neck = ((0.030, z - 0.05), (0.026, z - 0.066), (0.045, z - 0.078), (0.060, z - 0.088), (0.062, height + 0.05),
-            (0.058, height + 0.035), (0.052, height + 0.02), (0.066, height + 0.012), (0.066, height))
+    neck = (
+        (0.030, z - 0.05),
+        (0.026, z - 0.066),
+        (0.045, z - 0.078),
+        (0.060, z - 0.088),
+        (0.062, height + 0.05),
+        (0.058, height + 0.035),
+        (0.052, height + 0.02),
+        (0.066, height + 0.012),
+        (0.066, height),
+    )
     builder.add(shapes.upright(shapes.lathe(neck, 32), (x, y, 0.0)), POSTS)
     builder.add(shapes.sphere(BALL_RADIUS, BALL_CENTRE, segments=40, rings=26), POSTS)
 
@@ -192,9 +222,11 @@ def _pot_mesh(seed):
             around = petal * 0.4 * math.pi + angle
             offset = np.array((0.020 * math.cos(around), 0.020 * math.sin(around), 0.055))
             builder.add(shapes.sphere(0.019, place + offset, (1.0, 1.0, 0.6), 10, 7), 2)
-    return builder.build("Flower Pot", [
-        materials.principled("Clay", color=(0.42, 0.135, 0.06), roughness=0.8),
-        materials.principled("Geranium Leaves", color=(0.055, 0.150, 0.030), roughness=0.7),
-        materials.principled(
-            "Geranium Blossoms", color=((0.75, 0.05, 0.06), (0.88, 0.72, 0.62))[seed % 2], roughness=0.6),
-    ])
+    return builder.build(
+        "Flower Pot",
+        [
+            materials.principled("Clay", color=(0.42, 0.135, 0.06), roughness=0.8),
+            materials.principled("Geranium Leaves", color=(0.055, 0.150, 0.030), roughness=0.7),
+            materials.principled("Geranium Blossoms", color=((0.75, 0.05, 0.06), (0.88, 0.72, 0.62))[seed % 2], roughness=0.6),
+        ],
+    )

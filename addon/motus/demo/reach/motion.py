@@ -8,19 +8,35 @@ from ..stage.keying import CYCLE, key_cycle
 
 # Frames of the cycle with values: metres in the bone's axes (X to its left, Y up, Z to the front), degrees about them.
 PELVIS_PLACE = (
-    (1, (-0.036, -0.038, 0.004)), (48, (-0.004, -0.037, 0.010)), (92, (0.048, -0.036, 0.034)),
-    (118, (0.056, -0.035, 0.040)), (150, (0.026, -0.038, 0.018)), (186, (-0.030, -0.042, 0.000)),
+    (1, (-0.036, -0.038, 0.004)),
+    (48, (-0.004, -0.037, 0.010)),
+    (92, (0.048, -0.036, 0.034)),
+    (118, (0.056, -0.035, 0.040)),
+    (150, (0.026, -0.038, 0.018)),
+    (186, (-0.030, -0.042, 0.000)),
 )
 PELVIS_TURN = (
-    (1, (0.0, -4.0, -4.5)), (48, (1.5, 2.0, -0.5)), (92, (4.0, 9.0, 3.5)), (118, (4.5, 11.0, 4.0)),
-    (150, (2.0, 6.0, 1.5)), (186, (-0.5, -3.0, -4.0)),
+    (1, (0.0, -4.0, -4.5)),
+    (48, (1.5, 2.0, -0.5)),
+    (92, (4.0, 9.0, 3.5)),
+    (118, (4.5, 11.0, 4.0)),
+    (150, (2.0, 6.0, 1.5)),
+    (186, (-0.5, -3.0, -4.0)),
 )
 SPINE_TURN = (  # against the hips
-    (1, (1.0, 2.0, 3.5)), (48, (1.0, 0.0, 0.5)), (92, (2.5, 2.0, -3.5)), (118, (3.0, 3.0, -4.5)),
-    (150, (1.5, 1.0, -1.5)), (186, (1.0, 1.5, 3.0)),
+    (1, (1.0, 2.0, 3.5)),
+    (48, (1.0, 0.0, 0.5)),
+    (92, (2.5, 2.0, -3.5)),
+    (118, (3.0, 3.0, -4.5)),
+    (150, (1.5, 1.0, -1.5)),
+    (186, (1.0, 1.5, 3.0)),
 )
 SHOULDER_TURN = (
-    (1, (0.0, 0.0, 0.0)), (34, (0.0, 0.0, 0.0)), (64, (9.0, 0.0, 5.0)), (112, (15.0, 0.0, 9.0)), (150, (7.0, 0.0, 4.0)),
+    (1, (0.0, 0.0, 0.0)),
+    (34, (0.0, 0.0, 0.0)),
+    (64, (9.0, 0.0, 5.0)),
+    (112, (15.0, 0.0, 9.0)),
+    (150, (7.0, 0.0, 4.0)),
     (176, (0.0, 0.0, 0.0)),
 )
 # About X alone.
@@ -37,7 +53,14 @@ BLINK = ((-3, 0.0), (0, LID_SHUT), (1, LID_SHUT), (6, 0.0))  # frames from the b
 REACH_WEIGHT = ((1, 0.0), (34, 0.0), (62, 1.0), (146, 1.0), (176, 0.0))
 FULL_REACH = (62, 146)  # frames between which the weight is 1
 PACE = (  # frame, fraction of the course: it lingers at the hand, twice
-    (1, 0.0), (40, 0.235), (62, 0.342), (86, 0.390), (102, 0.478), (126, 0.585), (146, 0.625), (166, 0.735),
+    (1, 0.0),
+    (40, 0.235),
+    (62, 0.342),
+    (86, 0.390),
+    (102, 0.478),
+    (126, 0.585),
+    (146, 0.625),
+    (166, 0.735),
     (190, 0.870),
 )
 
@@ -51,8 +74,12 @@ def key_pose(rig):
         key_cycle(bones[name], "rotation_euler", radians)
     blinks = [(frame + step, turn) for frame in BLINKS for step, turn in BLINK]
     for name, turns in (  # type: ignore[assignment]
-        ("spine.003", BREATH), ("upper_arm.L", UPPER_ARM_SWING), ("index.L", INDEX_TURN), ("fingers.L", FINGERS_TURN),
-        ("lid.L", blinks), ("lid.R", blinks),
+        ("spine.003", BREATH),
+        ("upper_arm.L", UPPER_ARM_SWING),
+        ("index.L", INDEX_TURN),
+        ("fingers.L", FINGERS_TURN),
+        ("lid.L", blinks),
+        ("lid.R", blinks),
     ):
         key_cycle(bones[name], "rotation_euler", [(frame, math.radians(turn)) for frame, turn in turns], index=0)
     for name, turn in RESTING_TURNS:
@@ -69,8 +96,6 @@ def pin_pace(carrier):
     """Meeting pins: where on its course the butterfly is, and when."""
     for turn in (-1, 0, 1):
         for frame, fraction in PACE:
-            result = bpy.ops.motus.path_pin_add(
-                object=carrier.name, frame=frame + turn * CYCLE, fraction=fraction + turn
-            )
+            result = bpy.ops.motus.path_pin_add(object=carrier.name, frame=frame + turn * CYCLE, fraction=fraction + turn)
             if result != {"FINISHED"}:
                 raise RuntimeError(f"{carrier.name} could not be pinned")

@@ -15,8 +15,16 @@ SCENE_NAME = "Motus Reach"
 FRAMES_PER_SECOND = 24
 
 COURSE = (  # knots of the butterfly's course, m from the lookout's origin
-    (-0.86, -0.66, 1.50), (-0.40, -1.00, 1.82), (0.14, -0.78, 1.68), (0.43, -0.52, 1.52), (0.51, -0.47, 1.66),
-    (0.76, -0.58, 1.84), (0.82, -0.74, 1.64), (0.50, -0.53, 1.46), (0.22, -0.94, 1.16), (-0.48, -1.06, 1.20),
+    (-0.86, -0.66, 1.50),
+    (-0.40, -1.00, 1.82),
+    (0.14, -0.78, 1.68),
+    (0.43, -0.52, 1.52),
+    (0.51, -0.47, 1.66),
+    (0.76, -0.58, 1.84),
+    (0.82, -0.74, 1.64),
+    (0.50, -0.53, 1.46),
+    (0.22, -0.94, 1.16),
+    (-0.48, -1.06, 1.20),
 )
 SHOULDER_MARK = (0.19, 0.0, 1.38)  # where the reaching arm comes from
 HAND_ROLL = math.radians(35.0)  # of the reaching hand about its length
@@ -91,8 +99,14 @@ def _release_butterfly(collection, marks, stage):
     course = butterfly.add_course(marks, stage, COURSE)
     carrier = _mark(collection, stage, "Butterfly", Matrix())
     flight.follow(
-        carrier, course, orientation="BANKING", bank_strength=3.0, bank_smoothing=0.25,
-        bank_limit=math.radians(50.0), forward_axis="POS_Y", up_axis="POS_Z",
+        carrier,
+        course,
+        orientation="BANKING",
+        bank_strength=3.0,
+        bank_smoothing=0.25,
+        bank_limit=math.radians(50.0),
+        forward_axis="POS_Y",
+        up_axis="POS_Z",
     )
     motion.pin_pace(carrier)
     carrier.motus.path.timing = "PINS"
@@ -144,20 +158,42 @@ def _wire(context, marks, stage, rig, carrier):
             pole = _mark(marks, stage, f"{kind} {side}", Matrix.Translation(place), "SPHERE", 0.04)
             _reach(rig, f"{bone}.{side}", goals[f"{bone}.{side}"], pole)
     motion.key_weight(rig.motus.ik.entries["hand.L"])
-    _check(bpy.ops.motus.look_at_add(
-        object=rig.name, bone="head", target=carrier.name, body_length=4, eyes="eye.L,eye.R", weight=1.0,
-        body_weight=0.3, head_weight=1.0, eyes_weight=1.0, head_forward="POS_Z", eyes_forward="POS_Y",
-    ), rig)
+    _check(
+        bpy.ops.motus.look_at_add(
+            object=rig.name,
+            bone="head",
+            target=carrier.name,
+            body_length=4,
+            eyes="eye.L,eye.R",
+            weight=1.0,
+            body_weight=0.3,
+            head_weight=1.0,
+            eyes_weight=1.0,
+            head_forward="POS_Z",
+            eyes_forward="POS_Y",
+        ),
+        rig,
+    )
 
 
 def _reach(rig, bone, goal, pole):
     """Let a hand or foot go to its goal, the joint above it bending towards the pole."""
     is_reaching = bone == "hand.L"  # its weights are keyed
-    _check(bpy.ops.motus.ik_add(
-        object=rig.name, bone=bone, target=goal.name, pole=pole.name, chain_length=2, use_tail=False,
-        softness=REACH_SOFTNESS if is_reaching else 0.0, position_weight=0.0 if is_reaching else 1.0,
-        rotation_weight=0.0 if is_reaching else 1.0, keep_rotation=False,
-    ), rig)
+    _check(
+        bpy.ops.motus.ik_add(
+            object=rig.name,
+            bone=bone,
+            target=goal.name,
+            pole=pole.name,
+            chain_length=2,
+            use_tail=False,
+            softness=REACH_SOFTNESS if is_reaching else 0.0,
+            position_weight=0.0 if is_reaching else 1.0,
+            rotation_weight=0.0 if is_reaching else 1.0,
+            keep_rotation=False,
+        ),
+        rig,
+    )
 
 
 def _check(result, rig):

@@ -54,8 +54,7 @@ def build(context):
 
 def _world():
     """The last light of the day."""
-    return lighting.build_gradient_world(
-        "Motus Dusk", SKY_STOPS, SKY_STRENGTH, lambda shader, height: shader.math("MAXIMUM", height, 0.0))
+    return lighting.build_gradient_world("Motus Dusk", SKY_STOPS, SKY_STRENGTH, lambda shader, height: shader.math("MAXIMUM", height, 0.0))
 
 
 def _add_moon(collection):

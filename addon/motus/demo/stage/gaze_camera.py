@@ -23,8 +23,11 @@ def add(context, scene, collection, name, stand, lens, target, gaze, **eyes):
     camera.parent, camera.parent_type, camera.parent_bone = head, "BONE", HEAD
     context.view_layer.update()
     camera.matrix_world = Matrix.Translation(stand) @ Euler((math.radians(90.0), 0.0, 0.0)).to_matrix().to_4x4()
-    _check(bpy.ops.motus.look_at_add(
-        object=head.name, bone=HEAD, target=target.name, body_length=0, eyes="", weight=gaze, head_forward="NEG_Z"))
+    _check(
+        bpy.ops.motus.look_at_add(
+            object=head.name, bone=HEAD, target=target.name, body_length=0, eyes="", weight=gaze, head_forward="NEG_Z"
+        )
+    )
     _check(bpy.ops.motus.stereo_rig_add(object=camera.name, screen="TELEVISION", **eyes))
     return head, camera
 

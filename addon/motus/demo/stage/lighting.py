@@ -41,9 +41,7 @@ def sun_direction(elevation=SUN_ELEVATION, azimuth=SUN_AZIMUTH):
 
 def build_sky_group():
     """Node group: the sky's colour in a direction, without clouds."""
-    shader, entry, result = materials.new_group(
-        materials.SKY_GROUP, [("Direction", "NodeSocketVector")], [("Color", "NodeSocketColor")]
-    )
+    shader, entry, result = materials.new_group(materials.SKY_GROUP, [("Direction", "NodeSocketVector")], [("Color", "NodeSocketColor")])
     direction = entry.outputs["Direction"]
     height = shader.add("ShaderNodeSeparateXYZ", {0: direction}).outputs[2]
     sky = shader.ramp(shader.math("MAXIMUM", height, 0.0), SKY_STOPS)
@@ -58,9 +56,7 @@ def build_sky_group():
 
 def build_haze_group(sky):
     """Node group: a surface seen through the air between it and the camera."""
-    shader, entry, result = materials.new_group(
-        materials.HAZE_GROUP, [("Surface", "NodeSocketShader")], [("Surface", "NodeSocketShader")]
-    )
+    shader, entry, result = materials.new_group(materials.HAZE_GROUP, [("Surface", "NodeSocketShader")], [("Surface", "NodeSocketShader")])
     distance = shader.add("ShaderNodeCameraData").outputs["View Distance"]
     clear = shader.math("POWER", math.exp(-1.0 / HAZE_DISTANCE), distance)
     amount = shader.math("MULTIPLY", shader.math("SUBTRACT", 1.0, clear), HAZE_LIMIT)
@@ -79,9 +75,11 @@ def build_haze_group(sky):
 
 def build_world(sky):
     """The world: the sky and a veil of high clouds drawn on a flat layer."""
+
     def color(shader, direction):
         clear = shader.group(sky, {"Direction": direction}).outputs[0]
         return shader.mix(_cloud_cover(shader, direction), clear, CLOUD_COLOR)
+
     return _add_world("Motus Sky", color)
 
 
@@ -108,9 +106,7 @@ def _cloud_cover(shader, direction):
     lifted = shader.math("DIVIDE", 1.0, shader.math("ADD", shader.math("MAXIMUM", height, 0.0), 0.12))
     plane = shader.add("ShaderNodeVectorMath", {0: direction, "Scale": lifted}, operation="SCALE").outputs[0]
     stretched = shader.add("ShaderNodeVectorMath", {0: plane, 1: (0.45, 1.25, 0.0)}, operation="MULTIPLY").outputs[0]
-    cover = shader.ramp(
-        shader.noise(stretched, 1.5, detail=7.0), ((0.50, (0.0,) * 3), (0.78, (1.0,) * 3))
-    )
+    cover = shader.ramp(shader.noise(stretched, 1.5, detail=7.0), ((0.50, (0.0,) * 3), (0.78, (1.0,) * 3)))
     fade = shader.math("MULTIPLY", height, 7.0, clamp=True)
     return shader.math("MULTIPLY", shader.math("MULTIPLY", cover, fade), 0.75)
 
@@ -141,7 +137,9 @@ def set_color_management(scene, views=VIEWS):
 
 def build_gradient_world(name, stops, strength, of_height):
     """A sky that is a gradient. of_height(shader, height): the place on it, where height is the sine of the elevation."""
+
     def color(shader, direction):
         height = shader.add("ShaderNodeSeparateXYZ", {0: direction}).outputs[2]
         return shader.ramp(of_height(shader, height), stops)
+
     return _add_world(name, color, strength)

@@ -142,8 +142,11 @@ def wood(name, light, dark, stretch, on_skin=False, roughness=0.42):
     material, shader, output = new_material(name)
     place = shader.add("ShaderNodeTexCoord").outputs["Generated" if on_skin else "Object"]
     fibres = shader.add("ShaderNodeVectorMath", {0: place, 1: stretch}, operation="MULTIPLY").outputs[0]
-    wavy = shader.math("ADD", shader.noise(fibres, 1.0, detail=2.0), shader.math(
-        "MULTIPLY", shader.math("SUBTRACT", shader.noise(fibres, 4.0, detail=3.0), 0.5), 0.35))
+    wavy = shader.math(
+        "ADD",
+        shader.noise(fibres, 1.0, detail=2.0),
+        shader.math("MULTIPLY", shader.math("SUBTRACT", shader.noise(fibres, 4.0, detail=3.0), 0.5), 0.35),
+    )
     node = shader.add("ShaderNodeBsdfPrincipled")
     color = shader.ramp(wavy, ((0.32, dark), (0.60, light)))
     set_principled(shader, node, color=color, roughness=roughness, specular=0.35)

@@ -55,9 +55,7 @@ def lathe(profile, segments=32):
     profile = np.asarray(profile, dtype=float)
     angle = ring(segments)
     radius, y = profile[:, :1], profile[:, 1:2]
-    sections = np.stack(
-        (radius * np.cos(angle), np.broadcast_to(y, (len(profile), segments)), radius * np.sin(angle)), axis=-1
-    )
+    sections = np.stack((radius * np.cos(angle), np.broadcast_to(y, (len(profile), segments)), radius * np.sin(angle)), axis=-1)
     return loft(sections)
 
 
@@ -87,10 +85,18 @@ def beam(size, centre, bevel):
     along = int(np.argmax(size))
     first, second = ((1, 2), (2, 0), (0, 1))[along]
     a, b = size[first] / 2.0, size[second] / 2.0
-    outline = np.array((
-        (a, b - bevel), (a - bevel, b), (bevel - a, b), (-a, b - bevel),
-        (-a, bevel - b), (bevel - a, -b), (a - bevel, -b), (a, bevel - b),
-    ))
+    outline = np.array(
+        (
+            (a, b - bevel),
+            (a - bevel, b),
+            (bevel - a, b),
+            (-a, b - bevel),
+            (-a, bevel - b),
+            (bevel - a, -b),
+            (a - bevel, -b),
+            (a, bevel - b),
+        )
+    )
     half = size[along] / 2.0
     sections = np.zeros((4, 8, 3))
     for row, (place, inset) in enumerate(((half, bevel), (half - bevel, 0.0), (bevel - half, 0.0), (-half, bevel))):

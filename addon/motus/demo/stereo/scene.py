@@ -14,8 +14,15 @@ SPEED = 23.0  # m/s
 BANK_SMOOTHING, BANK_LIMIT = 7.0, math.radians(60.0)
 # Round the columns, and nearest to the camera where it crosses the middle of the picture.
 COURSE = (
-    (34.0, 84.0, 11.0), (8.0, 58.0, 8.0), (-13.0, 38.0, 6.5), (-4.0, 14.0, 5.2), (14.0, 24.0, 5.8), (9.0, 43.0, 7.5),
-    (-14.0, 62.0, 9.5), (-22.0, 92.0, 11.0), (6.0, 108.0, 12.0),
+    (34.0, 84.0, 11.0),
+    (8.0, 58.0, 8.0),
+    (-13.0, 38.0, 6.5),
+    (-4.0, 14.0, 5.2),
+    (14.0, 24.0, 5.8),
+    (9.0, 43.0, 7.5),
+    (-14.0, 62.0, 9.5),
+    (-22.0, 92.0, 11.0),
+    (6.0, 108.0, 12.0),
 )
 STAND, LENS = (0.0, 0.0, 6.2), 30.0
 GAZE = 0.8  # how much of the turn to the aeroplane the camera makes
@@ -35,11 +42,31 @@ def build(context):
     plane = aeroplane.build(air)
     course = flight.add_course(air, COURSE, is_cyclic=True)
     flight.follow(
-        plane, course, timing="SPEED", speed=SPEED, orientation="BANKING", bank_limit=BANK_LIMIT,
-        bank_smoothing=BANK_SMOOTHING, forward_axis="POS_Y", up_axis="POS_Z")
+        plane,
+        course,
+        timing="SPEED",
+        speed=SPEED,
+        orientation="BANKING",
+        bank_limit=BANK_LIMIT,
+        bank_smoothing=BANK_SMOOTHING,
+        forward_axis="POS_Y",
+        up_axis="POS_Z",
+    )
     _, camera = gaze_camera.add(
-        context, scene, views, "Stereo Camera", STAND, LENS, plane, GAZE, convergence="BUDGET", near=NEAR, far=FAR,
-        near_parallax=NEAR_PARALLAX, far_parallax=FAR_PARALLAX)
+        context,
+        scene,
+        views,
+        "Stereo Camera",
+        STAND,
+        LENS,
+        plane,
+        GAZE,
+        convergence="BUDGET",
+        near=NEAR,
+        far=FAR,
+        near_parallax=NEAR_PARALLAX,
+        far_parallax=FAR_PARALLAX,
+    )
     if bpy.ops.motus.stereo_output(object=camera.name, format="ANAGLYPH") != {"FINISHED"}:
         raise RuntimeError("The output of the stereo camera could not be set")
     scene.frame_start, scene.frame_end = 1, round(flight.course_length(course) / SPEED * FRAMES_PER_SECOND)

@@ -70,8 +70,9 @@ def _add_walls(builder, house):
             builder.add(shapes.beam((0.22, depth + 0.3, high / count), (side * width, 0.0, z), 0.05), smooth=False)
     for side in (-0.5, 0.5):
         along, across = (depth, width) if house.is_chapel else (width, depth)
-        corners = np.array(((side * along, -0.5 * across, high), (side * along, 0.5 * across, high),
-                            (side * along, 0.0, high + house.rise)))
+        corners = np.array(
+            ((side * along, -0.5 * across, high), (side * along, 0.5 * across, high), (side * along, 0.0, high + house.rise))
+        )
         if house.is_chapel:
             corners = terrain.turned(corners, 0.5 * math.pi)
         builder.add((corners, [(0, 1, 2) if side > 0 else (0, 2, 1)]), smooth=False)
@@ -91,8 +92,9 @@ def _slope(side, along, across, high, rise):
     drop = rise / (0.5 * across)
     eave, ridge = 0.5 * across + OVERHANG, high + rise
     low = ridge - drop * eave
-    vertices = np.array([(end * x, side * far, level + up) for end in (-1.0, 1.0)
-                         for far, level in ((0.0, ridge), (eave, low)) for up in (0.0, THICK)])
+    vertices = np.array(
+        [(end * x, side * far, level + up) for end in (-1.0, 1.0) for far, level in ((0.0, ridge), (eave, low)) for up in (0.0, THICK)]
+    )
     faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     return vertices, faces if side < 0 else [face[::-1] for face in faces]
 
@@ -102,8 +104,14 @@ def _add_front(walls, ledges, house):
     front = -0.5 * house.size[1] - FRONT
     for x in house.windows:
         walls.add(shapes.box((0.78, 0.02, 0.78), (x, front, WINDOW_HEIGHT)), 2, smooth=False)
-        for across, up, size in ((0.0, 0.43, (0.98, 0.08, 0.09)), (0.0, -0.43, (1.02, 0.16, 0.09)), (0.43, 0.0, (0.09, 0.08, 0.8)),
-                                 (-0.43, 0.0, (0.09, 0.08, 0.8)), (0.0, 0.0, (0.04, 0.06, 0.8)), (0.0, 0.0, (0.8, 0.06, 0.04))):
+        for across, up, size in (
+            (0.0, 0.43, (0.98, 0.08, 0.09)),
+            (0.0, -0.43, (1.02, 0.16, 0.09)),
+            (0.43, 0.0, (0.09, 0.08, 0.8)),
+            (-0.43, 0.0, (0.09, 0.08, 0.8)),
+            (0.0, 0.0, (0.04, 0.06, 0.8)),
+            (0.0, 0.0, (0.8, 0.06, 0.04)),
+        ):
             walls.add(shapes.box(size, (x + across, front - 0.02, WINDOW_HEIGHT + up)), 1, smooth=False)
         ledges.add(shapes.box((1.06, 0.24, 0.05), (x, front - 0.08, WINDOW_HEIGHT - 0.49)), 1, smooth=False)
     walls.add(shapes.box((0.85, 0.06, 1.75), (house.door, front, 0.9)), 1, smooth=False)

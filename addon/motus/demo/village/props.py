@@ -1,5 +1,6 @@
 """What stands between the houses: lanterns by the path, fences, and a pile of wood."""
 
+import itertools
 import math
 
 import bpy
@@ -7,7 +8,6 @@ import numpy as np
 
 from ..stage import materials, shapes
 from . import terrain
-import itertools
 
 WARM = (1.0, 0.52, 0.17)
 LANTERNS = ((-1.35, 3.6), (2.6, 16.4))

@@ -1,12 +1,12 @@
 """The land of the evening scene: meadows that rise to a wood, with hills behind, and materials that turn white."""
 
+import itertools
 import math
 
 import numpy as np
 
 from ..places import landscape
 from ..stage import materials, shapes
-import itertools
 
 SEED = 77
 HALF = 90.0  # m, half the side of the land
@@ -48,7 +48,7 @@ def build(collection, covered, white):
 def add_far_land(collection, material):
     """The land all around; it lies a little below the ground of the village, which is finer."""
     axis = np.linspace(-1.0, 1.0, GRID)
-    warped = HALF * (0.25 * axis + 0.75 * axis ** 3)
+    warped = HALF * (0.25 * axis + 0.75 * axis**3)
     x, y = np.meshgrid(warped, warped + 8.0)
     (left, right), (front, back) = VILLAGE
     inside = np.minimum(np.minimum(x - left, right - x), np.minimum(y - front, back - y))

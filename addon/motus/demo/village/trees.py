@@ -11,8 +11,20 @@ from . import terrain
 # A fir of unit height: base, top and width of each skirt.
 SKIRTS = ((0.08, 0.42, 0.26), (0.24, 0.58, 0.22), (0.40, 0.74, 0.175), (0.56, 0.88, 0.13), (0.72, 1.0, 0.085))
 # x, y, height of those that stand in the village.
-NEAR = ((-3.2, 7.6, 3.4), (8.6, 8.4, 4.6), (10.4, 13.2, 6.6), (-11.2, 11.0, 6.2), (-9.9, 17.6, 7.4), (4.2, 19.0, 5.6),
-        (5.6, 26.0, 7.8), (-6.4, 25.6, 8.2), (14.2, 17.5, 7.6), (-14.2, 16.0, 7.8), (0.9, 17.4, 2.6), (13.6, 26.0, 8.6))
+NEAR = (
+    (-3.2, 7.6, 3.4),
+    (8.6, 8.4, 4.6),
+    (10.4, 13.2, 6.6),
+    (-11.2, 11.0, 6.2),
+    (-9.9, 17.6, 7.4),
+    (4.2, 19.0, 5.6),
+    (5.6, 26.0, 7.8),
+    (-6.4, 25.6, 8.2),
+    (14.2, 17.5, 7.6),
+    (-14.2, 16.0, 7.8),
+    (0.9, 17.4, 2.6),
+    (13.6, 26.0, 8.6),
+)
 # x, y, height, seed of bare trees.
 BARE = ((-5.0, 6.2, 4.6, 3), (2.1, 15.6, 4.4, 11), (7.0, 16.2, 5.2, 5))
 SIDES = 6  # of branches
@@ -97,8 +109,10 @@ def _across(direction):
 def _tube(start, end, wide, thin):
     aside, other = _across((end - start) / np.linalg.norm(end - start))
     around = [math.cos(turn) * aside + math.sin(turn) * other for turn in shapes.ring(SIDES)]
-    rows = [[place + radius * out for out in around]
-            for place, radius in ((start, wide), (0.5 * (start + end), 0.5 * (wide + thin)), (end, thin))]
+    rows = [
+        [place + radius * out for out in around]
+        for place, radius in ((start, wide), (0.5 * (start + end), 0.5 * (wide + thin)), (end, thin))
+    ]
     vertices, faces = shapes.loft(np.array(rows))
     return vertices, faces[:, ::-1]
 

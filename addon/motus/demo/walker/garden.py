@@ -15,8 +15,16 @@ SEED = 11
 # Height, m, and wavelength, m, of the ground's swells.
 SWELLS = ((0.075, 1.9, 1), (0.020, 0.55, 2), (0.006, 0.21, 3))
 # x, y, radius, height of the stones on the way.
-STONES = ((-0.42, -3.62, 0.34, 0.22), (0.52, -3.10, 0.42, 0.30), (-0.55, -2.35, 0.46, 0.26), (0.16, -2.70, 0.22, 0.15),
-          (0.46, -1.75, 0.36, 0.24), (-0.30, -1.42, 0.26, 0.17), (-0.95, -3.05, 0.30, 0.24), (0.95, -2.30, 0.28, 0.2))
+STONES = (
+    (-0.42, -3.62, 0.34, 0.22),
+    (0.52, -3.10, 0.42, 0.30),
+    (-0.55, -2.35, 0.46, 0.26),
+    (0.16, -2.70, 0.22, 0.15),
+    (0.46, -1.75, 0.36, 0.24),
+    (-0.30, -1.42, 0.26, 0.17),
+    (-0.95, -3.05, 0.30, 0.24),
+    (0.95, -2.30, 0.28, 0.2),
+)
 MORE_STONES, TUFTS, BLADES = 60, 420, 11
 MUSHROOMS = ((-1.45, -2.20, 0.30), (-1.27, -2.36, 0.20), (1.55, -1.55, 0.26), (1.38, -3.95, 0.22), (-2.3, -0.75, 0.34), (-2.12, -0.9, 0.19))
 MUSHROOM = ((0.0, 0.0), (0.15, 0.02), (0.12, 0.25), (0.10, 0.55), (0.12, 0.62))
@@ -44,8 +52,7 @@ def _ground():
     x, y = (part.ravel() for part in np.meshgrid(x, y - 3.0))
     corner = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
     builder = shapes.MeshBuilder()
-    builder.add((np.column_stack((x, y, height(x, y))),
-                 np.column_stack((corner, corner + 1, corner + columns + 1, corner + columns))))
+    builder.add((np.column_stack((x, y, height(x, y))), np.column_stack((corner, corner + 1, corner + columns + 1, corner + columns))))
     return builder.build("Garden Ground", [_earth()])
 
 
@@ -72,16 +79,24 @@ def _boulder(place, radius, high, chance, seed):
     turn, squeeze = chance.uniform(0.0, math.tau), chance.uniform(0.72, 0.95)
     x, y = radius * vertices[:, 0], squeeze * radius * vertices[:, 1]
     ground = float(height(np.array([place[0]]), np.array([place[1]]))[0])
-    return np.column_stack((
-        place[0] + math.cos(turn) * x - math.sin(turn) * y, place[1] + math.sin(turn) * x + math.cos(turn) * y,
-        ground + high - flat + flat * vertices[:, 2])), faces
+    return np.column_stack(
+        (
+            place[0] + math.cos(turn) * x - math.sin(turn) * y,
+            place[1] + math.sin(turn) * x + math.cos(turn) * y,
+            ground + high - flat + flat * vertices[:, 2],
+        )
+    ), faces
 
 
 def _lumps(places, seed):
     """Smooth and repeatable, about 0."""
     x, y, z = places.T
-    return sum(np.sin(a * x + b * y + c * z + seed + p) for a, b, c, p in (
-        (1.0, 0.7, -0.4, 0.3), (-0.6, 1.1, 0.8, 1.9), (0.5, -0.9, 1.3, 4.1))) / 3.0
+    return (
+        sum(
+            np.sin(a * x + b * y + c * z + seed + p) for a, b, c, p in ((1.0, 0.7, -0.4, 0.3), (-0.6, 1.1, 0.8, 1.9), (0.5, -0.9, 1.3, 4.1))
+        )
+        / 3.0
+    )
 
 
 def _wall(rock):
@@ -132,8 +147,8 @@ def _blade(foot, chance):
     lean = chance.uniform(0.15, 0.75)
     ahead, across = np.array((math.cos(turn), math.sin(turn), 0.0)), np.array((-math.sin(turn), math.cos(turn), 0.0))
     steps = np.linspace(0.0, 1.0, 5)
-    spine = np.asarray(foot) + high * (steps[:, None] * (0.0, 0.0, 1.0) + (lean * steps ** 2)[:, None] * ahead)
-    half = wide * (1.0 - steps ** 1.5)[:, None] * across
+    spine = np.asarray(foot) + high * (steps[:, None] * (0.0, 0.0, 1.0) + (lean * steps**2)[:, None] * ahead)
+    half = wide * (1.0 - steps**1.5)[:, None] * across
     vertices = np.concatenate((spine - half, spine + half))
     return vertices, np.array([(row, row + 1, row + 6, row + 5) for row in range(4)])
 
@@ -147,23 +162,39 @@ def _mushrooms():
             upright = np.asarray(vertices)[:, (0, 2, 1)] * (high, -high, high)
             bent = upright + np.column_stack((0.12 * upright[:, 2] ** 2 / high * math.cos(index), 0.0 * upright[:, 0], 0.0 * upright[:, 0]))
             builder.add((bent + (x, y, ground - 0.01), faces), slot)
-    return builder.build("Mushrooms", [
-        materials.principled("Mushroom Stalk", color=(0.62, 0.52, 0.38), roughness=0.75),
-        materials.principled("Mushroom Cap", color=(0.36, 0.045, 0.022), roughness=0.32)])
+    return builder.build(
+        "Mushrooms",
+        [
+            materials.principled("Mushroom Stalk", color=(0.62, 0.52, 0.38), roughness=0.75),
+            materials.principled("Mushroom Cap", color=(0.36, 0.045, 0.022), roughness=0.32),
+        ],
+    )
 
 
 def _rock(name, dark, light):
     """Grey stone with moss on what looks up."""
     material, shader, output = materials.new_material(name)
     place = shader.add("ShaderNodeTexCoord").outputs["Object"]
-    grain = shader.math("ADD", shader.noise(place, 4.0, detail=7.0), shader.math(
-        "MULTIPLY", shader.math("SUBTRACT", shader.noise(place, 26.0, detail=3.0), 0.5), 0.5))
+    grain = shader.math(
+        "ADD",
+        shader.noise(place, 4.0, detail=7.0),
+        shader.math("MULTIPLY", shader.math("SUBTRACT", shader.noise(place, 26.0, detail=3.0), 0.5), 0.5),
+    )
     stone = shader.ramp(grain, ((0.30, dark), (0.72, light)))
     up = shader.add("ShaderNodeSeparateXYZ", {0: shader.add("ShaderNodeNewGeometry").outputs["Normal"]}).outputs[2]
-    moss = shader.math("MULTIPLY", shader.math("ADD", shader.math("MULTIPLY", up, 0.75), shader.math(
-        "SUBTRACT", shader.math("MULTIPLY", shader.noise(place, 3.4, detail=8.0), 2.2), 1.72)), 3.0, clamp=True)
-    color = shader.mix(moss, stone, shader.ramp(shader.noise(place, 17.0, detail=6.0), (
-        (0.35, (0.022, 0.040, 0.008)), (0.70, (0.095, 0.125, 0.028)))))
+    moss = shader.math(
+        "MULTIPLY",
+        shader.math(
+            "ADD",
+            shader.math("MULTIPLY", up, 0.75),
+            shader.math("SUBTRACT", shader.math("MULTIPLY", shader.noise(place, 3.4, detail=8.0), 2.2), 1.72),
+        ),
+        3.0,
+        clamp=True,
+    )
+    color = shader.mix(
+        moss, stone, shader.ramp(shader.noise(place, 17.0, detail=6.0), ((0.35, (0.022, 0.040, 0.008)), (0.70, (0.095, 0.125, 0.028))))
+    )
     node = shader.add("ShaderNodeBsdfPrincipled")
     materials.set_principled(shader, node, color=color, roughness=0.9, specular=0.2)
     bump = shader.add("ShaderNodeBump", {"Height": grain, "Strength": 0.35, "Distance": 0.05})
@@ -178,8 +209,10 @@ def _earth():
     place = shader.add("ShaderNodeTexCoord").outputs["Object"]
     grain = shader.noise(place, 11.0, detail=8.0)
     patches = shader.noise(place, 0.8, detail=5.0)
-    tint = shader.ramp(shader.math("ADD", shader.math("MULTIPLY", grain, 0.5), shader.math("MULTIPLY", patches, 0.5)), (
-        (0.36, (0.030, 0.022, 0.013)), (0.50, (0.105, 0.072, 0.040)), (0.58, (0.060, 0.078, 0.018)), (0.68, (0.085, 0.135, 0.026))))
+    tint = shader.ramp(
+        shader.math("ADD", shader.math("MULTIPLY", grain, 0.5), shader.math("MULTIPLY", patches, 0.5)),
+        ((0.36, (0.030, 0.022, 0.013)), (0.50, (0.105, 0.072, 0.040)), (0.58, (0.060, 0.078, 0.018)), (0.68, (0.085, 0.135, 0.026))),
+    )
     node = shader.add("ShaderNodeBsdfPrincipled")
     materials.set_principled(shader, node, color=tint, roughness=0.95, specular=0.15)
     bump = shader.add("ShaderNodeBump", {"Height": grain, "Strength": 0.6, "Distance": 0.03})

@@ -16,7 +16,11 @@ CLIMB = ((0.0, -0.22, 0.15), (0.0, -0.01, 0.58), (0.05, 0.0, 1.15), (0.22, 0.0, 
 SPEED, START = 0.60, 1.15  # m/s, and how far along the way the spider is at first, m
 SPAN = 1.15
 # Span, how far behind, how far to the side, colour.
-YOUNG = ((0.46, 0.95, -0.30, (0.80, 0.36, 0.03, 1.0)), (0.40, 1.25, 0.26, (0.75, 0.10, 0.02, 1.0)), (0.36, 1.62, -0.12, (0.85, 0.52, 0.08, 1.0)))
+YOUNG = (
+    (0.46, 0.95, -0.30, (0.80, 0.36, 0.03, 1.0)),
+    (0.40, 1.25, 0.26, (0.75, 0.10, 0.02, 1.0)),
+    (0.36, 1.62, -0.12, (0.85, 0.52, 0.08, 1.0)),
+)
 SKY_STOPS = ((0.0, (0.80, 0.62, 0.44)), (0.10, (0.62, 0.66, 0.68)), (0.35, (0.28, 0.44, 0.66)), (1.0, (0.08, 0.20, 0.46)))
 VIEWS = (("AgX", "AgX - Punchy", 0.75), ("Filmic", "High Contrast", 0.25), ("Filmic", "Filmic - High Contrast", 0.25))
 LENS = 34.0
@@ -29,8 +33,9 @@ def build(context):
     """Build the scene, show it in the window and return it."""
     scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND, LAST_FRAME)
     land, plants, beasts, views = (staging.new_collection(scene, name) for name in ("Garden", "Plants", "Spiders", "Views"))
-    scene.world = lighting.build_gradient_world("Motus Garden Sky", SKY_STOPS, 0.75, lambda shader, height: shader.math(
-        "MAXIMUM", height, 0.0))
+    scene.world = lighting.build_gradient_world(
+        "Motus Garden Sky", SKY_STOPS, 0.75, lambda shader, height: shader.math("MAXIMUM", height, 0.0)
+    )
     lighting.add_sun(views)
     lighting.set_color_management(scene, VIEWS)
     garden.build(land, plants)
@@ -46,13 +51,27 @@ def build(context):
 def _add_spider(collection, land, name, span, offset, aside, color):
     """A spider, by the public operators, on a course of its own."""
     course = _add_course(collection, f"{name} Course", aside)
-    _check(bpy.ops.motus.spider_add(size=span, color=color, location=(0.0, 0.0, 0.0), grounds=land.name,
-                                    stride=0.21 * span, reach_down=span,
-                                    frequency=2.2, damping=0.85, body_tilt=0.8, cadence=0.8 / span))
+    _check(
+        bpy.ops.motus.spider_add(
+            size=span,
+            color=color,
+            location=(0.0, 0.0, 0.0),
+            grounds=land.name,
+            stride=0.21 * span,
+            reach_down=span,
+            frequency=2.2,
+            damping=0.85,
+            body_tilt=0.8,
+            cadence=0.8 / span,
+        )
+    )
     spider = bpy.context.object
     spider.name = name
-    _check(bpy.ops.motus.path_follow_add(
-        object=spider.name, curve=course.name, timing="SPEED", speed=SPEED, offset=offset, orientation="MINIMAL"))
+    _check(
+        bpy.ops.motus.path_follow_add(
+            object=spider.name, curve=course.name, timing="SPEED", speed=SPEED, offset=offset, orientation="MINIMAL"
+        )
+    )
     return spider
 
 

@@ -67,8 +67,10 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
         told = self._without_good(told)
         # Blender shows the last report: what is bad.
         for entry in sorted(told, key=lambda entry: bool(entry.check_frames)):
-            self.report({'WARNING' if entry.check_frames else 'INFO'}, f"{entry.name}: " + results.sentence(
-                entry, lambda value: status.length(context, value)))
+            self.report(
+                {'WARNING' if entry.check_frames else 'INFO'},
+                f"{entry.name}: " + results.sentence(entry, lambda value: status.length(context, value)),
+            )
 
     def _chosen(self, rig):
         """The entries that are checked: looked up each time, since a script may change their list meanwhile."""
@@ -79,8 +81,7 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
         good = [entry for entry in told if entry.check_reason == 'NONE' and entry.check_range == self._range]
         if len(good) < 2:
             return told
-        self.report({'INFO'}, tr("{chains} chains reach their targets on all frames {range}").format(
-            chains=len(good), range=self._range))
+        self.report({'INFO'}, tr("{chains} chains reach their targets on all frames {range}").format(chains=len(good), range=self._range))
         return [entry for entry in told if entry not in good]
 
     def _walk(self, context, rig, frames):

@@ -27,20 +27,28 @@ class CheckResults:
     """Mixin for an entry: the last result of motus.ik_check."""
 
     check_range: bpy.props.StringProperty(
-        name="Checked", description="Frames that were checked; empty before any check", options=set(),
-        override=OVERRIDABLE)
+        name="Checked", description="Frames that were checked; empty before any check", options=set(), override=OVERRIDABLE
+    )
     check_step: bpy.props.FloatProperty(
-        name="Step", description="Frames from one that was checked to the next", default=1.0, options=set(),
-        override=OVERRIDABLE)
+        name="Step", description="Frames from one that was checked to the next", default=1.0, options=set(), override=OVERRIDABLE
+    )
     check_frames: bpy.props.StringProperty(
-        name="Frames", description="Frames on which the chain does not come to its target, such as 12-40, 77",
-        options=set(), override=OVERRIDABLE)
+        name="Frames",
+        description="Frames on which the chain does not come to its target, such as 12-40, 77",
+        options=set(),
+        override=OVERRIDABLE,
+    )
     check_worst: bpy.props.FloatProperty(
-        name="Short By", description="The largest distance that is left to the target", subtype='DISTANCE', min=0.0,
-        options=set(), override=OVERRIDABLE)
+        name="Short By",
+        description="The largest distance that is left to the target",
+        subtype='DISTANCE',
+        min=0.0,
+        options=set(),
+        override=OVERRIDABLE,
+    )
     check_reason: bpy.props.EnumProperty(
-        name="Reason", description="Reason on the frame on which the chain falls shortest", items=WHY, options=set(),
-        override=OVERRIDABLE)
+        name="Reason", description="Reason on the frame on which the chain falls shortest", items=WHY, options=set(), override=OVERRIDABLE
+    )
 
 
 def store(entry, checked, step, frames=(), worst=0.0, reason='NONE'):
@@ -93,4 +101,5 @@ def sentence(entry, length):
         'ITERATIONS': tr("Iterations used up on {frames}, at most {length} short (checked {range})"),
     }
     return templates[entry.check_reason].format(
-        frames=spoken(entry.check_frames), length=length(entry.check_worst), range=entry.check_range)
+        frames=spoken(entry.check_frames), length=length(entry.check_worst), range=entry.check_range
+    )

@@ -38,7 +38,7 @@ def grab(context, rig, bone, factor, chain_length=0):
     entry = settings.entries[index]
     chain = chains.find(rig, entry)
     if entry.is_muted or entry.position_weight * settings.influence == 0.0:
-        bones = chain.driven[:chain.driven.index(bone) + 1]
+        bones = chain.driven[: chain.driven.index(bone) + 1]
         return _PoseGrab(context, rig, bones, factor, entry)
     return _TargetGrab(context, rig, entry, bone, factor)
 
@@ -48,8 +48,7 @@ def free_chain(rig, bone, chain_length):
     taken = chains.driven_elsewhere(rig, "") if not rig.motus.bake.is_baked else {}
     if bone in taken:
         label, entry = taken[bone]
-        raise Refused(tr("{bone} is driven by {system} of {other}").format(
-            bone=bone, system=tr(label), other=entry))
+        raise Refused(tr("{bone} is driven by {system} of {other}").format(bone=bone, system=tr(label), other=entry))
     last = rig.data.bones[bone]
     found = [bone]
     for child, parent in zip([last, *last.parent_recursive], last.parent_recursive):
@@ -86,8 +85,7 @@ class _PoseGrab:
         lengths = arrays.lengths.copy()
         lengths[rows[-1]] *= max(factor, SHORTEST)
         self._plan = native.module.IkPlan(rigs.parents(rig, list(arrays.names)), [rows], [rows[-1]], [])
-        self._bones = self._plan.bones(
-            self._plan.rest(arrays.rest, lengths, arrays.inheritance), arrays.basis)
+        self._bones = self._plan.bones(self._plan.rest(arrays.rest, lengths, arrays.inheritance), arrays.basis)
         # The array holds only until the next rig is read.
         self._posed = reading.Posed(arrays.poses.copy(), arrays.world)
         self._settings = _settings(self._plan, entry, self._limits is not None)
@@ -100,8 +98,15 @@ class _PoseGrab:
             return
         rotations, scales = np.empty((len(self.moved), 4)), np.empty((len(self.moved), 3))
         self._plan.solve(
-            self._bones, *self._posed, self._settings, _columns(Matrix.Translation(place)), np.full((1, 3), np.nan),
-            limits=self._limits, rotations=rotations, scales=scales)
+            self._bones,
+            *self._posed,
+            self._settings,
+            _columns(Matrix.Translation(place)),
+            np.full((1, 3), np.nan),
+            limits=self._limits,
+            rotations=rotations,
+            scales=scales,
+        )
         for one, path, before, own, turn in zip(self.moved, self.paths, self._before, self._own, rotations):
             thing = one.thing
             setattr(thing, path, rotation_values(thing, own @ Quaternion(turn.tolist()), before))
@@ -149,8 +154,7 @@ class _TargetGrab:
         evaluated = rig.evaluated_get(self._depsgraph)
         control = controls.station(entry, evaluated.motus.ik.entries[entry.name].target_blend)
         if control is None:
-            raise Refused(
-                tr("{bone} is between two targets: drag it where Blend stands on one of them").format(bone=entry.name))
+            raise Refused(tr("{bone} is between two targets: drag it where Blend stands on one of them").format(bone=entry.name))
         controls.check_movable(control, ("location",))
         self._control = control
         self.moved, self.paths = [control], ["location"]
@@ -210,9 +214,9 @@ class _TargetGrab:
         for _ in range(ROUNDS):
             if np.linalg.norm(error) <= NEAR * self._length:
                 break
-            slopes = np.column_stack([
-                (self._reached(target + PROBE * self._length * axis) - wanted - error) / (PROBE * self._length)
-                for axis in np.eye(3)])
+            slopes = np.column_stack(
+                [(self._reached(target + PROBE * self._length * axis) - wanted - error) / (PROBE * self._length) for axis in np.eye(3)]
+            )
             step = -np.linalg.solve(slopes.T @ slopes + damping * np.eye(3), slopes.T @ error)
             step *= min(1.0, LONGEST_STEP * self._length / max(np.linalg.norm(step), 1e-30))
             tried = self._reached(target + step) - wanted
@@ -226,14 +230,20 @@ class _TargetGrab:
 def _solver(rig, entry, depsgraph):
     found = forward.solver_of(rig, entry.name, depsgraph)
     if found is None or not found[0].settings[found[1].index, found[0].columns["is_on"]]:
-        raise Refused(tr("{bone} of {object} is not being solved: the panel says why").format(
-            bone=entry.name, object=rig.name))
+        raise Refused(tr("{bone} of {object} is not being solved: the panel says why").format(bone=entry.name, object=rig.name))
     return found
 
 
 def _settings(plan, entry, has_limits):
-    values = {"position_weight": 1.0, "bend": 1.0, "tolerance": 1e-6, "iterations": 100.0, "is_on": 1.0,
-              "use_limits": float(has_limits), "hinge_angle": entry.hinge_angle if entry else 0.0}
+    values = {
+        "position_weight": 1.0,
+        "bend": 1.0,
+        "tolerance": 1e-6,
+        "iterations": 100.0,
+        "is_on": 1.0,
+        "use_limits": float(has_limits),
+        "hinge_angle": entry.hinge_angle if entry else 0.0,
+    }
     return np.array([[values.get(name, 0.0) for name in plan.SETTINGS]])
 
 
@@ -247,7 +257,7 @@ def _limits(rig, evaluated, entry, bones, depsgraph):
             limits = reading.gather(evaluated, group.data[groups.PLAN], depsgraph).limits
             free = np.array([[-np.inf] * 3 + [np.inf] * 3])  # of an effector that is none of the chain's bones
             row_of = dict(zip(rows.bones, rows.rows))  # of the longest chain, where the length is keyed
-            known = [limits[row:row + 1] if row < len(limits) else free for row in map(row_of.get, bones)]
+            known = [limits[row : row + 1] if row < len(limits) else free for row in map(row_of.get, bones)]
             return np.ascontiguousarray(np.concatenate(known))
     return None
 

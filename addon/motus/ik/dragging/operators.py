@@ -23,16 +23,32 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
     bl_description = "Take hold of a bone at any point; the chain follows the mouse"
 
     bone: bpy.props.StringProperty(
-        name="Bone", description="Name of the bone that is pulled; empty takes the active one", options={'SKIP_SAVE'})
+        name="Bone", description="Name of the bone that is pulled; empty takes the active one", options={'SKIP_SAVE'}
+    )
     factor: bpy.props.FloatProperty(
-        name="Factor", description="Point of the bone that is pulled, from its head (0) to its tail (1)", default=1.0,
-        min=0.0, max=1.0, subtype='FACTOR', options={'SKIP_SAVE'})
+        name="Factor",
+        description="Point of the bone that is pulled, from its head (0) to its tail (1)",
+        default=1.0,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+        options={'SKIP_SAVE'},
+    )
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Place in the world that the point is pulled to", size=3, subtype='XYZ',
-        unit='LENGTH', options={'SKIP_SAVE'})
+        name="Location",
+        description="Place in the world that the point is pulled to",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
     chain_length: bpy.props.IntProperty(
-        name="Chain Length", default=0, min=0, max=255,
-        description="How many bones without inverse kinematics follow; 0 takes those that are connected up to a branch")
+        name="Chain Length",
+        default=0,
+        min=0,
+        max=255,
+        description="How many bones without inverse kinematics follow; 0 takes those that are connected up to a branch",
+    )
 
     redo = (Rows(("factor", "chain_length", Row("location", when=is_given("location")))),)
 
@@ -69,8 +85,7 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
         return rig
 
     def _show_keys(self, context):
-        context.workspace.status_text_set(
-            tr("Press the left mouse button on a bone and drag it; Esc or the right button cancels"))
+        context.workspace.status_text_set(tr("Press the left mouse button on a bone and drag it; Esc or the right button cancels"))
 
     def _hold(self, context, region, view, mouse):
         picked = picking.pick(context, named(self.object), region, view, mouse)
@@ -103,8 +118,7 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
             options.add('INSERTKEY_AVAILABLE')
         for one, path in zip(held.moved, held.paths):
             actions.make_local(one.object)
-            one.thing.keyframe_insert(
-                path, frame=scene_time.present(context.scene), options=options, group=one.bone or "Object Transforms")
+            one.thing.keyframe_insert(path, frame=scene_time.present(context.scene), options=options, group=one.bone or "Object Transforms")
 
 
 classes = (MOTUS_OT_ik_drag,)

@@ -23,7 +23,8 @@ class DragChainTool(bpy.types.WorkSpaceTool):
     bl_label = "Drag Chain"
     bl_description = (
         "Take hold of a bone at any point with the left mouse button; the chain follows the mouse.\n"
-        "X, Y and Z hold it to an axis; a click selects the bone")
+        "X, Y and Z hold it to an axis; a click selects the bone"
+    )
     bl_icon = str(Path(__file__).resolve().parent / "icons" / "drag_chain")
     bl_cursor = 'HAND'
     bl_keymap = None

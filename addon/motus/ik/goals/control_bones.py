@@ -19,8 +19,9 @@ SHARE = 0.2
 def check(context, rig):
     """Refuse a rig to which no bones can be added."""
     if rig.data.library or rig.data.override_library:
-        raise Refused(tr("The armature of {object} is linked from another file and can be given no bones: choose an object").format(
-            object=rig.name))
+        raise Refused(
+            tr("The armature of {object} is linked from another file and can be given no bones: choose an object").format(object=rig.name)
+        )
     check_evaluated(rig, context.view_layer)
 
 

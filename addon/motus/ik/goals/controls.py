@@ -11,8 +11,7 @@ from ...core.file.pointers import pointed
 from ...core.refusals import Refused, check_no_tweak_mode
 from ...core.translations import tr
 from ..groups import goals
-from . import stations
-from . import places as goal_places
+from . import places as goal_places, stations
 from .orientation import frame_of
 
 
@@ -71,8 +70,7 @@ def pole(entry):
 def check_present(control):
     """Refuse a target that stands in no collection any more."""
     if deleted.is_deleted(control.object):
-        raise Refused(tr("{target} is in no collection any more: choose another target").format(
-            target=control.object.name))
+        raise Refused(tr("{target} is in no collection any more: choose another target").format(target=control.object.name))
 
 
 def check_movable(control, channels):
@@ -84,13 +82,15 @@ def check_movable(control, channels):
         raise Refused(tr("{object} has no bone {bone}").format(object=control.object.name, bone=control.bone))
     obj, thing = control.object, control.thing
     if obj.library:
-        raise Refused(
-            tr("{object} is linked from another file: make a library override of it first").format(object=obj.name))
+        raise Refused(tr("{object} is linked from another file: make a library override of it first").format(object=obj.name))
     check_no_tweak_mode(obj)
     for constraint in thing.constraints:
         if not constraint.mute and constraint.influence > 0.0:
-            raise Refused(tr("{target} has a constraint, so it cannot be moved: {constraint}").format(
-                target=control.label, constraint=constraint.name))
+            raise Refused(
+                tr("{target} has a constraint, so it cannot be moved: {constraint}").format(
+                    target=control.label, constraint=constraint.name
+                )
+            )
     if control.bone and "location" in channels and thing.bone.use_connect:
         raise Refused(tr("{target} is connected to its parent, so it cannot be moved").format(target=control.label))
     check_undriven(thing, channels, control.label)
@@ -132,8 +132,9 @@ def _in_parents(control, evaluated, matrix):
         parents = evaluated.matrix_world @ evaluated.matrix_basis.inverted_safe()
         return parents.inverted_safe() @ matrix, evaluated.scale * evaluated.delta_scale
     bone = evaluated.pose.bones[control.bone]
-    return evaluated.convert_space(pose_bone=bone, matrix=evaluated.matrix_world.inverted_safe() @ matrix,
-                                   from_space='POSE', to_space='LOCAL'), bone.scale
+    return evaluated.convert_space(
+        pose_bone=bone, matrix=evaluated.matrix_world.inverted_safe() @ matrix, from_space='POSE', to_space='LOCAL'
+    ), bone.scale
 
 
 def animated_with(rig, entries):

@@ -16,8 +16,13 @@ def of_entries(rig, indices):
     """(object, bone or "") of what was made for these entries of a rig, each once, and is no target or pole of another entry."""
     entries = [rig.motus.ik.entries[index] for index in indices]
     pairs = dict.fromkeys(pair for entry in entries for pair in goals(entry) if _is_made(rig, *pair))
-    others = {pair for one in _rigs() for index, entry in enumerate(one.motus.ik.entries)
-              if one != rig or index not in indices for pair in goals(entry)}
+    others = {
+        pair
+        for one in _rigs()
+        for index, entry in enumerate(one.motus.ik.entries)
+        if one != rig or index not in indices
+        for pair in goals(entry)
+    }
     return [pair for pair in pairs if pair not in others]
 
 
@@ -70,8 +75,13 @@ def _is_bone_needed(rig, bone):
         if target.bone_target == bone or target.data_path.startswith(path):
             return True
     pairs = {(one, bone) for one in rigs}
-    return any(not pairs.isdisjoint(entry.reads) or (one in rigs and bone in entry.drives)
-               for system in systems() if system.entries for one in _rigs() for entry in system.entries(one))
+    return any(
+        not pairs.isdisjoint(entry.reads) or (one in rigs and bone in entry.drives)
+        for system in systems()
+        if system.entries
+        for one in _rigs()
+        for entry in system.entries(one)
+    )
 
 
 def _constraint_targets(constraint):

@@ -11,7 +11,7 @@ from ...core import rigs
 from ...core.file import deleted
 from ...core.file.pointers import pointed
 from ...core.lazy import numpy as np
-from ..reasons import NOT_FINITE, NO_TARGET, NO_TARGET_BONE, TARGET_DELETED
+from ..reasons import NO_TARGET, NO_TARGET_BONE, NOT_FINITE, TARGET_DELETED
 from . import stations
 
 
@@ -110,8 +110,9 @@ def mixed(value, places):
 
 def _further_places(entry, are_there):
     """World matrices of an entry's further targets, None for those that are missing, or whose bone is."""
-    return [world_matrix(pointed(extra, "object"), extra.bone) if is_there else None
-            for extra, is_there in zip(entry.extra_targets, are_there)]
+    return [
+        world_matrix(pointed(extra, "object"), extra.bone) if is_there else None for extra, is_there in zip(entry.extra_targets, are_there)
+    ]
 
 
 def _between(start, end, share):

@@ -1,5 +1,6 @@
 """Where a chain's target and pole have to stand so that the pose stays as it is, and about which axis it bends."""
 
+import itertools
 import math
 
 import bpy
@@ -9,7 +10,6 @@ from ...core.file import libraries
 from .. import chains, forward
 from . import places as goal_places
 from .orientation import frame_of
-import itertools
 
 CONTROL_KEY = "motus_ik_control"
 """Custom property of the empties that are made along with an entry."""
@@ -26,8 +26,7 @@ def rest_joints(rig, chain):
     """Places of the chain's joints at rest, from the root to the tip, in armature space."""
     bones = rig.data.bones
     last = bones[chain.effector]
-    return [bones[name].head_local.copy() for name in chain.bones] + [
-        (last.tail_local if chain.use_tail else last.head_local).copy()]
+    return [bones[name].head_local.copy() for name in chain.bones] + [(last.tail_local if chain.use_tail else last.head_local).copy()]
 
 
 def posed_joints(rig, chain):

@@ -42,8 +42,12 @@ def _chosen(rig, bone):
     check_no_tweak_mode(rig)
     name = rig.motus.ik.entries[targets.entry_for(rig, bone)].name if bone else ""
     known = {found.entry.name: found for found in groups.survey(rig)}
-    result = [_Chain(one, known[one], group, rows) for group in groups.groups(rig)
-              for one, rows in forward.chain_rows(group).items() if name in ("", one)]
+    result = [
+        _Chain(one, known[one], group, rows)
+        for group in groups.groups(rig)
+        for one, rows in forward.chain_rows(group).items()
+        if name in ("", one)
+    ]
     if not result:
         raise Refused(tr("No chain of {object} is being solved").format(object=rig.name))
     return result
@@ -119,8 +123,7 @@ def match_ik(context, rig, bone, frames, switch, outcome):
             _check_unlaid(evaluated, chosen)
             for track in tracks:
                 posed = evaluated.pose.bones[track.thing.name]
-                track.add(evaluated.convert_space(
-                    pose_bone=posed, matrix=posed.matrix, from_space='POSE', to_space='LOCAL'))
+                track.add(evaluated.convert_space(pose_bone=posed, matrix=posed.matrix, from_space='POSE', to_space='LOCAL'))
             poses.record(context.view_layer.depsgraph)
             done += 1
             yield done
@@ -128,8 +131,7 @@ def match_ik(context, rig, bone, frames, switch, outcome):
             for name, rows in track.values.items():
                 writer.write(track.thing, name, times, rows, group=track.thing.name)
         if switch:
-            weights.switch(
-                scene, rig, _entries(rig, chosen), times, writer, {"position_weight": 0.0, "rotation_weight": 0.0})
+            weights.switch(scene, rig, _entries(rig, chosen), times, writer, {"position_weight": 0.0, "rotation_weight": 0.0})
         with without_sinks(rig, () if switch else chosen):
             for index, frame in enumerate(frames):
                 go_to(scene, frame)
@@ -182,8 +184,7 @@ class _Wanted:
 
     def _add(self, kind, chain, control, channels):
         if control in self._places:
-            raise Refused(tr("{target} is the control of several chains: give each one of its own").format(
-                target=control.label))
+            raise Refused(tr("{target} is the control of several chains: give each one of its own").format(target=control.label))
         controls.check_movable(control, channels)
         if control.bone:
             check_posed(control.object, self._view_layer)
@@ -192,8 +193,9 @@ class _Wanted:
 
     @staticmethod
     def _under_way(chain):
-        raise Refused(tr("{bone} passes from one target to another in this range: match the frames before or "
-                                 "after that").format(bone=chain.name))
+        raise Refused(
+            tr("{bone} passes from one target to another in this range: match the frames before or after that").format(bone=chain.name)
+        )
 
     def passes(self):
         """The controls, those that hang on others after these."""
@@ -207,6 +209,7 @@ class _Wanted:
                 others = [by_place[place] for place in above[control.object, control.bone]]
                 depth[control] = 1 + max(map(depth_of, others), default=-1)
             return depth[control]
+
         for control in self._places:
             depth_of(control)
         return [[control for control in depth if depth[control] == level] for level in range(max(depth.values()) + 1)]
@@ -228,8 +231,7 @@ class _Wanted:
         if controls.station(self._rig.motus.ik.entries[chain.name], entry.target_blend) != target:
             self._under_way(chain)
         if not np.isfinite(pole).all():
-            raise Refused(tr("{bone} has no pose at frame {frame} that could be matched").format(
-                bone=chain.name, frame=as_text(frame)))
+            raise Refused(tr("{bone} has no pose at frame {frame} that could be matched").format(bone=chain.name, frame=as_text(frame)))
         matrix = Matrix(goal.reshape(4, 4).T.tolist())
         self._places[target][0].append((matrix, entry.rotation_offset.to_matrix()))
         if chain.name in self._poles:

@@ -29,8 +29,8 @@ class _Match(OverFrames):
         error = self._outcome["error"]
         millimetres = 1000.0 * error.length * context.scene.unit_settings.scale_length
         sentence = tr("Matched {frames} frames of {chains} chains: largest error {length} mm, {angle} degrees").format(
-            frames=self._count, chains=self._outcome["chains"], length=_number(millimetres),
-            angle=_number(math.degrees(error.angle)))
+            frames=self._count, chains=self._outcome["chains"], length=_number(millimetres), angle=_number(math.degrees(error.angle))
+        )
         self.report({'INFO'} if error.share <= GOOD else {'WARNING'}, sentence)
 
 
@@ -44,8 +44,7 @@ class MOTUS_OT_ik_match_fk(_Match, bpy.types.Operator):
     bl_label = "Match IK to FK"
     bl_description = "Key the targets and poles so that the solution is the animated pose"
 
-    switch: bpy.props.BoolProperty(
-        name="Switch to IK", description="Set the position weight to 1 over these frames", default=False)
+    switch: bpy.props.BoolProperty(name="Switch to IK", description="Set the position weight to 1 over these frames", default=False)
     job = staticmethod(match_fk)
 
 
@@ -54,8 +53,7 @@ class MOTUS_OT_fk_match_ik(_Match, bpy.types.Operator):
     bl_label = "Match FK to IK"
     bl_description = "Key the bones so that their own animation is the solution"
 
-    switch: bpy.props.BoolProperty(
-        name="Switch to FK", description="Set both weights to 0 over these frames", default=False)
+    switch: bpy.props.BoolProperty(name="Switch to FK", description="Set both weights to 0 over these frames", default=False)
     job = staticmethod(match_ik)
 
 

@@ -53,15 +53,17 @@ class Poses:
         return solved
 
     def _widen(self, chain, length, heads, axes, heads_now, axes_now):
-        bone_lengths = np.array([self._rig.data.bones[name].length for name in chain.bones])[:len(heads)]
+        bone_lengths = np.array([self._rig.data.bones[name].length for name in chain.bones])[: len(heads)]
         ends = axes[:, :, 1] * bone_lengths[:, None], axes_now[:, :, 1] * bone_lengths[:, None]
-        away = max(np.linalg.norm(heads_now - heads, axis=1).max(),
-                   np.linalg.norm(heads_now + ends[1] - heads - ends[0], axis=1).max())
+        away = max(np.linalg.norm(heads_now - heads, axis=1).max(), np.linalg.norm(heads_now + ends[1] - heads - ends[0], axis=1).max())
         chord = np.linalg.norm(_directions(axes_now) - _directions(axes), axis=(1, 2)).max()
         angle = 2.0 * np.arcsin(min(chord / np.sqrt(8.0), 1.0))
         whole = length * self._rig.matrix_world.median_scale
-        self.error = Error(max(self.error.length, float(away)), max(self.error.angle, float(angle)),
-                           max(self.error.share, float(away / whole) if whole else 0.0))
+        self.error = Error(
+            max(self.error.length, float(away)),
+            max(self.error.angle, float(angle)),
+            max(self.error.share, float(away / whole) if whole else 0.0),
+        )
 
 
 def _directions(axes):
@@ -90,5 +92,8 @@ class without_sinks:  # noqa: N801  (a context, named like a function)
     def _sinks(self):
         if not self._bones:
             return []
-        return [(thing, constraint) for thing, constraint in wiring.sinks(setup.system(), self._rig)
-                if thing.id_data == self._rig and thing.name in self._bones]
+        return [
+            (thing, constraint)
+            for thing, constraint in wiring.sinks(setup.system(), self._rig)
+            if thing.id_data == self._rig and thing.name in self._bones
+        ]

@@ -35,8 +35,7 @@ def present(rig, entry, frame):
 def check_other(entry, number, goal):
     """Refuse a target that the chain is at already."""
     if controls.station(entry, number) == controls.Control(*goal):
-        raise Refused(tr("{bone} is at {target} already").format(
-            bone=entry.name, target=controls.Control(*goal).label))
+        raise Refused(tr("{bone} is at {target} already").format(bone=entry.name, target=controls.Control(*goal).label))
 
 
 def place_next(entry, number, goal):

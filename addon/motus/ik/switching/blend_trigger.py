@@ -42,8 +42,7 @@ def output_source(owner, system_name, output):
             continue
         hub = hubs.get(level)
         return ('MESH', hub.data, path) if hub else ('OBJECT', owner, path)
-    raise Refused(tr("{system} of {object} has no output {output}").format(
-        system=tr(system.label), object=owner.name, output=output))
+    raise Refused(tr("{system} of {object} has no output {output}").format(system=tr(system.label), object=owner.name, output=output))
 
 
 def check_elsewhere(rig, owner, system_name):
@@ -55,7 +54,7 @@ def check_elsewhere(rig, owner, system_name):
 
 def _check_no_own_setting(rig, owner, path):
     """Refuse a setting of the rig's own, whichever object the path begins at: to Blender, Blend is one with all of them."""
-    if any(_holder(owner, path[:found.start()]) == rig for found in _SETTINGS.finditer(path)):
+    if any(_holder(owner, path[: found.start()]) == rig for found in _SETTINGS.finditer(path)):
         _refuse_own(rig)
 
 
@@ -68,8 +67,7 @@ def _holder(owner, path):
 
 
 def _refuse_own(rig):
-    raise Refused(tr("{object} cannot wait for what is solved on its own bones: choose another trigger").format(
-        object=rig.name))
+    raise Refused(tr("{object} cannot wait for what is solved on its own bones: choose another trigger").format(object=rig.name))
 
 
 def _entry_count(owner):
@@ -96,29 +94,27 @@ def switch(rig, entry, goal, source, start, end, interpolation):
     if source:
         _check_no_own_setting(rig, *source[1:])
     if blend_keys.curve_of(rig, entry):
-        raise Refused(tr("Blend of {bone} is keyed: remove the keys, or give frames instead of a trigger").format(
-            bone=entry.name))
+        raise Refused(tr("Blend of {bone} is keyed: remove the keys, or give frames instead of a trigger").format(bone=entry.name))
     driver = driver_of(rig, entry)
     number, expression = _so_far(entry, driver)
     blend_keys.check_other(entry, number, goal)
     name = _free_name(driver.driver.variables if driver else ()) if source else "frame"
     longer = f"{expression}+" + TERMS[interpolation].format(
-        start=f"{start:.9g}", end=f"{end:.9g}", value=name, sign=">=" if end > start else "<=")
+        start=f"{start:.9g}", end=f"{end:.9g}", value=name, sign=">=" if end > start else "<="
+    )
     if len(longer) > LONGEST_EXPRESSION:
         raise Refused(tr("{bone} passes on too many times for one driver").format(bone=entry.name))
     loops, count = _loops(rig), len(entry.extra_targets)
     with setup.at_once(rig):
         blend_keys.place_next(entry, number, goal)
-        curve = driver or _new_driver(
-            rig, chains.prefixes(rig, rig.motus.ik.entries.find(entry.name))[0] + "target_blend")
+        curve = driver or _new_driver(rig, chains.prefixes(rig, rig.motus.ik.entries.find(entry.name))[0] + "target_blend")
         if source:
             _add_variable(curve.driver, name, source)
         curve.driver.expression = longer
     if _loops(rig) - loops:
         added = number if len(entry.extra_targets) > count else -1
         _take_back(rig, entry, added, expression if driver else "", name)
-        raise Refused(tr("What triggers {bone} moves with the chain itself: choose another trigger").format(
-            bone=entry.name))
+        raise Refused(tr("What triggers {bone} moves with the chain itself: choose another trigger").format(bone=entry.name))
     return number
 
 
@@ -139,8 +135,7 @@ def _so_far(entry, driver):
         raise Refused(tr("Blend of {bone} has a driver of its own").format(bone=entry.name))
     number = found[0] + len(found[1])
     if number > len(entry.extra_targets):
-        raise Refused(tr("Blend of {bone} is driven to targets that there are no more: remove its driver").format(
-            bone=entry.name))
+        raise Refused(tr("Blend of {bone} is driven to targets that there are no more: remove its driver").format(bone=entry.name))
     return number, driver.driver.expression
 
 

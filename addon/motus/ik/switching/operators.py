@@ -55,41 +55,58 @@ class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
     bl_description = "Let the chain pass from its present target to another one, over frames or when something happens"
 
     target: bpy.props.StringProperty(
-        name="Target", description="Name of the object to go to; empty takes what is selected along with the bone",
-        options={'SKIP_SAVE'})
-    target_bone: bpy.props.StringProperty(
-        name="Target Bone", description="Name of a bone of the target", options={'SKIP_SAVE'})
+        name="Target", description="Name of the object to go to; empty takes what is selected along with the bone", options={'SKIP_SAVE'}
+    )
+    target_bone: bpy.props.StringProperty(name="Target Bone", description="Name of a bone of the target", options={'SKIP_SAVE'})
     frame_start: bpy.props.IntProperty(
-        name="Start", description="Frame at which the chain leaves its present target; the current frame if it is not given",
-        options={'SKIP_SAVE'})
+        name="Start",
+        description="Frame at which the chain leaves its present target; the current frame if it is not given",
+        options={'SKIP_SAVE'},
+    )
     frame_end: bpy.props.IntProperty(
-        name="End", options={'SKIP_SAVE'},
-        description="Frame at which the chain is at the other target; 12 after the start where it is not given")
+        name="End",
+        options={'SKIP_SAVE'},
+        description="Frame at which the chain is at the other target; 12 after the start where it is not given",
+    )
     interpolation: bpy.props.EnumProperty(
-        name="Interpolation", description="How the chain moves from one target to the other", items=EASES, default='BEZIER')
+        name="Interpolation", description="How the chain moves from one target to the other", items=EASES, default='BEZIER'
+    )
     trigger_object: bpy.props.StringProperty(
-        name="Trigger", options={'SKIP_SAVE'},
-        description="Name of an object, one of whose numbers, instead of the frame, says how far the chain has come")
-    trigger_system: bpy.props.StringProperty(
-        name="System", description="Name of the system whose output triggers", default="path")
+        name="Trigger",
+        options={'SKIP_SAVE'},
+        description="Name of an object, one of whose numbers, instead of the frame, says how far the chain has come",
+    )
+    trigger_system: bpy.props.StringProperty(name="System", description="Name of the system whose output triggers", default="path")
     trigger_output: bpy.props.StringProperty(
-        name="Output", default="parameter", description="Name of the system's output: parameter, fraction, distance or "
-        "speed of a follower, and what others compute")
+        name="Output",
+        default="parameter",
+        description="Name of the system's output: parameter, fraction, distance or speed of a follower, and what others compute",
+    )
     trigger_data_path: bpy.props.StringProperty(
-        name="Data Path", description="Data path of a number of the trigger, instead of an output of a system",
-        options={'SKIP_SAVE'})
+        name="Data Path", description="Data path of a number of the trigger, instead of an output of a system", options={'SKIP_SAVE'}
+    )
     trigger_start: bpy.props.FloatProperty(
-        name="From", description="Value of the trigger at which the chain leaves its present target", default=0.05, options={'SKIP_SAVE'})
+        name="From", description="Value of the trigger at which the chain leaves its present target", default=0.05, options={'SKIP_SAVE'}
+    )
     trigger_end: bpy.props.FloatProperty(
-        name="To", description="Value of the trigger at which the chain is at the other target", default=0.1,
-        options={'SKIP_SAVE'})
+        name="To", description="Value of the trigger at which the chain is at the other target", default=0.1, options={'SKIP_SAVE'}
+    )
 
     redo = (
         Rows((_named("target"), Row("target_bone", when=_is_armature, search=_bones, text="Bone"), "interpolation")),
-        Rows((_named("trigger_object"), Row("frame_start", when=_is_by_frames), Row("frame_end", when=_is_by_frames),
-              Row("trigger_data_path", when=_is_by_trigger),
-              Row("trigger_system", when=_is_by_output), Row("trigger_output", when=_is_by_output),
-              Row("trigger_start", when=_is_by_trigger), Row("trigger_end", when=_is_by_trigger))))
+        Rows(
+            (
+                _named("trigger_object"),
+                Row("frame_start", when=_is_by_frames),
+                Row("frame_end", when=_is_by_frames),
+                Row("trigger_data_path", when=_is_by_trigger),
+                Row("trigger_system", when=_is_by_output),
+                Row("trigger_output", when=_is_by_output),
+                Row("trigger_start", when=_is_by_trigger),
+                Row("trigger_end", when=_is_by_trigger),
+            )
+        ),
+    )
 
     def run(self, context):
         rig, entry, number = self._switch(context)
@@ -97,8 +114,7 @@ class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
         name = pointed(extra, "object").name
         if extra.bone:
             name = f"{name}: {extra.bone}"
-        self.report({'INFO'}, tr("{bone} of {object} passes on to {target}").format(
-            bone=entry.name, object=rig.name, target=name))
+        self.report({'INFO'}, tr("{bone} of {object} passes on to {target}").format(bone=entry.name, object=rig.name, target=name))
 
     def invoke(self, context, _event):
         if context.window is None:

@@ -49,6 +49,7 @@ def own_positions(mesh):
     if attribute is None or not len(attribute.data):
         return None
     import ctypes
+
     data = attribute.data
     # foreach_set would take twice as long. The array is shared with the evaluated mesh and undo steps until something is written
     # through RNA: setting one item to its own value gives this mesh its own array.
@@ -166,7 +167,7 @@ def vertex_normal(mesh, corner_vertices, places, vertex):
     total = np.zeros(3)
     for corner in np.flatnonzero(corner_vertices == vertex):
         first, count = _face_of_corner(mesh, int(corner))
-        ring = places[corner_vertices[first:first + count]].astype(float)
+        ring = places[corner_vertices[first : first + count]].astype(float)
         own = int(corner) - first
         before, after = ring[own - 1] - ring[own], ring[(own + 1) % count] - ring[own]
         area = np.cross(ring - ring[0], np.roll(ring, -1, axis=0) - ring[0]).sum(axis=0)

@@ -28,7 +28,8 @@ class MOTUS_OT_pin_apply(PinOperator, bpy.types.Operator):
     object: mesh_keyword()
     to: bpy.props.EnumProperty(name="To", description="Form that the pins are applied in", items=TARGETS, default='MESH')
     index: bpy.props.IntProperty(
-        name="Index", description="Index of the pin; -1 means all of them", default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Index", description="Index of the pin; -1 means all of them", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
     redo = (Rows(("to",)),)
 
     def change(self, context, obj):
@@ -52,8 +53,9 @@ class MOTUS_OT_pin_apply(PinOperator, bpy.types.Operator):
         for index, row in zip(indices, rows):
             pin = obj.motus.pull.pins[index]
             if keys.has_strips(obj, index):
-                self.report({'WARNING'}, tr(
-                    "Strips of the NLA move {pin}: its shape key has the strength of this frame").format(pin=pin.name))
+                self.report(
+                    {'WARNING'}, tr("Strips of the NLA move {pin}: its shape key has the strength of this frame").format(pin=pin.name)
+                )
             full = row._replace(strength=1.0, is_muted=False)
             key = _add_key(obj, pin.name, _offsets(obj, [full], influence))
             key.mute = row.is_muted

@@ -63,8 +63,7 @@ class Held:
         depsgraph = self._context.view_layer.depsgraph
         share = handles.share(self._object, depsgraph, self.index)
         if share == 0.0:
-            raise Refused(tr("{pin} does not pull now: it is muted, or its strength or the influence is 0").format(
-                pin=self._pin.name))
+            raise Refused(tr("{pin} does not pull now: it is muted, or its strength or the influence is 0").format(pin=self._pin.name))
         plain = share * self._object.evaluated_get(depsgraph).matrix_world.to_3x3()
         if plain.determinant() == 0.0:
             raise Refused(tr("{object} is scaled to nothing in a direction").format(object=self._object.name))
@@ -96,8 +95,13 @@ class MOTUS_OT_pin_drag(PointDrag, PinOperator, bpy.types.Operator):
     object: mesh_keyword()
     index: index_keyword()
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Place in the world that the root is dragged to", size=3, subtype='XYZ', unit='LENGTH',
-        options={'SKIP_SAVE'})
+        name="Location",
+        description="Place in the world that the root is dragged to",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
     redo = (Rows((Row("location", when=is_given("location")),)),)
 
     def change(self, context, obj):
@@ -121,7 +125,8 @@ class MOTUS_OT_pin_drag(PointDrag, PinOperator, bpy.types.Operator):
 
     def _show_keys(self, context):
         context.workspace.status_text_set(
-            tr("Press the left mouse button on the handle of a pin and drag it; Esc or the right button cancels"))
+            tr("Press the left mouse button on the handle of a pin and drag it; Esc or the right button cancels")
+        )
 
     def _hold(self, context, region, view, mouse):
         obj = bpy.data.objects[self.object]
@@ -132,7 +137,7 @@ class MOTUS_OT_pin_drag(PointDrag, PinOperator, bpy.types.Operator):
             return None
         self.index = int(found.indices[row])
         self._held = Held(context, obj, self.index)
-        seen, _ = handles.on_screen(found.places[row:row + 1], region, view.perspective_matrix)
+        seen, _ = handles.on_screen(found.places[row : row + 1], region, view.perspective_matrix)
         return self._held.point, Vector(seen[0])
 
     def _move(self, place):

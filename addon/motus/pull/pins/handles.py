@@ -32,7 +32,9 @@ def read(obj, depsgraph):
     pins = settings.pins
     places = table.numbers(pins, "place", 3).astype(float)
     ways = table.numbers(pins, "displacement", 3) * _shares(settings)
-    indices = np.flatnonzero(np.isfinite(places).all(axis=1) & np.isfinite(ways).all(axis=1) & np.array([not pin.shape for pin in pins], bool))
+    indices = np.flatnonzero(
+        np.isfinite(places).all(axis=1) & np.isfinite(ways).all(axis=1) & np.array([not pin.shape for pin in pins], bool)
+    )
     places, ways = places[indices], ways[indices]
     broken = _broken(obj, depsgraph, indices.tolist())
     seen = _seen(obj, evaluated, table.numbers(pins, "vertex", 1, np.int32)[indices, 0].tolist())

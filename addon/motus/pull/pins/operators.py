@@ -19,8 +19,21 @@ DIRECTIONS = (
     ('UP', "Up", "Let the pin act earlier"),
     ('DOWN', "Down", "Let the pin act later"),
 )
-KEYWORDS = ("radius", "unit", "falloff", "scale_factor", "distance", "direction", "mirror", "use_minimum", "minimum",
-            "use_maximum", "maximum", "clamp_axis", "vertex_group")
+KEYWORDS = (
+    "radius",
+    "unit",
+    "falloff",
+    "scale_factor",
+    "distance",
+    "direction",
+    "mirror",
+    "use_minimum",
+    "minimum",
+    "use_maximum",
+    "maximum",
+    "clamp_axis",
+    "vertex_group",
+)
 """Keywords of the brush that a pin has too; the scene's brush gives those that the caller leaves out."""
 
 
@@ -32,7 +45,8 @@ def mesh_keyword():
 def index_keyword():
     """Make the property that holds the index of a pin."""
     return bpy.props.IntProperty(
-        name="Index", description="Index of the pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Index", description="Index of the pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
 
 
 class PinOperator(Operator):
@@ -65,26 +79,48 @@ class MOTUS_OT_pin_add(FindsValues, PinOperator, PinKeywords, bpy.types.Operator
 
     object: mesh_keyword()
     vertex: bpy.props.IntProperty(
-        name="Vertex", description="Index of the root; -1 takes the vertex that is nearest to the location", default=-1,
-        min=-1, options={'SKIP_SAVE'})
+        name="Vertex",
+        description="Index of the root; -1 takes the vertex that is nearest to the location",
+        default=-1,
+        min=-1,
+        options={'SKIP_SAVE'},
+    )
     location: bpy.props.FloatVectorProperty(
         name="Location",
         description="Place that is pulled, in the space that Unit names; without vertex and location the place of the 3D cursor",
-        size=3, subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
     displacement: bpy.props.FloatVectorProperty(
-        name="Displacement", description="Displacement of the root, instead of the brush's direction and strength", size=3,
-        subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
+        name="Displacement",
+        description="Displacement of the root, instead of the brush's direction and strength",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
     strength: bpy.props.FloatProperty(
-        name="Strength", description="Share of the pin's displacement that the root moves; negative pushes", default=1.0, soft_min=-2.0,
-        soft_max=2.0, options={'SKIP_SAVE'})
+        name="Strength",
+        description="Share of the pin's displacement that the root moves; negative pushes",
+        default=1.0,
+        soft_min=-2.0,
+        soft_max=2.0,
+        options={'SKIP_SAVE'},
+    )
     curve: bpy.props.FloatVectorProperty(
-        name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root; empty takes the scene's curve",
-        size=CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
+        name="Curve",
+        description="Forces of the falloff Curve at equal steps from the radius to the root; empty takes the scene's curve",
+        size=CURVE_SAMPLES,
+        options={'HIDDEN', 'SKIP_SAVE'},
+    )
     name: bpy.props.StringProperty(name="Name", description="Name of the pin", options={'SKIP_SAVE'})
     from_last: bpy.props.BoolProperty(
-        name="From Last Pull", description="Turn the last pull, or all of the last stroke, into a pin: the mesh goes back to "
-                                           "what it was before",
-        options={'SKIP_SAVE'})
+        name="From Last Pull",
+        description="Turn the last pull, or all of the last stroke, into a pin: the mesh goes back to what it was before",
+        options={'SKIP_SAVE'},
+    )
     redo = rows.PIN
     for_scripts = ("from_last",)
 
@@ -129,9 +165,12 @@ class MOTUS_OT_pin_move(PinOperator, bpy.types.Operator):
 
     object: mesh_keyword()
     index: index_keyword()
-    direction: bpy.props.EnumProperty(name="Direction", description="Direction in which the item moves in the list", items=DIRECTIONS, default='UP')
+    direction: bpy.props.EnumProperty(
+        name="Direction", description="Direction in which the item moves in the list", items=DIRECTIONS, default='UP'
+    )
     place: bpy.props.IntProperty(
-        name="Place", description="New index of the pin, instead of a direction", default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Place", description="New index of the pin, instead of a direction", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
     redo = (Rows((Row("direction", when=lambda operator: operator.place < 0),)),)
 
     def change(self, context, obj):
@@ -167,11 +206,20 @@ class MOTUS_OT_pin_rebind(PinOperator, bpy.types.Operator):
     object: mesh_keyword()
     index: index_keyword()
     vertex: bpy.props.IntProperty(
-        name="Vertex", description="Index of the new root; -1 takes the vertex that is nearest to the location",
-        default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Vertex",
+        description="Index of the new root; -1 takes the vertex that is nearest to the location",
+        default=-1,
+        min=-1,
+        options={'SKIP_SAVE'},
+    )
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Position of the new root, in the object; by default the position of the old root", size=3,
-        subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
+        name="Location",
+        description="Position of the new root, in the object; by default the position of the old root",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
 
     def change(self, context, obj):
         check_finite(self, ("location",))
@@ -179,8 +227,11 @@ class MOTUS_OT_pin_rebind(PinOperator, bpy.types.Operator):
         setup.check_rooted(pin)
         positions = arrays.positions(obj.data)
         place = self.location if self.is_given("location") else pin.place
-        vertex = targets.checked(obj, positions, self.vertex) if self.vertex >= 0 else targets.nearest(
-            obj, positions, np.array(place), np.reshape(pin.metric, (3, 3)))
+        vertex = (
+            targets.checked(obj, positions, self.vertex)
+            if self.vertex >= 0
+            else targets.nearest(obj, positions, np.array(place), np.reshape(pin.metric, (3, 3)))
+        )
         setup.bind(obj, pin, vertex)
         setup.rewire(obj)
 
@@ -197,6 +248,4 @@ class MOTUS_OT_pin_restore(PinOperator, bpy.types.Operator):
         setup.rewire(obj)
 
 
-classes = (
-    MOTUS_OT_pin_add, MOTUS_OT_pin_remove, MOTUS_OT_pin_move, MOTUS_OT_pin_mirror, MOTUS_OT_pin_rebind,
-    MOTUS_OT_pin_restore)
+classes = (MOTUS_OT_pin_add, MOTUS_OT_pin_remove, MOTUS_OT_pin_move, MOTUS_OT_pin_mirror, MOTUS_OT_pin_rebind, MOTUS_OT_pin_restore)

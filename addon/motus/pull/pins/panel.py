@@ -19,8 +19,13 @@ AMBIGUOUS = Problem("Several vertices may be the root of this pin: bind it to on
 NOT_USABLE = Problem("A setting of this pin is not a usable number")
 WITHOUT_GROUP = Problem("The vertex group of this pin is gone")
 WITHOUT_SHAPE = Problem("The shape of this pin is gone from the mesh: remove the pin")
-SENTENCES = {solve.LOST: LOST, solve.AMBIGUOUS: AMBIGUOUS, solve.NOT_USABLE: NOT_USABLE, solve.WITHOUT_GROUP: WITHOUT_GROUP,
-             solve.WITHOUT_SHAPE: WITHOUT_SHAPE}
+SENTENCES = {
+    solve.LOST: LOST,
+    solve.AMBIGUOUS: AMBIGUOUS,
+    solve.NOT_USABLE: NOT_USABLE,
+    solve.WITHOUT_GROUP: WITHOUT_GROUP,
+    solve.WITHOUT_SHAPE: WITHOUT_SHAPE,
+}
 
 
 def state_of(context, obj, index):
@@ -33,8 +38,7 @@ def draw_list(layout, context):
     """Draw the list of pins, and what is wrong with them."""
     obj = context.object
     settings = obj.motus.pull
-    _, _, buttons = ui.draw_list(
-        layout, "MOTUS_UL_pins", settings, "pins", "active_pin", "motus.pin_add", "motus.pin_remove", rows=4)
+    _, _, buttons = ui.draw_list(layout, "MOTUS_UL_pins", settings, "pins", "active_pin", "motus.pin_add", "motus.pin_remove", rows=4)
     buttons.separator()
     for direction in ('UP', 'DOWN'):
         buttons.operator("motus.pin_move", text="", icon=f'TRIA_{direction}').direction = direction
@@ -103,15 +107,39 @@ def draw_pin(layout, context):
 
 
 # "Displacement" is longer than the space for labels
-_FORM = Rows((
-    "strength", "radius", *rows.FORM, Row("displacement", text="Offset", text_ctxt=OWN_SENSE), *rows.EXTENT, *rows.LIMITS,
-    rows.CLAMPED))
+_FORM = Rows(
+    ("strength", "radius", *rows.FORM, Row("displacement", text="Offset", text_ctxt=OWN_SENSE), *rows.EXTENT, *rows.LIMITS, rows.CLAMPED)
+)
 
 _KEEP_VERTICES = {
-    'ARMATURE', 'CAST', 'CURVE', 'DISPLACE', 'HOOK', 'LAPLACIANDEFORM', 'LATTICE', 'MESH_DEFORM', 'SHRINKWRAP',
-    'SIMPLE_DEFORM', 'SMOOTH', 'CORRECTIVE_SMOOTH', 'LAPLACIANSMOOTH', 'SURFACE_DEFORM', 'WARP', 'WAVE', 'CLOTH',
-    'COLLISION', 'SOFT_BODY', 'DATA_TRANSFER', 'NORMAL_EDIT', 'WEIGHTED_NORMAL', 'UV_PROJECT', 'UV_WARP',
-    'VERTEX_WEIGHT_EDIT', 'VERTEX_WEIGHT_MIX', 'VERTEX_WEIGHT_PROXIMITY'}
+    'ARMATURE',
+    'CAST',
+    'CURVE',
+    'DISPLACE',
+    'HOOK',
+    'LAPLACIANDEFORM',
+    'LATTICE',
+    'MESH_DEFORM',
+    'SHRINKWRAP',
+    'SIMPLE_DEFORM',
+    'SMOOTH',
+    'CORRECTIVE_SMOOTH',
+    'LAPLACIANSMOOTH',
+    'SURFACE_DEFORM',
+    'WARP',
+    'WAVE',
+    'CLOTH',
+    'COLLISION',
+    'SOFT_BODY',
+    'DATA_TRANSFER',
+    'NORMAL_EDIT',
+    'WEIGHTED_NORMAL',
+    'UV_PROJECT',
+    'UV_WARP',
+    'VERTEX_WEIGHT_EDIT',
+    'VERTEX_WEIGHT_MIX',
+    'VERTEX_WEIGHT_PROXIMITY',
+}
 """Types of modifiers that keep the number and order of the vertices."""
 
 
@@ -139,12 +167,18 @@ class ObjectModifiers:
 
 
 PANEL = panels.SystemPanel(
-    name="pull", prefix="MOTUS_PT_pins", label="Pins",
-    editors={"": ui.Sidebar, "_modifier": ObjectModifiers}, labels={"_modifier": "Motus Pins"},
+    name="pull",
+    prefix="MOTUS_PT_pins",
+    label="Pins",
+    editors={"": ui.Sidebar, "_modifier": ObjectModifiers},
+    labels={"_modifier": "Motus Pins"},
     suits=lambda obj: obj.type == 'MESH',
     is_used=lambda obj: obj.motus.pull.is_active,
     draw=draw_list,
     parts=(panels.Part("pin", "Pin", draw_pin, is_open=True, is_shown=_has_active_pin),),
-    actions=draw_actions, refresh="motus.pin_restore", draw_add=draw_add)
+    actions=draw_actions,
+    refresh="motus.pin_restore",
+    draw_add=draw_add,
+)
 
 classes = (MOTUS_UL_pins, *panels.classes(PANEL))

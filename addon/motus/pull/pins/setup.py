@@ -23,11 +23,9 @@ def check(obj):
     if obj.type != 'MESH':
         raise Refused(tr("{object} is not a mesh").format(object=obj.name))
     if obj.library:
-        raise Refused(
-            tr("{object} is linked from another file: make a library override of it first").format(object=obj.name))
+        raise Refused(tr("{object} is linked from another file: make a library override of it first").format(object=obj.name))
     if obj.override_library and obj.modifiers and not obj.motus.pull.is_active:
-        raise Refused(tr("{object} is overridden and has modifiers of the library, before which pins cannot come").format(
-            object=obj.name))
+        raise Refused(tr("{object} is overridden and has modifiers of the library, before which pins cannot come").format(object=obj.name))
     if any(modifier.type == 'MULTIRES' for modifier in obj.modifiers):
         raise Refused(tr("{object} has a Multiresolution modifier: apply it or remove it first").format(object=obj.name))
 
@@ -121,6 +119,7 @@ def settle(obj):
     if obj.mode != 'OBJECT':
         return
     from . import table
+
     positions = arrays.positions(obj.data)
     anchors, size = binding.by_number(binding.anchors(obj.data)), binding.diagonal(positions)
     for pin, row in zip(obj.motus.pull.pins, table.read(obj.motus.pull.pins)):
@@ -136,8 +135,9 @@ def _follow(obj, order):
 
 def _pins_of_mesh(mesh, but=None):
     """Pins of all objects that use the mesh, except one pin."""
-    return [pin for obj in bpy.data.objects if obj.data == mesh and obj.is_property_set("motus")
-            for pin in obj.motus.pull.pins if pin != but]
+    return [
+        pin for obj in bpy.data.objects if obj.data == mesh and obj.is_property_set("motus") for pin in obj.motus.pull.pins if pin != but
+    ]
 
 
 def _free_name(settings, name):

@@ -141,6 +141,7 @@ def _buffer(name, size, dtype):
 def _memory(items):
     """Memory of a collection as int32 words, whatever its items hold; only for reading, until Blender changes the collection."""
     import ctypes
+
     if len(items) < 2:
         return np.zeros(len(items), np.int32)
     start = items[0].as_pointer()
@@ -156,5 +157,6 @@ def _same(one, other):
         return False
     words = one.size // 2
     one, other = one.reshape(-1), other.reshape(-1)
-    return np.array_equal(one[:2 * words].view(np.int64), other[:2 * words].view(np.int64)) and np.array_equal(
-        one[2 * words:].view(np.int32), other[2 * words:].view(np.int32))
+    return np.array_equal(one[: 2 * words].view(np.int64), other[: 2 * words].view(np.int64)) and np.array_equal(
+        one[2 * words :].view(np.int32), other[2 * words :].view(np.int32)
+    )

@@ -22,8 +22,7 @@ UNBAKEABLE = Problem("Pins have nothing to bake, for their strengths are keyed: 
 OK, LOST, AMBIGUOUS = binding.OK, binding.LOST, binding.AMBIGUOUS
 NOT_USABLE, WITHOUT_GROUP, WITHOUT_SHAPE = 3, 4, 5
 """Status numbers of pins in the outputs."""
-PROBLEM_OF = {LOST: BROKEN, AMBIGUOUS: BROKEN, NOT_USABLE: UNUSABLE, WITHOUT_GROUP: NO_GROUP,
-              WITHOUT_SHAPE: NO_SHAPE}
+PROBLEM_OF = {LOST: BROKEN, AMBIGUOUS: BROKEN, NOT_USABLE: UNUSABLE, WITHOUT_GROUP: NO_GROUP, WITHOUT_SHAPE: NO_SHAPE}
 
 
 def groups(owner):
@@ -109,6 +108,5 @@ def move(offsets, positions, row, reached, weights):
 def _weights(mesh, group, indices):
     """Weights of these vertices of an evaluated mesh in a vertex group."""
     vertices = mesh.vertices
-    found = (next((entry.weight for entry in vertices[index].groups if entry.group == group), 0.0)
-             for index in indices.tolist())
+    found = (next((entry.weight for entry in vertices[index].groups if entry.group == group), 0.0) for index in indices.tolist())
     return np.fromiter(found, np.float32, len(indices))

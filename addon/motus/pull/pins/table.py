@@ -6,8 +6,7 @@ from ...core.file.choices import chosen
 from ...core.lazy import numpy as np
 from ..properties import is_finite
 
-FLOATS = {"strength": 1, "radius": 1, "scale_factor": 1, "minimum": 1, "maximum": 1, "displacement": 3, "place": 3,
-          "metric": 9}
+FLOATS = {"strength": 1, "radius": 1, "scale_factor": 1, "minimum": 1, "maximum": 1, "displacement": 3, "place": 3, "metric": 9}
 FLAGS = ("is_muted", "use_minimum", "use_maximum")
 AXES = ('X', 'Y', 'Z')
 
@@ -40,7 +39,7 @@ class Row(NamedTuple):
     @property
     def reach(self):
         """Distance from the root at and beyond which nothing moves."""
-        return self.radius ** 0.5 if self.falloff == "classic" else self.radius
+        return self.radius**0.5 if self.falloff == "classic" else self.radius
 
     @property
     def profile(self):
@@ -56,8 +55,16 @@ class Row(NamedTuple):
     @property
     def is_usable(self):
         """Whether all numbers of the pin are finite and have a meaning."""
-        numbers = (self.strength, self.radius, self.scale_factor, *self.displacement, *self.place, *self.metric,
-                   *(self.curve or ()), *(end for end in (self.limits or ())[1:] if end is not None))
+        numbers = (
+            self.strength,
+            self.radius,
+            self.scale_factor,
+            *self.displacement,
+            *self.place,
+            *self.metric,
+            *(self.curve or ()),
+            *(end for end in (self.limits or ())[1:] if end is not None),
+        )
         ends = [end for end in (self.limits or ())[1:] if end is not None]
         is_number = bool(np.isfinite(numbers).all()) and is_finite(self.way)
         return is_number and self.radius > 0.0 and ends == sorted(ends)
@@ -75,10 +82,18 @@ def read(pins):
         ends = [own.pop(name) for name in ("minimum", "maximum")]
         low, high = (end if own.pop(f"use_{name}") else None for name, end in zip(("minimum", "maximum"), ends))
         falloff = chosen(pin, "falloff").lower()
-        rows.append(Row(
-            falloff=falloff, distance=chosen(pin, "distance").lower(), mirror="".join(sorted(pin.mirror)).lower(),
-            curve=tuple(pin.curve) if falloff == "curve" else None, vertex_group=pin.vertex_group, shape=pin.shape,
-            limits=None if low is None and high is None else (AXES.index(chosen(pin, "clamp_axis")), low, high), **own))
+        rows.append(
+            Row(
+                falloff=falloff,
+                distance=chosen(pin, "distance").lower(),
+                mirror="".join(sorted(pin.mirror)).lower(),
+                curve=tuple(pin.curve) if falloff == "curve" else None,
+                vertex_group=pin.vertex_group,
+                shape=pin.shape,
+                limits=None if low is None and high is None else (AXES.index(chosen(pin, "clamp_axis")), low, high),
+                **own,
+            )
+        )
     return rows
 
 
@@ -91,7 +106,7 @@ def numbers(pins, name, size, dtype=None):
 
 def _floats(pins, name, size, count):
     values = _column(pins, name, np.empty(count * size, np.float32))
-    return values if size == 1 else [tuple(values[size * row:size * (row + 1)]) for row in range(count)]
+    return values if size == 1 else [tuple(values[size * row : size * (row + 1)]) for row in range(count)]
 
 
 def _column(pins, name, values):

@@ -16,8 +16,7 @@ AXIS_NAMES = tuple(AXIS_INDEX)
 def checked(obj, positions, vertex):
     """Check that a vertex can be a root, and return its index."""
     if not 0 <= vertex < len(positions):
-        raise Refused(tr("{object} has no vertex {index}: it has {count}").format(
-            object=obj.name, index=vertex, count=len(positions)))
+        raise Refused(tr("{object} has no vertex {index}: it has {count}").format(object=obj.name, index=vertex, count=len(positions)))
     if not np.isfinite(positions[vertex]).all():
         raise Refused(tr("Vertex {index} is at no place: its coordinates are not finite").format(index=vertex))
     return vertex
@@ -35,8 +34,11 @@ def nearest(obj, positions, place, metric):
 
 def from_keywords(operator, context, obj):
     """(root, settings) of a pin from the keywords that were given, and from the scene's brush for the others."""
-    given = {name: getattr(operator, name) for name in (*KEYWORDS, "curve")
-             if name != "strength" and hasattr(operator, name) and operator.is_given(name)}
+    given = {
+        name: getattr(operator, name)
+        for name in (*KEYWORDS, "curve")
+        if name != "strength" and hasattr(operator, name) and operator.is_given(name)
+    }
     brush = Brush.of(context.scene.motus.pull, given)
     space = Space(obj.evaluated_get(context.evaluated_depsgraph_get()).matrix_world)
     positions = arrays.positions(obj.data)
@@ -108,8 +110,7 @@ def mirrored(obj, pin, axis):
     found = {name: getattr(pin, name) for name in names}
     found |= {"displacement": turn * np.array(pin.displacement), "metric": metric.ravel()}
     if pin.clamp_axis == AXIS_NAMES[axis]:
-        found |= {"use_minimum": pin.use_maximum, "minimum": -pin.maximum,
-                  "use_maximum": pin.use_minimum, "maximum": -pin.minimum}
+        found |= {"use_minimum": pin.use_maximum, "minimum": -pin.maximum, "use_maximum": pin.use_minimum, "maximum": -pin.minimum}
     return vertex, found
 
 
@@ -145,5 +146,10 @@ def _limits(brush, space):
     if found is None:
         raise Refused(tr("The object is turned, and a pin's limits are along its own axes: choose Local as the unit"))
     axis, low, high = found
-    return {"clamp_axis": AXIS_NAMES[axis], "use_minimum": bool(np.isfinite(low)), "use_maximum": bool(np.isfinite(high)),
-            "minimum": low if np.isfinite(low) else 0.0, "maximum": high if np.isfinite(high) else 0.0}
+    return {
+        "clamp_axis": AXIS_NAMES[axis],
+        "use_minimum": bool(np.isfinite(low)),
+        "use_maximum": bool(np.isfinite(high)),
+        "minimum": low if np.isfinite(low) else 0.0,
+        "maximum": high if np.isfinite(high) else 0.0,
+    }

@@ -18,7 +18,6 @@ from .history import Done, History
 from .puller import Puller
 from .surface import Surface
 
-
 NONE_MOVED = ()
 """Indices of no vertices."""
 
@@ -89,18 +88,20 @@ class Session:
     def pick(self, origin, direction):
         """Hit of a ray in the world; None if the ray meets nothing."""
         found = self._surface.pick(
-            self.space.point_to_local(origin), self.space.inverse @ np.asarray(direction, float), self.metric, self._start,
-            self._shape_of_now)
+            self.space.point_to_local(origin),
+            self.space.inverse @ np.asarray(direction, float),
+            self.metric,
+            self._start,
+            self._shape_of_now,
+        )
         if found is None:
             return None
         triangle, point, normal, vertex = found
-        return Hit(
-            Vector(self.space.point_to_world(point)), Vector(self.space.normal_to_world(normal)), triangle, vertex)
+        return Hit(Vector(self.space.point_to_world(point)), Vector(self.space.normal_to_world(normal)), triangle, vertex)
 
     def nearest(self, location):
         """(index, distance in the brush's unit) of the visible vertex nearest to a place in the world."""
-        return object_mesh.nearest(
-            self.current, self.space.point_to_local(location), self.metric, self.mesh.hidden())
+        return object_mesh.nearest(self.current, self.space.point_to_local(location), self.metric, self.mesh.hidden())
 
     def place(self, vertex):
         """World position of a vertex in the present shape."""
@@ -355,8 +356,7 @@ class Session:
 
     def _smooth(self, dab, write):
         place = tuple(self.current[dab.vertex].tolist())
-        moved = self._puller.smooth(
-            self._writable(), dab.vertex, dab.strength, self.brush, dab.radius, self._start)
+        moved = self._puller.smooth(self._writable(), dab.vertex, dab.strength, self.brush, dab.radius, self._start)
         self._history.add(dab, self.brush, place, self._start)
         self._changed([moved], write)
         if not self.brush.accumulate:
@@ -443,8 +443,7 @@ def _refuse_strange(positions):
             return
     strange = ~np.isfinite(positions).all(axis=1)
     if strange.any():
-        raise Refused(tr("Vertex {index} is at no place: its coordinates are not finite").format(
-            index=int(strange.argmax())))
+        raise Refused(tr("Vertex {index} is at no place: its coordinates are not finite").format(index=int(strange.argmax())))
 
 
 def _same(one, other):

@@ -4,7 +4,6 @@ from typing import Any, NamedTuple
 
 from ...core.lazy import numpy as np
 
-
 last_shapes: tuple[Any, ...] | None = None
 """Last session that changed a mesh: (object's name, shape before the last stroke, shape after it); None without one."""
 

@@ -130,8 +130,7 @@ class Puller:
 
         Returns the indices of moved vertices; None stands for all, for a mesh that is written as a whole.
         """
-        self._native_pull(shape, vertex, displacement, brush, radius, out, copy=copy,
-                          shape=None if start is shape else start)
+        self._native_pull(shape, vertex, displacement, brush, radius, out, copy=copy, shape=None if start is shape else start)
         if self._mesh.writes_all:
             return None
         return np.flatnonzero((out.view(np.uint32) != shape.view(np.uint32)).any(axis=1))
@@ -140,11 +139,20 @@ class Puller:
         limits = self._space.limits(brush)
         axis, minimum, maximum = limits if limits is not None else (2, -np.inf, np.inf)
         native.module.pull(
-            positions, vertex, displacement, radius, weights=self.weights(brush),
+            positions,
+            vertex,
+            displacement,
+            radius,
+            weights=self.weights(brush),
             minimum=float(minimum) if np.isfinite(minimum) else None,
-            maximum=float(maximum) if np.isfinite(maximum) else None, clamp_axis=axis,
-            mirror="".join(sorted(brush.mirror)).lower(), metric=self._space.metric(brush.unit), out=out,
-            **measured, **brush.profile)
+            maximum=float(maximum) if np.isfinite(maximum) else None,
+            clamp_axis=axis,
+            mirror="".join(sorted(brush.mirror)).lower(),
+            metric=self._space.metric(brush.unit),
+            out=out,
+            **measured,
+            **brush.profile,
+        )
 
     def _reaches_of(self, vertex, brush, radius, start):
         return [self._reach(vertex, bits, brush, radius, start) for bits in brush.mirror_bits()]

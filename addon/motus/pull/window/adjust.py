@@ -9,7 +9,10 @@ from . import hover
 from .adjusting import MOVES, notched
 from .pulling import Pulling
 
-NUMBERS = (('RADIUS', "Radius", "Distance from the root that the brush reaches"), ('STRENGTH', "Strength", "Distance by which one dab moves the root"))
+NUMBERS = (
+    ('RADIUS', "Radius", "Distance from the root that the brush reaches"),
+    ('STRENGTH', "Strength", "Distance by which one dab moves the root"),
+)
 
 
 class MOTUS_OT_pull_adjust(bpy.types.Operator):
@@ -19,10 +22,11 @@ class MOTUS_OT_pull_adjust(bpy.types.Operator):
     bl_options = {'INTERNAL'}
 
     number: bpy.props.EnumProperty(
-        name="Number", description="Number that is changed", items=NUMBERS, default='RADIUS', options={'SKIP_SAVE'})
+        name="Number", description="Number that is changed", items=NUMBERS, default='RADIUS', options={'SKIP_SAVE'}
+    )
     steps: bpy.props.IntProperty(
-        name="Steps", description="Steps by which the number goes up or down; 0 lets the mouse change it", default=0,
-        options={'SKIP_SAVE'})
+        name="Steps", description="Steps by which the number goes up or down; 0 lets the mouse change it", default=0, options={'SKIP_SAVE'}
+    )
 
     def execute(self, context):
         settings, name = context.scene.motus.pull, self.number.lower()

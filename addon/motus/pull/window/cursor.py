@@ -175,8 +175,7 @@ def _draw_dots(view, session, hit, color, size):
     """Draw the vertices that a dab moves, thinned out where they are dense. size: pixels of a dot's unit."""
     indices, forces = session.forces(hit.vertex)
     step = len(indices) // MOST_DOTS + 1
-    places = drawing.to_window(
-        view.region, view.data.perspective_matrix, np.asarray(session.world_positions(indices[::step]), float))
+    places = drawing.to_window(view.region, view.data.perspective_matrix, np.asarray(session.world_positions(indices[::step]), float))
     if places is None:
         return
     forces = forces[::step]
@@ -200,6 +199,5 @@ def _line(view, points, color, width):
 
 def _draw_text(context, brush, adjustment, place, scale):
     adjusted, entry = (adjustment.name, adjustment.entry) if adjustment is not None else (None, None)
-    lines = [status.pair(context, brush, name, entry if name == adjusted else None)
-             for name in status.numbers(brush, adjusted)]
+    lines = [status.pair(context, brush, name, entry if name == adjusted else None) for name in status.numbers(brush, adjusted)]
     drawing.text(lines, place[0] + 22.0 * scale, place[1] - 26.0 * scale, scale)

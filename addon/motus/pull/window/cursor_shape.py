@@ -45,8 +45,7 @@ def disc(center, axes, brush):
     points = np.concatenate([circle(center, axes, share * brush.reach_of(brush.radius)) for share in shares])
     width = CORNERS + 1
     first = (np.arange(RINGS)[:, None] * width + np.arange(CORNERS)).reshape(-1, 1)
-    return points, np.repeat(strengths, width), np.concatenate([
-        first + (0, 1, width + 1), first + (0, width + 1, width)])
+    return points, np.repeat(strengths, width), np.concatenate([first + (0, 1, width + 1), first + (0, width + 1, width)])
 
 
 def thinned(places, least, most, apart):

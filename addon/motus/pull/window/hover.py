@@ -119,7 +119,8 @@ def _on_update(_scene, depsgraph):
         return
     for update in depsgraph.updates:
         if update.id.name in {_kept.get("object"), _kept.get("data"), _wanted.get("object")} and (
-                update.is_updated_geometry or update.is_updated_transform):
+            update.is_updated_geometry or update.is_updated_transform
+        ):
             drop()
             return
 
@@ -138,8 +139,12 @@ def _on_load(*_arguments):
 def _watchers():
     found = bpy.app.handlers
     return (
-        (found.depsgraph_update_post, _on_update), (found.undo_pre, _on_change), (found.redo_pre, _on_change),
-        (found.load_pre, _on_change), (found.load_post, _on_load))
+        (found.depsgraph_update_post, _on_update),
+        (found.undo_pre, _on_change),
+        (found.redo_pre, _on_change),
+        (found.load_pre, _on_change),
+        (found.load_post, _on_load),
+    )
 
 
 classes = ()

@@ -72,8 +72,9 @@ def _free(region, others):
     left, right, bottom = 0, region.width, 0
     for other in others:
         x, y = other.x - region.x, other.y - region.y
-        is_over = min(other.width, other.height) > 1 and x < region.width and y < region.height and x + other.width > 0 and (
-            y + other.height > 0)
+        is_over = (
+            min(other.width, other.height) > 1 and x < region.width and y < region.height and x + other.width > 0 and (y + other.height > 0)
+        )
         if not is_over:
             continue
         if other.type in SIDES and x > region.width // 2:
@@ -101,9 +102,14 @@ def camera(view_rotation, corners, aspect):
     distance = max(place.z + BORDER * LENS * max(abs(place.x) / aspect, abs(place.y), 0.1 * radius) for place in seen)
     view = Matrix.LocRotScale(center + distance * toward, rotation, None).inverted()
     near, far = max(distance - 2.0 * radius, distance * 0.01), distance + 50.0 * radius
-    projection = Matrix((
-        (LENS / aspect, 0.0, 0.0, 0.0), (0.0, LENS, 0.0, 0.0),
-        (0.0, 0.0, -(far + near) / (far - near), -2.0 * far * near / (far - near)), (0.0, 0.0, -1.0, 0.0)))
+    projection = Matrix(
+        (
+            (LENS / aspect, 0.0, 0.0, 0.0),
+            (0.0, LENS, 0.0, 0.0),
+            (0.0, 0.0, -(far + near) / (far - near), -2.0 * far * near / (far - near)),
+            (0.0, 0.0, -1.0, 0.0),
+        )
+    )
     return view, projection
 
 
@@ -139,8 +145,13 @@ def _draw_view(context, place):
     corners = [context.object.matrix_world @ Vector(corner) for corner in context.object.bound_box]
     matrices = camera(context.region_data.view_rotation, corners, width / height)
     buffer.draw_view3d(
-        context.scene, context.view_layer, context.space_data, context.region, *matrices,
-        do_color_management=capabilities.has_textures_in_display_colors())
+        context.scene,
+        context.view_layer,
+        context.space_data,
+        context.region,
+        *matrices,
+        do_color_management=capabilities.has_textures_in_display_colors(),
+    )
     # Creating a buffer leaves the window's frame buffer bound; Blender then draws the viewport over the inset.
     with viewport.bind():  # type: ignore[func-returns-value]
         gpu.state.depth_mask_set(False)

@@ -16,8 +16,20 @@ GIVEN_PLACE = ("location", "vertex", "dabs")
 """Keywords that give a place, so that the operator runs without the mouse."""
 
 VIEWING = {
-    'MIDDLEMOUSE', 'WHEELUPMOUSE', 'WHEELDOWNMOUSE', 'TRACKPADPAN', 'TRACKPADZOOM', 'MOUSEROTATE', 'MOUSESMARTZOOM', 'HOME',
-    'ACCENT_GRAVE', 'NUMPAD_PLUS', 'NUMPAD_MINUS', 'NUMPAD_PERIOD', *(f'NUMPAD_{digit}' for digit in range(10))}
+    'MIDDLEMOUSE',
+    'WHEELUPMOUSE',
+    'WHEELDOWNMOUSE',
+    'TRACKPADPAN',
+    'TRACKPADZOOM',
+    'MOUSEROTATE',
+    'MOUSESMARTZOOM',
+    'HOME',
+    'ACCENT_GRAVE',
+    'NUMPAD_PLUS',
+    'NUMPAD_MINUS',
+    'NUMPAD_PERIOD',
+    *(f'NUMPAD_{digit}' for digit in range(10)),
+}
 """Events that change the view, which work as without the operator."""
 ALWAYS_PASSED = {'TIMER', 'TIMER0', 'TIMER1', 'TIMER2', 'TIMER_REPORT', 'TIMERREGION', 'WINDOW_DEACTIVATE', 'NONE'}
 BUTTONS = {'LEFTMOUSE': 1.0, 'RIGHTMOUSE': -1.0}
@@ -27,12 +39,10 @@ class PickPullModal:
     """Mixin with invoke(), modal() and cancel() of motus.pick_pull, which has execute(), start() and remember()."""
 
     is_stroke: bpy.props.BoolProperty(
-        name="Stroke", description="Make one stroke of the mouse, as with the tool's keys", default=False,
-        options={'HIDDEN', 'SKIP_SAVE'})
-    is_down: bpy.props.BoolProperty(
-        name="Down", description="The stroke pulls down", default=False, options={'HIDDEN', 'SKIP_SAVE'})
-    is_smooth: bpy.props.BoolProperty(
-        name="Smooth", description="The stroke smooths", default=False, options={'HIDDEN', 'SKIP_SAVE'})
+        name="Stroke", description="Make one stroke of the mouse, as with the tool's keys", default=False, options={'HIDDEN', 'SKIP_SAVE'}
+    )
+    is_down: bpy.props.BoolProperty(name="Down", description="The stroke pulls down", default=False, options={'HIDDEN', 'SKIP_SAVE'})
+    is_smooth: bpy.props.BoolProperty(name="Smooth", description="The stroke smooths", default=False, options={'HIDDEN', 'SKIP_SAVE'})
 
     def invoke(self, context, event):
         if context.window is None or any(map(self.is_given, GIVEN_PLACE)):
@@ -201,8 +211,10 @@ def why_cancelled(session):
     """Sentence that says that the mirror images have cancelled the pull; None if the pull moved nothing for another reason."""
     if not session.is_cancelled:
         return None
-    return tr("Nothing moved: on the mirror plane this pull and its mirror image cancel each other out. Choose another "
-              "direction or switch the mirror off")
+    return tr(
+        "Nothing moved: on the mirror plane this pull and its mirror image cancel each other out. Choose another "
+        "direction or switch the mirror off"
+    )
 
 
 def _turns_view(context, event):

@@ -72,15 +72,31 @@ RADIUS_KEY = Key("Radius", 'EVENT_F')
 PRECISION_KEY = Key("Precision Mode", 'EVENT_SHIFT')
 SHAPE_KEYS = (Key("Direction", 'EVENT_D'), Key("Falloff", 'EVENT_O'))
 LAST_KEYS = (
-    Key("Mirror", 'EVENT_X', 'EVENT_Y', 'EVENT_Z'), Key("Inset View", 'EVENT_I'), Key("Zoom", 'MOUSE_MMB_SCROLL'),
-    Key("Confirm", 'EVENT_RETURN'), Key("Cancel", 'EVENT_ESC'))
+    Key("Mirror", 'EVENT_X', 'EVENT_Y', 'EVENT_Z'),
+    Key("Inset View", 'EVENT_I'),
+    Key("Zoom", 'MOUSE_MMB_SCROLL'),
+    Key("Confirm", 'EVENT_RETURN'),
+    Key("Cancel", 'EVENT_ESC'),
+)
 SESSION_KEYS = (
-    Key("Pull Up", 'MOUSE_LMB'), Key("Pull Down", 'MOUSE_RMB'), Key("Invert", 'EVENT_CTRL'), Key("Smooth", 'EVENT_SHIFT'),
-    RADIUS_KEY, Key("Strength", 'EVENT_SHIFT', 'EVENT_F'), *SHAPE_KEYS, Key("Accumulate", 'EVENT_A'), *LAST_KEYS)
+    Key("Pull Up", 'MOUSE_LMB'),
+    Key("Pull Down", 'MOUSE_RMB'),
+    Key("Invert", 'EVENT_CTRL'),
+    Key("Smooth", 'EVENT_SHIFT'),
+    RADIUS_KEY,
+    Key("Strength", 'EVENT_SHIFT', 'EVENT_F'),
+    *SHAPE_KEYS,
+    Key("Accumulate", 'EVENT_A'),
+    *LAST_KEYS,
+)
 GRABBING_KEYS = (Key("Grab", 'MOUSE_LMB_DRAG'), Key("Smooth", 'EVENT_SHIFT'), RADIUS_KEY, *SHAPE_KEYS, *LAST_KEYS)
 DRAGGING_KEYS = (
-    Key("Lock Axis", 'EVENT_X', 'EVENT_Y', 'EVENT_Z'), PRECISION_KEY, Key("Type the Length"), Key("Confirm", 'EVENT_RETURN'),
-    Key("Cancel", 'MOUSE_RMB', 'EVENT_ESC'))
+    Key("Lock Axis", 'EVENT_X', 'EVENT_Y', 'EVENT_Z'),
+    PRECISION_KEY,
+    Key("Type the Length"),
+    Key("Confirm", 'EVENT_RETURN'),
+    Key("Cancel", 'MOUSE_RMB', 'EVENT_ESC'),
+)
 ADJUSTING_KEYS = (Key("Confirm", 'MOUSE_LMB'), Key("Cancel", 'MOUSE_RMB', 'EVENT_ESC'), PRECISION_KEY)
 
 

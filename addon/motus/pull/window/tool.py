@@ -20,7 +20,8 @@ class _Tool:
     bl_label = "Pick & Pull"
     bl_description = (
         "Pull the surface up with the left mouse button, down with the right one or with Ctrl; Shift smooths.\n"
-        "F and Shift F change radius and strength. With the direction Cursor a drag takes the surface along")
+        "F and Shift F change radius and strength. With the direction Cursor a drag takes the surface along"
+    )
     bl_icon = ICON
     bl_cursor = 'CROSSHAIR'
     bl_keymap = None

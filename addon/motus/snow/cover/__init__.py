@@ -10,8 +10,11 @@ SYSTEM = System(
     settings=properties.MOTUS_PG_snow_cover,
     classes=(
         # The groups before the one that holds them.
-        properties.MOTUS_PG_snow_cover_entry, properties.MOTUS_PG_snow_cover,
-        *operators.classes, *presets.classes, *panel.classes,
+        properties.MOTUS_PG_snow_cover_entry,
+        properties.MOTUS_PG_snow_cover,
+        *operators.classes,
+        *presets.classes,
+        *panel.classes,
     ),
     inputs=solve.INPUTS,
     groups=build.groups,

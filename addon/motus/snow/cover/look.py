@@ -43,8 +43,16 @@ def _new():
         material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
-    place, noise, bump, shader, output = (nodes.new(kind) for kind in (
-        "ShaderNodeNewGeometry", "ShaderNodeTexNoise", "ShaderNodeBump", "ShaderNodeBsdfPrincipled", "ShaderNodeOutputMaterial"))
+    place, noise, bump, shader, output = (
+        nodes.new(kind)
+        for kind in (
+            "ShaderNodeNewGeometry",
+            "ShaderNodeTexNoise",
+            "ShaderNodeBump",
+            "ShaderNodeBsdfPrincipled",
+            "ShaderNodeOutputMaterial",
+        )
+    )
     for index, node in enumerate(nodes):
         node.location.x = 200.0 * index
     noise.inputs["Scale"].default_value = GRAIN
@@ -54,7 +62,10 @@ def _new():
     shader.inputs["Base Color"].default_value = material.diffuse_color = COLOR  # type: ignore[assignment]
     shader.inputs["Roughness"].default_value = 0.65
     for source, target in (
-            (place.outputs["Position"], noise.inputs["Vector"]), (noise.outputs[0], bump.inputs["Height"]),
-            (bump.outputs["Normal"], shader.inputs["Normal"]), (shader.outputs[0], output.inputs["Surface"])):
+        (place.outputs["Position"], noise.inputs["Vector"]),
+        (noise.outputs[0], bump.inputs["Height"]),
+        (bump.outputs["Normal"], shader.inputs["Normal"]),
+        (shader.outputs[0], output.inputs["Surface"]),
+    ):
         links.new(source, target)
     return material

@@ -38,8 +38,10 @@ class MOTUS_OT_snow_cover_add(FindsValues, SnowCoverKeywords, bpy.types.Operator
     collection: _names("Collection", "Name of a collection on whose meshes snow lies too")
     emitters: _names("Emitters", "Names of the emitters of snow, between commas; empty takes the selected ones, or all of the scene")
     lands: bpy.props.BoolProperty(
-        name="Flakes Land", description="Let flakes of emitters that have no collider land on all the surfaces and on the collection",
-        default=True)
+        name="Flakes Land",
+        description="Let flakes of emitters that have no collider land on all the surfaces and on the collection",
+        default=True,
+    )
 
     modes = OBJECT_MODE
     needs_native = True
@@ -107,7 +109,8 @@ def _emitters(context, names):
             _check_emitter(obj)
         return found
     found = [obj for obj in context.selected_objects if sources.is_emitter(obj)] or [
-        obj for obj in context.scene.objects if sources.is_emitter(obj)]
+        obj for obj in context.scene.objects if sources.is_emitter(obj)
+    ]
     if not found:
         raise Refused(tr("It does not snow in this scene: add snow first"))
     return found
@@ -181,8 +184,12 @@ class _OnCover(OfAnObject):
 class _InList(_OnCover):
     """Operators on one of a cover's lists."""
 
-    what: bpy.props.EnumProperty(name="List", description="List that the objects are added to or removed from", items=(
-        ('SURFACES', "Surfaces", "Surfaces that snow lies on"), ('EMITTERS', "Snow", "Emitters that snow falls from")), options={'SKIP_SAVE'})
+    what: bpy.props.EnumProperty(
+        name="List",
+        description="List that the objects are added to or removed from",
+        items=(('SURFACES', "Surfaces", "Surfaces that snow lies on"), ('EMITTERS', "Snow", "Emitters that snow falls from")),
+        options={'SKIP_SAVE'},
+    )
     for_scripts = ("what",)
 
     def entries(self, cover):
@@ -202,8 +209,7 @@ class MOTUS_OT_snow_cover_entry_add(_InList, bpy.types.Operator):
         cover = self.found(context, self.object)
         entries = self.entries(cover)
         known = [pointed(entry, "object") for entry in entries]
-        is_wanted, check = (sources.is_surface, _check_surface) if self.what == 'SURFACES' else (
-            sources.is_emitter, _check_emitter)
+        is_wanted, check = (sources.is_surface, _check_surface) if self.what == 'SURFACES' else (sources.is_emitter, _check_emitter)
         if self.objects:
             found = _listed(self.objects)
             for obj in found:
@@ -224,7 +230,8 @@ class MOTUS_OT_snow_cover_entry_remove(_InList, bpy.types.Operator):
     bl_description = "Take an object off the list"
 
     index: bpy.props.IntProperty(
-        name="Index", description="Index of the object in the list; -1 for the last one", default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Index", description="Index of the object in the list; -1 for the last one", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
 
     def run(self, context):
         cover = self.found(context, self.object)
@@ -261,5 +268,10 @@ class MOTUS_OT_snow_cover_work_out(Job, bpy.types.Operator):
             raise Refused(tr(found.sentence))
 
 
-classes = (MOTUS_OT_snow_cover_add, MOTUS_OT_snow_cover_remove, MOTUS_OT_snow_cover_entry_add,
-           MOTUS_OT_snow_cover_entry_remove, MOTUS_OT_snow_cover_work_out)
+classes = (
+    MOTUS_OT_snow_cover_add,
+    MOTUS_OT_snow_cover_remove,
+    MOTUS_OT_snow_cover_entry_add,
+    MOTUS_OT_snow_cover_entry_remove,
+    MOTUS_OT_snow_cover_work_out,
+)

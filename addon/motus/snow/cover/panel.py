@@ -58,9 +58,9 @@ def draw_readouts(layout, context):
     volume, deepest = (wiring.output(system(), context.object, name, depsgraph) for name in ("volume", "deepest"))
     if volume is None or deepest is None:
         return
-    ui.draw_readouts(layout, [
-        ui.Readout(text="Lying Snow", value=f"{volume:.4g} m³"),
-        ui.Readout(text="Deepest", value=ui.length(context, deepest))])
+    ui.draw_readouts(
+        layout, [ui.Readout(text="Lying Snow", value=f"{volume:.4g} m³"), ui.Readout(text="Deepest", value=ui.length(context, deepest))]
+    )
 
 
 def draw_actions(layout, context):
@@ -75,14 +75,23 @@ def draw_add(layout, context):
 
 
 PANEL = panels.SystemPanel(
-    name="snow_cover", prefix="MOTUS_PT_snow_cover", label="Snow Cover",
+    name="snow_cover",
+    prefix="MOTUS_PT_snow_cover",
+    label="Snow Cover",
     editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
-    suits=sources.is_surface_or_cover, is_used=_is_cover, draw=draw_main,
+    suits=sources.is_surface_or_cover,
+    is_used=_is_cover,
+    draw=draw_main,
     parts=(
         panels.Part("surfaces", "Surfaces", draw_surfaces, is_open=True),
         panels.Part("emitters", "Snow", draw_emitters, is_open=True),
         panels.Part("layer", "Snow Layer", draw_layer),
     ),
-    readouts=draw_readouts, actions=draw_actions, refresh=panels.REFRESH, presets=PRESETS, draw_add=draw_add)
+    readouts=draw_readouts,
+    actions=draw_actions,
+    refresh=panels.REFRESH,
+    presets=PRESETS,
+    draw_add=draw_add,
+)
 
 classes = panels.classes(PANEL)

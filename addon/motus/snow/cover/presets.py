@@ -10,14 +10,30 @@ from .properties import KEYWORDS
 OF_THE_SHOT = {"resolution", "influence"}
 
 BROUGHT = (
-    Preset('DUSTING', "Dusting", "A thin veil in which single flakes show, blown off slopes", {
-        "lump": 0.05, "repose": math.radians(35.0), "smoothing": 0.1, "thinnest": 0.002}),
-    Preset('POWDER', "Powder", "Loose snow, soft and even, that steep roofs shed", {
-        "lump": 0.1, "repose": math.radians(40.0), "smoothing": 0.35, "thinnest": 0.004}),
-    Preset('WET', "Wet Snow", "Sticks in heaps to all that is not quite upright", {
-        "lump": 0.12, "repose": math.radians(68.0), "smoothing": 0.15, "thinnest": 0.006}),
-    Preset('DEEP', "Deep Winter", "Grows fast into thick round cushions", {
-        "lump": 0.22, "repose": math.radians(50.0), "smoothing": 0.45, "thinnest": 0.006}),
+    Preset(
+        'DUSTING',
+        "Dusting",
+        "A thin veil in which single flakes show, blown off slopes",
+        {"lump": 0.05, "repose": math.radians(35.0), "smoothing": 0.1, "thinnest": 0.002},
+    ),
+    Preset(
+        'POWDER',
+        "Powder",
+        "Loose snow, soft and even, that steep roofs shed",
+        {"lump": 0.1, "repose": math.radians(40.0), "smoothing": 0.35, "thinnest": 0.004},
+    ),
+    Preset(
+        'WET',
+        "Wet Snow",
+        "Sticks in heaps to all that is not quite upright",
+        {"lump": 0.12, "repose": math.radians(68.0), "smoothing": 0.15, "thinnest": 0.006},
+    ),
+    Preset(
+        'DEEP',
+        "Deep Winter",
+        "Grows fast into thick round cushions",
+        {"lump": 0.22, "repose": math.radians(50.0), "smoothing": 0.45, "thinnest": 0.006},
+    ),
 )
 SETTINGS = "bpy.context.object.motus.snow_cover"
 
@@ -28,4 +44,5 @@ def _settings(context):
 
 
 classes = OPERATOR, PANEL, _ = presets.classes(
-    "snow_cover", "Snow Cover", (f"{SETTINGS}.{name}" for name in KEYWORDS if name not in OF_THE_SHOT), BROUGHT, _settings)
+    "snow_cover", "Snow Cover", (f"{SETTINGS}.{name}" for name in KEYWORDS if name not in OF_THE_SHOT), BROUGHT, _settings
+)

@@ -16,30 +16,60 @@ def _dress(settings, _context):
 
 def _number(name, description, default, options=frozenset(), **more):
     return bpy.props.FloatProperty(
-        name=name, description=description, default=default, options=set(options), override=OVERRIDABLE, update=touch, **more)
+        name=name, description=description, default=default, options=set(options), override=OVERRIDABLE, update=touch, **more
+    )
 
 
 class SnowCoverKeywords:
     """What both the settings and the operator have: the names are the keywords of scripts."""
 
     lump: _number(
-        "Snow per Flake", "Edge of the cube of snow that each flake that lands adds: with larger ones snow grows faster", 0.1,
-        min=1e-5, max=1e3, soft_min=0.005, soft_max=0.5, subtype='DISTANCE')
+        "Snow per Flake",
+        "Edge of the cube of snow that each flake that lands adds: with larger ones snow grows faster",
+        0.1,
+        min=1e-5,
+        max=1e3,
+        soft_min=0.005,
+        soft_max=0.5,
+        subtype='DISTANCE',
+    )
     resolution: _number(
-        "Resolution", "Largest length of the edges of the layer, however large the faces are that it lies on", 0.1, min=1e-4,
-        max=1e6, soft_min=0.02, soft_max=1.0, subtype='DISTANCE')
+        "Resolution",
+        "Largest length of the edges of the layer, however large the faces are that it lies on",
+        0.1,
+        min=1e-4,
+        max=1e6,
+        soft_min=0.02,
+        soft_max=1.0,
+        subtype='DISTANCE',
+    )
     repose: _number(
-        "Slope", "Snow lies where it lands on slopes up to this angle; the steeper the more of it slides down",
-        math.radians(50.0), min=0.0, max=math.radians(89.0), subtype='ANGLE')
-    smoothing: _number(
-        "Smoothing", "How far snow spreads to what lies beside it", 0.25, min=0.0, max=1e6, soft_max=2.0,
-        subtype='DISTANCE')
+        "Slope",
+        "Snow lies where it lands on slopes up to this angle; the steeper the more of it slides down",
+        math.radians(50.0),
+        min=0.0,
+        max=math.radians(89.0),
+        subtype='ANGLE',
+    )
+    smoothing: _number("Smoothing", "How far snow spreads to what lies beside it", 0.25, min=0.0, max=1e6, soft_max=2.0, subtype='DISTANCE')
     thinnest: _number(
-        "Thinnest", "Snow that is thinner is hidden, so that the surface shows between the first flakes", 0.004, min=0.0, max=1e3,
-        soft_max=0.05, subtype='DISTANCE')
+        "Thinnest",
+        "Snow that is thinner is hidden, so that the surface shows between the first flakes",
+        0.004,
+        min=0.0,
+        max=1e3,
+        soft_max=0.05,
+        subtype='DISTANCE',
+    )
     influence: _number(
-        "Influence", "Share of the snow's depth that is shown: snow melts as it goes to 0", 1.0, ANIMATED, min=0.0, max=1.0,
-        subtype='FACTOR')
+        "Influence",
+        "Share of the snow's depth that is shown: snow melts as it goes to 0",
+        1.0,
+        ANIMATED,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+    )
 
 
 KEYWORDS = tuple(SnowCoverKeywords.__annotations__)
@@ -48,18 +78,22 @@ KEYWORDS = tuple(SnowCoverKeywords.__annotations__)
 class MOTUS_PG_snow_cover_entry(bpy.types.PropertyGroup):
     """An object in one of the lists."""
 
-    object: to_object(name="Object", description="Mesh object that snow lies on, or emitter of snow", update=rewire,
-        override=OVERRIDABLE)
+    object: to_object(name="Object", description="Mesh object that snow lies on, or emitter of snow", update=rewire, override=OVERRIDABLE)
 
 
 class MOTUS_PG_snow_cover(SystemSettings, SnowCoverKeywords, bpy.types.PropertyGroup):
     surfaces: bpy.props.CollectionProperty(type=MOTUS_PG_snow_cover_entry, name="Surfaces", override=EXTENDABLE)
     collection: bpy.props.PointerProperty(
-        type=bpy.types.Collection, name="Collection", description="Snow lies on the meshes of this collection too", update=rewire,
-        override=OVERRIDABLE)
+        type=bpy.types.Collection,
+        name="Collection",
+        description="Snow lies on the meshes of this collection too",
+        update=rewire,
+        override=OVERRIDABLE,
+    )
     emitters: bpy.props.CollectionProperty(type=MOTUS_PG_snow_cover_entry, name="Snow", override=EXTENDABLE)
     material: bpy.props.PointerProperty(
-        type=bpy.types.Material, name="Material", description="Material of the lying snow", update=_dress, override=OVERRIDABLE)
+        type=bpy.types.Material, name="Material", description="Material of the lying snow", update=_dress, override=OVERRIDABLE
+    )
     reads: bpy.props.StringProperty(
-        name="Reads", description="Objects that the solver waits for, to notice changes", options=set(),
-        override=OVERRIDABLE)
+        name="Reads", description="Objects that the solver waits for, to notice changes", options=set(), override=OVERRIDABLE
+    )

@@ -18,13 +18,28 @@ NO_SNOW = Problem("Add an emitter of snow that falls on the surfaces")
 NOT_FINITE = Problem("A setting of the cover is not a finite number")
 TOO_MANY = Problem("More than 10 million flakes fall until the end: let fewer flakes fall, and raise Snow per Flake", False)
 WAITING = Problem("So many flakes, or faces, take some time: press Calculate Snow", False)
-UNKNOWN = Problem(
-    "An emitter's motion, or the wind, is not known ahead, and counts as it is now: record it, or key it", False)
+UNKNOWN = Problem("An emitter's motion, or the wind, is not known ahead, and counts as it is now: record it, or key it", False)
 MOVES = Problem("A surface moves: flakes have landed where it is on the present frame", False)
 SOME_WITHOUT = Problem("A surface has no faces, or an emitter no mesh: they are left out", False)
 UNBAKEABLE = Problem("Lying snow is computed on each frame: there is nothing to bake")
-PROBLEMS = (*colliders.PROBLEMS, *view.PROBLEMS, NO_SURFACE, NO_FACES, NO_SNOW, NOT_FINITE, TOO_MANY, WAITING, UNKNOWN, MOVES, SOME_WITHOUT,
-            work.TOO_FINE, work.LESS_SMOOTH, flakes.NOT_FINITE, flakes.TOO_MANY, flakes.OUT_OF_RANGE)
+PROBLEMS = (
+    *colliders.PROBLEMS,
+    *view.PROBLEMS,
+    NO_SURFACE,
+    NO_FACES,
+    NO_SNOW,
+    NOT_FINITE,
+    TOO_MANY,
+    WAITING,
+    UNKNOWN,
+    MOVES,
+    SOME_WITHOUT,
+    work.TOO_FINE,
+    work.LESS_SMOOTH,
+    flakes.NOT_FINITE,
+    flakes.TOO_MANY,
+    flakes.OUT_OF_RANGE,
+)
 
 POINTS = Points(attributes=(("depth", 'FLOAT'),), shape='FACES', capacity=4 * ground.MOST)
 INPUTS = (Geometries("scenery", of=sources.scenery), Setting("influence"))
@@ -79,12 +94,10 @@ def _fill(context, plan, found, influence):
         depths += cover.heights((context.frame - fall.start_frame) / context.fps)
     shown = slice(found.ground.layer.vertex_count)
     depths = depths[shown] * np.float32(influence)
-    mesh = found.ground.layer.mesh(
-        depths, context.settings.thinnest, math.tan(max(context.settings.repose, LEAST_SIDE)))
+    mesh = found.ground.layer.mesh(depths, context.settings.thinnest, math.tan(max(context.settings.repose, LEAST_SIDE)))
     room = context.points(len(mesh["position"]), len(mesh["edge"]), len(mesh["triangle"]))
-    for name, own in (("position", "position"), ("depth", "depth"), ("edges", "edge"), ("triangles", "triangle"),
-                      ("sides", "side")):
-        room[name][...] = mesh[own][:len(room[name])]
+    for name, own in (("position", "position"), ("depth", "depth"), ("edges", "edge"), ("triangles", "triangle"), ("sides", "side")):
+        room[name][...] = mesh[own][: len(room[name])]
     context.outputs[0] = np.dot(depths.astype(float), found.covers[0].areas[shown])
     context.outputs[1] = mesh["depth"].max(initial=0.0)
 
@@ -123,8 +136,15 @@ def _plan(context, settings, scenery):
     if not falls:
         return None, NO_SNOW
     plan = work.Plan(
-        lain_on, tuple(shelters), settings.resolution, tuple(-part for part in pull), tuple(falls), settings.lump ** 3,
-        settings.repose, work.rounds(settings.smoothing, settings.resolution))
+        lain_on,
+        tuple(shelters),
+        settings.resolution,
+        tuple(-part for part in pull),
+        tuple(falls),
+        settings.lump**3,
+        settings.repose,
+        work.rounds(settings.smoothing, settings.resolution),
+    )
     return plan, fault
 
 
@@ -160,7 +180,8 @@ def _fall(context, emitter, pull, scenery):
         return None, flakes.NOT_FINITE
     unseen = view.lens_problem(source.data) if angles is not None else None
     return work.Fall(tuple(given.items()), pull, poses, wind, faces, angles, count, end, snow.start_frame), (
-        unseen if is_known and is_sure else UNKNOWN)
+        unseen if is_known and is_sure else UNKNOWN
+    )
 
 
 def births_until(snow, seconds):

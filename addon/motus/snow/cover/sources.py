@@ -64,8 +64,7 @@ def scenery(settings):
 def placed(settings):
     """The objects whose places are read."""
     falling = _emitters(settings).values()
-    return list(dict.fromkeys([
-        *scenery(settings), *(obj.original for obj in (*falling, *map(source, falling)) if obj)]))
+    return list(dict.fromkeys([*scenery(settings), *(obj.original for obj in (*falling, *map(source, falling)) if obj)]))
 
 
 def signature(settings):

@@ -27,10 +27,10 @@ LONG = bounds.AT_ONCE
 PARTS = 24
 MOST_ROUNDS = 400
 
-TOO_FINE = Problem(
-    "The layer would have more than 2 million vertices: choose a coarser resolution, or fewer surfaces", blocking=False)
+TOO_FINE = Problem("The layer would have more than 2 million vertices: choose a coarser resolution, or fewer surfaces", blocking=False)
 LESS_SMOOTH = Problem(
-    "Snow spreads less far than Smoothing says, as the layer has so many vertices: choose a coarser resolution", blocking=False)
+    "Snow spreads less far than Smoothing says, as the layer has so many vertices: choose a coarser resolution", blocking=False
+)
 
 
 class Fall(NamedTuple):
@@ -87,7 +87,7 @@ def may_wait(depsgraph, owner):
 def is_too_fine(plan):
     """Whether the layer is sure to have too many vertices, which can be told without making it."""
     # Each vertex has two triangles, which are no larger than those whose sides are all of that length.
-    return sum(one.area for one in plan.lain_on) > ground.MOST * plan.resolution ** 2
+    return sum(one.area for one in plan.lain_on) > ground.MOST * plan.resolution**2
 
 
 def price(plan):
@@ -114,8 +114,7 @@ def known(name, plan):
 def latest(name):
     """(Plan, Work) of what was done last for the cover of a name; None without."""
     with _lock:
-        return next(((plan, found) for (whose, plan), found in reversed(_done.items())
-                     if whose == name and isinstance(found, Work)), None)
+        return next(((plan, found) for (whose, plan), found in reversed(_done.items()) if whose == name and isinstance(found, Work)), None)
 
 
 def rounds(smoothing, resolution):
@@ -177,15 +176,13 @@ def _steps(plan):
     smoothing = min(plan.smoothing, bounds.times(ROUND * place.vertex_count * len(plan.falls)))
     yield done
     for fall in plan.falls:
-        snow = flakes.made(
-            fall.keywords, fall.acceleration, fall.poses, fall.wind, fall.faces, fall.angles, place.collider)
+        snow = flakes.made(fall.keywords, fall.acceleration, fall.poses, fall.wind, fall.faces, fall.angles, place.collider)
         if isinstance(snow, Problem):
             return snow
         try:
             for part in _landed(snow, fall):
                 yield done + part
-            covers.append(native.module.SnowCover(
-                snow, end=fall.end, flake_volume=plan.volume, repose=plan.repose, smoothing=smoothing))
+            covers.append(native.module.SnowCover(snow, end=fall.end, flake_volume=plan.volume, repose=plan.repose, smoothing=smoothing))
         except ValueError:
             return flakes.OUT_OF_RANGE
         done += PARTS + 1

@@ -2,10 +2,44 @@
 
 from ...core.translations import OWN_SENSE
 from . import (
-    base, chroma, drivers, dynamics, ik, lattice, layers, look_at, pendulum, pins, pull, snow, snow_cover, stereo, tracks, walker,
-    wiring)
+    base,
+    chroma,
+    drivers,
+    dynamics,
+    ik,
+    lattice,
+    layers,
+    look_at,
+    pendulum,
+    pins,
+    pull,
+    snow,
+    snow_cover,
+    stereo,
+    tracks,
+    walker,
+    wiring,
+)
 
-_PARTS = (base, wiring, tracks, layers, ik, look_at, walker, dynamics, pull, pins, lattice, pendulum, snow, snow_cover, stereo, chroma, drivers)
+_PARTS = (
+    base,
+    wiring,
+    tracks,
+    layers,
+    ik,
+    look_at,
+    walker,
+    dynamics,
+    pull,
+    pins,
+    lattice,
+    pendulum,
+    snow,
+    snow_cover,
+    stereo,
+    chroma,
+    drivers,
+)
 
 CONTEXTS = {
     "*": {text: translated for part in _PARTS for text, translated in part.INTERFACE.items()},

@@ -3,11 +3,9 @@
 INTERFACE = {
     "Motion Drivers": "Controladores de movimiento",
     "Let a property swing, ease or wander by itself": "Hace que una propiedad oscile, avance suavemente o divague por sí sola",
-    "Remove the motion drivers of a property, or of all properties of the object; the properties keep their present values":
-        "Quita los controladores de movimiento de una propiedad, o de todas las del objeto; conservan los valores que tienen",
+    "Remove the motion drivers of a property, or of all properties of the object; the properties keep their present values": "Quita los controladores de movimiento de una propiedad, o de todas las del objeto; conservan los valores que tienen",
     "Channel": "Canal",
-    "Property of the object that is driven, if no data path is given":
-        "Propiedad del objeto que se controla, si no se indica una ruta de datos",
+    "Property of the object that is driven, if no data path is given": "Propiedad del objeto que se controla, si no se indica una ruta de datos",
     "By Path": "Por ruta",
     "The property that the data path names": "La propiedad que indica la ruta de datos",
     "Location X": "Posición X",
@@ -22,14 +20,11 @@ INTERFACE = {
     "Location along this axis of the object": "Posición a lo largo de este eje del objeto",
     "Rotation about this axis of the object": "Rotación alrededor de este eje del objeto",
     "Scale along this axis of the object": "Escala a lo largo de este eje del objeto",
-    "{object} is not turned by angles about X, Y and Z: choose another rotation mode":
-        "{object} no gira por ángulos alrededor de X, Y y Z: elige otro modo de rotación",
+    "{object} is not turned by angles about X, Y and Z: choose another rotation mode": "{object} no gira por ángulos alrededor de X, Y y Z: elige otro modo de rotación",
     "Follow Keys": "Seguir claves",
-    "Follow the keys of a property like a mass on a spring: late, with a swing, or ahead of them":
-        "Sigue las claves de una propiedad como una masa en un resorte: con retraso, con rebote o adelantándose",
+    "Follow the keys of a property like a mass on a spring: late, with a swing, or ahead of them": "Sigue las claves de una propiedad como una masa en un resorte: con retraso, con rebote o adelantándose",
     "Source": "Origen",
-    "Data path of the property of the same datablock whose keys are followed; empty takes the driven property's own keys":
-        "Ruta de datos de la propiedad del mismo bloque cuyas claves se siguen; vacío toma las claves de la propia propiedad",
+    "Data path of the property of the same datablock whose keys are followed; empty takes the driven property's own keys": "Ruta de datos de la propiedad del mismo bloque cuyas claves se siguen; vacío toma las claves de la propia propiedad",
     "Source Index": "Índice del origen",
     "Component of the source, if the source is an array": "Componente del origen si es una lista",
     "Frequency": "Frecuencia",
@@ -37,10 +32,8 @@ INTERFACE = {
     "Damping Ratio": "Razón de amortiguación",
     "Damping: 0 swings for ever, 1 comes to rest without a swing": "0 oscila para siempre, 1 llega al reposo sin oscilar",
     "Response": "Respuesta",
-    "Initial response: 0 starts slowly, 1 at once, above 1 overshoots, below 0 goes the other way first":
-        "0 empieza despacio, 1 enseguida, por encima de 1 se pasa, por debajo de 0 va primero al revés",
-    "The expression has {count} characters, of which a driver takes {most}: shorten the names":
-        "La expresión tiene {count} caracteres y un controlador admite {most}: acorta los nombres",
+    "Initial response: 0 starts slowly, 1 at once, above 1 overshoots, below 0 goes the other way first": "0 empieza despacio, 1 enseguida, por encima de 1 se pasa, por debajo de 0 va primero al revés",
+    "The expression has {count} characters, of which a driver takes {most}: shorten the names": "La expresión tiene {count} caracteres y un controlador admite {most}: acorta los nombres",
     "{path} has no keys that could be followed": "{path} no tiene claves que se puedan seguir",
     "Replace": "Reemplazar",
     "Replace the driver that the property has": "Ocupa el lugar de un controlador que ya esté ahí",
@@ -52,14 +45,12 @@ INTERFACE = {
     "Pendulum": "Péndulo",
     "Swing like a bob on a rod; the value is its angle": "Oscila como un peso en una varilla; el valor es su ángulo",
     "Double Pendulum": "Péndulo doble",
-    "Swing like one of two bobs, the second of which hangs on the first: chaotic, and the same every time":
-        "Oscila como uno de dos pesos, el segundo de los cuales cuelga del primero: caótico, y siempre igual",
+    "Swing like one of two bobs, the second of which hangs on the first: chaotic, and the same every time": "Oscila como uno de dos pesos, el segundo de los cuales cuelga del primero: caótico, y siempre igual",
     "Ease": "Suavizado",
     "Go from 0 to 1 with a soft start and a soft stop": "Va de 0 a 1 con un comienzo suave y un final suave",
     "Wander smoothly between -1 and 1": "Divaga suavemente entre -1 y 1",
     "Base": "Base",
-    "Value that the motion is added to; by default the property's own value":
-        "Valor al que se suma el movimiento; si no se indica, el de la propia propiedad",
+    "Value that the motion is added to; by default the property's own value": "Valor al que se suma el movimiento; si no se indica, el de la propia propiedad",
     "Amplitude": "Amplitud",
     "Factor that the motion is multiplied by": "Factor por el que se multiplica el movimiento",
     "Frame at which the motion begins": "Fotograma en el que empieza el tiempo",
@@ -73,20 +64,15 @@ INTERFACE = {
     "Upper Velocity": "Velocidad superior",
     "Lower Velocity": "Velocidad inferior",
     "Angle of the upper rod": "Ángulo de la varilla superior",
-    "Angle of the lower rod, from hanging down too":
-        "Ángulo de la varilla inferior, también desde la posición colgada",
+    "Angle of the lower rod, from hanging down too": "Ángulo de la varilla inferior, también desde la posición colgada",
     "Angular velocity of the upper rod": "Velocidad angular de la varilla superior",
     "Angular velocity of the lower rod": "Velocidad angular de la varilla inferior",
-    "Angle of the upper rod at the start, from hanging down":
-        "Ángulo de la varilla superior al comienzo, desde la posición colgada",
-    "Angle of the lower rod at the start, from hanging down":
-        "Ángulo de la varilla inferior al comienzo, desde la posición colgada",
+    "Angle of the upper rod at the start, from hanging down": "Ángulo de la varilla superior al comienzo, desde la posición colgada",
+    "Angle of the lower rod at the start, from hanging down": "Ángulo de la varilla inferior al comienzo, desde la posición colgada",
     "Upper Push": "Empujón superior",
     "Lower Push": "Empujón inferior",
-    "Angular velocity of the upper rod at the start, per second":
-        "Velocidad angular de la varilla superior al comienzo, por segundo",
-    "Angular velocity of the lower rod at the start, per second":
-        "Velocidad angular de la varilla inferior al comienzo, por segundo",
+    "Angular velocity of the upper rod at the start, per second": "Velocidad angular de la varilla superior al comienzo, por segundo",
+    "Angular velocity of the lower rod at the start, per second": "Velocidad angular de la varilla inferior al comienzo, por segundo",
     "Upper Mass": "Masa superior",
     "Lower Mass": "Masa inferior",
     "Mass of the upper bob": "Masa del peso superior",
@@ -98,8 +84,7 @@ INTERFACE = {
     "Gravity that pulls the bobs down": "Gravedad que tira de los pesos hacia abajo",
     "Damping": "Amortiguación",
     "Rate at which velocity is lost, in 1/s; 0 swings for ever": "Ritmo al que se pierde la velocidad, en 1/s; con 0 oscila para siempre",
-    "Speed of time; for noise the approximate number of ups and downs per second":
-        "Velocidad del tiempo; en el ruido, número aproximado de subidas y bajadas por segundo",
+    "Speed of time; for noise the approximate number of ups and downs per second": "Velocidad del tiempo; en el ruido, número aproximado de subidas y bajadas por segundo",
     "Frame at which the motion has the value 0": "Fotograma con el valor 0",
     "Frame at which the motion has the value 1": "Fotograma con el valor 1",
     "Fraction of the time in which the motion speeds up": "Fracción del tiempo en la que el movimiento acelera",
@@ -110,11 +95,9 @@ INTERFACE = {
     "{path} has a driver already": "{path} ya tiene un controlador",
     "{path} has no motion driver": "{path} no tiene controlador de movimiento",
     "{path} is no number that can be driven": "{path} no es un número que se pueda controlar",
-    "{path} has {count} components: index goes from 0 to {last}":
-        "{path} tiene {count} componentes: el índice va de 0 a {last}",
+    "{path} has {count} components: index goes from 0 to {last}": "{path} tiene {count} componentes: el índice va de 0 a {last}",
     "{object} has no property {path}": "{object} no tiene la propiedad {path}",
-    "Point at a property with the mouse, or give its data path":
-        "Señala una propiedad con el ratón, o indica su ruta de datos",
+    "Point at a property with the mouse, or give its data path": "Señala una propiedad con el ratón, o indica su ruta de datos",
     "Edit Motion Driver": "Editar controlador de movimiento",
 }
 

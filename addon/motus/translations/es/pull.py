@@ -20,45 +20,37 @@ INTERFACE = {
     "A stroke begins with this dab": "Con él empieza un trazo",
     "A thorn with a wide foot": "Una espina de pie ancho",
     "Accumulate": "Acumular",
-    "Add a flat grid with a given number of vertices, centred on its origin":
-        "Agregar una cuadrícula plana de tantos vértices, centrada en su origen",
+    "Add a flat grid with a given number of vertices, centred on its origin": "Agregar una cuadrícula plana de tantos vértices, centrada en su origen",
     "All vertices within the radius move alike": "Todos se mueven igual",
     "Pull along the X axis": "Tirar a lo largo del eje X",
     "Pull along the Y axis": "Tirar a lo largo del eje Y",
     "Pull along the Z axis": "Tirar a lo largo del eje Z",
-    "Measured along the surface, so that lips and fingers stay apart":
-        "Medida por la superficie, de modo que labios y dedos sigan separados",
+    "Measured along the surface, so that lips and fingers stay apart": "Medida por la superficie, de modo que labios y dedos sigan separados",
     "Axis along which the height is measured": "Eje a lo largo del cual se mide la altura",
     "Classic": "Clásico",
-    "Compares the squared distance with the radius, so that the pull reaches as far as the radius' square root":
-        "Compara la distancia al cuadrado con el radio: llega hasta su raíz cuadrada",
+    "Compares the squared distance with the radius, so that the pull reaches as far as the radius' square root": "Compara la distancia al cuadrado con el radio: llega hasta su raíz cuadrada",
     "Constant": "Constante",
     "Curve Nodes": "Nodos de la curva",
     "Dabs": "Toques",
     "Direction": "Dirección",
     "Displacement": "Desplazamiento",
     "Distance between neighbouring vertices": "Distancia entre vértices vecinos",
-    "Dynamic topology changes the vertices while they are pulled: switch it off first":
-        "La topología dinámica cambia los vértices mientras se tira de ellos: desactívala antes",
-    "Each pull builds on the last; otherwise each starts from the original shape":
-        "Cada tirón parte del anterior; si no, cada uno parte de la forma original",
+    "Dynamic topology changes the vertices while they are pulled: switch it off first": "La topología dinámica cambia los vértices mientras se tira de ellos: desactívala antes",
+    "Each pull builds on the last; otherwise each starts from the original shape": "Cada tirón parte del anterior; si no, cada uno parte de la forma original",
     "Edges": "Aristas",
     "Falloff": "Decaimiento",
     "First": "Primero",
     "Forces at equal steps from the radius to the root": "Fuerzas a pasos iguales desde el radio hasta la raíz",
-    "Forces of the falloff Curve at equal steps from the radius to the root; empty takes the scene's curve":
-        "Fuerzas del decaimiento Curva a pasos iguales desde el radio hasta la raíz; sin ella, las de la curva propia de la escena",
+    "Forces of the falloff Curve at equal steps from the radius to the root; empty takes the scene's curve": "Fuerzas del decaimiento Curva a pasos iguales desde el radio hasta la raíz; sin ella, las de la curva propia de la escena",
     "Gaussian": "Gaussiano",
     "Go to Object, Edit or Sculpt Mode first": "Pasa antes al modo Objeto, Edición o Esculpido",
     "Height": "Altura",
     "Height Axis": "Eje de la altura",
     "Hidden node group that holds the falloff's curve": "Grupo de nodos oculto que guarda la curva del decaimiento",
-    "Distance from the root that the pull reaches; a number of edges if the distance counts edges":
-        "Distancia desde la raíz a la que llega el tirón; un número de aristas si la distancia cuenta aristas",
+    "Distance from the root that the pull reaches; a number of edges if the distance counts edges": "Distancia desde la raíz a la que llega el tirón; un número de aristas si la distancia cuenta aristas",
     "Distance from the root that the pull reached": "Distancia desde la raíz a la que llegó el tirón",
     "Distance by which one dab moves the root; negative pushes": "Cuánto mueve un toque la raíz; si es negativo, empuja",
-    "Displacement of the vertex, instead of a direction and a strength":
-        "Desplazamiento del vértice, en lugar de una dirección y una intensidad",
+    "Displacement of the vertex, instead of a direction and a strength": "Desplazamiento del vértice, en lugar de una dirección y una intensidad",
     "Displacement of the root, in the object": "Cuánto se movió la raíz, en el objeto",
     "Strength of the smoothing": "Fuerza del suavizado",
     "How the distance to the root is measured": "Cómo se mide la distancia a la raíz",
@@ -66,26 +58,21 @@ INTERFACE = {
     "Number of edges from the root that the pull reaches": "Número de aristas desde la raíz a las que llega el tirón",
     "Distance in a straight line through space": "Medida en línea recta por el espacio",
     "Index of the root": "Índice de la raíz",
-    "Index of the vertex that is pulled; -1 takes the vertex nearest to the location":
-        "Índice del vértice del que se tira; -1 toma el más cercano a la posición",
+    "Index of the vertex that is pulled; -1 takes the vertex nearest to the location": "Índice del vértice del que se tira; -1 toma el más cercano a la posición",
     "Inset View": "Vista insertada",
     "Zoom": "Zum",
-    "Vertex group whose weights tell how far each vertex moves; empty moves all vertices alike":
-        "Grupo de vértices cuyas influencias dicen cuánto se mueve cada vértice; vacío los mueve todos por igual",
+    "Vertex group whose weights tell how far each vertex moves; empty moves all vertices alike": "Grupo de vértices cuyas influencias dicen cuánto se mueve cada vértice; vacío los mueve todos por igual",
     "Kind": "Clase",
     "Largest height of moved vertices": "Altura máxima de lo que se mueve",
     "Last Pull": "Último tirón",
-    "Lay the whole grid over the unit square of a UV map":
-        "Extender toda la cuadrícula sobre el cuadrado unidad de un mapa UV",
+    "Lay the whole grid over the unit square of a UV map": "Extender toda la cuadrícula sobre el cuadrado unidad de un mapa UV",
     "Lengths along X and Y": "Longitudes en X e Y",
     "Lengths and directions are those of the object": "Las longitudes y direcciones son las del objeto",
-    "Lengths and directions are those of the world, whatever the object's scale":
-        "Las longitudes y direcciones son las del mundo, sea cual sea la escala del objeto",
+    "Lengths and directions are those of the world, whatever the object's scale": "Las longitudes y direcciones son las del mundo, sea cual sea la escala del objeto",
     "Lowest height of moved vertices": "Altura mínima de lo que se mueve",
     "Local": "Local",
     "Local Space": "Local",
-    "Matrix, row by row, that converts vectors of the object to vectors whose lengths are measured":
-        "Matriz, fila por fila, que lleva los vectores del objeto a los que se miden",
+    "Matrix, row by row, that converts vectors of the object to vectors whose lengths are measured": "Matriz, fila por fila, que lleva los vectores del objeto a los que se miden",
     "Maximum": "Máximo",
     "Metric": "Métrica",
     "Minimum": "Mínimo",
@@ -97,19 +84,16 @@ INTERFACE = {
     "Normal": "Normal",
     "Nothing is moved above a height": "Nada se mueve por encima de una altura",
     "Nothing is moved below a height": "Nada se mueve por debajo de una altura",
-    "Nothing moved: what is in reach is hidden, masked or held by a limit":
-        "Nada se movió: lo que está al alcance está oculto, enmascarado o retenido por un límite",
+    "Nothing moved: what is in reach is hidden, masked or held by a limit": "Nada se movió: lo que está al alcance está oculto, enmascarado o retenido por un límite",
     "Nothing moved: on the mirror plane this pull and its mirror image cancel each other out. Choose another "
-    "direction or switch the mirror off":
-        "Nada se movió: en el plano de simetría este tirón y su imagen simétrica se anulan entre sí. Elige otra dirección "
-        "o desactiva la simetría",
+    "direction or switch the mirror off": "Nada se movió: en el plano de simetría este tirón y su imagen simétrica se anulan entre sí. Elige otra dirección "
+    "o desactiva la simetría",
     "Number of vertices along X": "Número de vértices en X",
     "Number of vertices along Y": "Número de vértices en Y",
     "Pull out of the surface at the root": "Tirar hacia fuera de la superficie en la raíz",
     "Place": "Lugar",
     "Pull": "Tirar",
-    "Pull on the other side of the object too, mirrored across these axes of the object":
-        "Tirar también del otro lado del objeto, a través de estos de sus ejes",
+    "Pull on the other side of the object too, mirrored across these axes of the object": "Tirar también del otro lado del objeto, a través de estos de sus ejes",
     "Pull the surface at a vertex; the vertices near it follow": "Tirar de la superficie por un vértice; lo cercano lo sigue",
     "Radius": "Radio",
     "Root": "Raíz",
@@ -132,22 +116,17 @@ INTERFACE = {
     "Strength Pressure": "Presión en la fuerza",
     "Surface": "Superficie",
     "The distance between neighbouring vertices is given": "Se da la distancia entre vecinos",
-    "The mesh of {object} is linked from another file: make it local first":
-        "La malla de {object} está vinculada desde otro archivo: hazla local antes",
+    "The mesh of {object} is linked from another file: make it local first": "La malla de {object} está vinculada desde otro archivo: hazla local antes",
     "The minimum is above the maximum": "El mínimo está por encima del máximo",
     "Distance as the number of edges, which the radius gives": "Medida por el número de aristas, que el radio cuenta",
-    "The object is scaled to nothing along an axis: change its scale first":
-        "El objeto está escalado a cero en un eje: cambia antes su escala",
+    "The object is scaled to nothing along an axis: change its scale first": "El objeto está escalado a cero en un eje: cambia antes su escala",
     "The pen's pressure sets the radius": "La presión del lápiz ajusta el radio",
     "The pen's pressure sets the strength": "La presión del lápiz ajusta la fuerza",
     "The shape key {key} is locked": "La forma clave {key} está bloqueada",
-    "The shape key {key} is not seen, as its value is 0 or it is muted":
-        "La forma clave {key} no se ve, porque su valor es 0 o está silenciada",
+    "The shape key {key} is not seen, as its value is 0 or it is muted": "La forma clave {key} no se ve, porque su valor es 0 o está silenciada",
     "The size of the whole grid is given": "Se da el tamaño del conjunto",
-    "There is no view to pull towards: choose another direction":
-        "No hay una vista hacia la que tirar: elige otra dirección",
-    "There is no cursor to go along with: choose another direction or give a displacement":
-        "No hay un cursor con el que ir: elige otra dirección o da un desplazamiento",
+    "There is no view to pull towards: choose another direction": "No hay una vista hacia la que tirar: elige otra dirección",
+    "There is no cursor to go along with: choose another direction or give a displacement": "No hay un cursor con el que ir: elige otra dirección o da un desplazamiento",
     "Pull towards the viewer": "Tirar hacia quien mira",
     "UV Map": "Mapa UV",
     "Unit": "Unidades",
@@ -156,28 +135,22 @@ INTERFACE = {
     "Vertex": "Vértice",
     "Vertex Group": "Grupo de vértices",
     "The displacement or the radius of this pull is too large": "El desplazamiento o el radio de este tirón es demasiado grande",
-    "There is no 3D view to align to: choose another alignment":
-        "No hay vista 3D con la que alinear: elige otra alineación",
-    "Vertex {index} has no normal: choose another direction":
-        "El vértice {index} no tiene normal: elige otra dirección",
-    "Vertex {index} is at no place: its coordinates are not finite":
-        "El vértice {index} no está en ningún lugar: sus coordenadas no son finitas",
+    "There is no 3D view to align to: choose another alignment": "No hay vista 3D con la que alinear: elige otra alineación",
+    "Vertex {index} has no normal: choose another direction": "El vértice {index} no tiene normal: elige otra dirección",
+    "Vertex {index} is at no place: its coordinates are not finite": "El vértice {index} no está en ningún lugar: sus coordenadas no son finitas",
     "Vertex {index} is hidden": "El vértice {index} está oculto",
-    "What sets the size of the grid: its whole size, or the distance between vertices":
-        "Qué fija el tamaño de la cuadrícula: el tamaño total o la distancia entre vértices",
+    "What sets the size of the grid: its whole size, or the distance between vertices": "Qué fija el tamaño de la cuadrícula: el tamaño total o la distancia entre vértices",
     "Kind of change that the dab made": "Clase de cambio que hizo el toque",
     "Dabs of the strokes, which Redo repeats": "Toques del trazo",
     "Last pull, which a pin can be made of": "Último tirón, del que se puede hacer un ancla",
-    "Place that is pulled, in the space that Unit names: of the world or of the object":
-        "Lugar del que se tira, en el mundo o en el objeto según Unidades",
+    "Place that is pulled, in the space that Unit names: of the world or of the object": "Lugar del que se tira, en el mundo o en el objeto según Unidades",
     "Position of the root before the pull, in the object": "Posición de la raíz antes del tirón, en el objeto",
     "Direction of the pull": "Dirección del tirón",
     "Space in which lengths and directions are given": "Espacio en el que se dan longitudes y direcciones",
     "Width": "Ancho",
     "World": "Mundo",
     "World Space": "Global",
-    "{object} has a Multiresolution modifier: apply it or remove it first":
-        "{object} tiene un modificador Multirresolución: aplícalo o quítalo antes",
+    "{object} has a Multiresolution modifier: apply it or remove it first": "{object} tiene un modificador Multirresolución: aplícalo o quítalo antes",
     "{object} has no vertex group {group}": "{object} no tiene el grupo de vértices {group}",
     "{object} has no vertex {index}: it has {count}": "{object} no tiene el vértice {index}: tiene {count}",
     "{object} has no vertices": "{object} no tiene vértices",
@@ -198,8 +171,7 @@ INTERFACE = {
     "Steps by which the number goes up or down; 0 lets the mouse change it": "Pasos hacia arriba o hacia abajo; con 0 decide el ratón",
     "Distance from the root that the brush reaches": "Distancia desde la raíz a la que llega el pincel",
     "Distance by which one dab moves the root": "Cuánto mueve la raíz un toque",
-    "Change the brush's radius or strength by the mouse or by typing a number":
-        "Cambia el radio o la fuerza del pincel con el ratón o escribiendo un número",
+    "Change the brush's radius or strength by the mouse or by typing a number": "Cambia el radio o la fuerza del pincel con el ratón o escribiendo un número",
     "{count} edges": "{count} aristas",
     "Pull Up": "Tirar hacia arriba",
     "Pull Down": "Tirar hacia abajo",
@@ -208,10 +180,9 @@ INTERFACE = {
     "Cancel": "Cancelar",
     "Precision Mode": "Modo de precisión",
     "Pull the surface up with the left mouse button, down with the right one or with Ctrl; Shift "
-    "smooths.\nF and Shift F change radius and strength. With the direction Cursor a drag takes the surface along":
-        "Tira de la superficie hacia arriba con el botón izquierdo del ratón, hacia abajo con el derecho o "
-        "con Ctrl; Mayús suaviza.\nF y Mayús F cambian el radio y la fuerza. Con la dirección Cursor, al arrastrar la "
-        "superficie va con él",
+    "smooths.\nF and Shift F change radius and strength. With the direction Cursor a drag takes the surface along": "Tira de la superficie hacia arriba con el botón izquierdo del ratón, hacia abajo con el derecho o "
+    "con Ctrl; Mayús suaviza.\nF y Mayús F cambian el radio y la fuerza. Con la dirección Cursor, al arrastrar la "
+    "superficie va con él",
     "Cursor": "Cursor",
     "Drag the root along with the mouse": "Arrastrar la raíz con el ratón",
     "Drag": "Arrastre",
@@ -222,8 +193,7 @@ INTERFACE = {
     "Mirror & Mask": "Simetría y máscara",
     "Pull Brush Presets": "Preajustes del pincel",
     "Pulled from Clay": "Modelado en arcilla",
-    "A landscape that rises from the sea and a face full of feeling, both pulled into shape and moved by pins":
-        "Un paisaje que emerge del mar y una cara llena de expresión, ambos modelados a tirones y movidos por anclas",
+    "A landscape that rises from the sea and a face full of feeling, both pulled into shape and moved by pins": "Un paisaje que emerge del mar y una cara llena de expresión, ambos modelados a tirones y movidos por anclas",
     "Group": "Grupo",
     "3D Cursor": "Cursor 3D",
     "Align": "Alinear",

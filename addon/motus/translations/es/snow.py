@@ -5,8 +5,7 @@ INTERFACE = {
     "Stay": "Quedarse",
     "Flakes lie where they have landed, as long as they live": "Los copos quedan donde han caído mientras viven",
     "Slide": "Resbalar",
-    "Flakes slide down what is steep, and lie where they come to rest":
-        "Los copos resbalan por lo empinado y quedan donde se paran",
+    "Flakes slide down what is steep, and lie where they come to rest": "Los copos resbalan por lo empinado y quedan donde se paran",
     "Melt": "Derretirse",
     "Flakes that have landed shrink to nothing": "Los copos caídos encogen hasta desaparecer",
     "Ground": "Suelo",
@@ -18,47 +17,38 @@ INTERFACE = {
     "Melt Time": "Tiempo de fusión",
     "Seconds in which landed flakes melt": "Segundos en que se derriten los copos caídos",
     "Friction": "Fricción",
-    "Friction of what flakes land on; flakes do not slide on slopes whose tangent is smaller":
-        "Fricción de aquello en que caen los copos; no resbalan en pendientes de tangente menor",
+    "Friction of what flakes land on; flakes do not slide on slopes whose tangent is smaller": "Fricción de aquello en que caen los copos; no resbalan en pendientes de tangente menor",
     "Collider": "Obstáculo",
     "Mesh object that flakes land on": "Objeto de malla sobre el que caen los copos",
     "More Colliders": "Más obstáculos",
     "Further mesh objects that flakes land on": "Más objetos de malla sobre los que caen los copos",
     "Follow Markers": "Seguir los marcadores",
-    "Where markers of the timeline bind the camera, flakes are born in the view of whichever camera is bound":
-        "Donde los marcadores de la línea de tiempo vinculan la cámara, los copos nacen en la vista de la cámara vinculada en cada momento",
-    "What the solver waits for beside its settings, to notice where it has changed since":
-        "Qué espera el solucionador además de los ajustes, para notar si ha cambiado desde entonces",
+    "Where markers of the timeline bind the camera, flakes are born in the view of whichever camera is bound": "Donde los marcadores de la línea de tiempo vinculan la cámara, los copos nacen en la vista de la cámara vinculada en cada momento",
+    "What the solver waits for beside its settings, to notice where it has changed since": "Qué espera el solucionador además de los ajustes, para notar si ha cambiado desde entonces",
     "Name of a mesh object that flakes land on": "Nombre de un objeto de malla sobre el que caen los copos",
     "The collider is gone: flakes fall on without it": "El obstáculo ya no está: los copos siguen cayendo",
     "The collider has no faces: flakes fall through it": "El obstáculo no tiene caras: los copos lo atraviesan",
-    "Flakes fall through colliders that may move, until Record Colliders keeps them as on one frame":
-        "Los copos atraviesan los obstáculos que pueden moverse hasta que Registrar obstáculos los guarde como en un fotograma",
+    "Flakes fall through colliders that may move, until Record Colliders keeps them as on one frame": "Los copos atraviesan los obstáculos que pueden moverse hasta que Registrar obstáculos los guarde como en un fotograma",
     "Colliders": "Obstáculos",
     "Collection whose mesh objects flakes land on": "Colección sobre cuyos objetos de malla caen los copos",
-    "Name of a collection whose mesh objects flakes land on":
-        "Nombre de una colección sobre cuyos objetos de malla caen los copos",
+    "Name of a collection whose mesh objects flakes land on": "Nombre de una colección sobre cuyos objetos de malla caen los copos",
     "Recorded": "Registrado",
     "Recorded mesh that flakes land on": "Malla registrada sobre la que caen los copos",
     "Recorded Colliders": "Obstáculos registrados",
-    "Colliders of the recorded mesh, in the order of its faces":
-        "Obstáculos de la malla registrada, en el orden de sus caras",
+    "Colliders of the recorded mesh, in the order of its faces": "Obstáculos de la malla registrada, en el orden de sus caras",
     "Collider that was recorded": "Obstáculo que se registró",
     "How many of the recorded triangles are the collider's": "Cuántos de los triángulos registrados son del obstáculo",
     "Recorded Frame": "Fotograma registrado",
     "Frame on which the colliders were recorded": "Fotograma en el que se registraron los obstáculos",
-    "Keep the colliders in the file as they are on this frame":
-        "Guarda los obstáculos en el archivo como están en este fotograma",
-    "Forget the recorded colliders, so that flakes land on the colliders themselves again":
-        "Olvidar los obstáculos registrados, de modo que los copos vuelven a caer sobre los propios obstáculos",
+    "Keep the colliders in the file as they are on this frame": "Guarda los obstáculos en el archivo como están en este fotograma",
+    "Forget the recorded colliders, so that flakes land on the colliders themselves again": "Olvidar los obstáculos registrados, de modo que los copos vuelven a caer sobre los propios obstáculos",
     "There is nothing with faces that flakes land on": "No hay nada con caras en que caigan los copos",
     "Nothing was recorded": "No hay nada registrado",
     "As they were on frame {frame}": "Como estaban en el fotograma {frame}",
     "Flakes appear as soon as it is known where they land": "Los copos aparecen en cuanto se sabe dónde caen",
     "Landings Found": "Caídas halladas",
     "Camera View": "Vista de cámara",
-    "Flakes are born evenly in the view of a camera, and fall down":
-        "Los copos nacen por igual en lo que ve una cámara y caen hacia abajo",
+    "Flakes are born evenly in the view of a camera, and fall down": "Los copos nacen por igual en lo que ve una cámara y caen hacia abajo",
     "Camera in whose view the flakes are born": "Cámara en cuya vista nacen los copos",
     "Name of a camera in whose view the flakes are born": "Nombre de una cámara en cuya vista nacen los copos",
     "Closest": "Más cerca",
@@ -67,15 +57,11 @@ INTERFACE = {
     "Largest distance from the camera at which flakes are born": "Distancia máxima a la cámara a la que nacen copos",
     "Choose a camera in whose view the flakes are born": "Elige una cámara en cuya vista nazcan los copos",
     "The camera is in no collection any more: choose another one": "La cámara ya no está en ninguna colección: elige otra",
-    "Flakes are born only in the view of a perspective camera":
-        "Los copos solo nacen en la vista de una cámara en perspectiva",
-    "The camera's lens is not known ahead, and flakes are born in what it sees now: key it, or record it":
-        "La focal de la cámara no se conoce de antemano, y los copos nacen en lo que ve ahora: anímala con claves o grábala",
+    "Flakes are born only in the view of a perspective camera": "Los copos solo nacen en la vista de una cámara en perspectiva",
+    "The camera's lens is not known ahead, and flakes are born in what it sees now: key it, or record it": "La focal de la cámara no se conoce de antemano, y los copos nacen en lo que ve ahora: anímala con claves o grábala",
     "The scene has no camera": "La escena no tiene cámara",
-    "The wind is not known ahead, and blows on all frames as it does now: key it, or record it":
-        "El viento no se conoce de antemano y sopla en todos los fotogramas como ahora: anímalo con claves o regístralo",
-    "Set the size, the cone angle or the speed of an emitter by its handles":
-        "Ajusta el tamaño, el ángulo del cono o la velocidad de un emisor con sus asas",
+    "The wind is not known ahead, and blows on all frames as it does now: key it, or record it": "El viento no se conoce de antemano y sopla en todos los fotogramas como ahora: anímalo con claves o regístralo",
+    "Set the size, the cone angle or the speed of an emitter by its handles": "Ajusta el tamaño, el ángulo del cono o la velocidad de un emisor con sus asas",
     "Half the width of the emitter": "La mitad del ancho del emisor",
     "How far flakes lean outwards at the edge": "Cuánto se inclinan hacia fuera los copos en el borde",
     "How fast flakes leave": "Con qué rapidez salen los copos",
@@ -83,12 +69,10 @@ INTERFACE = {
     "Handle that is dragged": "Asa que se arrastra",
     "Place in the world that the handle is dragged to": "Lugar del mundo al que se arrastra el asa",
     "The emitter has no such handle": "El emisor no tiene esa asa",
-    "Press the left mouse button on a handle of the emitter and drag it; Esc or the right button cancels":
-        "Pulsa el botón izquierdo sobre un asa del emisor y arrástrala; Esc o el botón derecho cancela",
+    "Press the left mouse button on a handle of the emitter and drag it; Esc or the right button cancels": "Pulsa el botón izquierdo sobre un asa del emisor y arrástrala; Esc o el botón derecho cancela",
     "All Attributes": "Todos los atributos",
-    "For nodes of your own, flakes also have what Blender does not need of them: instances a velocity, and bare points a turn":
-        "Para nodos propios, los copos tienen también lo que Blender no necesita de ellos: las instancias velocidad y los "
-        "puntos sueltos giro",
+    "For nodes of your own, flakes also have what Blender does not need of them: instances a velocity, and bare points a turn": "Para nodos propios, los copos tienen también lo que Blender no necesita de ellos: las instancias velocidad y los "
+    "puntos sueltos giro",
     "A flat crystal with six arms": "Un cristal plano con seis brazos",
     "A petal, bent up at its ends": "Un pétalo, doblado hacia arriba en sus extremos",
     "A setting is outside of what flakes can do": "Un ajuste está fuera de lo que los copos pueden hacer",
@@ -105,23 +89,18 @@ INTERFACE = {
     "Box": "Caja",
     "Burst": "Estallido",
     "Burst Time": "Tiempo del estallido",
-    "Largest angle by which flakes lean outwards: at the edge of a cone, or at random":
-        "Ángulo máximo que los copos se inclinan hacia fuera: en el borde de un cono, o al azar",
-    "Largest angle by which steering turns the flakes' way about the world's X and Y axes":
-        "Ángulo máximo que la deriva gira el camino de los copos sobre los ejes X e Y del mundo",
+    "Largest angle by which flakes lean outwards: at the edge of a cone, or at random": "Ángulo máximo que los copos se inclinan hacia fuera: en el borde de un cono, o al azar",
+    "Largest angle by which steering turns the flakes' way about the world's X and Y axes": "Ángulo máximo que la deriva gira el camino de los copos sobre los ejes X e Y del mundo",
     "Share of the wind by which gusts vary it": "Parte del viento en que lo varían las ráfagas",
     "Choose the mesh that emits the flakes": "Elige la malla que emite los copos",
-    "Choose what flakes look like: there is no such object or collection":
-        "Elige el aspecto de los copos: no hay tal objeto o colección",
+    "Choose what flakes look like: there is no such object or collection": "Elige el aspecto de los copos: no hay tal objeto o colección",
     "Collection whose objects flakes are instances of": "Colección de cuyos objetos los copos son instancias",
     "Color": "Color",
     "Cone": "Cono",
     "Cone Angle": "Ángulo del cono",
     "Disc": "Disco",
-    "Each flake has a colour from anywhere on the gradient, not its first one":
-        "Cada copo tiene un color de cualquier lugar del degradado, no el primero",
-    "Each flake steers along a path of its own; otherwise all flakes of the same age turn alike":
-        "Cada copo deriva por un camino propio; si no, todos los de una misma edad giran igual",
+    "Each flake has a colour from anywhere on the gradient, not its first one": "Cada copo tiene un color de cualquier lugar del degradado, no el primero",
+    "Each flake steers along a path of its own; otherwise all flakes of the same age turn alike": "Cada copo deriva por un camino propio; si no, todos los de una misma edad giran igual",
     "Eddy Size": "Tamaño de remolino",
     "Emission": "Emisión",
     "Emitter": "Emisor",
@@ -129,26 +108,19 @@ INTERFACE = {
     "Flake Width": "Ancho del copo",
     "Flakes": "Copos",
     "Flakes are born for ever, whatever the duration is": "Los copos nacen siempre, sea cual sea la duración",
-    "Flakes are computed on each frame: there is nothing to bake":
-        "Los copos se calculan en cada fotograma: no hay nada que capturar",
+    "Flakes are computed on each frame: there is nothing to bake": "Los copos se calculan en cada fotograma: no hay nada que capturar",
     "Flakes at Most": "Copos como máximo",
     "Flakes are born within a ball and leave its middle": "Los copos nacen dentro de una bola y se alejan de su centro",
-    "Flakes are born within a cube and leave along the emitter's +Z":
-        "Los copos nacen dentro de un cubo y salen según el +Z del emisor",
+    "Flakes are born within a cube and leave along the emitter's +Z": "Los copos nacen dentro de un cubo y salen según el +Z del emisor",
     "Flakes leave a disc along the emitter's +Z": "Los copos salen de un disco según el +Z del emisor",
-    "Flakes leave a disc, leaning outwards, at its edge by the cone angle":
-        "Los copos salen de un disco inclinados hacia fuera, en su borde según el ángulo del cono",
+    "Flakes leave a disc, leaning outwards, at its edge by the cone angle": "Los copos salen de un disco inclinados hacia fuera, en su borde según el ángulo del cono",
     "Flakes leave a square along the emitter's +Z": "Los copos salen de un cuadrado según el +Z del emisor",
     "Flakes leave anywhere within the cone angle": "Los copos salen hacia cualquier lado dentro del ángulo del cono",
-    "A mesh emits the flakes from its faces along their normals, evenly over their area":
-        "Una malla emite los copos desde sus caras según sus normales, por igual en toda su área",
-    "Flakes steer through the air, as a smooth noise of their age turns them":
-        "Los copos derivan por el aire según los gira un ruido suave de su edad",
-    "Flakes that are born all at once, beside those of the rate":
-        "Copos que nacen todos a la vez, además de los de la tasa",
+    "A mesh emits the flakes from its faces along their normals, evenly over their area": "Una malla emite los copos desde sus caras según sus normales, por igual en toda su área",
+    "Flakes steer through the air, as a smooth noise of their age turns them": "Los copos derivan por el aire según los gira un ruido suave de su edad",
+    "Flakes that are born all at once, beside those of the rate": "Copos que nacen todos a la vez, además de los de la tasa",
     "Flakes that are born in a second": "Copos que nacen en un segundo",
-    "Frame at which the snow's time starts; before the scene's first frame, flakes are already in the air there":
-        "Fotograma en que empieza el tiempo de la nieve; antes del primero de la escena, allí ya hay copos en el aire",
+    "Frame at which the snow's time starts; before the scene's first frame, flakes are already in the air there": "Fotograma en que empieza el tiempo de la nieve; antes del primero de la escena, allí ya hay copos en el aire",
     "Gentle Snow": "Nieve suave",
     "Give an emitter the settings of a preset": "Da a un emisor los ajustes de un preajuste",
     "Glowing specks that fly up from a fire and fall back": "Motas brillantes que suben de un fuego y vuelven a caer",
@@ -156,31 +128,25 @@ INTERFACE = {
     "Gust Frequency": "Frecuencia de ráfagas",
     "Gusts": "Ráfagas",
     "Heavy flakes that fall fast and nearly straight": "Copos pesados que caen rápido y casi rectos",
-    "Largest angle per second by which flakes turn about their own axes":
-        "Ángulo máximo por segundo que giran los copos sobre sus propios ejes",
-    "How quickly flakes take on the velocity of the air, in 1/s; without it there is no wind":
-        "Con qué rapidez toman los copos la velocidad del aire, en 1/s; sin él no hay viento",
+    "Largest angle per second by which flakes turn about their own axes": "Ángulo máximo por segundo que giran los copos sobre sus propios ejes",
+    "How quickly flakes take on the velocity of the air, in 1/s; without it there is no wind": "Con qué rapidez toman los copos la velocidad del aire, en 1/s; sin él no hay viento",
     "Indoor Dust": "Polvo interior",
-    "Instances of a collection's objects, which flakes choose among by their numbers":
-        "Instancias de los objetos de una colección, que los copos eligen por sus números",
+    "Instances of a collection's objects, which flakes choose among by their numbers": "Instancias de los objetos de una colección, que los copos eligen por sus números",
     "Instances of an object": "Instancias de un objeto",
     "Keep Emitter": "Conservar emisor",
     "Keep the emitter, without its snow": "Conserva el emisor, sin su nieve",
     "Large flakes that come down slowly on a calm evening": "Copos grandes que bajan despacio en una tarde tranquila",
-    "Let an emitter, or the faces of a mesh, emit flakes, without a cache":
-        "Deja que un emisor, o las caras de una malla, emita copos, sin caché",
+    "Let an emitter, or the faces of a mesh, emit flakes, without a cache": "Deja que un emisor, o las caras de una malla, emita copos, sin caché",
     "Lifetime": "Vida",
     "Looping": "Sin fin",
     "Max Angle": "Ángulo máximo",
     "Memory": "Memoria",
     "Mesh Surface": "Superficie de malla",
-    "More than 16 million flakes at once would need over 1 GB of memory: lower the rate or the lifetime":
-        "Más de 16 millones de copos a la vez necesitarían más de 1 GB de memoria: reduce la tasa o la vida",
+    "More than 16 million flakes at once would need over 1 GB of memory: lower the rate or the lifetime": "Más de 16 millones de copos a la vez necesitarían más de 1 GB de memoria: reduce la tasa o la vida",
     "Motus has made the emitter, and removes it with the snow": "Motus ha creado el emisor, y lo quita con la nieve",
     "Name an object or a collection, not both": "Nombra un objeto o una colección, no ambos",
     "Name of the mesh that emits the flakes": "Nombre de la malla que emite los copos",
-    "Name of the collection whose objects flakes are instances of":
-        "Nombre de la colección de cuyos objetos los copos son instancias",
+    "Name of the collection whose objects flakes are instances of": "Nombre de la colección de cuyos objetos los copos son instancias",
     "Name of the emitter; empty takes the active object": "Nombre del emisor; vacío toma el objeto activo",
     "Name of the emitter; empty takes the selected ones": "Nombre del emisor; vacío toma los seleccionados",
     "Name of the object that flakes are instances of": "Nombre del objeto del que los copos son instancias",
@@ -189,19 +155,15 @@ INTERFACE = {
     "Mesh that emits the flakes": "Malla que emite los copos",
     "Seed of all random numbers": "Semilla de todos los números al azar",
     "Width of flakes and points of size 1": "Ancho de los copos y puntos de tamaño 1",
-    "Size of the flakes, as a multiple of Flake Width or the scale of an object":
-        "Tamaño de los copos, como múltiplo de Ancho del copo o de la escala de un objeto",
+    "Size of the flakes, as a multiple of Flake Width or the scale of an object": "Tamaño de los copos, como múltiplo de Ancho del copo o de la escala de un objeto",
     "Index of the color in the list; -1 for the last one": "Índice del color en la lista; -1 para el último",
-    "Radius of the disc, ball or cone; half the width of the square or box":
-        "Radio del disco, la bola o el cono; la mitad del ancho del cuadrado o la caja",
+    "Radius of the disc, ball or cone; half the width of the square or box": "Radio del disco, la bola o el cono; la mitad del ancho del cuadrado o la caja",
     "Diameter of the eddies": "Diámetro de los remolinos",
-    "Location of the emitter; that of the 3D cursor if it is not given":
-        "Posición del emisor; la del cursor 3D si no se indica",
+    "Location of the emitter; that of the 3D cursor if it is not given": "Posición del emisor; la del cursor 3D si no se indica",
     "Color of the gradient at this position": "Color del degradado en esta posición",
     "Position on the gradient, from 0 to 1": "Posición en el degradado, de 0 a 1",
     "Individual Paths": "Caminos individuales",
-    "Percentage of the flakes that the viewport shows; they are some of those that are rendered":
-        "Porcentaje de los copos que muestra la vista; son algunos de los que se procesan",
+    "Percentage of the flakes that the viewport shows; they are some of those that are rendered": "Porcentaje de los copos que muestra la vista; son algunos de los que se procesan",
     "Petal": "Pétalo",
     "Petals": "Pétalos",
     "Plain": "Simple",
@@ -218,15 +180,13 @@ INTERFACE = {
     "Seconds after the delay at which they are born": "Segundos tras el retraso en que nacen",
     "Seconds after which a flake is gone": "Segundos tras los que un copo desaparece",
     "Seconds for which flakes are born": "Segundos durante los que nacen copos",
-    "Seconds from the start frame until the first flakes are born":
-        "Segundos desde el fotograma inicial hasta que nacen los primeros copos",
+    "Seconds from the start frame until the first flakes are born": "Segundos desde el fotograma inicial hasta que nacen los primeros copos",
     "Preset whose settings the emitter is given": "Preajuste cuyos ajustes recibe el emisor",
     "Six-Armed Flake": "Copo de seis brazos",
     "Small flakes that gusts drive across": "Copos pequeños que las ráfagas arrastran",
     "Snow": "Nieve",
     "Snow Presets": "Preajustes de nieve",
-    "Snow that falls on a village at dusk, whose roofs, trees and meadows turn white, without a cache":
-        "Nieve que cae al anochecer sobre una aldea cuyos tejados, árboles y prados se vuelven blancos, sin caché",
+    "Snow that falls on a village at dusk, whose roofs, trees and meadows turn white, without a cache": "Nieve que cae al anochecer sobre una aldea cuyos tejados, árboles y prados se vuelven blancos, sin caché",
     "Winter Village": "Aldea en invierno",
     "Spark": "Chispa",
     "Sparks": "Chispas",
@@ -237,12 +197,10 @@ INTERFACE = {
     "Take the snow away, with the emitter that was made for it": "Quita la nieve, con el emisor que se creó para ella",
     "The colour is the library's, and cannot be removed": "El color es de la biblioteca, y no se puede quitar",
     "The emitter has a scale of 0, and can show no flakes": "El emisor tiene una escala de 0, y no puede mostrar copos",
-    "The emitter's motion is not known ahead, and flakes are born where it stands now: record it, or key it":
-        "El movimiento del emisor no se conoce de antemano, y los copos nacen donde está ahora: grábalo, o ponle claves",
+    "The emitter's motion is not known ahead, and flakes are born where it stands now: record it, or key it": "El movimiento del emisor no se conoce de antemano, y los copos nacen donde está ahora: grábalo, o ponle claves",
     "The gradient has no such colour": "El degradado no tiene ese color",
     "The mesh that emits the flakes has no faces": "La malla que emite los copos no tiene caras",
-    "The mesh that emits the flakes is in no collection any more: choose another one":
-        "La malla que emite los copos ya no está en ninguna colección: elige otra",
+    "The mesh that emits the flakes is in no collection any more: choose another one": "La malla que emite los copos ya no está en ninguna colección: elige otra",
     "The scene's gravity pulls flakes down": "La gravedad de la escena tira de los copos",
     "There is no collection {collection}": "No hay ninguna colección {collection}",
     "Tumble": "Volteo",
@@ -258,8 +216,7 @@ INTERFACE = {
     "Whether it snows: 0 hides the snow": "Si nieva: 0 oculta la nieve",
     "Wind": "Viento",
     "Speed at which flakes leave the emitter": "Velocidad a la que los copos salen del emisor",
-    "{count} flakes at once would need {memory}; there can be {most}":
-        "{count} copos a la vez necesitarían {memory}; puede haber {most}",
+    "{count} flakes at once would need {memory}; there can be {most}": "{count} copos a la vez necesitarían {memory}; puede haber {most}",
     "{object} has no faces": "{object} no tiene caras",
     "{object} is no mesh": "{object} no es una malla",
 }

@@ -51,14 +51,14 @@ def _leg(name, angle, share, count):
     along = (stretch(count) - 1.0) * (HIP_ALONG + REACH) * (1.0 - 2.0 * share)
     middle = Vector((0.0, HIP_AHEAD + along, 0.0))
     hip = middle + Vector((HIP_ACROSS * ahead.x, HIP_ALONG * ahead.y, HEIGHT - 0.01))
-    foot = middle + (REACH + MORE_REACH * ahead.y ** 2) * ahead
+    foot = middle + (REACH + MORE_REACH * ahead.y**2) * ahead
     return Leg(name, hip, _knee(hip, foot), foot)
 
 
 def _knee(hip, foot):
     """Where a leg bends, upwards."""
     way = foot - hip
-    angle = math.acos((UPPER ** 2 + way.length ** 2 - LOWER ** 2) / (2.0 * UPPER * way.length))
+    angle = math.acos((UPPER**2 + way.length**2 - LOWER**2) / (2.0 * UPPER * way.length))
     across = way.cross(Vector((0.0, 0.0, 1.0))).normalized()
     upwards = across.cross(way).normalized()
     return hip + UPPER * (math.cos(angle) * way.normalized() + math.sin(angle) * upwards)

@@ -13,8 +13,16 @@ FUR, BAND, EYE, GLINT = range(4)
 _SIDES, _RINGS = 9, 7
 # How far along, radius, material of the part up to there.
 _UPPER = ((0.0, 0.020, FUR), (0.12, 0.029, FUR), (0.45, 0.034, FUR), (0.78, 0.027, FUR), (0.86, 0.028, BAND), (1.0, 0.021, BAND))
-_LOWER = ((0.0, 0.020, BAND), (0.07, 0.025, BAND), (0.20, 0.024, BAND), (0.45, 0.019, FUR), (0.50, 0.0195, BAND), (0.58, 0.017, BAND),
-          (0.80, 0.010, FUR), (1.0, 0.003, FUR))
+_LOWER = (
+    (0.0, 0.020, BAND),
+    (0.07, 0.025, BAND),
+    (0.20, 0.024, BAND),
+    (0.45, 0.019, FUR),
+    (0.50, 0.0195, BAND),
+    (0.58, 0.017, BAND),
+    (0.80, 0.010, FUR),
+    (1.0, 0.003, FUR),
+)
 _BOW = 0.022
 """How far the lower half of a leg bends outwards."""
 _PALP = ((0.0, 0.016, FUR), (0.4, 0.019, FUR), (0.75, 0.017, BAND), (1.0, 0.007, BAND))
@@ -53,8 +61,7 @@ class _Parts:
         up = np.cross(along, side)
         angles = np.arange(_SIDES) * 2.0 * math.pi / _SIDES
         radii = np.array([radius for _, radius, _ in profile])[:, None, None]
-        rings = places[:, None] + radii * (
-            np.cos(angles)[None, :, None] * side[:, None] + np.sin(angles)[None, :, None] * up[:, None])
+        rings = places[:, None] + radii * (np.cos(angles)[None, :, None] * side[:, None] + np.sin(angles)[None, :, None] * up[:, None])
         self.rings(rings, [material for _, _, material in profile[1:]], bone)
 
     def rings(self, rings, materials, bone, is_smooth=False):
@@ -75,9 +82,12 @@ class _Parts:
         """An ellipsoid, along Y. material: one, or a function of the ring and the side."""
         turns = np.linspace(0.08, math.pi - 0.08, _RINGS + 1)
         angles = 0.5 * math.pi - np.arange(_SIDES + 1) * 2.0 * math.pi / (_SIDES + 1)
-        rings = np.stack([np.column_stack((
-            np.cos(angles) * math.sin(turn), np.full(len(angles), -math.cos(turn)), np.sin(angles) * math.sin(turn)))
-            for turn in turns]) * radii + np.asarray(middle)
+        rings = np.stack(
+            [
+                np.column_stack((np.cos(angles) * math.sin(turn), np.full(len(angles), -math.cos(turn)), np.sin(angles) * math.sin(turn)))
+                for turn in turns
+            ]
+        ) * radii + np.asarray(middle)
         kinds = [[material(row, index) for index in range(_SIDES + 1)] if callable(material) else material for row in range(_RINGS)]
         self.rings(rings, kinds, bone, **keywords)
 
@@ -133,10 +143,26 @@ def _add_body(parts, count):
             parts.ball(middle, (radius,) * 3, EYE, rig.BODY, is_smooth=True)
             glint = middle + radius * Vector((0.35 * side, 0.72, 0.52))
             parts.ball(glint, (0.22 * radius,) * 3, GLINT, rig.BODY, is_smooth=True)
-        parts.tube(_curve((side * 0.045, face - 0.035, height), (side * 0.085, face + 0.075, height + 0.035),
-                          (side * 0.060, face + 0.125, height - 0.075), _PALP), _PALP, rig.BODY)
-        parts.tube(_curve((side * 0.026, face - 0.020, height + 0.015), (side * 0.030, face + 0.055, height - 0.015),
-                          (side * 0.022, face + 0.025, height - 0.090), _FANG), _FANG, rig.BODY)
+        parts.tube(
+            _curve(
+                (side * 0.045, face - 0.035, height),
+                (side * 0.085, face + 0.075, height + 0.035),
+                (side * 0.060, face + 0.125, height - 0.075),
+                _PALP,
+            ),
+            _PALP,
+            rig.BODY,
+        )
+        parts.tube(
+            _curve(
+                (side * 0.026, face - 0.020, height + 0.015),
+                (side * 0.030, face + 0.055, height - 0.015),
+                (side * 0.022, face + 0.025, height - 0.090),
+                _FANG,
+            ),
+            _FANG,
+            rig.BODY,
+        )
 
 
 def _curve(start, middle, end, profile):
@@ -152,8 +178,12 @@ def _pattern(ring, side):
 
 
 def _materials(color):
-    return (_material("Spider Fur", (0.014, 0.010, 0.009, 1.0), 0.7), _material("Spider Bands", color, 0.6),
-            _material("Spider Eyes", (0.004, 0.004, 0.006, 1.0), 0.06), _material("Spider Glint", (1.0, 1.0, 1.0, 1.0), 0.3))
+    return (
+        _material("Spider Fur", (0.014, 0.010, 0.009, 1.0), 0.7),
+        _material("Spider Bands", color, 0.6),
+        _material("Spider Eyes", (0.004, 0.004, 0.006, 1.0), 0.06),
+        _material("Spider Glint", (1.0, 1.0, 1.0, 1.0), 0.3),
+    )
 
 
 def _material(name, color, roughness):

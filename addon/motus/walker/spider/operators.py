@@ -21,17 +21,34 @@ class MOTUS_OT_spider_add(FindsValues, WalkerKeywords, GroundKeywords, bpy.types
     bl_description = "Make a spider that walks wherever its armature is moved: key it, or let it follow a path"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    legs: bpy.props.IntProperty(
-        name="Legs", description="Number of the spider's legs", default=8, min=2, max=MOST_LEGS, soft_max=16)
+    legs: bpy.props.IntProperty(name="Legs", description="Number of the spider's legs", default=8, min=2, max=MOST_LEGS, soft_max=16)
     size: bpy.props.FloatProperty(
-        name="Span", description="Distance between the feet of one side and the other", default=1.0, min=1e-3, max=1000.0,
-        soft_min=0.1, soft_max=10.0, subtype='DISTANCE')
+        name="Span",
+        description="Distance between the feet of one side and the other",
+        default=1.0,
+        min=1e-3,
+        max=1000.0,
+        soft_min=0.1,
+        soft_max=10.0,
+        subtype='DISTANCE',
+    )
     color: bpy.props.FloatVectorProperty(
-        name="Color", description="Color of the bands on the legs, and of the pattern on the back", size=4, subtype='COLOR', min=0.0,
-        max=1.0, default=(0.72, 0.17, 0.02, 1.0))
+        name="Color",
+        description="Color of the bands on the legs, and of the pattern on the back",
+        size=4,
+        subtype='COLOR',
+        min=0.0,
+        max=1.0,
+        default=(0.72, 0.17, 0.02, 1.0),
+    )
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Location of the spider; that of the 3D cursor if it is not given", size=3, subtype='XYZ',
-        unit='LENGTH', options={'SKIP_SAVE'})
+        name="Location",
+        description="Location of the spider; that of the 3D cursor if it is not given",
+        size=3,
+        subtype='XYZ',
+        unit='LENGTH',
+        options={'SKIP_SAVE'},
+    )
 
     modes = OBJECT_MODE
     needs_native = True

@@ -23,9 +23,7 @@ class GoneTest(unittest.TestCase):
             texts, reports = [], []
             drag = support.addon("core.interface.dragging.drag").PointDrag()
             drag._held, drag._has_moved, drag._finish = Gone(), True, lambda _context: Gone().restore()
-            drag._travel = types.SimpleNamespace(
-                is_confirmed_by=lambda _event: False,
-                view=types.SimpleNamespace(tell=texts.append))
+            drag._travel = types.SimpleNamespace(is_confirmed_by=lambda _event: False, view=types.SimpleNamespace(tell=texts.append))
             drag.report = lambda kinds, sentence, reports=reports: reports.append((kinds, sentence))
             context = types.SimpleNamespace(workspace=types.SimpleNamespace(status_text_set=texts.append))
             self.assertEqual(drag.modal(context, event), {'CANCELLED'})

@@ -1,6 +1,7 @@
 """What is kept of viewports that were given other settings, until these are given back."""
 
 import bpy
+
 import support
 
 OVERLAYS = "overlay.show_overlays"

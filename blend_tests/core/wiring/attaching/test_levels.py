@@ -1,6 +1,7 @@
 """In which order entries are solved: through parents, constraints, drivers, deformed meshes and other objects."""
 
 import bpy
+
 import support
 import toy_bone_system
 import toy_system
@@ -243,6 +244,7 @@ class GroupDataTest(BoneTestCase):
 
     def test_kinds_of_data(self):
         import dataclasses
+
         seen = {}
         data = {"text": "é\n\"", "number": 3, "real": 0.25, "many": [1, 2, 3], "reals": [0.5, 1.5], "none": ""}
 
@@ -253,9 +255,12 @@ class GroupDataTest(BoneTestCase):
 
         core = support.addon("core.declare")
         system = dataclasses.replace(
-            toy_bone_system.SYSTEM, solve=solve,
-            groups=lambda owner: (core.Group(key="b", data=data, members=(
-                core.Member(owner.pose.bones["A.0"], frozenset({"rotation"}), is_relative=True),)),))
+            toy_bone_system.SYSTEM,
+            solve=solve,
+            groups=lambda owner: (
+                core.Group(key="b", data=data, members=(core.Member(owner.pose.bones["A.0"], frozenset({"rotation"}), is_relative=True),)),
+            ),
+        )
         rig = toy_bone_system.new_rig()
         self.addCleanup(core.registered.__setitem__, "bend", toy_bone_system.SYSTEM)
         core.registered["bend"] = system

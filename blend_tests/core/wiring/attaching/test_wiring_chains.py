@@ -1,8 +1,9 @@
 """Systems of different kinds that wait for each other: a follower on a curve that follows, and a toy around both."""
 
 import bpy
-import toy_system
 from mathutils import Vector
+
+import toy_system
 from core.wiring.wiring_cases import WiringTestCase, build_followers, build_object, frame_set
 
 FRAMES = (10, 55, 3.5, 54)
@@ -27,9 +28,12 @@ class ChainTest(WiringTestCase):
 
     def follow(self, follower, curve, **options):
         """Let an object run along a line of 10 m in 100 frames, from frame 1."""
-        self.assertEqual(bpy.ops.motus.path_follow_add(
-            object=follower.name, curve=curve.name, duration=4.0, start_frame=1.0, ease_in=0.0, ease_out=0.0, **options),
-            {'FINISHED'})
+        self.assertEqual(
+            bpy.ops.motus.path_follow_add(
+                object=follower.name, curve=curve.name, duration=4.0, start_frame=1.0, ease_in=0.0, ease_out=0.0, **options
+            ),
+            {'FINISHED'},
+        )
 
     def assert_on_line(self, follower, curve):
         frame = bpy.context.scene.frame_current_final
@@ -82,8 +86,7 @@ class ChainTest(WiringTestCase):
         for system in ("", "path", "orbit"):
             with self.subTest(system):
                 bpy.ops.motus.bake(object=owner.name, system=system, frame_start=20, frame_end=40)
-                self.assertEqual([owner.motus.path.is_baked, owner.motus.orbit.is_baked],
-                                 [system in ("", "path"), system in ("", "orbit")])
+                self.assertEqual([owner.motus.path.is_baked, owner.motus.orbit.is_baked], [system in ("", "path"), system in ("", "orbit")])
                 frame_set(30)
                 self.assert_same_matrix(toy_system.world_matrix(owner), live)
                 bpy.ops.motus.unbake(object=owner.name)

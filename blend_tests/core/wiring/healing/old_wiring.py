@@ -7,6 +7,7 @@ hold such.
 import json
 
 import bpy
+
 import support
 
 groups_of = support.addon("core.declare").groups_of
@@ -20,7 +21,7 @@ WEIGHT = 1
 def rewire(system, owner):
     """Replace what is wired on an owner by what the old version made; its groups have to be one."""
     wiring.detach(system, owner)
-    group, = groups_of(system, owner)
+    (group,) = groups_of(system, owner)
     settings = getattr(owner.motus, system.name)
     settings.is_active = True
     settings.wired = ""
@@ -28,8 +29,11 @@ def rewire(system, owner):
     _add_solver(system, owner, group)
     anchor = _anchor(settings) if any(member.is_relative for member in group.members) else None
     for index, member in enumerate(group.members):
-        for channel, slot in (("location", outbox.pose_slot(group, index)), ("rotation", outbox.pose_slot(group, index) + 3),
-                              ("scale", outbox.scale_slot(group, index))):
+        for channel, slot in (
+            ("location", outbox.pose_slot(group, index)),
+            ("rotation", outbox.pose_slot(group, index) + 3),
+            ("scale", outbox.scale_slot(group, index)),
+        ):
             if channel in member.channels:
                 _add_sink(system, owner, member, channel, slot, anchor)
     owner.update_tag()
@@ -39,8 +43,15 @@ def _add_outbox(system, owner, group):
     scales = 3 * len(group.members) if any("scale" in member.channels for member in group.members) else 0
     owner[f"motus_{system.name}_out"] = [-2.0] + [0.0] * (1 + len(group.outputs) + 6 * len(group.members)) + [1.0] * scales
     if system.groups is not None:
-        noted = [group.outputs, [member.thing.name for member in group.members], bool(scales),
-                 any(member.is_relative for member in group.members), False, group.data, [bone for _, bone in group.reads]]
+        noted = [
+            group.outputs,
+            [member.thing.name for member in group.members],
+            bool(scales),
+            any(member.is_relative for member in group.members),
+            False,
+            group.data,
+            [bone for _, bone in group.reads],
+        ]
         owner[f"motus_{system.name}_info"] = {"version": 1, "text": json.dumps(noted)}
 
 

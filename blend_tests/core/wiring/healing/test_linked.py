@@ -1,8 +1,9 @@
 """Operators on linked data: they refuse, and what is linked goes on as it was."""
 
 import bpy
-import live_scenes
 import numpy as np
+
+import live_scenes
 import support
 
 

@@ -3,13 +3,14 @@
 from unittest import mock
 
 import bpy
-from look_at import look_at_cases
-from pull.pins import pin_cases
+from mathutils import Vector
+
 import rig_samples as samples
 import support
 import toy_system
-from mathutils import Vector
 from ik.test_ik_rigs import RigTestCase, add_ik
+from look_at import look_at_cases
+from pull.pins import pin_cases
 
 PLACE = Vector((0.6, 0.2, 1.0))
 attaching = support.addon("core.wiring.attaching.attach")
@@ -18,8 +19,11 @@ status = support.addon("ik.status")
 
 def overrides(kind):
     """All local ones of a type, but for what the wiring hides."""
-    return [obj for obj in bpy.data.objects
-            if obj.type == kind and obj.override_library and not obj.library and not obj.name.startswith(".Motus")]
+    return [
+        obj
+        for obj in bpy.data.objects
+        if obj.type == kind and obj.override_library and not obj.library and not obj.name.startswith(".Motus")
+    ]
 
 
 class OverrideTestCase(RigTestCase):
@@ -340,7 +344,7 @@ class TestOtherSystems(OverrideTestCase):
         bpy.data.libraries[0].reload()
         for _ in range(2):
             bpy.context.view_layer.update()
-        obj, = overrides('MESH')
+        (obj,) = overrides('MESH')
         self.assertEqual(len(obj.constraints), 0)
         self.assertLess((self.place(obj) - obj.location).length, 1e-6)
 

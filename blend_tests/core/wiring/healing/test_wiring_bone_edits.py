@@ -1,6 +1,7 @@
 """What users do to rigs that are driven: copies, edited and renamed bones, undo, and taking the system off again."""
 
 import bpy
+
 import support
 import toy_bone_system
 import toy_system
@@ -185,7 +186,7 @@ class ArmatureTest(BoneTestCase):
                 rig.data.bones[old].name = new
             bpy.context.view_layer.update()
         names = [entry.name for entry in rig.motus.bend.entries]
-        self.assertEqual(names[:2], ["Upper", "A.0"][:len(names)])
+        self.assertEqual(names[:2], ["Upper", "A.0"][: len(names)])
         self.assert_alive(rig)
 
     @each_lasting_kind
@@ -297,8 +298,10 @@ class DetachTest(BoneTestCase):
         self.assertEqual(len(bpy.data.meshes), 0)
         self.assertEqual([key for key in rig.keys() if key.startswith("motus_")], [])
         self.assertEqual([bone.name for bone in rig.pose.bones if bone.constraints], [])
-        self.assertEqual([curve.data_path for curve in rig.animation_data.drivers if "motus_" in curve.data_path
-                          or ".constraints[" in curve.data_path], [])
+        self.assertEqual(
+            [curve.data_path for curve in rig.animation_data.drivers if "motus_" in curve.data_path or ".constraints[" in curve.data_path],
+            [],
+        )
         self.assertFalse(rig.motus.bend.is_active)
         self.assertEqual((rig.motus.bend.hub, len(rig.motus.bend.more_hubs), len(rig.motus.bend.targets)), (None, 0, 0))
         self.assert_untouched(rig)
@@ -341,8 +344,7 @@ class DetachTest(BoneTestCase):
         self.assertEqual(bone.constraints[-1].name, "Mine")
         wiring.detach(SYSTEM, rig)
         self.assertEqual([constraint.name for constraint in bone.constraints], ["Mine"])
-        self.assertEqual([curve.data_path for curve in rig.animation_data.drivers],
-                         ['pose.bones["A.0"].constraints["Mine"].influence'])
+        self.assertEqual([curve.data_path for curve in rig.animation_data.drivers], ['pose.bones["A.0"].constraints["Mine"].influence'])
 
     @each_kind
     def test_attached_twice_is_attached_once(self, build):
@@ -353,8 +355,7 @@ class DetachTest(BoneTestCase):
             wiring.attach(SYSTEM, rig)
             wiring.refresh(SYSTEM, rig)
             frame_set(3)
-            counts.append(([len(bone.constraints) for bone in rig.pose.bones], len(bpy.data.objects),
-                           len(rig.animation_data.drivers)))
+            counts.append(([len(bone.constraints) for bone in rig.pose.bones], len(bpy.data.objects), len(rig.animation_data.drivers)))
         self.assertEqual(counts[0], counts[1])
         self.assert_alive(rig)
 

@@ -6,9 +6,10 @@ Reopened, appended, linked, overridden, without Auto Run, without the add-on.
 import json
 
 import bpy
+
 import support
 import toy_bone_system
-from core.wiring.bone_cases import BoneTestCase, KINDS, LASTING_KINDS, each_lasting_kind, poses
+from core.wiring.bone_cases import KINDS, LASTING_KINDS, BoneTestCase, each_lasting_kind, poses
 from core.wiring.wiring_cases import frame_set
 
 wiring = support.addon("core.wiring")
@@ -49,15 +50,17 @@ class FileTest(BoneTestCase):
         """What rows() finds in each of the files, which one Blender opens one after the other."""
         lines = ["import json, bpy", "import support, toy_bone_system" if enabled else ""]
         lines += ["support.enable(); toy_bone_system.register()" if enabled else ""]
-        lines += [f"for path in {paths!r}:",
-                  f"    bpy.ops.wm.open_mainfile(filepath=path, use_scripts={use_scripts!r})",
-                  "    found = []",
-                  f"    for frame in {FRAMES!r}:",
-                  "        bpy.context.scene.frame_set(int(frame), subframe=frame - int(frame))",
-                  "        rig = bpy.data.objects['Rig'].evaluated_get(bpy.context.evaluated_depsgraph_get())",
-                  "        found.append([[list(row) for row in bone.matrix]",
-                  "                      for _, bone in sorted(rig.pose.bones.items())])",
-                  f"    print({MARK!r} + json.dumps(found), flush=True)"]
+        lines += [
+            f"for path in {paths!r}:",
+            f"    bpy.ops.wm.open_mainfile(filepath=path, use_scripts={use_scripts!r})",
+            "    found = []",
+            f"    for frame in {FRAMES!r}:",
+            "        bpy.context.scene.frame_set(int(frame), subframe=frame - int(frame))",
+            "        rig = bpy.data.objects['Rig'].evaluated_get(bpy.context.evaluated_depsgraph_get())",
+            "        found.append([[list(row) for row in bone.matrix]",
+            "                      for _, bone in sorted(rig.pose.bones.items())])",
+            f"    print({MARK!r} + json.dumps(found), flush=True)",
+        ]
         arguments = ("--factory-startup", "--enable-autoexec" if use_scripts else "--disable-autoexec")
         status, output = support.run_blender("\n".join(lines), arguments=arguments, enabled=enabled)
         self.assertEqual(status, 0, output)

@@ -1,6 +1,7 @@
 """What users do to a scene that is wired: copies, new names, deletions, undo, and taking the system off again."""
 
 import bpy
+
 import support
 import toy_system
 from core.wiring.wiring_cases import WiringTestCase, build_bone, build_followers, build_object, each_kind, frame_set
@@ -20,8 +21,9 @@ class EditTest(WiringTestCase):
         for frame in FRAMES:
             frame_set(frame)
             for thing in things:
-                wanted = thing.matrix_basis if isinstance(thing, bpy.types.Object) else (
-                    thing.id_data.matrix_basis @ thing.bone.matrix_local)
+                wanted = (
+                    thing.matrix_basis if isinstance(thing, bpy.types.Object) else (thing.id_data.matrix_basis @ thing.bone.matrix_local)
+                )
                 self.assert_same_matrix(toy_system.world_matrix(thing), wanted)
 
 
@@ -133,8 +135,10 @@ class DetachTest(EditTest):
         owner, things = build(target)
         added = self._everything() - before
         wiring.detach(toy_system.SYSTEM, owner)
-        self.assertEqual(self._everything() - before, {entry for entry in added if entry[0] in ("object", "armature")
-                                                       and not entry[1].startswith(".Motus")})
+        self.assertEqual(
+            self._everything() - before,
+            {entry for entry in added if entry[0] in ("object", "armature") and not entry[1].startswith(".Motus")},
+        )
         for one in {thing.id_data for thing in things} | {owner}:
             self.assertIsNone(one.animation_data)
             self.assertEqual([key for key in one.keys() if key.startswith("motus_")], [])
@@ -145,9 +149,16 @@ class DetachTest(EditTest):
 
     @staticmethod
     def _everything():
-        return {(kind, one.name) for kind, blocks in (
-            ("object", bpy.data.objects), ("armature", bpy.data.armatures), ("mesh", bpy.data.meshes),
-            ("action", bpy.data.actions)) for one in blocks}
+        return {
+            (kind, one.name)
+            for kind, blocks in (
+                ("object", bpy.data.objects),
+                ("armature", bpy.data.armatures),
+                ("mesh", bpy.data.meshes),
+                ("action", bpy.data.actions),
+            )
+            for one in blocks
+        }
 
     @each_kind
     def test_keeps_what_is_the_users(self, build):
@@ -158,8 +169,7 @@ class DetachTest(EditTest):
         owner["mine"] = 3.0
         owner.keyframe_insert("scale", frame=1)
         wiring.detach(toy_system.SYSTEM, owner)
-        self.assertEqual([[constraint.name for constraint in thing.constraints] for thing in things],
-                         [["Mine"] for _ in things])
+        self.assertEqual([[constraint.name for constraint in thing.constraints] for thing in things], [["Mine"] for _ in things])
         self.assertEqual(owner["mine"], 3.0)
         self.assertIsNotNone(owner.animation_data.action)
         drivers = [curve for one in {thing.id_data for thing in things} for curve in one.animation_data.drivers]

@@ -7,6 +7,7 @@ import json
 import subprocess
 
 import bpy
+
 import support
 import toy_system
 from core.wiring.wiring_cases import KINDS, WiringTestCase, build_followers, build_object, frame_set
@@ -63,8 +64,8 @@ class FileTest(WiringTestCase):
         imports = f"{needed}\nimport core.wiring.{tests} as tests"
         arguments = ("--factory-startup", "--enable-autoexec" if use_scripts else "--disable-autoexec")
         status, output = support.run_blender(
-            f"{imports}\n{register}\ntests.print_matrices({path!r}, {addresses!r}, {use_scripts!r})\n",
-            arguments=arguments, enabled=enabled)
+            f"{imports}\n{register}\ntests.print_matrices({path!r}, {addresses!r}, {use_scripts!r})\n", arguments=arguments, enabled=enabled
+        )
         self.assertEqual(status, 0, output)
         return json.loads(output.split(MARK)[1].splitlines()[0]), output
 
@@ -145,8 +146,12 @@ class FileTest(WiringTestCase):
 
     @staticmethod
     def attribute_values(hub):
-        return [[tuple(row) for row in item.value] for attribute in hub.data.attributes
-                if attribute.data_type == 'FLOAT4X4' for item in attribute.data]
+        return [
+            [tuple(row) for row in item.value]
+            for attribute in hub.data.attributes
+            if attribute.data_type == 'FLOAT4X4'
+            for item in attribute.data
+        ]
 
     def test_overridden(self):
         for build in KINDS:
@@ -219,6 +224,7 @@ class RenderTest(WiringTestCase):
     def spans(self, path):
         """(left, right) of what is opaque in the lower and the upper half of a picture, in scene units."""
         import numpy as np
+
         image = bpy.data.images.load(str(path))
         alpha = np.array(image.pixels[:]).reshape(self.SIZE, self.SIZE, 4)[:, :, 3]
         half = self.SIZE // 2
@@ -272,14 +278,33 @@ class RenderTest(WiringTestCase):
         scene.frame_current = 1
         bpy.ops.wm.save_as_mainfile(filepath=path)
         register = self.folder / "register.py"
-        register.write_text(f"import sys; sys.path.insert(0, {str(support.TESTS)!r})\n"
-                            "import toy_system; toy_system.register()\n", encoding="utf-8")
+        register.write_text(
+            f"import sys; sys.path.insert(0, {str(support.TESTS)!r})\nimport toy_system; toy_system.register()\n", encoding="utf-8"
+        )
         for arguments, frames in ((("-f", "12"), (12,)), (("-a",), (9, 10))):
             out = str(self.folder / f"{arguments[0]}-####.png")
             done = subprocess.run(
-                [bpy.app.binary_path, "-b", "--factory-startup", "--python-exit-code", "1", "--addons",
-                 support.module_name(), "--python", str(register), path, "-o", out, *arguments],
-                text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300, check=False)
+                [
+                    bpy.app.binary_path,
+                    "-b",
+                    "--factory-startup",
+                    "--python-exit-code",
+                    "1",
+                    "--addons",
+                    support.module_name(),
+                    "--python",
+                    str(register),
+                    path,
+                    "-o",
+                    out,
+                    *arguments,
+                ],
+                text=True,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                timeout=300,
+                check=False,
+            )
             self.assertEqual(done.returncode, 0, done.stdout)
             for frame in frames:
                 middle = 2.0 * frame - 20.0

@@ -4,6 +4,7 @@ import random
 
 import bpy
 import numpy as np
+
 import support
 from path.path_cases import PathTestCase
 
@@ -199,8 +200,7 @@ class StillMembersTest(PathTestCase):
         self.wagon = bpy.data.objects["B"]
         self.wagon.location = (1.0, 2.0, 3.0)
         self.wagon.scale = (1.0, 2.0, 3.0)
-        bpy.ops.motus.path_train_add(objects="A,B,C", curve="Course", gap=1.0, timing='MANUAL', offset=5.0,
-                                     forward_axis='POS_X')
+        bpy.ops.motus.path_train_add(objects="A,B,C", curve="Course", gap=1.0, timing='MANUAL', offset=5.0, forward_axis='POS_X')
         self.leader = bpy.data.objects["A"]
 
     def test_influence_between(self):

@@ -1,6 +1,7 @@
 """Rigs that are joined into one that Motus does not drive: what was wired on them is taken away."""
 
 import bpy
+
 from ik.ik_cases import IkTestCase, add_bone, add_chain, state, turn
 
 CHAINS = 14
@@ -57,8 +58,10 @@ class Joined(IkTestCase):
         self.reach(stretch=0.3)
         self.join(rig, other)
         found = state(other)
-        self.assertEqual({name: bone["constraints"] for name, bone in found["bones"].items() if bone["constraints"]}, {
-            name: [('COPY_SCALE', "Own", 1.0, False)] for name in ("Plain", "Bone 1")})
+        self.assertEqual(
+            {name: bone["constraints"] for name, bone in found["bones"].items() if bone["constraints"]},
+            {name: [('COPY_SCALE', "Own", 1.0, False)] for name in ("Plain", "Bone 1")},
+        )
         self.assertEqual(found["drivers"], ["location"])
 
     def test_from_hubs(self):
@@ -66,6 +69,7 @@ class Joined(IkTestCase):
             for index in range(CHAINS):
                 x = 0.5 * index
                 add_chain(bones, f"Arm {index}.", ((x, 0.0, 0.0), (x, 0.2, 0.7), (x, 0.0, 1.4)))
+
         rig, other = self.rig(build), self.plain()
         for index in range(CHAINS):
             self.target((0.5 * index, 0.5, 0.5), f"Target {index}")
@@ -81,8 +85,7 @@ class Joined(IkTestCase):
         self.reach()
         self.join(rig, other)
         self.assertEqual([bone.name for bone in other.pose.bones if bone.constraints], [])
-        self.assertEqual([curve.data_path for curve in other.animation_data.drivers],
-                         ['pose.bones["Bone 0"].rotation_quaternion'])
+        self.assertEqual([curve.data_path for curve in other.animation_data.drivers], ['pose.bones["Bone 0"].rotation_quaternion'])
         self.assertNothingHidden()
 
     def test_into_one_that_looks(self):

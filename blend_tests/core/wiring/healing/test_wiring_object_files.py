@@ -1,6 +1,7 @@
 """Objects and bones that sway, in other files: reopened, appended, linked, overridden, damaged; and undone."""
 
 import bpy
+
 import support
 import toy_sway_system
 from core.wiring.object_cases import FRAMES, ObjectTestCase, build, build_driven, build_rig, matrices

@@ -6,11 +6,12 @@ They go on working, and what is local is wired as today when the file is opened.
 from unittest import mock
 
 import bpy
-from core.wiring.healing import old_wiring
+
 import support
 import toy_bone_system
 import toy_system
 from core.wiring.bone_cases import BoneTestCase, build_few, build_without_stretch, poses
+from core.wiring.healing import old_wiring
 from core.wiring.wiring_cases import WiringTestCase, build_bone, build_object, each_of, frame_set
 
 wiring = support.addon("core.wiring")
@@ -57,8 +58,10 @@ class ObjectTest(WiringTestCase):
         for frame in FRAMES:
             frame_set(frame)
             self.assert_follows(owner, things)
-        self.assertEqual([len(thing.constraints) for thing in things],
-                         [1 if support.addon("core.blender.capabilities").has_geometry_attribute_constraint() else 2])
+        self.assertEqual(
+            [len(thing.constraints) for thing in things],
+            [1 if support.addon("core.blender.capabilities").has_geometry_attribute_constraint() else 2],
+        )
 
     @each_of((build_object, build_bone))
     def test_linked(self, build):

@@ -3,6 +3,7 @@
 import json
 
 import bpy
+
 import support
 from core.wiring.property_cases import FRAMES, SYSTEM, PropertyTestCase, build, places, property_sink, shown, values
 from core.wiring.wiring_cases import frame_set
@@ -49,14 +50,21 @@ class FileTest(PropertyTestCase):
         owner = build()
         own = self.own_values(owner)
         path = self.save()
-        read = [f"{'owner' if entry.path.startswith('[') else 'owner.'}{entry.path}" + (f"[{entry.index}]" if entry.index >= 0 else "")
-                for entry in list(owner.motus.dial.entries)[:-1]]
-        code = "\n".join((
-            "import json, bpy", f"bpy.ops.wm.open_mainfile(filepath={path!r})", f"for frame in {FRAMES!r}:",
-            "    bpy.context.scene.frame_set(int(frame), subframe=frame - int(frame))",
-            "    graph = bpy.context.evaluated_depsgraph_get()",
-            "    owner, camera = (bpy.data.objects[name].evaluated_get(graph) for name in ('Owner', 'Camera'))",
-            f"    print({MARK!r} + json.dumps([{', '.join(read)}, camera.data.shift_x]))"))
+        read = [
+            f"{'owner' if entry.path.startswith('[') else 'owner.'}{entry.path}" + (f"[{entry.index}]" if entry.index >= 0 else "")
+            for entry in list(owner.motus.dial.entries)[:-1]
+        ]
+        code = "\n".join(
+            (
+                "import json, bpy",
+                f"bpy.ops.wm.open_mainfile(filepath={path!r})",
+                f"for frame in {FRAMES!r}:",
+                "    bpy.context.scene.frame_set(int(frame), subframe=frame - int(frame))",
+                "    graph = bpy.context.evaluated_depsgraph_get()",
+                "    owner, camera = (bpy.data.objects[name].evaluated_get(graph) for name in ('Owner', 'Camera'))",
+                f"    print({MARK!r} + json.dumps([{', '.join(read)}, camera.data.shift_x]))",
+            )
+        )
         status, output = support.run_blender(code, enabled=False)
         self.assertEqual(status, 0, output)
         found = [json.loads(part.splitlines()[0]) for part in output.split(MARK)[1:]]

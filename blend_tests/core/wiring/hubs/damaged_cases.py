@@ -6,15 +6,16 @@ import logging
 import math
 import random
 import traceback
-from typing import NamedTuple
 from collections.abc import Callable
+from typing import NamedTuple
 from unittest import mock
 
 import bmesh
 import bpy
-from look_at import look_at_cases
 import numpy as np
+
 import support
+from look_at import look_at_cases
 from walker import walker_cases
 
 FRAMES = (3.0, 20.5)
@@ -74,7 +75,7 @@ def _snake(count):
     parent = None
     for index in range(count):
         bone = rig.data.edit_bones.new(f"Bone {index}")
-        bone.head, bone.tail = (index, 0.02 * index ** 2, 0.0), (index + 1, 0.02 * (index + 1) ** 2, 0.0)
+        bone.head, bone.tail = (index, 0.02 * index**2, 0.0), (index + 1, 0.02 * (index + 1) ** 2, 0.0)
         bone.parent, parent = parent, bone
     side = rig.data.edit_bones.new("Side")
     side.head, side.tail, side.parent = (1.0, 0.0, 0.0), (1.0, 0.0, 0.5), rig.data.edit_bones["Bone 1"]
@@ -142,9 +143,19 @@ def _operators(system):
     }[system]
 
 
-CASES = [Case(system, build, *_operators(system)) for system, build in (
-    ("path", follower), ("path", train), ("ik", chain), ("ik", long_chain), ("ik", driven_chain), ("look_at", head),
-    ("pull", pinned), ("walker", walker))]
+CASES = [
+    Case(system, build, *_operators(system))
+    for system, build in (
+        ("path", follower),
+        ("path", train),
+        ("ik", chain),
+        ("ik", long_chain),
+        ("ik", driven_chain),
+        ("look_at", head),
+        ("pull", pinned),
+        ("walker", walker),
+    )
+]
 
 
 # --- What is seen of them ----------------------------------------------------------------------------------------
@@ -178,7 +189,8 @@ def are_same(some, others, tolerance=1e-5):
 def problem(case, owner):
     """What the panel says of an owner; None where it says nothing."""
     return support.addon("core.wiring").problem(
-        support.addon("core.declare").registered[case.system], owner, bpy.context.evaluated_depsgraph_get())
+        support.addon("core.declare").registered[case.system], owner, bpy.context.evaluated_depsgraph_get()
+    )
 
 
 def drawn(case, owner):
@@ -215,6 +227,7 @@ def raised():
             except BaseException as error:
                 found.append(repr(error))
                 raise
+
         return call
 
     class Points:
@@ -282,8 +295,7 @@ def _of_values(case, carrier, random_numbers):
 
 
 def _is_like(value, stored):
-    return isinstance(value, list) and len(value) == len(stored) and all(
-        isinstance(one, float) and math.isfinite(one) for one in value)
+    return isinstance(value, list) and len(value) == len(stored) and all(isinstance(one, float) and math.isfinite(one) for one in value)
 
 
 def _values(size, random_numbers):
@@ -300,6 +312,7 @@ def _putting(case, name, value, is_pointer=False):
         carrier = carrier_of(case, owner)
         carrier.pop(name, None)
         carrier[name] = _other(value) if is_pointer else value
+
     return act
 
 
@@ -319,19 +332,32 @@ def _of_info(case, carrier, random_numbers):
     text = carrier[name]["text"]
     deep = 100000
     texts = {
-        "empty": "", "null": "null", "number": "5", "list": "[]", "short": "[[], []]", "deep list": "[" * deep,
-        "deep object": '{"a":' * deep, "deep and whole": "[" * deep + "]" * deep, "escapes": '"' + '\\"' * deep,
-        "cut": text[:len(text) // 2], "huge number": text.replace("false", "9" * 5000, 1), "not finite": _with(text, math.nan),
-        "infinite": _with(text, math.inf), "no text": 7}
+        "empty": "",
+        "null": "null",
+        "number": "5",
+        "list": "[]",
+        "short": "[[], []]",
+        "deep list": "[" * deep,
+        "deep object": '{"a":' * deep,
+        "deep and whole": "[" * deep + "]" * deep,
+        "escapes": '"' + '\\"' * deep,
+        "cut": text[: len(text) // 2],
+        "huge number": text.replace("false", "9" * 5000, 1),
+        "not finite": _with(text, math.nan),
+        "infinite": _with(text, math.inf),
+        "no text": 7,
+    }
     for index in range(8):
         place = random_numbers.randrange(len(text))
-        texts[f"letter {index}"] = text[:place] + random_numbers.choice('"[]{}09,:\\') + text[place + 1:]
+        texts[f"letter {index}"] = text[:place] + random_numbers.choice('"[]{}09,:\\') + text[place + 1 :]
     said = json.loads(text)
     for place, one in enumerate(said):
         for index, other in enumerate((None, 5, "x", [], {}, [["a"]], [1e300], not one, ["x"] * 3, ["x"] * 100000)):
-            texts[f"field {place}.{index}"] = json.dumps([*said[:place], other, *said[place + 1:]])
-    texts |= {f"plan {index}": json.dumps([*said[:5], {**said[5], "plan": plan}, *said[6:]])
-              for index, plan in enumerate(_plans(said[5].get("plan"), random_numbers))}
+            texts[f"field {place}.{index}"] = json.dumps([*said[:place], other, *said[place + 1 :]])
+    texts |= {
+        f"plan {index}": json.dumps([*said[:5], {**said[5], "plan": plan}, *said[6:]])
+        for index, plan in enumerate(_plans(said[5].get("plan"), random_numbers))
+    }
     for label, other in texts.items():
         yield Damage(f"info {label}", _putting_text(case, {"text": other, "version": 1}))
     for label, version in (("newer", 99), ("of no version", "x"), ("of an older one", 0)):
@@ -351,8 +377,20 @@ def _plans(plan, random_numbers):
     known = json.loads(plan)
     entries = _entries_of(known)
     for name, value in entries[0].items():
-        for other in (None, -5, 1e300, math.nan, "nobody", [], ["nobody"], [1, 2], {"iterations": 1e300}, {"nobody": 1.0},
-                      [value] * 3, *([value[:-1], value * 40] if isinstance(value, list) else [2**40])):
+        for other in (
+            None,
+            -5,
+            1e300,
+            math.nan,
+            "nobody",
+            [],
+            ["nobody"],
+            [1, 2],
+            {"iterations": 1e300},
+            {"nobody": 1.0},
+            [value] * 3,
+            *([value[:-1], value * 40] if isinstance(value, list) else [2**40]),
+        ):
             yield json.dumps(_changed(plan, lambda entry, name=name, other=other: entry.__setitem__(name, other)))
         yield json.dumps(_changed(plan, lambda entry, name=name: entry.pop(name)))
     for guards in (5, [5], [[1, 2, 3]], [["Side", 99]], [["Side", -1]], [["nobody", 0]], [["Side", 0]] * 50):
@@ -374,6 +412,7 @@ def _entries_of(known):
 def _putting_text(case, value):
     def act(owner):
         carrier_of(case, owner)[INFO.format(case.system)] = value
+
     return act
 
 
@@ -381,8 +420,15 @@ def _of_attributes(case, mesh):
     """Other attributes and other points of a hub's mesh."""
     for name in [one.name for one in mesh.attributes if one.name.startswith("motus_")]:
         for data_type, domain in (
-                ('FLOAT', 'POINT'), ('FLOAT_COLOR', 'POINT'), ('FLOAT_VECTOR', 'FACE'), ('FLOAT_VECTOR', 'CORNER'),
-                ('FLOAT_VECTOR', 'EDGE'), ('INT', 'POINT'), ('FLOAT4X4', 'FACE'), ('FLOAT4X4', 'EDGE')):
+            ('FLOAT', 'POINT'),
+            ('FLOAT_COLOR', 'POINT'),
+            ('FLOAT_VECTOR', 'FACE'),
+            ('FLOAT_VECTOR', 'CORNER'),
+            ('FLOAT_VECTOR', 'EDGE'),
+            ('INT', 'POINT'),
+            ('FLOAT4X4', 'FACE'),
+            ('FLOAT4X4', 'EDGE'),
+        ):
             if data_type in {one.identifier for one in bpy.types.Attribute.bl_rna.properties["data_type"].enum_items}:
                 yield Damage(f"{name} as {data_type} of {domain}", _replacing(case, name, data_type, domain), True)
         yield Damage(f"{name} removed", lambda owner, name=name: _drop(carrier_of(case, owner), name))
@@ -400,6 +446,7 @@ def _replacing(case, name, data_type, domain):
         _drop(mesh, name)
         _add_face(mesh)
         mesh.attributes.new(name, data_type, domain)
+
     return act
 
 
@@ -424,16 +471,17 @@ def _resize(mesh, count):
 
 def _of_hub(case):
     """Other objects in place of the hub."""
+
     def setting(make):
         def act(owner):
             getattr(owner.motus, case.system).hub = make()
+
         return act
 
     yield Damage("no hub", setting(lambda: None))
     yield Damage("hub is an empty", setting(lambda: _other("objects")))
     yield Damage("hub is a stranger's mesh", setting(lambda: bpy.data.objects.new("Cube", bpy.data.meshes.new("Cube"))))
-    yield Damage("hub has another mesh", lambda owner: setattr(
-        getattr(owner.motus, case.system).hub, "data", bpy.data.meshes.new("Other")))
+    yield Damage("hub has another mesh", lambda owner: setattr(getattr(owner.motus, case.system).hub, "data", bpy.data.meshes.new("Other")))
     yield Damage("hub waits otherwise", _wait_otherwise(case))
 
 
@@ -443,11 +491,10 @@ def _wait_otherwise(case):
         for kind in ('LIMIT_LOCATION', 'ARMATURE', 'IK', 'CHILD_OF'):
             with contextlib.suppress(TypeError, RuntimeError):
                 hub.constraints.new(kind).mute = True
+
     return act
 
 
 def _short(value):
     text = repr(value)
     return text if len(text) < 30 else f"{text[:30]}... of {len(value)}"
-
-

@@ -4,10 +4,11 @@ import contextlib
 import functools
 import itertools
 import logging
-from pathlib import Path
 import traceback
+from pathlib import Path
 
 import bpy
+
 import live_scenes
 
 FRAME = 17
@@ -56,6 +57,7 @@ def _give(make):
                 block[key] = value
             except (TypeError, ValueError):
                 continue
+
     return act
 
 
@@ -75,8 +77,14 @@ def _rename(keys):
 
 
 OF_KEYS = {
-    "deleted": _delete, "renamed": _rename, "a number": _give(lambda _: 5), "a text": _give(lambda _: "x"), "a group": _give(lambda _: {}),
-    "another length": _give(_longer), "whole numbers": _give(lambda _: [1, 2, 3]), "a datablock": _give(lambda _: bpy.data.scenes[0]),
+    "deleted": _delete,
+    "renamed": _rename,
+    "a number": _give(lambda _: 5),
+    "a text": _give(lambda _: "x"),
+    "a group": _give(lambda _: {}),
+    "another length": _give(_longer),
+    "whole numbers": _give(lambda _: [1, 2, 3]),
+    "a datablock": _give(lambda _: bpy.data.scenes[0]),
 }
 """What may happen to custom properties of these names: on all that have them."""
 
@@ -93,6 +101,7 @@ def _each(found, act):
         for one in found():
             with contextlib.suppress(ReferenceError, RuntimeError):
                 act(one)
+
     return each
 
 
@@ -124,10 +133,12 @@ EXPRESSIONS = (
 
 def _say_all(expressions):
     """Writes one of the expressions after the other into the drivers of hubs."""
+
     def act():
         curves = [curve for mesh in hub_meshes() for curve in (mesh.animation_data.drivers if mesh.animation_data else ())]
         for curve, expression in zip(curves, itertools.cycle(expressions)):
             curve.driver.expression = expression
+
     return act
 
 
@@ -167,6 +178,7 @@ def _on_selected(operator, **keywords):
                 bpy.context.view_layer.objects.active = obj
                 obj.select_set(True)
                 operator(**keywords)
+
     return act
 
 
@@ -218,7 +230,8 @@ ACTS = {
     "owners removed": _each(owners, lambda one: bpy.data.objects.remove(one)),
     "armatures and curves removed": lambda: (
         _each(lambda: list(bpy.data.armatures), lambda one: bpy.data.armatures.remove(one))(),
-        _each(lambda: list(bpy.data.curves), lambda one: bpy.data.curves.remove(one))()),
+        _each(lambda: list(bpy.data.curves), lambda one: bpy.data.curves.remove(one))(),
+    ),
     "node groups removed": _each(lambda: list(bpy.data.node_groups), lambda one: bpy.data.node_groups.remove(one)),
     "nodes removed": _each(lambda: list(bpy.data.node_groups), lambda one: one.nodes.clear()),
     "modifiers removed": _each(owners, lambda one: one.modifiers.clear()),
@@ -249,8 +262,7 @@ ACTS = {
     "modifiers applied": _apply_modifiers,
     "visual transforms applied": _on_selected(bpy.ops.object.visual_transform_apply),
     "made local": _on_selected(bpy.ops.object.make_local, type='ALL'),
-    "made single user": _on_selected(
-        bpy.ops.object.make_single_user, type='ALL', object=True, obdata=True, material=True, animation=True),
+    "made single user": _on_selected(bpy.ops.object.make_single_user, type='ALL', object=True, obdata=True, material=True, animation=True),
     "duplicated": _on_selected(bpy.ops.object.duplicate),
     "deleted": _on_selected(bpy.ops.object.delete),
     "undone": _undo,

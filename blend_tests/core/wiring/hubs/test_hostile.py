@@ -13,7 +13,8 @@ class HostileTest(unittest.TestCase):
         """keys: whether the acts are those to custom properties."""
         status, said = support.run_blender(
             "import tempfile\nfrom core.wiring.hubs import hostile_acts\n"
-            f"with tempfile.TemporaryDirectory(prefix='motus-test-') as folder:\n    hostile_acts.run(folder, {keys})\n")
+            f"with tempfile.TemporaryDirectory(prefix='motus-test-') as folder:\n    hostile_acts.run(folder, {keys})\n"
+        )
         lines = said.splitlines()
         acts = [line for line in lines if line.startswith("ACT ")]
         self.assertIn("ALIVE", lines, f"status {status}, after {acts[-1:]}: {lines[-12:]}")
@@ -31,6 +32,12 @@ class HostileTest(unittest.TestCase):
 
     def test_arguments(self):
         damaged = float(outbox.DAMAGED)
-        for arguments in ((), (None,), (5, "snow", 1.0, None), (None, "nothing", 1.0, None), (None, 3, 1.0, None),
-                          (None, "path", "x", None)):
+        for arguments in (
+            (),
+            (None,),
+            (5, "snow", 1.0, None),
+            (None, "nothing", 1.0, None),
+            (None, 3, 1.0, None),
+            (None, "path", "x", None),
+        ):
             self.assertEqual(solver.motus_solve(*arguments), damaged, arguments)

@@ -7,9 +7,22 @@ import random
 
 import bpy
 import numpy as np
+
 import support
 from core.wiring.hubs.damaged_cases import (
-    CASES, INFO, OUTBOX, are_same, carrier_of, chain, damages, drawn, evaluated, long_chain, problem, raised)
+    CASES,
+    INFO,
+    OUTBOX,
+    are_same,
+    carrier_of,
+    chain,
+    damages,
+    drawn,
+    evaluated,
+    long_chain,
+    problem,
+    raised,
+)
 
 SHARE, LINKED_SHARE = 26, 6
 """How many of the damages of each set-up are tried, beside those that would be written outside of arrays."""

@@ -4,8 +4,9 @@ import random
 import unittest
 
 import bpy
-import support
 from mathutils import Euler, Matrix, Vector
+
+import support
 
 native = support.addon("core.native")
 MODES = ('FULL', 'FIX_SHEAR', 'ALIGNED', 'AVERAGE', 'NONE', 'NONE_LEGACY')
@@ -82,8 +83,7 @@ class BoneSpaceTest(unittest.TestCase):
                         parent_pose = random_transform(rng) @ random_transform(rng)  # sheared
                         basis = random_transform(rng)
                         message = (mode, inherit_rotation, local_location)
-                        wanted = bone.convert_local_to_pose(basis, rest, parent_matrix=parent_pose,
-                                                            parent_matrix_local=parent_rest)
+                        wanted = bone.convert_local_to_pose(basis, rest, parent_matrix=parent_pose, parent_matrix_local=parent_rest)
                         pose = native.module.bone_to_pose(rows(rest), rows(parent_rest), rows(parent_pose), rows(basis), *message)
                         self.assert_same(pose, wanted, message)
                         back = native.module.pose_to_bone(rows(rest), rows(parent_rest), rows(parent_pose), pose, *message)
@@ -99,8 +99,8 @@ class BoneSpaceTest(unittest.TestCase):
                 rest, parent = bone.bone.matrix_local, bone.parent
                 message = (bone.bone.inherit_scale, bone.bone.use_inherit_rotation, bone.bone.use_local_location)
                 pose = native.module.bone_to_pose(
-                    rows(rest), parent and rows(parent.bone.matrix_local), parent and rows(parent.matrix),
-                    rows(bone.matrix_basis), *message)
+                    rows(rest), parent and rows(parent.bone.matrix_local), parent and rows(parent.matrix), rows(bone.matrix_basis), *message
+                )
                 self.assert_same(pose, bone.matrix, (*message, bone.bone.use_connect))
                 checked.add((*message, bone.bone.use_connect))
         self.assertGreater(len(checked), 24)

@@ -3,6 +3,7 @@
 from unittest import mock
 
 import bpy
+
 import support
 import toy_bone_system
 import toy_system
@@ -80,8 +81,7 @@ class EvaluationTest(BoneTestCase):
     def test_error_of_our_own_leaves_the_animation(self, build):
         rig = build()
         frame_set(4)
-        with mock.patch.object(toy_bone_system, "angle", side_effect=RuntimeError), \
-                self.assertLogs(solving.log, "ERROR"):
+        with mock.patch.object(toy_bone_system, "angle", side_effect=RuntimeError), self.assertLogs(solving.log, "ERROR"):
             frame_set(6)
             problem = wiring.problem(SYSTEM, rig, bpy.context.evaluated_depsgraph_get())
             found = poses(rig)
@@ -105,16 +105,19 @@ class EvaluationTest(BoneTestCase):
         self.assertIsNone(wiring.output(SYSTEM, rig, "nothing", graph))
         carrier = rig.motus.bend.hub.data if rig.motus.bend.hub else rig
         path = wiring.output_path(SYSTEM, "A.0.angle", rig)
-        self.assertEqual(carrier.evaluated_get(graph).path_resolve(path),
-                         wiring.output(SYSTEM, rig, "A.0.angle", graph))
+        self.assertEqual(carrier.evaluated_get(graph).path_resolve(path), wiring.output(SYSTEM, rig, "A.0.angle", graph))
 
 
 class WaitingTest(BoneTestCase):
     """Things that become driven, and entries that wait for each other."""
 
     def test_driven_later(self):
-        for path, index in (('motus.bend.entries["A.0"].weight', None), ("motus.bend.influence", None),
-                            ('pose.bones["A.0"].rotation_euler', 0), ('pose.bones["B.1"].rotation_euler', 2)):
+        for path, index in (
+            ('motus.bend.entries["A.0"].weight', None),
+            ("motus.bend.influence", None),
+            ('pose.bones["A.0"].rotation_euler', 0),
+            ('pose.bones["B.1"].rotation_euler', 2),
+        ):
             with self.subTest(path):
                 support.empty_scene()
                 rig = build()

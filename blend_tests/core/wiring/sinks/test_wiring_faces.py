@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+
 import toy_faces_system as toy
 import toy_points_system
 import toy_system
@@ -22,10 +23,14 @@ def assert_sheet(owner, frame):
     target = settings.target and settings.target.evaluated_get(bpy.context.evaluated_depsgraph_get())
     wanted = toy.sheet(frame, np.array(target.matrix_world.translation) if target else np.zeros(3))
     mesh = evaluated(owner)
-    for data, field, array in ((mesh.vertices, "co", wanted[0]), (mesh.edges, "vertices", wanted[1]),
-                               (mesh.loops, "vertex_index", wanted[2]), (mesh.loops, "edge_index", wanted[3]),
-                               (mesh.polygons, "loop_start", np.arange(0, wanted[2].size, 3)),
-                               (mesh.polygons, "loop_total", np.full(len(wanted[2]), 3))):
+    for data, field, array in (
+        (mesh.vertices, "co", wanted[0]),
+        (mesh.edges, "vertices", wanted[1]),
+        (mesh.loops, "vertex_index", wanted[2]),
+        (mesh.loops, "edge_index", wanted[3]),
+        (mesh.polygons, "loop_start", np.arange(0, wanted[2].size, 3)),
+        (mesh.polygons, "loop_total", np.full(len(wanted[2]), 3)),
+    ):
         found = np.empty(array.size, array.dtype if array.dtype == np.float32 else np.int32)
         data.foreach_get(field, found)
         np.testing.assert_array_equal(found, array.ravel(), field)

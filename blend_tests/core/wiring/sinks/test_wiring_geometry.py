@@ -1,6 +1,7 @@
 """Systems that wait for the final geometry of other objects."""
 
 import bpy
+
 import support
 import toy_rest_system
 import toy_system
@@ -64,11 +65,13 @@ class GeometryTest(WiringTestCase):
         owner = build()
         frame_set(2)
         ground = owner.motus.rest.ground
-        for edit in (lambda: setattr(ground.modifiers["Lift"], "strength", 3.0),
-                     lambda: setattr(bpy.data.objects["Ground Handle"].location, "x", -4.0),
-                     lambda: setattr(ground.location, "z", 5.0),
-                     lambda: (setattr(ground.data.vertices[1].co, "x", 2.0), ground.data.update()),
-                     lambda: ground.modifiers.remove(ground.modifiers["Lift"])):
+        for edit in (
+            lambda: setattr(ground.modifiers["Lift"], "strength", 3.0),
+            lambda: setattr(bpy.data.objects["Ground Handle"].location, "x", -4.0),
+            lambda: setattr(ground.location, "z", 5.0),
+            lambda: (setattr(ground.data.vertices[1].co, "x", 2.0), ground.data.update()),
+            lambda: ground.modifiers.remove(ground.modifiers["Lift"]),
+        ):
             calls, before = toy_rest_system.solve_calls, toy_system.world_matrix(owner)
             edit()
             bpy.context.view_layer.update()

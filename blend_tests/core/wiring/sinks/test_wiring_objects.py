@@ -1,6 +1,7 @@
 """Systems with several groups whose members are objects, driven on top of their animation, location included."""
 
 import bpy
+
 import support
 import toy_sway_system
 import toy_system
@@ -90,9 +91,12 @@ class EditingTest(ObjectTestCase):
         owner.motus.sway.entries.remove(0)
         wiring.refresh(SYSTEM, owner)
         self.assert_sways(owner)
-        self.assertEqual(len([obj for obj in bpy.data.objects if obj.constraints and not obj.name.startswith(".Motus")
-                              and wiring.has_sinks(SYSTEM, obj)]), len({thing.id_data for thing in things(owner)} & {
-                                  thing for thing in things(owner) if isinstance(thing, bpy.types.Object)}))
+        self.assertEqual(
+            len(
+                [obj for obj in bpy.data.objects if obj.constraints and not obj.name.startswith(".Motus") and wiring.has_sinks(SYSTEM, obj)]
+            ),
+            len({thing.id_data for thing in things(owner)} & {thing for thing in things(owner) if isinstance(thing, bpy.types.Object)}),
+        )
 
     @each_kind
     def test_release(self, build):

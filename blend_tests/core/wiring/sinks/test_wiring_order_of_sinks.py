@@ -4,6 +4,7 @@ import math
 
 import bpy
 from mathutils import Vector
+
 from path.path_cases import PathTestCase
 
 SUBJECT = Vector((3.0, 6.0, 1.0))

@@ -4,6 +4,7 @@ from unittest import mock
 
 import bpy
 import numpy as np
+
 import support
 import toy_points_system as toy
 import toy_system
@@ -13,8 +14,13 @@ from core.wiring.wiring_cases import frame_set
 nodes = support.addon("core.blender.node_groups")
 wiring = support.addon("core.wiring")
 FRAMES = (30, 3, 12.5, 30.25, 90, 12.5)
-FIELDS = {'FLOAT': ("value", 1), 'INT': ("value", 1), 'FLOAT_VECTOR': ("vector", 3), 'FLOAT_COLOR': ("color", 4),
-          'QUATERNION': ("value", 4)}
+FIELDS = {
+    'FLOAT': ("value", 1),
+    'INT': ("value", 1),
+    'FLOAT_VECTOR': ("vector", 3),
+    'FLOAT_COLOR': ("color", 4),
+    'QUATERNION': ("value", 4),
+}
 LARGEST_FILE = 60_000  # bytes
 
 BARE = """
@@ -211,8 +217,11 @@ class PointsTest(PointsTestCase):
         owner.modifiers.new("Later", 'SUBSURF')
         wiring.refresh(toy.SPARKS, owner)
         frame_set(10)
-        found = [list(one.object.data.materials) for one in bpy.context.evaluated_depsgraph_get().object_instances
-                 if one.object.type == 'POINTCLOUD']
+        found = [
+            list(one.object.data.materials)
+            for one in bpy.context.evaluated_depsgraph_get().object_instances
+            if one.object.type == 'POINTCLOUD'
+        ]
         self.assertEqual([[one.original for one in some] for some in found], [[material]])
         self.assertEqual([one.name for one in owner.modifiers], ["Motus Sparks", "Later"])
 
@@ -224,15 +233,20 @@ class PointsTest(PointsTestCase):
             collection.objects.link(shape)
         owner = self.sparks()
         node_groups = len(bpy.data.node_groups)
-        for give, what, names in ((wiring.set_points_object, shapes[0], {"First"}),
-                                  (wiring.set_points_collection, collection, {"First", "Second"})):
+        for give, what, names in (
+            (wiring.set_points_object, shapes[0], {"First"}),
+            (wiring.set_points_collection, collection, {"First", "Second"}),
+        ):
             give(toy.SPARKS, owner, what)
             wiring.refresh(toy.SPARKS, owner)
             self.assertEqual(len(bpy.data.node_groups), node_groups)
             frame_set(20)
             numbers, ages = toy.alive(20 / 24, 100.0, 1.0)
-            found = [(one.object.name, np.array(one.matrix_world)) for one in bpy.context.evaluated_depsgraph_get().object_instances
-                     if one.is_instance and one.object.type == 'MESH']
+            found = [
+                (one.object.name, np.array(one.matrix_world))
+                for one in bpy.context.evaluated_depsgraph_get().object_instances
+                if one.is_instance and one.object.type == 'MESH'
+            ]
             self.assertEqual({name for name, _ in found}, names)
             matrices = np.array([matrix for _, matrix in found])
             places, _ = toy.fly(numbers, ages, np.array(owner.motus.sparks.target.matrix_world.translation))
@@ -288,7 +302,9 @@ class PointsFilesTest(PointsTestCase):
         attributes.remove(attributes["turn"])
         attributes.new("turn", 'FLOAT_VECTOR', 'POINT')
         path = self.save()
-        with mock.patch.dict(support.addon("core.wiring.sinks.made_points")._forms, clear=True):  # as in a session that has seen no other file
+        with mock.patch.dict(
+            support.addon("core.wiring.sinks.made_points")._forms, clear=True
+        ):  # as in a session that has seen no other file
             bpy.ops.wm.open_mainfile(filepath=path)
             owner = bpy.data.objects["Owner"]
             self.assert_all_frames(owner)

@@ -3,10 +3,10 @@
 from unittest import mock
 
 import bpy
+
 import support
 import toy_dial_system
-from core.wiring.property_cases import (
-    FRAMES, SYSTEM, PropertyTestCase, build, key, places, shown, state, values)
+from core.wiring.property_cases import FRAMES, SYSTEM, PropertyTestCase, build, key, places, shown, state, values
 from core.wiring.wiring_cases import assert_playback_equals_jumps, frame_set
 
 wiring = support.addon("core.wiring")
@@ -102,9 +102,17 @@ class EditingTest(PropertyTestCase):
 
     def test_what_is_refused(self):
         owner = build()
-        for path, index, word in (('modifiers["None"].strength', -1, "number"), ("name", -1, "number"), ("pass_index", -1, "decimal"),
-                                  ("location", -1, "number"), ("location", 5, "number"), ('["custom"]', -1, "driver"),
-                                  ("modifiers[", -1, "number"), ("", -1, "number"), ("data", -1, "number")):
+        for path, index, word in (
+            ('modifiers["None"].strength', -1, "number"),
+            ("name", -1, "number"),
+            ("pass_index", -1, "decimal"),
+            ("location", -1, "number"),
+            ("location", 5, "number"),
+            ('["custom"]', -1, "driver"),
+            ("modifiers[", -1, "number"),
+            ("", -1, "number"),
+            ("data", -1, "number"),
+        ):
             with self.subTest(path), self.assertRaisesRegex(refusals.Refused, word):
                 wiring.check_property(owner, path, index)
         curve = owner.driver_add("location", 0)

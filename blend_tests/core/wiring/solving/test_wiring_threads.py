@@ -5,6 +5,7 @@ import threading
 from unittest import mock
 
 import bpy
+
 import live_scenes
 import support
 
@@ -41,8 +42,11 @@ class SolversTest(support.SceneTestCase):
                 solving.discard(threading.get_ident())
 
         watch = Untouchable(solving, asked)
-        modules = [module for name, module in list(sys.modules.items())
-                   if name.startswith(support.module_name() + ".") and getattr(module, "bpy", None) is bpy]
+        modules = [
+            module
+            for name, module in list(sys.modules.items())
+            if name.startswith(support.module_name() + ".") and getattr(module, "bpy", None) is bpy
+        ]
         with mock.patch.dict(bpy.app.driver_namespace, motus_solve=solve_watched):
             # Blender keeps compiled what it has found in the namespace already.
             support.addon("core.wiring.healing.revival").revive()
@@ -60,9 +64,10 @@ class SolversTest(support.SceneTestCase):
                 for module in modules:
                     module.bpy = bpy
         support.addon("core.wiring.healing.revival").revive()
-        self.assertEqual({name.partition(".")[0] for name in calls},
-                         {"path", "layers", "ik", "look_at", "dynamics", "pendulum", "pendulum_trail", "snow", "snow_cover", "stereo",
-                          "walker"})
+        self.assertEqual(
+            {name.partition(".")[0] for name in calls},
+            {"path", "layers", "ik", "look_at", "dynamics", "pendulum", "pendulum_trail", "snow", "snow_cover", "stereo", "walker"},
+        )
         self.assertEqual(asked, set())
 
 
@@ -77,8 +82,7 @@ class HubsTest(support.SceneTestCase):
         wiring, systems = support.addon("core.wiring"), support.addon("core.declare").systems()
         depsgraph = bpy.context.evaluated_depsgraph_get()
         evaluated = [obj.evaluated_get(depsgraph) for obj in bpy.context.scene.objects]
-        found = [(system.name, carrier) for system in systems for obj in evaluated
-                 for _, _, carrier, _ in wiring.on_object(system, obj)]
+        found = [(system.name, carrier) for system in systems for obj in evaluated for _, _, carrier, _ in wiring.on_object(system, obj)]
         self.assertLessEqual({"path", "ik", "look_at", "layers", "dynamics"}, {name for name, _ in found})
         self.assertEqual([name for name, carrier in found if carrier.is_evaluated], [])
 
@@ -123,8 +127,7 @@ class NestedTest(support.SceneTestCase):
         thread = threading.Thread(target=solve, daemon=True)
         thread.start()
         thread.join(timeout=30)
-        self.assertEqual(found, {
-            "outer": wanted[0], "inner": wanted[1], "kept": "inner", "still kept": "outer"})
+        self.assertEqual(found, {"outer": wanted[0], "inner": wanted[1], "kept": "inner", "still kept": "outer"})
 
 
 class DeletedTest(support.SceneTestCase):

@@ -2,8 +2,9 @@
 
 import bpy
 import numpy as np
-from dynamics import dynamics_cases as cases
+
 import support
+from dynamics import dynamics_cases as cases
 from window import window_support
 
 actions = support.addon("core.blender.actions")

@@ -124,7 +124,8 @@ class PointDrag:
             return
         self._travel.view.tell(self._travel.header(context))
         context.workspace.status_text_set(
-            tr("X, Y or Z locks an axis, Shift is precise, a number sets the length; Esc or the right button cancels"))
+            tr("X, Y or Z locks an axis, Shift is precise, a number sets the length; Esc or the right button cancels")
+        )
 
     def _hide(self, context):
         context.workspace.status_text_set(None)

@@ -1,8 +1,19 @@
 """A number that is typed while an operator runs."""
 
 DIGITS = {
-    'ZERO': "0", 'ONE': "1", 'TWO': "2", 'THREE': "3", 'FOUR': "4", 'FIVE': "5", 'SIX': "6", 'SEVEN': "7",
-    'EIGHT': "8", 'NINE': "9", 'PERIOD': ".", 'COMMA': "."}
+    'ZERO': "0",
+    'ONE': "1",
+    'TWO': "2",
+    'THREE': "3",
+    'FOUR': "4",
+    'FIVE': "5",
+    'SIX': "6",
+    'SEVEN': "7",
+    'EIGHT': "8",
+    'NINE': "9",
+    'PERIOD': ".",
+    'COMMA': ".",
+}
 NUMPAD = {f'NUMPAD_{digit}': str(digit) for digit in range(10)} | {'NUMPAD_PERIOD': ".", 'NUMPAD_COMMA': "."}
 MINUS = {'MINUS', 'NUMPAD_MINUS'}
 CONFIRMING = {'RET', 'NUMPAD_ENTER'}

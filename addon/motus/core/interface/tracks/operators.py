@@ -28,11 +28,10 @@ _WHAT = Rows((Row("transform", when=lambda operator: not operator.data_path),))
 class _OfATrack(OfADatablock, Operator):
     """Mixin with the keywords that name a track."""
 
-    bone: bpy.props.StringProperty(
-        name="Bone", description="Name of a bone; empty means the object itself", options={'SKIP_SAVE'})
+    bone: bpy.props.StringProperty(name="Bone", description="Name of a bone; empty means the object itself", options={'SKIP_SAVE'})
     transform: bpy.props.EnumProperty(
-        name="Transform", description="Transform that is recorded if no data path is given", items=TRANSFORMS,
-        options={'SKIP_SAVE'})
+        name="Transform", description="Transform that is recorded if no data path is given", items=TRANSFORMS, options={'SKIP_SAVE'}
+    )
 
     def track(self, id_data, scene):
         """The track of the datablock, original or evaluated."""
@@ -62,10 +61,13 @@ class MOTUS_OT_track_record(OverFrames, _OfATrack, bpy.types.Operator):  # type:
         id_data = self.id_data(context)
         track = self.track(id_data, context.scene)
         length = scene_time.keys_time(context.scene, 1.0)
-        size = recordings.write(
-            id_data, track.what, self._frames_done[0] * length, self.step * length, self._samples, digest.of(id_data))
-        self.report({'INFO'}, tr("Recorded {frames} frames of {object}: {size} KB").format(
-            frames=len(self._samples), object=id_data.name, size=math.ceil(size / 1024)))
+        size = recordings.write(id_data, track.what, self._frames_done[0] * length, self.step * length, self._samples, digest.of(id_data))
+        self.report(
+            {'INFO'},
+            tr("Recorded {frames} frames of {object}: {size} KB").format(
+                frames=len(self._samples), object=id_data.name, size=math.ceil(size / 1024)
+            ),
+        )
 
     def _check(self, context, id_data, count):
         check_local(id_data)

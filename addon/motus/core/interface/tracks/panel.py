@@ -21,8 +21,7 @@ def draw(layout, track, **keywords):
     if track.reason is None:
         return
     row = layout.row(align=True)
-    names = (MOTUS_OT_track_record.bl_idname, MOTUS_OT_track_clear.bl_idname) if track.recording else (
-        MOTUS_OT_track_record.bl_idname,)
+    names = (MOTUS_OT_track_record.bl_idname, MOTUS_OT_track_clear.bl_idname) if track.recording else (MOTUS_OT_track_record.bl_idname,)
     for name in names:
         button = row.operator(name)
         for keyword, value in keywords.items():
@@ -60,8 +59,13 @@ def _watched():
 
 def register():
     """Give every datablock its list."""
-    setattr(bpy.types.ID, recordings.LIST, bpy.props.CollectionProperty(
-        type=recordings.MOTUS_PG_recording, name="Recordings", override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}))
+    setattr(
+        bpy.types.ID,
+        recordings.LIST,
+        bpy.props.CollectionProperty(
+            type=recordings.MOTUS_PG_recording, name="Recordings", override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
+        ),
+    )
 
 
 def unregister():

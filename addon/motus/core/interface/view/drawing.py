@@ -68,8 +68,10 @@ def dots(points, colors, size):
     corners = np.array([(-half, -half), (half, -half), (half, half), (-half, half)])
     first = 4 * np.arange(len(points))[:, None]
     triangles(
-        (np.asarray(points)[:, None, :] + corners).reshape(-1, 2), np.repeat(colors, 4, axis=0),
-        np.concatenate([first + (0, 1, 2), first + (0, 2, 3)]))
+        (np.asarray(points)[:, None, :] + corners).reshape(-1, 2),
+        np.repeat(colors, 4, axis=0),
+        np.concatenate([first + (0, 1, 2), first + (0, 2, 3)]),
+    )
 
 
 def text(lines, x, y, scale):

@@ -4,8 +4,7 @@ from typing import Any, NamedTuple
 
 import bpy
 from bpy.app.handlers import persistent
-from bpy_extras.view3d_utils import (
-    location_3d_to_region_2d, region_2d_to_location_3d, region_2d_to_origin_3d, region_2d_to_vector_3d)
+from bpy_extras.view3d_utils import location_3d_to_region_2d, region_2d_to_location_3d, region_2d_to_origin_3d, region_2d_to_vector_3d
 from mathutils import Vector
 
 from ...blender import handlers
@@ -27,8 +26,13 @@ class View(NamedTuple):
     @property
     def is_there(self):
         """Whether a window still has it."""
-        return any(region == self.region for window in bpy.context.window_manager.windows for area in window.screen.areas
-                   if area == self.area for region in area.regions)
+        return any(
+            region == self.region
+            for window in bpy.context.window_manager.windows
+            for area in window.screen.areas
+            if area == self.area
+            for region in area.regions
+        )
 
     def tell(self, text):
         """Show a text in the header; None shows what else is there."""
@@ -43,8 +47,7 @@ class View(NamedTuple):
         """Origin and direction, in the world, of the ray through a place of the window."""
         self._check()
         place = (x - self.region.x, y - self.region.y)
-        return (region_2d_to_origin_3d(self.region, self.data, place),
-                region_2d_to_vector_3d(self.region, self.data, place))
+        return (region_2d_to_origin_3d(self.region, self.data, place), region_2d_to_vector_3d(self.region, self.data, place))
 
     def toward_viewer(self):
         """World direction from the screen to whoever looks at it."""

@@ -9,7 +9,7 @@ from ...evaluated import copies
 from ..hubs import hub_lookup, outbox, outputs
 from ..sinks import attribute_sink, geometry_sink, property_sink, proxy_sink, transform_sink
 from ..sinks.finding import has_strays, led_by, remove, remove_orphans, renamed_bones, sinks
-from . import waiting, override_drivers, overrides, readers, sharing, signature, solver_driver
+from . import override_drivers, overrides, readers, sharing, signature, solver_driver, waiting
 
 AIMING = {'TRACK_TO', 'DAMPED_TRACK', 'LOCKED_TRACK'}
 
@@ -321,5 +321,7 @@ def _stacks(system, owner):
     ours = {}
     for thing, constraint in sinks(system, owner):
         ours.setdefault(thing, []).append(constraint.name)
-    return {thing: [(index, constraint.mute) for index, constraint in enumerate(thing.constraints)
-                    if constraint.name in names] for thing, names in ours.items()}
+    return {
+        thing: [(index, constraint.mute) for index, constraint in enumerate(thing.constraints) if constraint.name in names]
+        for thing, names in ours.items()
+    }

@@ -21,8 +21,13 @@ _BONE_PATH = re.compile(r'^pose\.bones\["(?P<bone>(?:[^"\\]|\\.)*)"\]\.')
 _EVALUATED = re.compile(rf'^(?:matrix_world|matrix_local|{_BONE_PATH.pattern[1:]}(?:matrix|head|tail|length)\b)')
 _CHANNEL = re.compile(rf'^(?:{_BONE_PATH.pattern[1:]})?(?:location|rotation_\w+|scale|delta_\w+)')
 _ON_GEOMETRY = {'SHRINKWRAP', 'FOLLOW_PATH', 'CLAMP_TO', 'SPLINE_IK', 'GEOMETRY_ATTRIBUTE'}
-_TARGETS = (("target", "subtarget"), ("pole_target", "pole_subtarget"), ("space_object", "space_subtarget"),
-            ("depth_object", ""), ("camera", ""))
+_TARGETS = (
+    ("target", "subtarget"),
+    ("pole_target", "pole_subtarget"),
+    ("space_object", "space_subtarget"),
+    ("depth_object", ""),
+    ("camera", ""),
+)
 
 
 def levels(owner):
@@ -222,7 +227,7 @@ class _Graph:
                 for constraint in bone.constraints:
                     if constraint.type in {'IK', 'SPLINE_IK'}:
                         chain = ([bone] if getattr(constraint, "use_tail", True) else []) + bone.parent_recursive
-                        for one in chain[:constraint.chain_count or None]:
+                        for one in chain[: constraint.chain_count or None]:
                             turned.setdefault(one.name, []).append(constraint)
         return self._solved[obj]
 
@@ -236,8 +241,12 @@ class _Graph:
 
     def _is_of_sink(self, obj, path, driver):
         """Whether a driver brings values of a hub to a sink, or is one of the owner's that reads one of its own hubs."""
-        targets = [target for variable in driver.variables for target in variable.targets
-                   if any(pattern.match(target.data_path) for pattern in self._slots)]
+        targets = [
+            target
+            for variable in driver.variables
+            for target in variable.targets
+            if any(pattern.match(target.data_path) for pattern in self._slots)
+        ]
         if obj == self._owner:
             return len(targets) > 0
         return "constraints[" in path and any(target.id and self._has_entries(target.id) for target in targets)

@@ -45,7 +45,8 @@ def _key(curve):
 
 def _is_ours(curve):
     return curve.data_path.startswith(PREFIX) or any(
-        target.data_path.startswith(PREFIX) for variable in curve.driver.variables for target in variable.targets)
+        target.data_path.startswith(PREFIX) for variable in curve.driver.variables for target in variable.targets
+    )
 
 
 def _stand_in(drivers, theirs):

@@ -97,15 +97,24 @@ def _key(system):
 
 
 def _overridden(owner, groups):
-    touched = {owner, *(member.thing.id_data for group in groups for member in group.members),
-               *(one.object for group in groups for one in group.properties)}
+    touched = {
+        owner,
+        *(member.thing.id_data for group in groups for member in group.members),
+        *(one.object for group in groups for one in group.properties),
+    }
     return {obj for obj in touched if obj.override_library and not obj.library}
 
 
 def _digest(system, owner, groups):
-    variables = [variable and (variable.id_type, variable.id != owner and variable.id.name, variable.data_path)
-                 for _, variable in input_variables(system, owner)]
-    members = [(member.thing.id_data.name, member.thing.name, sorted(member.channels))
-               for group in groups for member in group.members if member.thing.id_data != owner]
+    variables = [
+        variable and (variable.id_type, variable.id != owner and variable.id.name, variable.data_path)
+        for _, variable in input_variables(system, owner)
+    ]
+    members = [
+        (member.thing.id_data.name, member.thing.name, sorted(member.channels))
+        for group in groups
+        for member in group.members
+        if member.thing.id_data != owner
+    ]
     text = repr((signature.signature(system, owner, groups), members, variables))
     return hashlib.sha1(text.encode()).hexdigest()

@@ -49,16 +49,19 @@ def can_share(system, owner):
     """
     if not system.shared or owner.library or owner.override_library or copies.has_animated_settings(owner) or is_mirrored(owner):
         return False
-    group, = groups_of(system, owner)
+    (group,) = groups_of(system, owner)
     return [member.thing for member in group.members] == [owner] and pack(system, owner) is not None
 
 
 def pack(system, owner):
     """The text of an owner's row; None where a number in it is not finite."""
     settings = of_owner(system, owner)
-    said = {"name": owner.name, "settings": _values(settings, system.shared),
-            "inputs": {one.name: one.read(0.0, settings) for one in system.inputs if isinstance(one, Setting)},
-            "member_data": None if system.member_data is None else list(map(float, system.member_data(owner)))}
+    said = {
+        "name": owner.name,
+        "settings": _values(settings, system.shared),
+        "inputs": {one.name: one.read(0.0, settings) for one in system.inputs if isinstance(one, Setting)},
+        "member_data": None if system.member_data is None else list(map(float, system.member_data(owner))),
+    }
     try:
         return json.dumps(said, allow_nan=False)
     except ValueError:
@@ -96,10 +99,12 @@ def _row(system, text):
 
 
 def _parsed(system, text):
-    form = {"name": str, "settings": lambda value: _fits(system.settings.bl_rna, system.shared, value),
-            "inputs": lambda value: _fits(system.settings.bl_rna, [
-                one.name for one in system.inputs if isinstance(one, Setting)], value),
-            "member_data": lambda value: value is None or stored.fits(value, [float])}
+    form = {
+        "name": str,
+        "settings": lambda value: _fits(system.settings.bl_rna, system.shared, value),
+        "inputs": lambda value: _fits(system.settings.bl_rna, [one.name for one in system.inputs if isinstance(one, Setting)], value),
+        "member_data": lambda value: value is None or stored.fits(value, [float]),
+    }
     try:
         said = stored.parse(text, form)
     except Damaged:
@@ -108,14 +113,16 @@ def _parsed(system, text):
     return Row(said["name"], _namespace(said["settings"]), said["inputs"], None if data is None else np.array(data), {})
 
 
-_FORMS = {'FLOAT': float, 'INT': lambda value: type(value) is int and abs(value) <= stored.LARGEST_NUMBER, 'BOOLEAN': bool,
-          'STRING': str}
+_FORMS = {'FLOAT': float, 'INT': lambda value: type(value) is int and abs(value) <= stored.LARGEST_NUMBER, 'BOOLEAN': bool, 'STRING': str}
 
 
 def _fits(rna, names, value):
     """Whether parsed values may be those of a group of settings."""
-    return isinstance(value, dict) and value.keys() == set(names) and all(
-        _fits_property(rna.properties[name], one) for name, one in value.items())
+    return (
+        isinstance(value, dict)
+        and value.keys() == set(names)
+        and all(_fits_property(rna.properties[name], one) for name, one in value.items())
+    )
 
 
 def _fits_property(prop, value):
@@ -128,8 +135,9 @@ def _fits_property(prop, value):
 
 
 def _namespace(values):
-    return SimpleNamespace(**{
-        name: [_namespace(one) for one in value] if isinstance(value, list) else value for name, value in values.items()})
+    return SimpleNamespace(
+        **{name: [_namespace(one) for one in value] if isinstance(value, list) else value for name, value in values.items()}
+    )
 
 
 def name_of(system, mesh, row):
@@ -176,8 +184,12 @@ def hub_for(system, owner, uses_attribute, reads):
         if mesh.library or mesh.override_library or not outbox.is_shared(system, mesh):
             continue
         named = {name: mesh.get(target_key(name)) for name in pointers(system, owner)}
-        if (outbox.is_whole(system, mesh) and outbox.has_attribute(mesh) == uses_attribute
-                and named == pointers(system, owner) and reads(mesh)):
+        if (
+            outbox.is_whole(system, mesh)
+            and outbox.has_attribute(mesh) == uses_attribute
+            and named == pointers(system, owner)
+            and reads(mesh)
+        ):
             found = holders(system, mesh)
             if found:
                 return pointed(of_owner(system, next(iter(found.values()))), "hub")

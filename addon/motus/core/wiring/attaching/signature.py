@@ -24,7 +24,8 @@ def uses_attribute(system):
 def has_strange_carriers(system, owner):
     """Whether the owner was copied from another one and still hangs on its hubs or proxies."""
     return any(_is_strange(system, owner, hub) for _, hub in hub_lookup.hubs(system, owner)) or (
-        system.groups is not None and proxy_sink.has_strange_proxies(owner))
+        system.groups is not None and proxy_sink.has_strange_proxies(owner)
+    )
 
 
 def _is_strange(system, owner, hub):
@@ -81,14 +82,28 @@ def way_to_wait(owner, groups):
 def signature(system, owner, groups):
     """A text that changes when a system is to be wired otherwise on an owner: in another way, or in other groups that it declares."""
     driven = drivers.driven_bones(owner)
-    said = [(group.key, group.outputs, sorted(group.data.items()),
-             [(_name(member.thing.id_data, owner), _bone(member.thing), sorted(member.channels), member.owner_space,
-               member.is_relative, _bone(member.thing) in driven) for member in group.members],
-             [(type(one).__name__, _name(one.object, owner), one.bone) for one in group.inputs])
-            for group in (groups if system.groups is not None else ())]
+    said = [
+        (
+            group.key,
+            group.outputs,
+            sorted(group.data.items()),
+            [
+                (
+                    _name(member.thing.id_data, owner),
+                    _bone(member.thing),
+                    sorted(member.channels),
+                    member.owner_space,
+                    member.is_relative,
+                    _bone(member.thing) in driven,
+                )
+                for member in group.members
+            ],
+            [(type(one).__name__, _name(one.object, owner), one.bone) for one in group.inputs],
+        )
+        for group in (groups if system.groups is not None else ())
+    ]
     ways: tuple[Any, ...] = uses_attribute(system), wants_outlet(system, owner), sharing.can_share(system, owner)
-    properties = [(group.key, one.output, _name(one.object, owner), one.path, one.index)
-                  for group in groups for one in group.properties]
+    properties = [(group.key, one.output, _name(one.object, owner), one.path, one.index) for group in groups for one in group.properties]
     if waits_apart(owner, groups):
         ways = *ways, way_to_wait(owner, groups), properties
     return f"{VERSION} {hashlib.sha1(repr((ways, said)).encode()).hexdigest()}"

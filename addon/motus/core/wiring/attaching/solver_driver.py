@@ -9,7 +9,6 @@ from ..hubs import hub_lookup, outbox
 from ..sinks import property_sink
 from . import signature, waiting
 
-
 _OF_PROPERTY = "p"
 """How the names of variables begin that wait for what has driven properties."""
 
@@ -34,8 +33,13 @@ def curves_for(system, owner):
 def marked_by(mesh):
     """What the solver of a hub's mesh reads and tells copies apart of: the data of curves, and what has driven properties."""
     animation = mesh.animation_data
-    targets = [(variable.name, target) for curve in (animation.drivers if animation else ())
-               for variable in curve.driver.variables for target in variable.targets if target.id]
+    targets = [
+        (variable.name, target)
+        for curve in (animation.drivers if animation else ())
+        for variable in curve.driver.variables
+        for target in variable.targets
+        if target.id
+    ]
     found = {target.id for _, target in targets if target.id_type == 'CURVE'}
     for name, target in targets:
         if name.startswith(_OF_PROPERTY):
@@ -128,8 +132,9 @@ def _laid(system, owner, group):
     """Variables that wait for the systems that lay poses over the owner's bones, of a group that starts from these."""
     starts_there = system.entries and not system.lays_pose and any(isinstance(one.thing, bpy.types.PoseBone) for one in group.members)
     laying = [one for one in systems() if one.lays_pose] if starts_there else ()
-    return [Variable('MESH', hub.data, outbox.out_path(one, outbox.STATUS, key))
-            for one in laying for key, hub in hub_lookup.hubs(one, owner)]
+    return [
+        Variable('MESH', hub.data, outbox.out_path(one, outbox.STATUS, key)) for one in laying for key, hub in hub_lookup.hubs(one, owner)
+    ]
 
 
 def reads_the_same(system, owner, mesh):

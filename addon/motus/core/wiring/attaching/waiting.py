@@ -78,5 +78,8 @@ def wait_for(hub, transforms):
 
 def waits(hub):
     """The pairs that it waits for."""
-    return [(constraint.target, constraint.subtarget) for constraint in hub.constraints
-            if constraint.mute and constraint.type == 'COPY_LOCATION']
+    return [
+        (constraint.target, constraint.subtarget)
+        for constraint in hub.constraints
+        if constraint.mute and constraint.type == 'COPY_LOCATION'
+    ]

@@ -27,7 +27,7 @@ from ...declare import has_settings, is_owner, leader_of, of_owner, registered, 
 from ...evaluated import copies, read_keys
 from ...file import deleted
 from ...measures.handedness import is_mirrored
-from ..attaching import attach, waiting, overrides, sharing, signature
+from ..attaching import attach, overrides, sharing, signature, waiting
 from ..attaching.solver_driver import waits
 from ..hubs import hub_lookup, outbox
 from ..sinks import geometry_sink, property_sink, proxy_sink
@@ -176,8 +176,7 @@ def _check_rows(depsgraph, is_edit):
             if is_edit and is_mirrored(owner):
                 _asked.add((name, owner_name))
             animation, seen = owner.animation_data, _seen.get((name, owner_name))
-            if animation and (
-                    animation.action or animation.nla_tracks or seen is None or seen[0] != len(animation.drivers)):
+            if animation and (animation.action or animation.nla_tracks or seen is None or seen[0] != len(animation.drivers)):
                 evaluated = owner.evaluated_get(depsgraph)
                 moves = bool(registered[name].outputs) and copies.has_moving_settings(evaluated)
                 note_state((name, owner_name), (copies.drivers_on(evaluated), moves))
@@ -284,12 +283,18 @@ def _release_overrides():
 
 
 def _heal_edited(depsgraph):
-    edited = [copies.original_of(update.id, bpy.data.armatures, depsgraph)
-              for update in depsgraph.updates if isinstance(update.id, bpy.types.Armature)]
+    edited = [
+        copies.original_of(update.id, bpy.data.armatures, depsgraph)
+        for update in depsgraph.updates
+        if isinstance(update.id, bpy.types.Armature)
+    ]
     edited = {armature for armature in edited if armature is not None and not armature.is_editmode}  # type: ignore[assignment]
     _heal_joined({armature for armature in edited if _bone_counts.get(_key(armature)) != len(armature.bones)})
-    touched = [(system, owner) for system, owner in (_attached() if edited else ())
-               if system.groups is not None and not edited.isdisjoint(_armatures(system, owner))]
+    touched = [
+        (system, owner)
+        for system, owner in (_attached() if edited else ())
+        if system.groups is not None and not edited.isdisjoint(_armatures(system, owner))
+    ]
     for system, owner in touched:
         attach.refresh_edited(system, owner)
     # Once more, now that all of an owner's systems know the names: by them their entries wait for each other.
@@ -426,11 +431,16 @@ def _watched_handlers():
     arriving = found.undo_post, found.redo_post, getattr(found, "blend_import_post", None)
     return (
         *((functions, _put_away) for functions in arriving if functions is not None),
-        (found.depsgraph_update_post, _heal), (found.frame_change_post, _heal_after_frame),
-        (found.depsgraph_update_post, _updated), (found.load_post, loaded), (found.save_pre, overrides.complete_references),
+        (found.depsgraph_update_post, _heal),
+        (found.frame_change_post, _heal_after_frame),
+        (found.depsgraph_update_post, _updated),
+        (found.load_post, loaded),
+        (found.save_pre, overrides.complete_references),
         (found.save_pre, _remove_deleted),
-        (found.save_pre, _rest_all), (found.save_post, _wake_all),
-        *((functions, _wake_all) for functions in (getattr(found, "save_post_fail", None),) if functions is not None))
+        (found.save_pre, _rest_all),
+        (found.save_post, _wake_all),
+        *((functions, _wake_all) for functions in (getattr(found, "save_post_fail", None),) if functions is not None),
+    )
 
 
 def register():

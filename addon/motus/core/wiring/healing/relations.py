@@ -50,8 +50,7 @@ def _hangs_on(obj):
     animation = obj.animation_data
     # Blender warns of the type of a parent that is gone (3.4).
     parent = (obj.parent.name, obj.parent_type, obj.parent_bone) if obj.parent else ()
-    return (parent, tuple(constraints), tuple(on_bones),
-            len(animation.drivers) if animation else 0)
+    return (parent, tuple(constraints), tuple(on_bones), len(animation.drivers) if animation else 0)
 
 
 def _name(obj):

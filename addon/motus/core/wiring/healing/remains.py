@@ -39,8 +39,14 @@ def remove_deleted():
 
 
 def _deleted_owners():
-    return {obj for obj in bpy.data.objects if not obj.library and obj.is_property_set("motus")
-            and any(is_owner(system, obj) for system in systems()) and deleted.is_deleted(obj)}
+    return {
+        obj
+        for obj in bpy.data.objects
+        if not obj.library
+        and obj.is_property_set("motus")
+        and any(is_owner(system, obj) for system in systems())
+        and deleted.is_deleted(obj)
+    }
 
 
 def _unneeded(owners):
@@ -59,8 +65,9 @@ def _reached(objects):
     found, new = set(), objects
     while new:
         found |= new
-        led = {obj for obj in bpy.data.objects if obj.is_property_set("motus")
-               and any(leader_of(system, obj) in new for system in systems())}
+        led = {
+            obj for obj in bpy.data.objects if obj.is_property_set("motus") and any(leader_of(system, obj) in new for system in systems())
+        }
         reached = led | {used for obj in new for used in _pointed_by(obj)}
         new = {obj for obj in reached - found if not obj.library}
     return found

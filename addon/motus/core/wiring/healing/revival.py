@@ -58,7 +58,8 @@ def _forget(*_):
 def _watched():
     found = bpy.app.handlers
     return [(functions, _catch_up) for functions in (found.depsgraph_update_pre, found.frame_change_pre, found.render_init)] + [
-        (found.load_post, _forget)]
+        (found.load_post, _forget)
+    ]
 
 
 def register():

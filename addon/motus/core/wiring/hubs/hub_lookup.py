@@ -29,8 +29,11 @@ def hub_meshes(system, owner):
 def lost_hubs(system, owner):
     """Meshes of hubs of the owner whose object somebody has deleted: drivers keep them alive."""
     known = {hub.data for _, hub in hubs(system, owner)}
-    return [mesh for mesh in bpy.data.meshes
-            if mesh.get(outbox.OWNER_KEY) == owner and mesh not in known and outbox.key_on_hub(system, mesh) is not None]
+    return [
+        mesh
+        for mesh in bpy.data.meshes
+        if mesh.get(outbox.OWNER_KEY) == owner and mesh not in known and outbox.key_on_hub(system, mesh) is not None
+    ]
 
 
 def carriers(system, owner):

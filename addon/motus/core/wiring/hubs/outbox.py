@@ -65,8 +65,7 @@ class Info:
     @functools.cached_property
     def layout(self):
         """What lies where in the outbox."""
-        return Layout(FIRST_OUTPUT + len(self.outputs), len(self.members), self.has_scales, self.is_relative,
-                      self.uses_attribute)
+        return Layout(FIRST_OUTPUT + len(self.outputs), len(self.members), self.has_scales, self.is_relative, self.uses_attribute)
 
     @functools.cached_property
     def places(self):
@@ -101,7 +100,8 @@ class Outbox(NamedTuple):
 def _is_data(value):
     """Whether a parsed value may be Group.data."""
     return isinstance(value, dict) and all(
-        isinstance(one, str) or stored.fits(one, float) or stored.fits(one, [float]) for one in value.values())
+        isinstance(one, str) or stored.fits(one, float) or stored.fits(one, [float]) for one in value.values()
+    )
 
 
 _INFO_FORM = ([str], [str], bool, bool, bool, _is_data, [str])
@@ -159,9 +159,14 @@ def create(system, carrier, group, uses_attribute):
     carrier[out_key(system, group.key)] = slots
     if system.groups is not None:
         noted = Info(
-            group.outputs, tuple(_noted(member.thing, carrier) for member in group.members), has_scales(group),
-            any(member.is_relative for member in group.members), uses_attribute, group.data,
-            tuple(bone for _, bone in group.reads))
+            group.outputs,
+            tuple(_noted(member.thing, carrier) for member in group.members),
+            has_scales(group),
+            any(member.is_relative for member in group.members),
+            uses_attribute,
+            group.data,
+            tuple(bone for _, bone in group.reads),
+        )
         carrier[info_key(system, group.key)] = {"version": VERSION, "text": json.dumps(list(vars(noted).values()))}
 
 
@@ -234,8 +239,12 @@ def is_hub(mesh):
 
 def groups_on(system, carrier):
     """(group's key, carrier) of all outboxes that lie on a datablock."""
-    names = [name[len(prefix):] for name in carrier.keys() for prefix in (out_key(system), info_key(system))
-             if name == prefix or name.startswith(f"{prefix}_")]
+    names = [
+        name[len(prefix) :]
+        for name in carrier.keys()
+        for prefix in (out_key(system), info_key(system))
+        if name == prefix or name.startswith(f"{prefix}_")
+    ]
     return [(name[1:], carrier) for name in dict.fromkeys(names)]
 
 
@@ -252,7 +261,7 @@ def opened(system, carrier, group="", row=None):
     slots = stored.doubles(carrier.get(out_key(system, group)))
     if row is not None:
         layout = row_layout(system, carrier)
-        part = slots[row * layout.size:(row + 1) * layout.size]
+        part = slots[row * layout.size : (row + 1) * layout.size]
         if row < 0 or len(part) != layout.size:
             raise Damaged("no such row")
         return Outbox(part, layout, None)

@@ -127,8 +127,12 @@ def _kind(system, member, owner):
         return RELATIVE
     thing = member.thing
     # Which members a group has is too dear to find out in a solver.
-    stands = system.groups is None and isinstance(thing, bpy.types.Object) and thing != owner and not (
-        thing.parent or thing.constraints or thing.animation_data)
+    stands = (
+        system.groups is None
+        and isinstance(thing, bpy.types.Object)
+        and thing != owner
+        and not (thing.parent or thing.constraints or thing.animation_data)
+    )
     return STILL if stands else MOVES
 
 

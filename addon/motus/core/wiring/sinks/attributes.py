@@ -6,9 +6,14 @@ from ...file.stored import Damaged
 from ...lazy import numpy as np
 
 _FORMS = {
-    'FLOAT': ("value", "<f4", ()), 'INT': ("value", "<i4", ()), 'FLOAT_VECTOR': ("vector", "<f4", (3,)),
-    'FLOAT_COLOR': ("color", "<f4", (4,)), 'QUATERNION': ("value", "<f4", (4,)), 'INT32_2D': ("value", "<i4", (2,)),
-    'FLOAT4X4': ("value", "<f4", (16,))}
+    'FLOAT': ("value", "<f4", ()),
+    'INT': ("value", "<i4", ()),
+    'FLOAT_VECTOR': ("vector", "<f4", (3,)),
+    'FLOAT_COLOR': ("color", "<f4", (4,)),
+    'QUATERNION': ("value", "<f4", (4,)),
+    'INT32_2D': ("value", "<i4", (2,)),
+    'FLOAT4X4': ("value", "<f4", (16,)),
+}
 """Type of an attribute -> (name of an item's property, type of its numbers, shape of what one item holds)."""
 
 
@@ -61,8 +66,7 @@ class _Memory:
 
     def __init__(self, start, shape, step, numbers):
         steps = (step, *(4 * math.prod(shape[place:]) for place in range(2, len(shape) + 1)))
-        self.__array_interface__ = {
-            "data": (start, False), "shape": shape, "strides": steps, "typestr": numbers, "version": 3}
+        self.__array_interface__ = {"data": (start, False), "shape": shape, "strides": steps, "typestr": numbers, "version": 3}
 
 
 def _data(mesh, name, data_type, domain):

@@ -60,8 +60,7 @@ def sinks(system, owner):
     carriers.update(overridden)
     for obj in overridden:
         carriers.update(carrier for _, carrier in hub_lookup.carriers(system, obj.override_library.reference))
-    return [(thing, constraint) for obj in driven
-            for thing, constraint, carrier, _ in on_object(system, obj) if carrier in carriers]
+    return [(thing, constraint) for obj in driven for thing, constraint, carrier, _ in on_object(system, obj) if carrier in carriers]
 
 
 def is_sink(system, constraint):
@@ -110,13 +109,20 @@ def _as_wired(system, owner):
 def abandoned(system, obj):
     """Objects with sinks of the same hub as this one, itself among them, if the hub's owner is gone; else none."""
     hubs = {carrier for _, _, carrier, _ in on_object(system, obj) if _is_abandoned(system, carrier)}
-    return [other for other in bpy.data.objects if hubs and not other.library
-            and any(carrier in hubs for _, _, carrier, _ in on_object(system, other))]
+    return [
+        other
+        for other in bpy.data.objects
+        if hubs and not other.library and any(carrier in hubs for _, _, carrier, _ in on_object(system, other))
+    ]
 
 
 def _is_abandoned(system, carrier):
-    return (isinstance(carrier, bpy.types.Mesh) and carrier.get(outbox.OWNER_KEY) is None and not carrier.library
-            and not outbox.is_shared(system, carrier))
+    return (
+        isinstance(carrier, bpy.types.Mesh)
+        and carrier.get(outbox.OWNER_KEY) is None
+        and not carrier.library
+        and not outbox.is_shared(system, carrier)
+    )
 
 
 def release(system, *objects):
@@ -164,9 +170,11 @@ def remove_orphans(system, owner):
     Removing a bone in Edit Mode leaves the drivers of its constraints behind.
     """
     animation = owner.animation_data
-    gone = {curve.data_path for curve in (animation.drivers if animation else ())
-            if curve.data_path.startswith("pose.bones[") and _slot(system, curve.driver)
-            and _resolve(owner, curve.data_path) is None}
+    gone = {
+        curve.data_path
+        for curve in (animation.drivers if animation else ())
+        if curve.data_path.startswith("pose.bones[") and _slot(system, curve.driver) and _resolve(owner, curve.data_path) is None
+    }
     if gone:
         drivers.remove_where(owner, gone.__contains__)
     remove(_strays(system, owner))
@@ -176,8 +184,7 @@ def _strays(system, owner):
     """(PoseBone, constraint) of sinks without a hub. Not of overrides, which may have lost theirs."""
     if system.groups is None or owner.pose is None or owner.override_library:
         return []
-    return [(bone, constraint) for bone in owner.pose.bones for constraint in bone.constraints
-            if marks.is_bereft(system, constraint)]
+    return [(bone, constraint) for bone in owner.pose.bones for constraint in bone.constraints if marks.is_bereft(system, constraint)]
 
 
 def led_by(system, owner):
@@ -207,8 +214,7 @@ def _may_lead(system, mesh):
 def _driven_objects(system, owner):
     objects = {owner, *led_by(system, owner)}
     if any(hub_lookup.is_own_hub(hub, owner) for _, hub in hub_lookup.hubs(system, owner)):
-        objects.update(member.thing.id_data for group in groups_of(system, owner) for member in group.members
-                       if member.thing)
+        objects.update(member.thing.id_data for group in groups_of(system, owner) for member in group.members if member.thing)
     return objects
 
 

@@ -67,16 +67,24 @@ def is_stale(system, owner):
     hub = hub_lookup.hub_of(system, owner)
     if hub is None or not hub.data.animation_data or owner.type != 'MESH':
         return False
-    targets = [target for curve in hub.data.animation_data.drivers for variable in curve.driver.variables
-               for target in variable.targets if target.id_type == 'MESH']
+    targets = [
+        target
+        for curve in hub.data.animation_data.drivers
+        for variable in curve.driver.variables
+        for target in variable.targets
+        if target.id_type == 'MESH'
+    ]
     return any(target.id != owner.data for target in targets)
 
 
 def is_cut_off(system, owner):
     """Whether the modifier brings in what another hub holds: an override that has another node group loses what it was given (5.2)."""
     found = modifier(system, owner)
-    return found is not None and _form_of(system, found.node_group) is not None and (
-        node_groups.input_of(found, HUB) != hub_lookup.hub_of(system, owner))
+    return (
+        found is not None
+        and _form_of(system, found.node_group) is not None
+        and (node_groups.input_of(found, HUB) != hub_lookup.hub_of(system, owner))
+    )
 
 
 def room(system, carrier, inputs, context):
@@ -142,13 +150,23 @@ def _move_first(owner, found):
 
 def _form_of(system, group):
     """Which of its kind's forms a group is, by its inputs; None where somebody has removed one of them."""
-    return next((form for form in _kind(system).FORMS if node_groups.has_inputs(
-        group, {name for name, way, _ in _sockets(system, form) if way == 'INPUT'})), None)
+    return next(
+        (
+            form
+            for form in _kind(system).FORMS
+            if node_groups.has_inputs(group, {name for name, way, _ in _sockets(system, form) if way == 'INPUT'})
+        ),
+        None,
+    )
 
 
 def _sockets(system, form):
-    return (("Geometry", 'INPUT', "NodeSocketGeometry"), (HUB, 'INPUT', "NodeSocketObject"), *_kind(system).FORMS[form],
-            ("Geometry", 'OUTPUT', "NodeSocketGeometry"))
+    return (
+        ("Geometry", 'INPUT', "NodeSocketGeometry"),
+        (HUB, 'INPUT', "NodeSocketObject"),
+        *_kind(system).FORMS[form],
+        ("Geometry", 'OUTPUT', "NodeSocketGeometry"),
+    )
 
 
 def _node_group(system, form=None):

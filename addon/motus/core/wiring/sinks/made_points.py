@@ -30,7 +30,14 @@ RADIUS = "radius"
 
 _forms = {}
 """(system's name, (name, kind) of its attributes) -> an empty BMesh with them, of which meshes are made that have them."""
-_TYPES = {'FLOAT': 'FLOAT', 'INT': 'INT', 'VECTOR': 'FLOAT_VECTOR', 'COLOR': 'FLOAT_COLOR', 'QUATERNION': 'QUATERNION', 'EULER': 'FLOAT_VECTOR'}
+_TYPES = {
+    'FLOAT': 'FLOAT',
+    'INT': 'INT',
+    'VECTOR': 'FLOAT_VECTOR',
+    'COLOR': 'FLOAT_COLOR',
+    'QUATERNION': 'QUATERNION',
+    'EULER': 'FLOAT_VECTOR',
+}
 """Kind of an attribute -> its type. EULER: what quaternions are to Blenders without attributes of these."""
 
 
@@ -55,8 +62,7 @@ class Room:
         if self._made.shape == 'FACES':
             self._found |= _faces(self._carrier, int(edges), int(triangles))
         for name, kind in present:
-            self._found[name] = self._rotations(name, count) if kind == 'EULER' else attributes.memory(
-                self._carrier, name, _TYPES[kind])
+            self._found[name] = self._rotations(name, count) if kind == 'EULER' else attributes.memory(self._carrier, name, _TYPES[kind])
         return self._found
 
     def _positions(self, count):
@@ -76,7 +82,11 @@ class Room:
 
     def is_finite(self):
         """Whether where the points are, how large, and how they are turned may reach Blender."""
-        placing = (name for name, kind in (("position", 'VECTOR'), *self._made.attributes) if name == "position" or name == RADIUS or kind == 'QUATERNION')
+        placing = (
+            name
+            for name, kind in (("position", 'VECTOR'), *self._made.attributes)
+            if name == "position" or name == RADIUS or kind == 'QUATERNION'
+        )
         return self._found is None or all(finite.is_finite(self._found[name]) for name in placing if name in self._found)
 
     def write(self, weight):
@@ -106,8 +116,7 @@ def write_nothing(_system, carrier):
 def add_nodes(system, group, start, form):
     """The nodes of the modifier; returns the socket of what it makes, with the owner's own geometry."""
     made = system.makes_points
-    hub = node_groups.add_node(
-        group, "GeometryNodeObjectInfo", transform_space='RELATIVE' if made.space == 'WORLD' else 'ORIGINAL')
+    hub = node_groups.add_node(group, "GeometryNodeObjectInfo", transform_space='RELATIVE' if made.space == 'WORLD' else 'ORIGINAL')
     # As an instance it stands still in the world with all that its attributes say, whatever that is. A surface says nothing
     # but where it is, and modifiers behind, which do not look into instances, are to have it.
     hub.inputs["As Instance"].default_value = made.space == 'WORLD' and made.shape != 'FACES'
@@ -135,8 +144,7 @@ def _as_instances(made, group, start, mesh, form):
     group.links.new(start.outputs[form], info.inputs[form])
     node = node_groups.add_node(group, "GeometryNodeInstanceOnPoints")
     # Which of a collection's objects an instance is follows from the attribute "id", where nothing else is linked.
-    switches = (info.inputs["Separate Children"], info.inputs["Reset Children"]) if form == COLLECTION else (
-        info.inputs["As Instance"],)
+    switches = (info.inputs["Separate Children"], info.inputs["Reset Children"]) if form == COLLECTION else (info.inputs["As Instance"],)
     for switch in (*switches, node.inputs["Pick Instance"]):
         switch.default_value = True
     group.links.new(mesh, node.inputs["Points"])

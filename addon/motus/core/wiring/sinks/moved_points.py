@@ -57,10 +57,13 @@ def add_nodes(_system, group, start, _form):
     move = node_groups.add_node(group, "GeometryNodeSetPosition")
     offset = node_groups.named_attribute(group, ATTRIBUTE, 'FLOAT_VECTOR')
     for source, target in (
-            (start.outputs["Geometry"], move.inputs["Geometry"]), (start.outputs["Hub"], hub.inputs["Object"]),
-            (hub.outputs["Geometry"], sample.inputs["Geometry"]),
-            (offset, node_groups.enabled(sample.inputs, "Value")), (index.outputs["Index"], sample.inputs["Index"]),
-            (node_groups.enabled(sample.outputs), move.inputs["Offset"])):
+        (start.outputs["Geometry"], move.inputs["Geometry"]),
+        (start.outputs["Hub"], hub.inputs["Object"]),
+        (hub.outputs["Geometry"], sample.inputs["Geometry"]),
+        (offset, node_groups.enabled(sample.inputs, "Value")),
+        (index.outputs["Index"], sample.inputs["Index"]),
+        (node_groups.enabled(sample.outputs), move.inputs["Offset"]),
+    ):
         group.links.new(source, target)
     return move.outputs["Geometry"]
 

@@ -83,8 +83,9 @@ def check(obj, path, index=-1):
     if declared and not declared.is_animatable:
         raise Refused(tr("{path} is no number that can be driven").format(path=found.data_path))
     if found.driver:
-        raise Refused(tr("{path} of {object} has a driver already: remove it first").format(
-            object=found.id_data.name, path=found.data_path))
+        raise Refused(
+            tr("{path} of {object} has a driver already: remove it first").format(object=found.id_data.name, path=found.data_path)
+        )
     return found
 
 
@@ -194,8 +195,11 @@ def wake(system, owner, mesh):
     notes = list(_notes_of(mesh))
     for order, note in enumerate(notes):
         found = _found(mesh.get(_object_key(order), owner), note)
-        resting = [curve for curve in (found.id_data.animation_data.drivers if found and found.id_data.animation_data else ())
-                   if curve.data_path == _REST_PATH and _is_of(curve, owner, mesh) and _reads(system, curve, note)]
+        resting = [
+            curve
+            for curve in (found.id_data.animation_data.drivers if found and found.id_data.animation_data else ())
+            if curve.data_path == _REST_PATH and _is_of(curve, owner, mesh) and _reads(system, curve, note)
+        ]
         for curve in resting:
             if _hub_of(curve) != mesh:
                 curve.driver.variables[VARIABLE].targets[0].id = mesh

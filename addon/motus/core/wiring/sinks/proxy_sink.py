@@ -31,8 +31,7 @@ def add(system, settings, group, index, hub):
     proxy = helpers.make(f"{marks.name(system)} {thing.name}")
     proxy[marks.PROXY_KEY] = thing.id_data
     pose = outbox.pose_slot(group, index)
-    slots = {"location": ("location", pose), "rotation": ("rotation_euler", pose + 3),
-             "scale": ("scale", outbox.scale_slot(group, index))}
+    slots = {"location": ("location", pose), "rotation": ("rotation_euler", pose + 3), "scale": ("scale", outbox.scale_slot(group, index))}
     for channel in sorted(member.channels):
         path, first = slots[channel]
         for axis in range(3):

@@ -70,10 +70,10 @@ def _rest_slots(system, key, carrier):
     if property_sink.KEY not in carrier:  # whose properties would be 0
         # Where nobody knows what the slots are: in a file that is as it was saved, all are 0, but for scales, which are 1.
         box[box != 1] = 0
-    box[outbox.STATUS:outbox.FIRST_OUTPUT] = 0
+    box[outbox.STATUS : outbox.FIRST_OUTPUT] = 0
     layout = outbox.layout_of(system, carrier, key, len(box))
     if property_sink.KEY not in carrier:
-        box[outbox.FIRST_OUTPUT:layout.base] = 0
+        box[outbox.FIRST_OUTPUT : layout.base] = 0
     solving.do_nothing(box, layout)
 
 

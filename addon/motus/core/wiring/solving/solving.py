@@ -69,10 +69,16 @@ class Solver:
         self._settings = [one for one in system.inputs if isinstance(one, Setting)]
         self._inputs = _inputs(system)
         self._context = Context(
-            settings=settings, owner=owner, locations=self._poses.locations, rotations=self._poses.rotations,
-            scales=self._poses.scales, outputs=self._box[outbox.FIRST_OUTPUT:layout.base],
-            member_data=_member_data(system, carrier, owner, layout.members), group=key,
-            data={} if found.info is None else found.info.data)
+            settings=settings,
+            owner=owner,
+            locations=self._poses.locations,
+            rotations=self._poses.rotations,
+            scales=self._poses.scales,
+            outputs=self._box[outbox.FIRST_OUTPUT : layout.base],
+            member_data=_member_data(system, carrier, owner, layout.members),
+            group=key,
+            data={} if found.info is None else found.info.data,
+        )
 
     def is_current(self):
         """Whether the owner is still the same evaluated copy."""
@@ -123,7 +129,7 @@ class Solver:
             if context.wants_to_settle:
                 heal.ask_to_settle(system, owner)
         if self._outlet is not None:
-            self._outlet[:] = box[:len(self._outlet)]
+            self._outlet[:] = box[: len(self._outlet)]
         self._tell_healing(moves)
         return box[outbox.STATUS]
 
@@ -149,11 +155,16 @@ class Solver:
         context, layout = self._context, self._layout
         if layout.has_attribute:
             attribute_sink.write(
-                self._carrier, lambda: groups_of(self._system, self._owner)[0].members, context.locations, context.rotations,
-                context.scales if layout.has_scales else None, weight)
+                self._carrier,
+                lambda: groups_of(self._system, self._owner)[0].members,
+                context.locations,
+                context.rotations,
+                context.scales if layout.has_scales else None,
+                weight,
+            )
         elif weight > 0.0 or layout.is_relative:
             end = layout.base + outbox.POSE_SIZE * layout.members
-            poses = self._box[layout.base:end].reshape(layout.members, outbox.POSE_SIZE)
+            poses = self._box[layout.base : end].reshape(layout.members, outbox.POSE_SIZE)
             poses[:, :3] = context.locations
             poses[:, 3:] = native.module.euler_xyz(context.rotations)
             if layout.has_scales:
@@ -200,8 +211,13 @@ class RowsSolver:
         slots, here = self._table[index], slice(index, index + 1)
         if isinstance(row, sharing.Row):
             return Context(
-                settings=row.settings, owner=None, locations=self._poses.locations[here], rotations=self._poses.rotations[here],
-                outputs=slots[outbox.FIRST_OUTPUT:self._layout.base], member_data=row.member_data)
+                settings=row.settings,
+                owner=None,
+                locations=self._poses.locations[here],
+                rotations=self._poses.rotations[here],
+                outputs=slots[outbox.FIRST_OUTPUT : self._layout.base],
+                member_data=row.member_data,
+            )
         return None
 
     @staticmethod
@@ -230,8 +246,8 @@ class RowsSolver:
         if layout.has_attribute:
             attribute_sink.write(self._mesh, None, poses.locations, poses.rotations, None, 1.0)
         else:
-            table[:, layout.base:layout.base + 3] = poses.locations
-            table[:, layout.base + 3:] = native.module.euler_xyz(poses.rotations)
+            table[:, layout.base : layout.base + 3] = poses.locations
+            table[:, layout.base + 3 :] = native.module.euler_xyz(poses.rotations)
         return table[0, outbox.STATUS]
 
     def _solve_row(self, context, inputs, slots):
@@ -289,7 +305,7 @@ def do_nothing(box, layout):
     box[outbox.WEIGHT] = 0.0
     if layout.is_relative and not layout.has_attribute:
         end = layout.base + outbox.POSE_SIZE * layout.members
-        box[layout.base:end] = 0.0
+        box[layout.base : end] = 0.0
         box[end:] = 1.0
 
 
