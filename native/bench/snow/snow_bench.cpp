@@ -13,6 +13,7 @@
 
 #include "motus/noise/noise.hpp"
 #include "motus/snow/cover.hpp"
+#include "motus/snow/layer.hpp"
 #include "motus/snow/snow.hpp"
 #include "stopwatch.hpp"
 
@@ -142,6 +143,47 @@ void measure_landings(Settings settings) {
                 1e-6 * asked);
 }
 
+/// A layer of 263 169 vertices around a roof.
+void measure_layer() {
+    constexpr int cells = 512;
+    constexpr float cell = 20.0F / static_cast<float>(cells);
+    std::vector<glm::vec3> positions;
+    std::vector<glm::ivec3> triangles;
+    for (int row = 0; row <= cells; ++row) {
+        for (int column = 0; column <= cells; ++column) {
+            positions.emplace_back(cell * static_cast<float>(column) - 10.0F,
+                                   cell * static_cast<float>(row) - 10.0F, 0.0F);
+            if (row == cells || column == cells) continue;
+            const int corner = row * (cells + 1) + column;
+            triangles.emplace_back(corner, corner + 1, corner + cells + 2);
+            triangles.emplace_back(corner, corner + cells + 2, corner + cells + 1);
+        }
+    }
+    std::vector<glm::vec3> all = positions;
+    std::vector<glm::ivec3> sheltering = triangles;
+    const auto first = static_cast<int>(all.size());
+    for (const glm::vec2& corner : {glm::vec2(-5, -4), glm::vec2(4, -5), glm::vec2(5, 4), glm::vec2(-4, 5)})
+        all.emplace_back(corner, 1.0F);
+    sheltering.emplace_back(first, first + 1, first + 2);
+    sheltering.emplace_back(first, first + 2, first + 3);
+    const Collider shelter(all, sheltering);
+    const glm::dvec3 up(0.0, 0.0, 1.0);
+    const double made = bench::nanoseconds([&] { keep(Layer(positions, triangles, up, &shelter, 1.5)); }, 3);
+    std::printf("  %-34s %9zu vertices %6.2f ms\n", "a layer is made", positions.size(), 1e-6 * made);
+    const Layer layer(positions, triangles, up, &shelter, 1.5);
+    for (const float roughness : {0.0F, 0.2F, 4.0F}) {
+        std::vector<float> depths(positions.size());
+        for (std::size_t i = 0; i < depths.size(); ++i) {
+            const bool is_open = !shelter.below(glm::dvec3(positions[i]) + 1e-3 * up, up).has_value();
+            const double noise = noise::value(3.7 * static_cast<double>(i), 0);
+            depths[i] = is_open ? 0.1F * std::max(0.0F, 1.0F + roughness * static_cast<float>(noise)) : 0.0F;
+        }
+        const double shown = bench::nanoseconds([&] { keep(layer.at(depths, 0.004F, 1.2F)); });
+        std::printf("  %-25s %8.1f %9zu vertices %6.2f ms\n", "its mesh, of roughness",
+                    static_cast<double>(roughness), positions.size(), 1e-6 * shown);
+    }
+}
+
 }  // namespace
 
 int main() {
@@ -177,6 +219,7 @@ int main() {
     few.lifetime = 10.0;
     measure("steering and wind", few, 100.0);
     measure_landings(settings);
+    measure_layer();
     const double made = bench::nanoseconds([&] { keep(Snow(settings)); });
     std::printf("  %-34s %32.3f ms\n", "made anew", 1e-6 * made);
     return 0;

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <optional>
 #include <utility>
 
+#include "heaps.hpp"
 #include "holding.hpp"
 #include "motus/core/ieee_floats.hpp"
 #include "motus/core/numeric.hpp"
@@ -32,19 +32,6 @@ void check(std::span<const glm::vec3> positions, std::span<const glm::ivec3> tri
         for (int i = 0; i < 3; ++i)
             require(corners[i] >= 0 && static_cast<std::size_t>(corners[i]) < positions.size(),
                     "layer_triangles must hold indices of vertices");
-}
-
-/// Goes through edges, there and back in turn, until none of them changes anything: heaps are narrow where
-/// they are too steep, and a few rounds do.
-template <class Change>
-void there_and_back(std::size_t count, const Change& change) {
-    constexpr int most_rounds = 32;
-    bool has_changed = true;
-    for (int round = 0; round < most_rounds && has_changed; ++round) {
-        has_changed = false;
-        for (std::size_t i = 0; i < count; ++i)
-            if (change(round % 2 == 0 ? i : count - 1 - i, round)) has_changed = true;
-    }
 }
 
 }  // namespace
@@ -73,42 +60,55 @@ Layer::Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> t
         }
     });
 
-    struct Side {
-        std::uint64_t ends = 0;
-        std::uint32_t triangle = 0, side = 0;
-    };
-    std::vector<Side> all;
-    all.reserve(3 * triangles_.size());
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-        for (std::uint32_t side = 0; side < 3; ++side) {
-            const std::uint64_t a = vertex(triangles_[i], side), b = vertex(triangles_[i], side + 1);
-            all.push_back({(std::min(a, b) << 32U) | std::max(a, b), static_cast<std::uint32_t>(i), side});
-        }
-    }
-    std::ranges::sort(all, [](const Side& a, const Side& b) {
-        return a.ends != b.ends           ? a.ends < b.ends
-               : a.triangle != b.triangle ? a.triangle < b.triangle
-                                          : a.side < b.side;
-    });
-    sides_.resize(triangles_.size());
-    for (std::size_t first = 0; first < all.size();) {
-        std::size_t last = first;
-        for (; last < all.size() && all[last].ends == all[first].ends; ++last)
-            sides_[all[last].triangle][static_cast<int>(all[last].side)] = static_cast<int>(edges_.size());
-        edges_.emplace_back(static_cast<int>(all[first].ends >> 32U),
-                            static_cast<int>(static_cast<std::uint32_t>(all[first].ends)));
-        const auto end = [&](int i) {
-            return glm::dvec3(positions_[static_cast<std::size_t>(edges_.back()[i])]);
-        };
-        lengths_.push_back(static_cast<float>(length_of(end(1) - end(0))));
-        if (last == first + 1) loose_.push_back({all[first].triangle, all[first].side});
-        first = last;
-    }
+    find_edges();
     ends_.assign(edges_.size(), -1.0F);
     in_ieee_floats([&] {
         if (shelter != nullptr) find_ends(*shelter, unit_vector(up), hold);
-        measure();
+        heaps_ = std::make_shared<const Heaps>(Heaps::Net{positions_, triangles_, edges_, sides_, ends_});
     });
+}
+
+void Layer::find_edges() {
+    // Sides by their lower ends, and of each lower end by their upper ones.
+    struct Side {
+        std::uint32_t upper = 0, triangle = 0, side = 0;
+    };
+    const auto ends_of = [&](std::size_t triangle, std::uint32_t side) {
+        const auto a = static_cast<std::uint32_t>(vertex(triangles_[triangle], side));
+        const auto b = static_cast<std::uint32_t>(vertex(triangles_[triangle], side + 1));
+        return std::pair(std::min(a, b), std::max(a, b));
+    };
+    std::vector<std::uint32_t> starts(positions_.size() + 1);
+    for (std::size_t i = 0; i < triangles_.size(); ++i)
+        for (std::uint32_t side = 0; side < 3; ++side) ++starts[ends_of(i, side).first + 1];
+    for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
+    std::vector<Side> all(3 * triangles_.size());
+    std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        for (std::uint32_t side = 0; side < 3; ++side) {
+            const auto [lower, upper] = ends_of(i, side);
+            all[next[lower]++] = {upper, static_cast<std::uint32_t>(i), side};
+        }
+    }
+    sides_.resize(triangles_.size());
+    edges_.reserve(positions_.size() + triangles_.size());
+    for (std::size_t lower = 0; lower < positions_.size(); ++lower) {
+        const auto around = std::span(all).subspan(starts[lower], starts[lower + 1] - starts[lower]);
+        std::ranges::sort(around, [](const Side& a, const Side& b) {
+            return a.upper != b.upper         ? a.upper < b.upper
+                   : a.triangle != b.triangle ? a.triangle < b.triangle
+                                              : a.side < b.side;
+        });
+        for (std::size_t first = 0; first < around.size();) {
+            std::size_t last = first;
+            for (; last < around.size() && around[last].upper == around[first].upper; ++last)
+                sides_[around[last].triangle][static_cast<int>(around[last].side)] =
+                    static_cast<int>(edges_.size());
+            edges_.emplace_back(static_cast<int>(lower), static_cast<int>(around[first].upper));
+            if (last == first + 1) loose_.push_back({around[first].triangle, around[first].side});
+            first = last;
+        }
+    }
 }
 
 void Layer::find_ends(const Collider& shelter, const glm::dvec3& up, double hold) {
@@ -121,38 +121,6 @@ void Layer::find_ends(const Collider& shelter, const glm::dvec3& up, double hold
             ends_[i] = end_on_edge(holding, positions_, shelter, up, from, to).value_or(-1.0F);
         }
     });
-}
-
-/// How much snow lies on each vertex for each metre of depth, and which edges it has.
-void Layer::measure() {
-    std::vector<double> areas(positions_.size());
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-        const auto place = [&](std::size_t corner) {
-            return glm::dvec3(positions_[vertex(triangles_[i], corner)]);
-        };
-        const double third = length_of(glm::cross(place(1) - place(0), place(2) - place(0))) / 6.0;
-        std::array<std::optional<float>, 3> ends;
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const auto side = static_cast<std::size_t>(sides_[i][static_cast<int>(corner)]);
-            if (ends_[side] < 0.0F) continue;
-            const bool is_along = static_cast<std::size_t>(edges_[side].x) == vertex(triangles_[i], corner);
-            ends.at(corner) = is_along ? ends_[side] : 1.0F - ends_[side];
-        }
-        const std::array<double, 3> parts = shown_parts(ends);
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            areas[vertex(triangles_[i], corner)] += parts.at(corner) * third;
-    }
-    areas_.assign(areas.begin(), areas.end());
-
-    spoke_starts_.assign(positions_.size() + 1, 0);
-    for (const glm::ivec2& edge : edges_)
-        for (int end = 0; end < 2; ++end) ++spoke_starts_[static_cast<std::size_t>(edge[end]) + 1];
-    for (std::size_t i = 1; i < spoke_starts_.size(); ++i) spoke_starts_[i] += spoke_starts_[i - 1];
-    spokes_.resize(spoke_starts_.back());
-    std::vector<std::uint32_t> next(spoke_starts_.begin(), spoke_starts_.end() - 1);
-    for (std::size_t i = 0; i < edges_.size(); ++i)
-        for (int end = 0; end < 2; ++end)
-            spokes_[next[static_cast<std::size_t>(edges_[i][end])]++] = static_cast<std::uint32_t>(i);
 }
 
 /// Collects the triangles that are shown, with their vertices and edges numbered anew.
@@ -329,89 +297,6 @@ class Layer::Builder {
     Mesh mesh_;
 };
 
-bool Layer::is_too_steep(std::size_t edge, std::span<const float> depths, float steepest) const {
-    const float a = depths[static_cast<std::size_t>(edges_[edge].x)];
-    const float b = depths[static_cast<std::size_t>(edges_[edge].y)];
-    return std::abs(a - b) > steepest * lengths_[edge];
-}
-
-/// Hands on to lower vertices what is too high, over edges on which snow does not end: volumes stay.
-class Layer::Spreading {
-  public:
-    Spreading(const Layer& layer, std::vector<float>& depths, float steepest)
-        : layer_(layer), depths_(depths), steepest_(steepest) {}
-
-    void run() {
-        // Beside the line at which snow ends more rounds gain nothing.
-        constexpr int rounds_at_ends = 6;
-        there_and_back(layer_.edges_.size(), [&](std::size_t edge, int round) {
-            if (layer_.ends_[edge] >= 0.0F && round >= rounds_at_ends) return false;
-            return layer_.is_too_steep(edge, depths_, steepest_) && lower(edge);
-        });
-    }
-
-  private:
-    /// A little less steep than may be, so that there is an end to it.
-    static constexpr float slack = 0.02F;
-
-    /// Whether anything was handed on.
-    [[nodiscard]] bool lower(std::size_t edge) {
-        const auto x = static_cast<std::size_t>(layer_.edges_[edge].x);
-        const auto y = static_cast<std::size_t>(layer_.edges_[edge].y);
-        const std::size_t high = depths_[x] > depths_[y] ? x : y, low = high == x ? y : x;
-        const float most = steepest_ * layer_.lengths_[edge], aim = (1.0F - slack) * most;
-        if (layer_.ends_[edge] < 0.0F) {
-            return hand_on(high, low, aim, std::numeric_limits<float>::infinity());
-        }
-        // Nothing goes over the line at which snow ends, so it goes to what is lower on this side.
-        const float goal = depths_[low] + aim;
-        bool has_changed = false;
-        for (std::size_t i = layer_.spoke_starts_[high]; i < layer_.spoke_starts_[high + 1]; ++i) {
-            const std::size_t spoke = layer_.spokes_[i];
-            if (layer_.ends_[spoke] >= 0.0F) continue;
-            const glm::ivec2& ends = layer_.edges_[spoke];
-            const auto other =
-                static_cast<std::size_t>(static_cast<std::size_t>(ends.x) == high ? ends.y : ends.x);
-            if (depths_[high] > goal && depths_[high] - depths_[other] > slack * most)
-                has_changed |= hand_on(high, other, 0.0F, depths_[high] - goal);
-        }
-        return has_changed;
-    }
-
-    /// Until the higher one of two vertices is `above` the lower one, or has become lower by `most`.
-    [[nodiscard]] bool hand_on(std::size_t high, std::size_t low, float above, float most) {
-        const double here = static_cast<double>(layer_.areas_[high]);
-        const double there = static_cast<double>(layer_.areas_[low]);
-        if (!(here > 0.0) || !(there > 0.0)) return false;
-        const double top = static_cast<double>(depths_[high]), bottom = static_cast<double>(depths_[low]);
-        const double over = top - bottom - static_cast<double>(above);
-        const double change = std::min(static_cast<double>(most), there / (here + there) * over);
-        depths_[high] = static_cast<float>(top - change);
-        depths_[low] = static_cast<float>(bottom + here / there * change);
-        return true;
-    }
-
-    const Layer& layer_;
-    std::vector<float>& depths_;
-    float steepest_;
-};
-
-void Layer::fall_off(std::vector<float>& depths, float steepest) const {
-    Spreading(*this, depths, steepest).run();
-    there_and_back(edges_.size(), [&](std::size_t edge, int) {
-        float& a = depths[static_cast<std::size_t>(edges_[edge].x)];
-        float& b = depths[static_cast<std::size_t>(edges_[edge].y)];
-        const float most = steepest * lengths_[edge];
-        if (a > b + most)
-            a = b + most;
-        else if (b > a + most)
-            b = a + most;
-        else
-            return false;
-        return true;
-    });
-}
-
 Layer::Mesh Layer::at(std::span<const float> depths, float thinnest, float steepest) const {
     require(depths.size() == positions_.size(), "depths must be as many as the vertices");
     require(std::ranges::all_of(depths, [](float depth) { return std::isfinite(depth); }),
@@ -420,7 +305,7 @@ Layer::Mesh Layer::at(std::span<const float> depths, float thinnest, float steep
     require(steepest > 0.0F, "steepest must be greater than 0");
     return in_ieee_floats([&] {
         std::vector<float> fallen(depths.begin(), depths.end());
-        fall_off(fallen, steepest);
+        heaps_->settle(fallen, steepest);
         return Builder(*this, fallen, thinnest).build();
     });
 }

@@ -1,5 +1,6 @@
 #include "motus/snow/layer.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstddef>
@@ -154,6 +155,57 @@ TEST_CASE("what is too high for a heap lies beside it", "[snow]") {
         return sum;
     };
     CHECK(volume(1.5F) == Approx(volume(any_slope)).epsilon(1e-3));
+}
+
+TEST_CASE("snow rises evenly along a slanting shadow", "[snow]") {
+    // Many cells, and less than one, from the line to the whole depth on a slope that snow holds.
+    for (const float depth : {0.05F, 0.4F}) {
+        for (const float angle : {0.2F, 0.3F, 1.1F}) {
+            Points positions, ground;
+            Triangles triangles, sheet;
+            constexpr int cells = 40;
+            add_sheet(2.0F, 0.0F, 0.0F, cells, positions, triangles);
+            ground = positions;
+            sheet = triangles;
+            const glm::vec3 along(-std::sin(angle), std::cos(angle), 0.0F);
+            const glm::vec3 across(std::cos(angle), std::sin(angle), 0.0F);
+            const int first = static_cast<int>(positions.size());
+            for (const glm::vec2& corner :
+                 {glm::vec2(0, -9), glm::vec2(9, -9), glm::vec2(9, 9), glm::vec2(0, 9)})
+                positions.push_back(corner.x * across + corner.y * along + glm::vec3(0.0F, 0.0F, 1.0F));
+            triangles.emplace_back(first, first + 1, first + 2);
+            triangles.emplace_back(first, first + 2, first + 3);
+            const Collider shelter(positions, triangles);
+            const Layer layer(ground, sheet, up, &shelter, 1.5);
+            std::vector<float> depths(ground.size());
+            for (std::size_t i = 0; i < depths.size(); ++i)
+                depths[i] = glm::dot(ground[i], across) < 0.0F ? depth : 0.0F;
+            const Layer::Mesh mesh = layer.at(depths, 0.0F, 1.2F);
+            CAPTURE(depth, angle);
+            // Half of the sheet, of which little is left out.
+            const double whole = 8.0 * static_cast<double>(depth);
+            CHECK(volume(mesh) < whole);
+            CHECK(volume(mesh) > 0.94 * whole);
+            // In strips beside the line, and along it, in the middle of the sheet.
+            constexpr float strip = 0.02F;
+            std::map<int, std::pair<float, float>> between;
+            for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+                const glm::vec3& at = mesh.positions[i];
+                const float off = -glm::dot(at, across);
+                CHECK(at.z < 1.25F * depth);
+                CHECK(off > -0.01F);
+                if (std::abs(glm::dot(at, along)) > 1.0F || off > 1.2F) continue;
+                const auto [found, is_new] = between.try_emplace(static_cast<int>(off / strip), at.z, at.z);
+                found->second.first = std::min(found->second.first, at.z);
+                found->second.second = std::max(found->second.second, at.z);
+            }
+            CHECK(between.size() > 30);
+            for (const auto& [index, ends] : between) {
+                CAPTURE(index, ends.first, ends.second);
+                CHECK(ends.second - ends.first < 1.2F * strip + 0.12F * depth);
+            }
+        }
+    }
 }
 
 TEST_CASE("a layer of strange triangles", "[snow]") {

@@ -5,12 +5,15 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "motus/snow/collider.hpp"
 
 namespace motus::snow {
+
+class Heaps;  ///< how what lies too high falls off; private to the library
 
 /// What lies on triangles, in their space. Immutable, so that several threads may ask at once.
 ///
@@ -40,10 +43,11 @@ class Layer {
 
     /// `depths`, m: how deep the snow is on each vertex, across the surface. From one vertex to the next its
     /// depth differs by no more than the fraction `steepest`, > 0, of the way between them: what would be
-    /// higher lies on what is lower beside it, so that the volume stays; it is gone where nothing beside
-    /// the line at which snow ends is lower, and of heaps so wide that it would go on for too long. Snow that
-    /// is not deeper than `thinnest`, >= 0, m, is hidden. Throws std::invalid_argument where there is not a
-    /// finite depth for each vertex, or another number is outside its domain.
+    /// higher lies on what is lower beside it, so that the volume stays, but for heaps so wide that it would
+    /// go on for too long. From the line at which snow ends it rises in a slope that is rounded above, some
+    /// edges wide: what is too much there lies farther from the line, and is gone where that is too far. Snow
+    /// that is not deeper than `thinnest`, >= 0, m, is hidden. Throws std::invalid_argument where there is
+    /// not a finite depth for each vertex, or another number is outside its domain.
     [[nodiscard]] Mesh at(std::span<const float> depths, float thinnest, float steepest) const;
 
   private:
@@ -52,22 +56,17 @@ class Layer {
         std::uint32_t side = 0;
     };
     class Builder;
-    class Spreading;
+    void find_edges();
     void find_ends(const Collider& shelter, const glm::dvec3& up, double hold);
-    void measure();
-    [[nodiscard]] bool is_too_steep(std::size_t edge, std::span<const float> depths, float steepest) const;
-    void fall_off(std::vector<float>& depths, float steepest) const;
 
     std::vector<glm::vec3> positions_, normals_;  ///< unit, upwards; zero where there is none
     std::vector<std::uint8_t> is_upright_;        ///< whether the triangles' own normals point upwards there
     std::vector<glm::ivec3> triangles_;
     std::vector<glm::ivec2> edges_;
-    std::vector<float> lengths_;  ///< of the edges
-    std::vector<float> ends_;     ///< fractions of the edges at which snow ends, or none: a negative number
-    std::vector<float> areas_;    ///< m^2, of the snow on each vertex, as Cover::areas()
+    std::vector<float> ends_;  ///< fractions of the edges at which snow ends, or none: a negative number
     std::vector<glm::ivec3> sides_;
-    std::vector<std::uint32_t> spoke_starts_, spokes_;  ///< edges that each vertex has
-    std::vector<Loose> loose_;                          ///< sides that no other triangle has
+    std::vector<Loose> loose_;  ///< sides that no other triangle has
+    std::shared_ptr<const Heaps> heaps_;
 };
 
 }  // namespace motus::snow
