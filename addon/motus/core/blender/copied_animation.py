@@ -1,5 +1,11 @@
 """Copy F-curves and drivers of a number to another number, also of another datablock."""
 
+from __future__ import annotations
+
+from typing import Any
+
+import bpy
+
 from . import actions
 
 _KEY_FIELDS = (
@@ -17,7 +23,7 @@ _KEY_FIELDS = (
 )
 
 
-def copy_all(id_data, path, holder, name):
+def copy_all(id_data: Any, path: str, holder: Any, name: str) -> None:
     """Copy the keys and the driver of the property `path` of a datablock to a number of a datablock's item."""
     animation = id_data.animation_data
     for curve in [curve for curve in actions.fcurves(id_data) if curve.data_path == path]:
@@ -26,10 +32,10 @@ def copy_all(id_data, path, holder, name):
         copy_driver(curve, holder, name)
 
 
-def copy_curve(source, holder, name):
+def copy_curve(source: Any, holder: Any, name: str) -> bpy.types.FCurve:
     """Copy keys and modifiers of the F-curve `source` to a number of a datablock's item; returns the new F-curve."""
     holder.keyframe_insert(name, frame=source.keyframe_points[0].co.x if source.keyframe_points else 0.0)
-    target = actions.find(holder.id_data, f"{holder.path_from_id()}.{name}")
+    target: Any = actions.find(holder.id_data, f"{holder.path_from_id()}.{name}")
     for point in reversed(target.keyframe_points):
         target.keyframe_points.remove(point)
     target.keyframe_points.add(len(source.keyframe_points))
@@ -43,14 +49,14 @@ def copy_curve(source, holder, name):
     return target
 
 
-def copy_driver(source, holder, name):
+def copy_driver(source: Any, holder: Any, name: str) -> None:
     """Copy the driver `source` to a property of a datablock's item."""
     animation = holder.id_data.animation_data or holder.id_data.animation_data_create()
     made = animation.drivers.from_existing(src_driver=source)
     made.data_path = f"{holder.path_from_id()}.{name}"
 
 
-def _copy_settings(source, target):
+def _copy_settings(source: Any, target: Any) -> None:
     for prop in source.bl_rna.properties:
         if not prop.is_readonly and prop.identifier != "rna_type":
             setattr(target, prop.identifier, getattr(source, prop.identifier))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from ..file.pointers import pointed
@@ -49,7 +49,7 @@ def leader_of(system: System, obj: Any) -> Any:
     return pointed(of_owner(system, obj), "leader") if has_settings(system, obj) else None
 
 
-def wired_on(thing):
+def wired_on(thing: Any) -> Iterator[tuple[Any, list[System]]]:
     """Yields (owner, systems): an object with the systems that are wired on it, then the owners that drive it, each with one system."""
     yield thing, [one for one in systems() if is_owner(one, thing)]
     for one in systems():
