@@ -75,7 +75,7 @@ def seconds_shown(found):
 
 
 def _scaled(found, settling):
-    """The same filter, faster or slower, so that it settles in time. Raises ValueError for no time."""
+    """The filter with a frequency such that it settles within `settling` seconds. Raises ValueError if `settling` is not above 0."""
     if not settling > 0.0:
         raise ValueError("settling")
     return found[0] * second_order(found).settling_time() / settling, *found[1:]

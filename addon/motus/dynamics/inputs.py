@@ -40,7 +40,7 @@ PARENT = None
 
 
 class _Input:
-    """of(): tracks it is made from. extent: of all of them together. Built anew for each use.
+    """What an entry follows, read from tracks. Built anew for each use.
 
     carriers: names whose world tracks count for it, and change though neither the owner nor its keys are edited.
     """
@@ -82,7 +82,7 @@ class _Input:
 
     @property
     def extent(self):
-        """As Track.extent."""
+        """First and last frame between which any of the input's tracks changes; None if none does."""
         return extent_of(self.tracks)
 
     def times(self, reach):
@@ -96,7 +96,7 @@ def has_loop(entry):
 
 
 def extent_of(found):
-    """As Track.extent, of several tracks."""
+    """First and last frame between which any of several tracks changes; None if none does."""
     return keys.united(track.extent for track in found)
 
 
@@ -117,7 +117,7 @@ def _span_of(entry, found, scene, reach):
 
 
 def price_of(source):
-    """What a piece of an input costs; see core/measures/bounds.py."""
+    """Price of sampling one piece of an input (see core/measures/bounds.py)."""
     return sampling.RATE * sampling.PIECE * sum(track.price for track in source.tracks)
 
 
@@ -173,13 +173,13 @@ def _mirrored(scales):
 
 
 class WorldInput(_Input):
-    """Where an object is carried in the world: its own transform, and that of what it hangs on."""
+    """An object's motion in the world: its own transform on top of its parent's."""
 
     carriers = (PARENT,)
 
     @functools.cached_property
     def listed(self):
-        """As OwnInput.listed."""
+        """(track, keywords of motus.track_record) of the tracks that the input is made from."""
         obj, parent = self._thing, transforms.parent_of(self._thing)
         names = {"datablock": obj.parent.name, "transform": 'WORLD'}
         if parent != obj.parent:
@@ -191,7 +191,7 @@ class WorldInput(_Input):
         return transforms.of_parent(self._thing)
 
     def samples(self, frames):
-        """As OwnInput.samples, in world space but for the scales."""
+        """The Samples at frames: locations and rotations in world space, scales as they are keyed."""
         own, carried = (track.values(frames) for track in self.tracks)
         space = rotations.chained(carried, transforms.parent_offset(self._thing))
         found = rotations.chained(space, own.matrices)
@@ -210,7 +210,7 @@ class ValueInput(_Input):
 
     @functools.cached_property
     def listed(self):
-        """As OwnInput.listed; a property cannot be recorded while it is driven."""
+        """The tracks of the property's numbers; without keywords, since a property cannot be recorded while it is driven."""
         places = numbers_of(self._thing, self._entry)
         return [
             (tracks.property_track(place.id_data, place.data_path, place.number.index, is_beneath_driver=True), None) for place in places
@@ -243,7 +243,7 @@ def indices_of(owner, path, index, most=MOST_NUMBERS):
 
 
 class TailInput(_Input):
-    """Where the tails of bones are carried in the world, by the animation of their rig and what that hangs on.
+    """The motion of bones' tails in the world, by the animation of their rig and of the rig's parents.
 
     Of the bones that hang on each other all are given together. Bones above them may be moved by other systems.
     """
@@ -257,7 +257,7 @@ class TailInput(_Input):
 
     @functools.cached_property
     def listed(self):
-        """As OwnInput.listed."""
+        """(track, keywords of motus.track_record) of the tracks that the input is made from."""
         rig, scene = self._rig, self._scene
         found = {"": (tracks.world_track(rig, scene), {"datablock": rig.name, "transform": 'WORLD'})}
         names = {bone.name for bone in self._thing}
@@ -277,7 +277,7 @@ class TailInput(_Input):
 
     @property
     def carriers(self):
-        """As of every input: the bones above all that follow which constraints turn, and the rig."""
+        """Names of the bones that constraints turn above the ones that follow, and "" for the rig: their world tracks count for the input."""
         rig = self._rig
         bases = {keywords["bone"]: track for track, keywords in self.listed if keywords["transform"] == 'WORLD' and "bone" in keywords}
         found = [name for name in bases if _is_turned(rig.pose.bones[name])]
@@ -301,7 +301,7 @@ class TailInput(_Input):
         return tails
 
     def _pose(self, bone, frames, inverse, poses):
-        """Its poses in the rig's space (n, 4, 4)."""
+        """The bone's matrices (n, 4, 4) in the rig's space."""
         way = []
         while bone is not None and bone.name not in poses:
             way.append(bone)
@@ -327,7 +327,7 @@ def _is_turned(bone):
 
 
 def _inverse(matrices):
-    """Of affine matrices (n, 4, 4), by sums that are the same wherever the arrays lie; those without one give zeros."""
+    """Inverses of affine matrices (n, 4, 4); zeros for a singular one. Summed by hand, so that the bits do not depend on how the arrays are aligned."""
     x, y, z = (matrices[:, :3, column] for column in range(3))
     rows = [_cross(y, z), _cross(z, x), _cross(x, y)]
     volume = (x * rows[0]).sum(axis=1)

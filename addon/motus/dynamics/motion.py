@@ -70,13 +70,13 @@ class Values(NamedTuple):
 
 
 def moved(track, seconds, delay):
-    """What a native Track that follows later by a delay differs by from its input at a time, or at times (n,)."""
+    """Offset of a native Track, which follows its input with a delay, from that input, at one time or at times (n,)."""
     found = track.offsets(seconds)
     return found + (track.evaluate(seconds - delay) - track.evaluate(seconds)) if delay else found
 
 
 def _turned(track, seconds, delay):
-    """The same of a RotationTrack: turns in the input's own frame."""
+    """Offset of a RotationTrack, which follows its input with a delay, from that input, as rotations in the input's own frame."""
     found = track.offsets(seconds)
     if not delay:
         return found
@@ -145,7 +145,7 @@ def values_of(source, entry, outputs, place, scene, reach):
 
 
 def _closed(turns):
-    """The same rotations (n, 4), the last one the first again."""
+    """Rotations (n, 4) with the last one replaced by the first, so that they close a loop. Raises OpenLoop if the two differ."""
     if abs((turns[0] * turns[-1]).sum()) < 1.0 - 0.5 * CLOSED:
         raise OpenLoop
     turns = turns.copy()

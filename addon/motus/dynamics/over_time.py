@@ -29,7 +29,7 @@ def over_time(owner, thing, scene):
 
 
 class _OverTime:
-    """What follows; see core/tracks/solved.py. Original or evaluated."""
+    """The motion of an object or bone with dynamics, as core/tracks/solved.py asks for it. The owner is original or evaluated."""
 
     def __init__(self, owner, index, scene):
         self._owner, self._index, self._scene = owner, index, scene
@@ -43,20 +43,20 @@ class _OverTime:
 
     @property
     def reason(self):
-        """As Channel.reason."""
+        """The Reason for which the motion is not known at other frames; None if it is known."""
         if not all(channel.is_constant for channel in self._channels()):
             return Reason(Reason.INFLUENCE, thing=self._owner.name, name=self._owner.name)
         source = self._input
         return source.reason or next((track.reason for track in source.tracks if not track.is_known), None)
 
     def bounds(self, first, last):
-        """As Channel.bounds(): at each frame."""
+        """Rising frames from first to last between which the motion is smooth: every whole frame, and where its inputs bend."""
         found = [track.bounds(first, last) for track in self._input.tracks]
         return inputs.keys.union([[first, *inputs.keys.whole(first, last), last], *found])
 
     @property
     def extent(self):
-        """As Channel.extent: it swings on for ever."""
+        """First and last frame between which the motion changes: without end if anything moves, since it swings on for ever; None if nothing moves."""
         found = self._input.extent
         return None if found is None else (-np.inf, np.inf)
 
@@ -121,7 +121,7 @@ class OverTime(_OverTime):
 
     @property
     def stamp(self):
-        """As Channel.stamp, of what no parent brings: whoever asks for the object asks for its parents too."""
+        """Changes whenever the motion may; parents are left out, since whoever asks for the object asks for its parents too."""
         entry = self._entry
         settings = (getattr(entry, name) for name in KEYWORDS)
         return together(
@@ -144,7 +144,7 @@ class _OwnBone(_OverTime):
 
     @property
     def reason(self):
-        """As Channel.reason."""
+        """The Reason for which the motion is not known at other frames; None if it is known."""
         return kept(self._owner, ("dynamics", self._index), lambda: super(_OwnBone, self).reason)
 
     def applied(self, times, transforms):
@@ -161,12 +161,12 @@ class _OwnBone(_OverTime):
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Changes whenever the motion may."""
         return together((*self._time, self._index, stamp_of(self._owner), *(track.stamp for track in self._input.tracks)))
 
 
 class _Tail(_OverTime):
-    """A bone whose tail follows, of those that are turned together."""
+    """A bone whose tail follows, one of the bones that are solved together."""
 
     def __init__(self, owner, index, unit, bone, scene):
         super().__init__(owner, index, scene)
@@ -179,7 +179,7 @@ class _Tail(_OverTime):
 
     @property
     def reason(self):
-        """As Channel.reason."""
+        """The Reason for which the motion is not known at other frames; None if it is known."""
         # Bones between those that follow count by their own transforms.
         held = next(filter(None, map(inputs.transforms.constrained, self._between)), None)
         return held or super().reason or self._rig.reason
@@ -224,7 +224,7 @@ class _Tail(_OverTime):
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Changes whenever the motion may."""
         above = [track.stamp for track, keywords in self._input.listed if keywords["transform"] == 'WORLD']
         return together((*self._time, self._row, self._rig.stamp, *above))
 

@@ -42,7 +42,7 @@ def _seen(name, description, key, **options):
 
 
 class DynamicsKeywords:
-    """What both the entries and the operator have: the names are the keywords of scripts."""
+    """Mixin of an entry's settings and of the operator, which share these properties; scripts use the names as keywords."""
 
     follow: bpy.props.EnumProperty(
         name="Follow",

@@ -70,7 +70,7 @@ def times(tracks, span, scene):
 
 
 def between(tracks, start, end, scene):
-    """The same from one frame to another."""
+    """Rising frames from `start` to `end`: where the tracks bend, and at least RATE a second between."""
     fps = scene_time.fps(scene)
     bounds = union([track.bounds(start, end) for track in tracks] or [[start, end]])
     length = min(1.0 / RATE, PIECE / RATE) * fps * max(1.0, (end - start) / (PIECE * fps))

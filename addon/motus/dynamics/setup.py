@@ -37,7 +37,7 @@ def find(settings, name):
 
 
 def followed(entry):
-    """Whose entry it is, as find() and add() have it."""
+    """Key of what an entry lets follow: (data path, index) of a property, the name of a bone, or "" for the object."""
     return (entry.data_path, entry.index) if entry.data_path else entry.name
 
 

@@ -49,11 +49,11 @@ PROBLEMS = (
 )
 
 _FORM = {"fingerprint": int, "units": [(str, [str])], "properties?": [(str, lambda index: type(index) is int, int)]}
-"""Of what groups.py notes."""
+"""Form of the text that groups.py notes of a group."""
 
 
 class Made(NamedTuple):
-    """What was made of inputs, for frames of a sampling.Reach. stamp: of them, which says what is Asked as well.
+    """Motions that were made of inputs, for the frames of a sampling.Reach. stamp: changes with the inputs, those that `asked` names included.
 
     parts: motion.Part of members. tails: [motion.Tails], each with its bones' native plan. values: [motion.Values].
     weights: of all entries where nothing animates them.
@@ -71,7 +71,7 @@ class Made(NamedTuple):
 
 
 class Plan:
-    """Which bones of a rig follow by their tails, between two changes of the rig. members: rows of the group's."""
+    """Bones of a rig that follow by their tails; made anew when the rig changes. members: rows of the group's members."""
 
     def __init__(self, rig, rows, members):
         self.still = rigs.still(rig, tuple(rows))
@@ -141,7 +141,7 @@ def _made(context):
 
 
 class Asked(NamedTuple):
-    """What has stamps that tell changes beyond those of the owner itself.
+    """Things beside the owner whose changes make motions anew.
 
     Names of what carries the owner, as those of inputs; paths of properties; names of bones that other systems lay poses over.
     """
@@ -165,7 +165,7 @@ def _stamp(owner, copy, scene, asked):
 
 
 def _stamp_of_carrier(owner, name, scene):
-    """The same of what carries an owner."""
+    """Changes whenever the motion of a carrier (a parent, a bone or the rig) may."""
     if name is inputs.PARENT:
         reason = transforms.of_parent(owner)
         return reason.kind if reason else _stamp_of_known(inputs.carrier(owner, scene))
@@ -305,7 +305,7 @@ def _are_constrained(thing):
 
 
 def _weights(settings):
-    """Of all entries."""
+    """Weights of all entries; 0 for a muted one."""
     count = len(settings.entries)
     weights, muted = np.empty(count, np.float32), np.empty(count, bool)
     settings.entries.foreach_get("weight", weights)

@@ -17,7 +17,7 @@ class Chain(NamedTuple):
 
     @property
     def driven(self):
-        """The chain's bones, and the effector where that is not one of them."""
+        """The bones that the solver turns: the chain's, and the effector if it is not one of these."""
         return self.bones if self.use_tail else (*self.bones, self.effector)
 
 
@@ -27,7 +27,7 @@ def find(rig, entry):
 
 
 def find_longest(rig, index, animated):
-    """That of the entry at `index`, with all bones that the length's keys or driver may give it: what is wired.
+    """The chain of the entry at `index` with as many bones as keys or a driver of its length may ever give it, which is what is wired.
 
     animated: animated_paths() of chain_length.
     """

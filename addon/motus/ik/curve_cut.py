@@ -74,7 +74,7 @@ def _free(point):
 
 
 def _key_every_frame(curve, start, end):
-    """Key the frames of a segment that eases: no part of it is a segment of its kind."""
+    """Replace an eased segment by one linear key per frame: no shorter segment can have the same easing."""
     frames = [start, *range(math.floor(start + SAME_FRAME) + 1, math.ceil(end - SAME_FRAME))]
     for frame, value in [(frame, curve.evaluate(frame)) for frame in frames]:
         curve.keyframe_points.insert(frame, value, options={'FAST'}).interpolation = 'LINEAR'

@@ -74,7 +74,7 @@ class Channels:
 
 
 def _without_deltas(obj, location, rotation, scale):
-    """What an object's channels hold, below its delta transform."""
+    """The matrix of an object's own channels, without its delta transform."""
     if obj.rotation_mode == 'QUATERNION':
         rotation = obj.delta_rotation_quaternion.normalized().inverted() @ rotation
     elif obj.rotation_mode != 'AXIS_ANGLE':
@@ -150,7 +150,7 @@ class KeyWriter:
                 owner.animation_data_clear()
 
     def _remember(self, owner):
-        """Before an object is keyed: what it plays, and if that is linked, a copy of it from now on."""
+        """Note the action of an object before it is keyed, and give the object a copy if the action is linked."""
         if owner in self._before:
             return
         animation = owner.animation_data

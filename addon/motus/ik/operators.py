@@ -21,13 +21,13 @@ MADE_WIDTH = 320
 
 
 class OfARig(operators.OfARig):
-    """What all these operators have."""
+    """Mixin of operators on a rig that has chains."""
 
     rig_with = staticmethod(targets.rig_with_ik)
 
 
 class OfABone(OfARig):
-    """And the last bone of a chain, for operators that change it."""
+    """Mixin of operators on one chain of a rig, which its last bone names."""
 
     bone: bpy.props.StringProperty(
         name="Bone", description="Name of the last bone of the chain; empty takes the active one", options={'SKIP_SAVE'}

@@ -1,4 +1,4 @@
-"""Where the bones of a chain are at any times, for systems that need their past: the solver is asked for each time."""
+"""Poses of a chain's bones at any times, for systems that need their past: the solver runs once for each time."""
 
 from typing import Any
 
@@ -46,7 +46,7 @@ class OverTime(SolvedBone):
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Changes whenever the motion may."""
         return together((self._bone, self._chain.stamp))
 
     def applied(self, times, transforms):
@@ -59,7 +59,7 @@ class OverTime(SolvedBone):
 
 
 class _Chain:
-    """What is solved of an entry: all its bones at once."""
+    """One entry at given times: all bones of its chain are solved at once."""
 
     def __init__(self, owner, found, index, scene):
         self._owner, self._found, self._index = owner, found, index
@@ -81,7 +81,7 @@ class _Chain:
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Changes whenever the motion may."""
         return together((tuple(goal is not None for goal in self._goals), self.inputs.stamp))
 
     def solved(self, times):

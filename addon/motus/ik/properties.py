@@ -52,7 +52,7 @@ def _bone(description):
 
 
 class IkKeywords:
-    """What both the entries and the operator have: the names are the keywords of scripts."""
+    """Mixin of an entry's settings and of the operator, which share these properties; scripts use the names as keywords."""
 
     chain_length: bpy.props.IntProperty(
         name="Chain Length",

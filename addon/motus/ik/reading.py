@@ -59,7 +59,7 @@ def gather(rig, text, depsgraph):
 
 
 def gather_wired(rig, data, depsgraph):
-    """The same for a group's data as the wiring has kept it; of the poses only what IkPlan.solve reads."""
+    """Read an evaluated rig for a group's data as the wiring keeps it; only the poses that IkPlan.solve reads are filled in."""
     found = _source(rig, data.get(PLAN))
     return found.gather(depsgraph, found.wired.posed)
 
@@ -69,7 +69,7 @@ def _source(rig, text):
 
 
 class _Settings(NamedTuple):
-    """What the entries say, group by group.
+    """Settings of the entries of a group, as arrays.
 
     numbers: as in Gathered, settings. muted: rows. weights: of the rotation, None where no entry takes one; offsets: (C, 3)
     with it. has_limits: whether an entry keeps its bones' limits.

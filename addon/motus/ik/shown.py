@@ -2,7 +2,7 @@
 
 
 def shown_entry(context):
-    """Its entry, or None."""
+    """The chosen entry of the active rig; None without a rig or an entry."""
     rig = context.object
     if rig is None or rig.type != 'ARMATURE':
         return None

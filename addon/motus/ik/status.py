@@ -1,4 +1,4 @@
-"""What an entry's solver said of it, in words."""
+"""Sentences about a chain, from what its solver reported."""
 
 import math
 from typing import NamedTuple
@@ -34,7 +34,7 @@ def report(owner, name, depsgraph):
 
 
 def added(entry):
-    """What is reported of a chain that was given its target."""
+    """The operator's report after a chain was given a target."""
     if entry.target_bone:
         return tr("IK added: {bone} follows bone {target}").format(bone=entry.name, target=entry.target_bone)
     return tr("IK added: {bone} follows {target}").format(bone=entry.name, target=pointed(entry, "target").name)
@@ -68,7 +68,7 @@ def is_animated(entry):
 
 
 def _is_second(owner, entry):
-    """Whether an earlier entry has the same bone: what is told of the bone is told of that one."""
+    """Whether an earlier entry has the same bone, to which the solver's report belongs then."""
     return owner.motus.ik.entries.get(entry.name) != entry
 
 
@@ -101,7 +101,7 @@ def _unwanted(entry, reason):
 
 
 def _astray(context, owner, entry):
-    """Of a further target that is missing, so that the chain, though it is solved, is at the one before it."""
+    """Sentence about a missing further target, in whose place the chain goes to the target before it; "" if none is missing."""
     depsgraph = context.view_layer.depsgraph
     now = owner.evaluated_get(depsgraph).motus.ik.entries.get(entry.name)
     if now is None or now.is_muted or not 0.0 < now.target_blend < math.inf or not now.extra_targets:
@@ -113,7 +113,7 @@ def _astray(context, owner, entry):
 
 
 def _without_pole(entry):
-    """Of a pole that is gone."""
+    """Sentence about a pole that is gone; "" if the pole is there or none was chosen."""
     pole, bone = pointed(entry, "pole"), entry.pole_bone
     if pole is None:
         return ""
@@ -138,7 +138,7 @@ def _unreached(context, entry, found):
 
 
 def _unlimited(owner, entry):
-    """Of a bone after the chain: it takes the target's orientation as it is."""
+    """Sentence about limits of the bone behind the chain, which takes the target's orientation whatever its limits are; "" without such."""
     turns = entry.rotation_weight * owner.motus.ik.influence > 0.0
     if entry.use_limits and turns and not entry.use_tail and _has_limits(owner.pose.bones[entry.name]):
         return tr("{bone} has joint limits of its own: they count only with Use Tail").format(bone=entry.name)
@@ -165,7 +165,7 @@ def fault(found, entry):
 
 
 def _why(found, entry):
-    """Of check_results.WHY, or 'SOFT' where nothing but softness keeps the chain from its target."""
+    """An item of check_results.WHY, or 'SOFT' if softness alone keeps the chain from its target."""
     codes = native.module.Reason
     if found.reason == int(codes.TOO_FAR):
         return _why_too_far(found, entry)
@@ -210,7 +210,7 @@ def _lag(entry, distance, reach):
 
 
 def _share_before_last(entry):
-    """Of a chain's length at rest, that of the bones before the last; 0 where it is a single one, which is not soft."""
+    """Share of a chain's rest length before its last bone; 0 if a single bone is left there, which is not soft."""
     rig = entry.id_data
     chain = chains.find(rig, entry)  # None until a rig that has lost bones is wired again
     lengths = [rig.data.bones[name].length for name in chain.bones] if chain else []

@@ -71,7 +71,7 @@ def check_removable(rig, indices):
 
 
 def check_target_removable(rig, entry, index):
-    """The same for a further target."""
+    """Refuse a further target that cannot be removed."""
     if index < libraries.count_from_library(rig, f"{entry.path_from_id()}.extra_targets"):
         raise Refused(tr("This target is from the library of {object} and cannot be removed here").format(object=rig.name))
 
@@ -129,7 +129,7 @@ def check_free(rig, chain):
 
 
 def ends(rig, names):
-    """Those of the bones that no other of them hangs on: the last bones of chains."""
+    """The bones of a selection that none of the others is a child of: the last bones of chains."""
     above = {bone.name for name in names for bone in rig.data.bones[name].parent_recursive}
     return [name for name in names if name not in above]
 

@@ -78,11 +78,11 @@ class Wired:
         self._known_rest = None, None
 
     def bones(self, rig):
-        """The plan's bones as an evaluated rig has them animated."""
+        """The native plan's bones, with the own transforms that an evaluated rig's bones have."""
         return self.bones_of(rigs.basis(rig, self.still))
 
     def bones_of(self, basis):
-        """The same of bones' own transforms, as rigs.Arrays has them."""
+        """The native plan's bones with own transforms given as rigs.Arrays.basis."""
         return self.plan.bones(self._at_rest(), basis)
 
     def _settings_as_wired(self, chains):

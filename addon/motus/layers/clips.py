@@ -65,7 +65,7 @@ class Clip:
         return self._found("pose", frame, lambda: self.native.pose(frame, self.given(frame)))
 
     def laps(self, begin, end, reference):
-        """What LayerStack.solve() wants of bones that go around; None without any.
+        """Values at the start, and their change over a lap, of bones that go around in each lap; None without such bones.
 
         begin, end: of what is played, as it is played. reference: frame of the reference; None if that is no pose of the
         action.
@@ -81,7 +81,7 @@ class Clip:
         return self.native.numbers(frame, self.given(frame))
 
     def _found(self, what, place, make):
-        """What make() gives, kept until it is asked for at another place."""
+        """The result of make(), kept until it is asked for with another key."""
         known, found = self._kept.get(what, (None, None))
         if known != place:
             found = make()

@@ -17,13 +17,13 @@ MASKS = (
 
 
 class OfARig(operators.OfARig):
-    """What all these operators have."""
+    """Mixin of operators on a rig that has layers."""
 
     rig_with = staticmethod(targets.layered_rig)
 
 
 class OfALayer(OfARig):
-    """And a layer."""
+    """Mixin of operators on one layer of a rig."""
 
     layer: bpy.props.StringProperty(name="Layer", description="Name of the layer; empty takes the active one", options={'SKIP_SAVE'})
 
@@ -44,7 +44,7 @@ class MaskKeywords:
     with_children: bpy.props.BoolProperty(name="With Children", description="All bones below those of the mask count as well", default=True)
 
     def items(self, context, rig, selected=True):
-        """What is named, else selected: (name, kind, with children)."""
+        """(name, kind, with children) of the mask's items that the keywords name, or else of the selection."""
         bones = targets.bones_named(rig, self.bones)
         found = targets.collections_named(rig, self.collections)
         if not bones and not found and selected:

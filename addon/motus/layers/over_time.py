@@ -70,18 +70,18 @@ class OverTime(SolvedBone):
                 yield entry.start, math.inf if entry.after == 'REPEAT' and length else entry.start + length
 
     def _bounds(self, first, last):
-        """As Channel.bounds(): a layer may begin and end between frames."""
+        """Rising frames between which the motion is smooth, ends of layers between whole frames included."""
         ends = {end for span in self._spans for end in span if first < end < last}
         return keys.union([[first, *sorted(ends), last], self._inputs.bounds(first, last)])
 
     @property
     def extent(self):
-        """As Channel.extent."""
+        """First and last frame between which the motion changes; None if it does not change."""
         return keys.united([self._inputs.extent, *self._spans])
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Changes whenever the motion may."""
         playing = list(filter(None, (pointed(entry, "action") for entry in self._layers)))
         return together((self._bone.name, self._inputs.stamp, *map(read_keys.number_of, playing)))
 

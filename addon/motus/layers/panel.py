@@ -65,7 +65,7 @@ def draw_timing(layout, context):
 
 
 def draw_mask(layout, context):
-    """On which bones the active layer acts."""
+    """Draw the bones on which the active layer acts."""
     rig = context.object
     entry = active_entry(rig)
     if entry is None:

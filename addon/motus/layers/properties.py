@@ -47,7 +47,7 @@ def _frames(name, description, default, **limits):
 
 
 class LayerKeywords:
-    """What both the entries and the operator have: the names are the keywords of scripts."""
+    """Mixin of an entry's settings and of the operator, which share these properties; scripts use the names as keywords."""
 
     mode: _enum("Mode", "How the layer acts on what lies beneath it", MODES, 'OVERRIDE')
     weight: bpy.props.FloatProperty(

@@ -21,7 +21,7 @@ _FORM = {"fingerprint": int, "bones": [str], "unknown": [str]}
 
 
 class Wired:
-    """What is known of a group between two changes of the rig: its rows of the rig's arrays."""
+    """Rows of a group's bones in the rig's arrays; made anew when the rig changes."""
 
     def __init__(self, rig, rows, text):
         known = stored.parse(text, _FORM)
@@ -60,7 +60,7 @@ class Source:
 
 
 def solve(context):
-    """What the group's bones do beyond their own animation at the context's frame. Never raises for a user's error."""
+    """Fill in the transforms that layers give the group's bones at the context's frame. Never raises for a user's error."""
     text, looped = context.data.get(PLAN), context.data.get(LOOPED)
     rig = context.owner
     try:
@@ -107,7 +107,7 @@ class Playing:
         self._laps = [_laps(*pair, at) for at, pair in zip(frames, played)]
 
     def lay(self, frame, settings, basis, locations, rotations, scales, laid):
-        """Fills `laid`, (n, 16) float32, as the function above does; settings: of these layers."""
+        """Fill `laid`, (n, 16) float32, with the bones' own matrices under the layers of `settings`."""
         wired, given = self._wired, [None] * len(self._clips)
         basis[wired.unknown] = _EYE
         if self._asks_curves:

@@ -25,7 +25,7 @@ def rig_for(context, name):
 
 
 def layered_rig(context, name):
-    """The same, where it has layers."""
+    """The rig by name, or else the active one. Raises Refused if it has no layers."""
     found = named(name) if name else context.object
     if found is None or found.type != 'ARMATURE' or not has_settings(registered["layers"], found) or not found.motus.layers.entries:
         raise Refused(tr("Nothing here has layers"))
@@ -64,7 +64,7 @@ def check_slot(action, slot):
 
 
 def selected_bones(context, rig):
-    """Names of the bones that are selected in Pose Mode, without those below other ones of them."""
+    """Names of the bones selected in Pose Mode, without bones that have a selected bone above them."""
     if context.mode != 'POSE':
         return []
     found = {bone.name for bone in context.selected_pose_bones or () if bone.id_data == rig}

@@ -86,7 +86,7 @@ def _ways(bones, head, vertical):
 
 
 def _ahead(foot):
-    """From a foot to its toes; along the bone of a foot without toes."""
+    """Direction from a foot to its toes; along the foot's bone if it has no toes."""
     toes = [bone.head_local for bone in names.parts(foot.children_recursive, names.FEET)]
     return (_mean(toes) if toes else foot.tail_local) - foot.head_local
 
@@ -111,5 +111,5 @@ def _nearest(way, among):
 
 
 def _listed(among):
-    """Those of the axes in the order of AXES."""
+    """The given axes in the order of AXES."""
     return [name for name, *_ in axes.AXES if name in among]

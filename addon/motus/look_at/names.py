@@ -28,7 +28,7 @@ def words(name):
 
 
 def parts(bones, wanted):
-    """Those of the bones whose names have one of these words, but no controls, nor what marks ends."""
+    """The bones whose names have one of these words, without control bones and markers of ends."""
     return [bone for bone in bones if words(bone.name) & wanted and not words(bone.name) & (NOT_PARTS | ENDS)]
 
 
@@ -47,13 +47,13 @@ def eyes_of(bones, head):
 
 
 def _controls(bones):
-    """Those of the bones that no others of them move, as far as the names tell."""
+    """The bones of a list that are the furthest from being helpers, by the prefixes of their names (HELPERS)."""
     ranks = [next((rank for rank, prefix in enumerate(HELPERS, 1) if bone.name.startswith(prefix)), 0) for bone in bones]
     return [bone for bone, rank in zip(bones, ranks) if rank == min(ranks)]
 
 
 def topmost(bones):
-    """Those of the bones that are below none of the others."""
+    """The bones of a list that are below none of the others."""
     return [bone for bone in bones if not any(parent in bones for parent in bone.parent_recursive)]
 
 
@@ -75,7 +75,7 @@ def _rigify_type(bone):
 
 
 def _end_of_row(bone):
-    """The last bone of those that are connected one by one, as Rigify itself follows them."""
+    """The last bone of a row of connected bones, which Rigify follows in the same way."""
     connected = [bone]
     while len(connected) == 1:
         bone = connected[0]

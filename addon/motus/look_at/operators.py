@@ -15,13 +15,13 @@ from .properties import ANY_BODY_LENGTH, KEYWORDS, LookAtKeywords
 
 
 class OfARig(operators.OfARig):
-    """What all these operators have."""
+    """Mixin of operators on a rig with a head that looks."""
 
     rig_with = staticmethod(targets.looking_rig)
 
 
 class OfAHead(OfARig):
-    """And a head."""
+    """Mixin of operators on one head of a rig."""
 
     bone: bpy.props.StringProperty(name="Head", description="Name of the head bone; empty takes the active one", options={'SKIP_SAVE'})
 

@@ -37,7 +37,7 @@ class OverTime(SolvedBone):
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Changes whenever the motion may."""
         return together((self._row, self._head.stamp))
 
     def applied(self, times, transforms):
@@ -46,7 +46,7 @@ class OverTime(SolvedBone):
 
 
 class _Head:
-    """What is solved of an entry: all its bones at once."""
+    """One head at given times: all its bones are solved at once."""
 
     def __init__(self, owner, index, bones, scene):
         self._owner, self._index, self._bones = owner, index, bones
@@ -71,7 +71,7 @@ class _Head:
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Changes whenever the motion may."""
         return together((self._target is not None, self.inputs.stamp))
 
     def turns(self, times):

@@ -100,7 +100,7 @@ def _unwired(rig, entry):
 
 
 def draw_readouts(layout, context):
-    """Where the target is as seen from the head."""
+    """Draw where the target is, as seen from the head."""
     entry = active_entry(context.object)
     told = entry and outputs_of(context, context.object, entry.name)
     if not told or told["reason"] in reasons.UNWANTED or told["reason"] == reasons.MUTED:
@@ -134,7 +134,7 @@ def draw_limits(layout, context):
 
 
 def draw_bones(layout, context):
-    """Which bones turn, and where they look at rest."""
+    """Draw which bones turn, and where they look at rest."""
     rig = context.object
     entry = active_entry(rig)
     if entry is None:

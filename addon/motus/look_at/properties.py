@@ -53,7 +53,7 @@ def _axis(name, description, items, default):
 
 
 class LookAtKeywords:
-    """What both the entries and the operator have: the names are the keywords of scripts."""
+    """Mixin of an entry's settings and of the operator, which share these properties; scripts use the names as keywords."""
 
     weight: _weight("Weight", "How much eyes, head and body turn to the target; 0 leaves the animation as it is", 1.0)
     body_weight: _weight("Body", "Share of the turn that the spine takes, spread over its bones", 0.3)

@@ -69,7 +69,7 @@ def turn(rig, entry):
 
 
 def _in_front(rig, entry):
-    """Where a target stands that a head looks at as it is posed, in the world, and how long the head bone is there."""
+    """(place in the world of a target that a head looks at as it is posed, length of the head bone in the world)."""
     bone = rig.pose.bones[entry.name]
     pose = rig.matrix_world @ bone.matrix
     size = pose.to_3x3().col[1].length * bone.bone.length

@@ -34,7 +34,7 @@ _FORM = {
 
 
 class Wired:
-    """What is known of a group between two changes of the rig: the plan, and which bones look where."""
+    """The native plan of a group, and which bones look where; made anew when the rig changes."""
 
     def __init__(self, rig, rows, text):
         heads = stored.parse(text, _FORM)["heads"]

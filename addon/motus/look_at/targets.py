@@ -22,7 +22,7 @@ def rig_for(context, name):
 
 
 def looking_rig(context, name):
-    """The object by name, else the active one, where something of it looks at a target."""
+    """The rig by name, or else the active one. Raises Refused if no head of it looks at a target."""
     rig = named(name) if name else context.object
     if rig is None or not rig.motus.look_at.is_active:
         raise Refused(tr("Nothing here looks at a target"))

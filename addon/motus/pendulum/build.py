@@ -74,7 +74,7 @@ def angle_of(rod):
 
 
 def end_matrices(settings):
-    """Of the end of each rod of the first pendulum, in the pivot's space, at the start."""
+    """Matrices of the rods' ends of the first pendulum, in the pivot's space, at the start."""
     matrix = Matrix()
     found, above = [], 0.0
     for length, angle in zip(parts.lengths(settings), (settings.angle1, settings.angle2)):

@@ -111,7 +111,7 @@ def clock_at(context, pivot):
 
 
 def end_of(pivot, depsgraph, number, world):
-    """Where the rod of a pendulum hangs on the pivot, in its space."""
+    """The end of a pendulum's rod, in the pivot's space."""
     settings = pivot.motus.pendulum
     rod = next((pointed(entry, "object") for entry in parts.own_rods(pivot) if entry.number == number * parts.rods_each(settings)), None)
     return world.inverted_safe() @ rod.evaluated_get(depsgraph).matrix_world.translation if rod else Vector()

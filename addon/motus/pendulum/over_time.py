@@ -37,7 +37,7 @@ class OverTime:
 
     @property
     def reason(self):
-        """As Channel.reason."""
+        """The Reason for which the motion is not known at other frames; None if it is known."""
         if self._pivot and not self._pivot.is_known:
             return self._pivot.reason
         return next((channel.reason for channel in self._channels.values() if channel.reason), None)
@@ -81,20 +81,20 @@ class OverTime:
         return not (playing.is_constant and speed.is_constant) or clock.steady(self._settings)[1] != 0.0
 
     def bounds(self, first, last):
-        """As Channel.bounds(): at the start, and at each frame."""
+        """Rising frames between which the motion is smooth: the start, and every whole frame."""
         start = self._settings.start_frame
         found = [channel.bounds(first, last) for channel in self._channels.values()]
         return union([[first, *([start] if first < start < last else []), *whole(first, last), last], *found])
 
     @property
     def extent(self):
-        """As Channel.extent: it waits before its start, and swings on for ever."""
+        """First and last frame between which the motion changes: from the start on, without end."""
         moving = (self._settings.start_frame, np.inf) if self._is_running else None
         return united([moving, self._channels["influence"].extent])
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Changes whenever the motion may."""
         settings, scene = self._settings, self._scene
         return together(
             (

@@ -17,7 +17,7 @@ def _pivot(context):
 
 
 def draw_main(layout, context):
-    """What is wrong, and the pendulum; on a rod or bob whose it is."""
+    """Draw what is wrong, and the pendulum's settings; on a rod or bob the name of its pivot."""
     pivot = _pivot(context)
     if pivot is None:
         ui.draw_message(layout, STRAY.sentence, 'INFO')
@@ -32,7 +32,7 @@ def draw_main(layout, context):
 
 
 def draw_forces(layout, context):
-    """What acts on the bobs."""
+    """Draw the forces that act on the bobs."""
     pivot = _pivot(context)
     settings = pivot.motus.pendulum
     rows.FORCES.draw(ui.split(layout), settings)
@@ -58,7 +58,7 @@ def draw_trail(layout, context):
 
 
 def draw_readouts(layout, context):
-    """Where it is."""
+    """Draw the present angles, the pendulum's time, and the period."""
     pivot, depsgraph = _pivot(context), context.view_layer.depsgraph
     settings = pivot.motus.pendulum
     values = {name: wiring.output(system(), pivot, name, depsgraph) for name in ("angle1", "angle2", "seconds")}
@@ -80,7 +80,7 @@ def _degrees(angle):
 
 
 def _period(settings, scene):
-    """Of a single pendulum without damping; None where there is none."""
+    """Period of a single pendulum without damping, s; None for other pendulums."""
     if settings.kind != 'SINGLE' or settings.damping > 0.0 or not settings.length1 > 0.0:
         return None
     gravity = max(solve.gravity_of(settings, scene), 0.0)
@@ -135,7 +135,7 @@ PANEL = panels.SystemPanel(
 
 
 def draw_own_trail(layout, context):
-    """On the trail itself: what is wrong, and its settings."""
+    """Draw the panel of a trail's own object: what is wrong, and its settings."""
     ui.draw_problem(layout, context, trail.system(), context.object)
     rows.TRAIL.draw(ui.split(layout), context.object.motus.pendulum_trail)
 

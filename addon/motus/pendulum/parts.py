@@ -110,7 +110,7 @@ def _leader(obj):
 
 
 def lengths(settings):
-    """Of the rods of one pendulum."""
+    """Lengths of the rods of one pendulum."""
     return (settings.length1, settings.length2)[: rods_each(settings)]
 
 

@@ -44,7 +44,7 @@ def _switch(name, description, default, options=frozenset(), update=touch):
 
 
 class PendulumKeywords:
-    """What both the settings and the operator have: the names are the keywords of scripts.
+    """Mixin of the settings and of the operator, which share these properties; scripts use the names as keywords.
 
     Most have no keys: the whole motion follows from them, and would be another one on every frame.
     """
@@ -190,7 +190,7 @@ class MOTUS_PG_pendulum(SystemSettings, PendulumKeywords, bpy.types.PropertyGrou
 
 
 class TrailKeywords:
-    """What both the settings of a trail and the operator have."""
+    """Mixin of a trail's settings and of the operator, which share these properties."""
 
     seconds: _number("Length", "How far back the trail goes, in seconds of the pendulum's time", 2.0, ANIMATED, soft_min=0.1, soft_max=20.0)
     fade: _number("Fade", "How much the trail vanishes towards its end", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')

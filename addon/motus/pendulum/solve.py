@@ -78,7 +78,7 @@ class Swing(NamedTuple):
     count: int = 1  # type: ignore[assignment]  # a tuple has a method of this name
 
     def has_rods(self, numbers):
-        """Whether it has rods of all of these numbers, one or more: where one is missing, none is turned."""
+        """Whether the pendulum has rods of all of these numbers; if one is missing, none is turned."""
         return min(numbers) >= 0 and max(numbers) < self.each * self.count
 
 

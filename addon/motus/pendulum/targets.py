@@ -84,12 +84,12 @@ def _place(obj):
 
 
 def removable(obj):
-    """What stands for the pendulum that an object is part of, or was: its pivot, a stray rod, or a stray trail; None without."""
+    """The object by which the pendulum that an object is or was part of can be removed: its pivot, a stray rod, or a stray trail; None without one."""
     return parts.pivot_of(obj) or parts.stray_rod_of(obj) or (obj if parts.is_stray_trail(obj) else None)
 
 
 def set_up(context):
-    """What can be removed of what is selected."""
+    """The selected objects' pendulums, as removable() names them."""
     objects = context.selected_objects or [obj for obj in [context.object] if obj]
     found = [removable(obj) for obj in objects]
     return list(dict.fromkeys(one for one in found if one))

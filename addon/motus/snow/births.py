@@ -1,4 +1,4 @@
-"""What flakes are born to: the emitter's motion and the wind over time."""
+"""The emitter's motion and the wind over time, which flakes start with."""
 
 import math
 from typing import Any, NamedTuple
@@ -20,7 +20,7 @@ CALM = 0.0, 0.0, 0.0
 
 
 class Poses(NamedTuple):
-    """Where the emitter is over time. stamp: hashable, of all that the samples were read from."""
+    """Poses of the emitter over time. stamp: hashable, changes with whatever the samples were read from."""
 
     stamp: Any
     seconds: Any

@@ -36,7 +36,7 @@ def alone(settings):
 
 
 def objects(settings):
-    """What has to be evaluated before flakes can land: the meshes, and empties by which those of collections are seen."""
+    """The objects that have to be evaluated before flakes can land: meshes, and the empties that make collections' objects visible."""
     recorded = pointed(settings, "recorded")
     if recorded is not None:
         return [recorded]
@@ -113,7 +113,7 @@ def _drop(kept):
 
 
 def _recorded(kept, left_out):
-    """What was recorded, Placed, without the faces of those that are left out; None where nothing is left."""
+    """The recorded mesh, Placed, without the faces of objects that are left out; None if nothing is left."""
     found = placed(kept, kept.matrix_world)
     entries = kept.motus.snow.recorded_of if kept.is_property_set("motus") else ()
     counts = [entry.count for entry in entries]
@@ -144,5 +144,5 @@ def _members(settings):
 
 
 def _is_snow(obj):
-    """Whether it is an emitter or a cover, whose geometry waits for that of the colliders."""
+    """Whether an object is an emitter or a snow cover, whose geometry waits for the colliders' geometry."""
     return any(is_owner(registered[name], obj) for name in ("snow", "snow_cover"))

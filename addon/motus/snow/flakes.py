@@ -102,7 +102,7 @@ def numbers(settings):
 
 
 def _size(settings):
-    """What instances are scaled by, of shapes of ours and points half their width."""
+    """Scale of instances: 1 for objects that the artist chose, half the width for Motus' own shapes and for points."""
     is_scale = settings.look in {'OBJECT', 'COLLECTION'}
     return settings.start_size * (1.0 if is_scale else 0.5 * settings.flake_width)
 
@@ -147,7 +147,7 @@ def forget():
 
 
 def fill(points, snow, seconds, share, is_found=True):
-    """Let Blender's points be the flakes of a time, or those that a share of them has been chosen of.
+    """Fill Blender's point arrays with the flakes of a time, all of them or a chosen share.
 
     points: Context.points. is_found: whether it is known where all flakes land; else those are left out of which it is not.
     """
@@ -172,7 +172,7 @@ def fill(points, snow, seconds, share, is_found=True):
 
 
 def is_chosen(ids, share):
-    """Which flakes are among a share of all. Those of a smaller share are among those of a greater one."""
+    """Mask of the flakes that belong to a share of all; a smaller share is contained in a greater one."""
     return (ids.astype(np.uint64) * np.uint64(_SCATTER)).astype(np.uint32) < share * 2.0**32
 
 

@@ -57,7 +57,7 @@ class MOTUS_GGT_snow(handle_groups.HandleGroup, bpy.types.GizmoGroup):
 
     @staticmethod
     def is_owner(obj):
-        """Whether it snows, and may be edited."""
+        """Whether an object is an emitter that may be edited."""
         return is_emitter(obj) and obj.library is None
 
 

@@ -50,7 +50,7 @@ def of(settings):
 
 
 def value(settings, setting, place):
-    """What a setting becomes where its handle is taken to a place in the emitter's space."""
+    """Value of a setting after its handle was dragged to a place in the emitter's space."""
     place = Vector(place)
     if setting == RADIUS:
         if settings.shape in {'SQUARE', 'DISC', 'CONE'}:  # which are flat

@@ -29,7 +29,7 @@ _searches = {}
 
 
 class Search:
-    """Which blocks of a native Snow are looked for: those of a time, of which `left` are left."""
+    """Search for the landings of a native Snow at a time, block by block; `left` blocks remain."""
 
     def __init__(self, snow, seconds, left):
         self._snow, self._seconds, self._first, self._left = snow, seconds, left, left
@@ -38,12 +38,12 @@ class Search:
         """Whether there is no room to keep more of what is found: then it is found anew at each evaluation, all at once."""
 
     def is_for(self, snow, seconds):
-        """Whether it looks for just that."""
+        """Whether the search is for this Snow and time."""
         return self._snow is snow and self._seconds == seconds
 
     @property
     def done(self):
-        """From 0 to 1."""
+        """Share of the search that is done, 0 to 1."""
         return 1.0 - self._left / self._first
 
     def go_on(self):

@@ -44,7 +44,7 @@ def dress(owner):
 
 
 def drop(owner):
-    """Take all of it back."""
+    """Remove the materials and objects that were made for an emitter."""
     wiring.set_points_material(registered["snow"], owner, None)
     _drop_older(owner)
     _drop_unused()
@@ -64,7 +64,7 @@ def _drop_older(owner):
 
 
 def _own(collection, what):
-    """What was made here before, of this file; None where there is none."""
+    """A material or object of this file that was made here before; None without one."""
     return next((one for one in collection if one.get(KEY) == what and one.library is None), None)
 
 

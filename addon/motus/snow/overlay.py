@@ -57,7 +57,7 @@ def _rays(settings):
 
 
 def _arrow(settings):
-    """From the middle to as far as a flake comes in a while."""
+    """Arrow from the emitter's middle along the way of a flake in a short time."""
     length = handles.SECONDS * settings.start_speed
     head = 0.15 * length
     tip = (0.0, 0.0, length)

@@ -9,7 +9,7 @@ from .build import is_emitter, system
 
 
 def draw_main(layout, context):
-    """What is wrong, the kind of snow, and how many flakes there are."""
+    """Draw what is wrong, the kind of snow, and how many flakes there are."""
     emitter = context.object
     ui.draw_problem(layout, context, system(), emitter)
     button = layout.row()
@@ -20,7 +20,7 @@ def draw_main(layout, context):
 
 
 def draw_emitter(layout, context):
-    """Where flakes are born, and how the emitter's motion is known."""
+    """Draw where flakes are born, and how the emitter's motion is known."""
     emitter = context.object
     settings = emitter.motus.snow
     column = ui.split(layout)
@@ -35,7 +35,7 @@ def draw_emitter(layout, context):
 
 
 def draw_random(layout, context):
-    """What differs from flake to flake."""
+    """Draw what differs from flake to flake."""
     rows.RANDOM.draw(ui.split(layout), context.object.motus.snow)
 
 
@@ -60,7 +60,7 @@ def draw_air(layout, context):
 
 
 def draw_landing(layout, context):
-    """What flakes land on, and what they do there."""
+    """Draw what flakes land on, and what they do there."""
     emitter = context.object
     settings = emitter.motus.snow
     column = ui.split(layout)
@@ -77,7 +77,7 @@ def draw_landing(layout, context):
 
 
 def draw_flakes(layout, context):
-    """What flakes look like, and their colours."""
+    """Draw what flakes look like, and their colours."""
     settings = context.object.motus.snow
     rows.FLAKES.draw(ui.split(layout), settings)
     layout.label(text="Gradient")

@@ -61,7 +61,7 @@ def _switch(name, description, default=False, update=touch):
 
 
 class SnowKeywords:
-    """What both the settings and the operator have: the names are the keywords of scripts.
+    """Mixin of the settings and of the operator, which share these properties; scripts use the names as keywords.
 
     Nearly none has keys: all flakes of all times follow from them, and would be different ones on each frame.
     """

@@ -56,7 +56,7 @@ def _cuts(moved, view, first, last):
 
 
 def _share_seen(before, after, view):
-    """Which share of what is seen from poses (n, 4, 4) was seen from others (n, 4, 4)."""
+    """Share of the view from poses (n, 4, 4) that was also seen from other poses (n, 4, 4)."""
     places, slopes, closest, farthest = _places(*view)
     found = np.einsum("nij,kj->nki", np.linalg.inv(before) @ after, places)
     depths = -found[:, :, 2]

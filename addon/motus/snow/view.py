@@ -1,4 +1,4 @@
-"""What a camera sees, in which flakes come into being."""
+"""The part of space that a camera sees, in which flakes come into being."""
 
 import math
 from dataclasses import dataclass
@@ -40,7 +40,7 @@ class Lens:
 
 
 def cameras(settings, scene):
-    """Those that the timeline's markers bind, where the chosen camera is one of them and goes along with them: originals."""
+    """The original cameras that the timeline's markers bind, if flakes follow markers and the chosen camera is one of them; else none."""
     chosen = pointed(settings, "camera")
     if chosen is None or not settings.follow_markers or settings.shape != 'CAMERA':
         return []

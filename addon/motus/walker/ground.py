@@ -17,7 +17,7 @@ DEEPEST = 64
 
 
 def objects(settings):
-    """What has to be evaluated before a walk is planned: meshes, and empties by which those of collections are seen."""
+    """The objects that have to be evaluated before a walk is planned: meshes, and the empties that make collections' objects visible."""
     ground = pointed(settings, "ground")
     alone = [] if ground is None or _leaves_out(settings)(ground) else [ground]
     return alone + seen.awaited(_members(settings))
@@ -57,7 +57,7 @@ def _members(settings):
 
 
 def _leaves_out(settings):
-    """Says which objects are no ground: parts of this walker, its feet as well where it is being wired, and of others."""
+    """A function that tells which objects are no ground: parts of this walker (its feet too while it is being wired) and of other walkers."""
     feet = {foot.original for foot in (pointed(leg, "foot") for leg in settings.legs) if foot}
     return lambda obj: is_walking(obj, feet)
 

@@ -28,7 +28,7 @@ def of_object(obj, basis, parent):
 
 
 def of_bone(bone, basis, parent, world):
-    """The same of a PoseBone. parent: pose of the bone that it hangs on, None without; world: of the rig."""
+    """The pose of a PoseBone that rises and leans. parent: pose of its parent bone, None without one; world: matrix of the rig."""
     at_rest = posed(bone, IDENTITY, parent)
     columns = [posed(bone, Matrix.Translation(axis), parent).translation - at_rest.translation for axis in IDENTITY.to_3x3().col]
     return world @ posed(bone, basis, parent), world.to_3x3() @ Matrix(columns).transposed()

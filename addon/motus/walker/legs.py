@@ -21,7 +21,7 @@ class Foot(NamedTuple):
 
     @property
     def driven(self):
-        """What an Entry says of it."""
+        """The foot as Entry.drives names it: the name of the bone, or the object."""
         return self.thing.name if self.is_bone else self.thing
 
 

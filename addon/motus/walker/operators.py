@@ -13,7 +13,7 @@ from .properties import KEYWORDS, WalkerKeywords
 
 
 class GroundKeywords:
-    """What operators that add a walker know the ground by."""
+    """Mixin of operators that add a walker: the keywords that name its ground."""
 
     ground: bpy.props.StringProperty(name="Ground", description="Name of a mesh object that the feet stand on", options={'SKIP_SAVE'})
     grounds: bpy.props.StringProperty(
@@ -76,7 +76,7 @@ class MOTUS_OT_walker_add(FindsValues, WalkerKeywords, GroundKeywords, bpy.types
         wiring.report_problems(self, context, setup.system(), [owner])
 
     def _body(self, owner):
-        """What shall rise and lean of a walker that is there, if it was named."""
+        """Keyword of setup.change() that names the body; {} if the operator was given no body."""
         feet = [leg.name or pointed(leg, "foot") for leg in owner.motus.walker.legs]
         return {"body_bone" if owner.pose else "body": targets.body_for(owner, self.body, feet)} if self.body else {}
 

@@ -35,7 +35,7 @@ def over_time(owner, thing, scene):
 
 
 class _OverTime:
-    """What a walker drives; see core/tracks/solved.py. Both original or both evaluated."""
+    """The motion of a foot or body of a walker, as core/tracks/solved.py asks for it. Thing and owner are both original or both evaluated."""
 
     def __init__(self, owner, thing, scene):
         self._owner, self._thing, self._scene = owner, thing, scene
@@ -51,7 +51,7 @@ class _OverTime:
 
     @property
     def reason(self):
-        """As Channel.reason."""
+        """The Reason for which the motion is not known at other frames; None if it is known."""
         return (None if self._body.is_known else self._body.reason) or self._influence.reason
 
     @property
@@ -62,12 +62,12 @@ class _OverTime:
         return np.asarray(times, float) / self._fps
 
     def bounds(self, first, last):
-        """As Channel.bounds(): at each frame, and where the body's motion bends."""
+        """Rising frames between which the motion is smooth: every whole frame, and where the body's motion bends."""
         return union([[first, *whole(first, last), last], self._body.bounds(first, last), self._influence.bounds(first, last)])
 
     @property
     def extent(self):
-        """As Channel.extent: feet come to rest after the body. Without the plan, which takes longer."""
+        """First and last frame between which the motion changes: feet come to rest after the body. Found without the plan, which takes longer."""
         moving, settings = self._body.extent, self._owner.motus.walker
         if moving is not None:
             rest = CYCLES / max(SLOWEST, settings.cadence) + FADES / max(SLOWEST, settings.frequency)
@@ -76,7 +76,7 @@ class _OverTime:
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Changes whenever the motion may."""
         found = self._plan
         if isinstance(found, Problem):
             return together((found.sentence, self._influence.stamp))
@@ -84,7 +84,7 @@ class _OverTime:
 
     @property
     def _own(self):
-        """What of the plan it is."""
+        """The part of the native plan that moves the thing."""
         return self._thing.name
 
 
@@ -117,7 +117,7 @@ class _Foot(_OverTime):
 
 
 class _OnBone:
-    """What is a bone, of the owner's own."""
+    """The motion of a foot or body that is a bone of the owner."""
 
     @functools.cached_property
     def _above(self):
@@ -126,12 +126,12 @@ class _OnBone:
 
     @property
     def reason(self):
-        """As Channel.reason."""
+        """The Reason for which the motion is not known at other frames; None if it is known."""
         return super().reason or (self._above.reason if self._above else None)  # type: ignore[misc]
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Changes whenever the motion may."""
         return together((super().stamp, *((self._above.stamp,) if self._above else ())))  # type: ignore[misc]
 
     def _each(self, times):

@@ -12,7 +12,7 @@ MOST_SHOWN = 16
 
 
 def _walker(context):
-    """What walks, of which the active object is the body or a foot."""
+    """The walker that the active object is, or belongs to as a body or foot."""
     obj = context.object
     return obj if is_owner(system(), obj) else leader_of(system(), obj)
 
@@ -23,7 +23,7 @@ def is_used(obj):
 
 
 def draw_main(layout, context):
-    """What is wrong, how the body's motion is known, and the gait."""
+    """Draw what is wrong, how the body's motion is known, and the gait."""
     owner = _walker(context)
     if owner != context.object:
         box = layout.box().column()
@@ -37,7 +37,7 @@ def draw_main(layout, context):
 
 
 def draw_ground(layout, context):
-    """What the feet stand on."""
+    """Draw what the feet stand on."""
     settings = _walker(context).motus.walker
     column = ui.split(layout)
     column.prop(settings, "ground")

@@ -86,7 +86,7 @@ class Poses(NamedTuple):
 
 
 class Numbers(NamedTuple):
-    """What the plan takes from the settings."""
+    """Settings that the plan is made from."""
 
     gait: str
     duty: float
@@ -309,7 +309,7 @@ def _refusal(sentence):
 
 
 def _reach(numbers, matrices, bodies):
-    """Keywords of what legs can reach; none where nothing is known of them."""
+    """Keywords of the native Walker for the legs' reach; {} if it is not known."""
     if not any(numbers.lengths):
         return {}
     # A leg may point along any axis of a body that is scaled unevenly: along the longest one it reaches farthest.

@@ -55,7 +55,7 @@ def _choice(name, description, items, default):
 
 
 class WalkerKeywords:
-    """What both the settings and the operators have: the names are the keywords of scripts.
+    """Mixin of the settings and of the operators, which share these properties; scripts use the names as keywords.
 
     Most have no keys: the steps of all frames follow from them.
     """

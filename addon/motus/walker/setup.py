@@ -27,7 +27,7 @@ class Leg(NamedTuple):
     length: float
 
     def place(self, owner):
-        """Where the foot stands, in the world, original or evaluated owner and foot alike."""
+        """The foot's place in the world; owner and foot are both original or both evaluated."""
         return owner.matrix_world @ owner.pose.bones[self.bone].head if self.bone else self.foot.matrix_world.translation
 
 
@@ -83,7 +83,7 @@ def wire(owner):
 
 
 def _own_rests(context, owner, found):
-    """Where the feet of Legs stand by their own transforms, in the owner's space."""
+    """Rest positions of the feet of Legs by their own transforms, in the owner's space."""
     is_active = owner.motus.walker.is_active
     if is_active:
         wiring.set_muted(system(), owner, True)

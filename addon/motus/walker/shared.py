@@ -1,4 +1,4 @@
-"""What the first of a walker's two solvers finds is there for the second one of the same evaluation."""
+"""Results that a walker's two solvers (feet and body) share within one evaluation."""
 
 from ..core import wiring
 from ..core.evaluated import copies, read_keys
@@ -8,7 +8,7 @@ KEY = "walker shared"
 
 
 def found(context, make):
-    """What make() gives, of what both groups of an owner read."""
+    """The result of make(), made by the first of an owner's two solvers and kept for the second one."""
     copy = copies.of(context.owner)
     if copy is None:
         return make()

@@ -19,7 +19,7 @@ INPUTS = (Geometries("awaited", of=ground.objects),)
 
 
 class Wired:
-    """Where the body's bone is in the arrays of its rig."""
+    """Rows of the body's bone in the arrays of its rig."""
 
     def __init__(self, rig, rows, name):
         self.still = rigs.still(rig, tuple(rows))
@@ -95,7 +95,7 @@ def _lean(context, walker, seconds):
 
 
 def _basis(body, frame):
-    """What an object's own channels make of it on a frame: no solver may wait for these, since its sinks come after them."""
+    """Matrix of an object's own channels at a frame, read from keys: no solver may wait for the channels, since its sinks come after them."""
     track = tracks.own_track(body)
     if not track.is_known:
         return body.matrix_basis

@@ -21,7 +21,7 @@ def owner_for(context, name):
 
 
 def walker_for(context, name):
-    """The same, where it walks; a foot or body stands for what it belongs to."""
+    """The walker by name, or else the active object's; a foot or body stands for its walker. Raises Refused without one."""
     found = named(name) if name else context.object
     if found is not None and not is_owner(setup.system(), found):
         found = leader_of(setup.system(), found)
@@ -31,7 +31,7 @@ def walker_for(context, name):
 
 
 def editable_walker(context, name):
-    """The same, where its set-up may be changed."""
+    """The walker by name, or else the active object's. Raises Refused if its set-up may not be changed."""
     found = walker_for(context, name)
     check_editable(found)
     return found
@@ -62,7 +62,7 @@ def legs_for(context, owner, names):
 
 
 def legs_again(context, owner, is_named):
-    """The same of one that walks already, where no feet are named; None where its legs stay as they are.
+    """Legs of an object that walks already, if no feet are named; None if its legs stay as they are.
 
     Feet that are selected beside it are its feet from now on, unless a script names the object; else legs without a foot go.
     """
@@ -131,7 +131,7 @@ def _chains(owner):
 
 
 def body_for(owner, name, feet):
-    """What rises and leans: a bone by name, or the one that all legs hang on; of other objects a child by name. None without.
+    """The part that rises and leans: on an armature a bone by name, or the bone that all legs hang on; on other objects a child by name. None without one.
 
     A walker that is there keeps its own where none is named. feet: names of bones, and objects, that are no body.
     """

@@ -43,7 +43,7 @@ def sentence(context, owner, problem):
 
 
 def _about_setting(settings, problem, planned):
-    """With the setting's name, where it is the same problem still."""
+    """Sentence about a problem, with the name of the setting that the plan named, if the plan's problem is still this one."""
     of_legs = settings.bl_rna.properties["legs"].fixed_type.properties
     declared = planned == problem and (settings.bl_rna.properties.get(planned.about) or of_legs.get(planned.about))
     if not declared:

@@ -12,7 +12,7 @@ from . import results
 
 
 class _Finding:
-    """What was found of one entry, frame by frame; on those where it is muted nothing."""
+    """Results of one entry, one a frame; none for frames on which the entry is muted."""
 
     def __init__(self):
         self._checked, self._short, self._unsolved, self._animated = [], [], [], []
@@ -77,7 +77,7 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
         return [rig.motus.ik.entries[name] for name in self._findings]
 
     def _without_good(self, told):
-        """Those of the entries that need a sentence of their own: several that are good on all frames share one."""
+        """The findings that need a sentence of their own: those that are good on all frames share one."""
         good = [entry for entry in told if entry.check_reason == 'NONE' and entry.check_range == self._range]
         if len(good) < 2:
             return told

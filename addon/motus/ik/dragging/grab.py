@@ -24,7 +24,7 @@ LONGEST_STEP = 0.5  # of the chain's length
 
 
 def grab(context, rig, bone, factor, chain_length=0):
-    """What pull() moves: the chain of a bone. factor: place along the bone, 0 to 1. Refuses with a sentence."""
+    """Take hold of a bone's chain, for pull() to move. factor: place along the bone, 0 to 1. Raises Refused if the chain cannot be dragged."""
     check_bone(rig, bone)
     check_local(rig)
     context.view_layer.update()

@@ -26,7 +26,7 @@ class Control(Named):
 
 
 def _control(obj, bone):
-    """Of a bone that the object has or has lost; the name counts for nothing where it has no bones at all."""
+    """The Control for an object and the name of its bone, which may be gone; the name has no effect if the object has no bones."""
     return Control(obj, bone if obj.pose else "")
 
 
@@ -49,7 +49,7 @@ def goal_at(entry, blend):
 
 
 def station(entry, blend):
-    """The same as a Control, of which check_movable() says whether it is there."""
+    """The station as a Control, which may be gone: check_movable() says so."""
     goal = goal_at(entry, blend)
     if goal is None:
         return None

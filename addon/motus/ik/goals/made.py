@@ -32,7 +32,7 @@ def label(obj, bone):
 
 
 def remove_unneeded(context, rig, controls):
-    """Delete controls that no entry has any more, but for what something else needs; gives the labels of those that stay."""
+    """Delete controls that no entry uses any more, unless something else needs them. Returns the labels of the controls that stay."""
     in_use = [(obj, bone) for obj, bone in controls if (_is_bone_needed(obj, bone) if bone else needed.is_needed(obj))]
     kept = [label(*pair) for pair in in_use]
     bones = [bone for obj, bone in controls if bone and (obj, bone) not in in_use]

@@ -6,7 +6,7 @@ ACROSS = 1e-5  # of its length: a Z axis that has less across Y shows no side
 
 
 def frame_of(matrix):
-    """Y along the second axis, Z on the third one's side of it, X to make it right-handed: turns.hpp says the same.
+    """Right-handed orientation of a matrix: Y along its second axis, Z on the side of its third axis. The library's turns.hpp has the same rule.
 
     For any linear map M, frame_of(M @ matrix) is the frame that the map makes of frame_of(matrix).
     """

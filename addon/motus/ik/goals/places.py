@@ -77,7 +77,7 @@ def world_matrix(target, bone=""):
 
 
 def blend(found, entries, further, off):
-    """Replace targets by the mixture of two of them, where an entry's blend says so.
+    """Replace the target of each entry whose Blend is between two stations by the mixture of both.
 
     One that is missing counts as the one before it.
 
@@ -102,7 +102,7 @@ def blend(found, entries, further, off):
 
 
 def mixed(value, places):
-    """(matrix at a Blend's value among the places of all stations, or None where it is missing; numbers of those it needs)."""
+    """(matrix at a Blend's value between stations, or None if a station is missing; numbers of the stations that it needs)."""
     numbers, share = stations.needed(value, places)
     ends = [stations.nearest(number, places) for number in numbers]
     return None if None in ends else _between(ends[0], ends[-1], share), numbers

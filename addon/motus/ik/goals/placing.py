@@ -30,12 +30,12 @@ def rest_joints(rig, chain):
 
 
 def posed_joints(rig, chain):
-    """The same as the evaluated rig stands, in world space."""
+    """Places of the chain's joints as the evaluated rig is posed, from the root to the tip, in world space."""
     return [rig.matrix_world @ place for place in _joints_in_rig(rig, chain)]
 
 
 def _joints_in_rig(rig, chain):
-    """The same in armature space."""
+    """Places of the chain's joints as the evaluated rig is posed, from the root to the tip, in armature space."""
     bones = rig.pose.bones
     last = bones[chain.effector]
     return [bones[name].head for name in chain.bones] + [last.tail if chain.use_tail else last.head]
@@ -107,7 +107,7 @@ def rotation_offset(context, evaluated, chain, target, bone):
 
 
 def pole_place(rig, entry, depsgraph, turned):
-    """Where a pole leaves a chain as it stands without one. turned: the Pole Angle that it stands turned by, rad."""
+    """The place of a pole that leaves a chain posed as it is without a pole. turned: the Pole Angle that the chain has, rad."""
     evaluated = rig.evaluated_get(depsgraph)
     chain = chains.find(rig, entry)
     root = evaluated.matrix_world @ evaluated.pose.bones[chain.bones[0]].head

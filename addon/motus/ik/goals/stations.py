@@ -10,13 +10,13 @@ STANDS = 1e-4
 
 
 class Further:
-    """Which further targets of a group's evaluated entries are there: looked up again only where that may be otherwise."""
+    """Tells which further targets of a group's evaluated entries exist; looks again only after something was deleted."""
 
     def __init__(self, entries):
         self._entries, self._changes, self._there = entries, None, {}
 
     def there(self):
-        """{row: whether each further target is there} of those entries that have some.
+        """{row of an entry: whether each of its further targets exists}, for the entries that have further targets.
 
         It is asked before any Blend needs them: what was never seen in a collection would not count as deleted.
         """
@@ -37,7 +37,7 @@ def _there(entries):
 
 
 def needed(blend, places):
-    """(Numbers of the stations that a Blend is between, share of the way from the first to the last of them).
+    """(numbers of the stations on both sides of a Blend, share of the way from the first of them to the second).
 
     places: of all stations, None for a missing one, which is left out where the Blend stands on another.
     """
@@ -49,10 +49,10 @@ def needed(blend, places):
 
 
 def nearest(number, places):
-    """The place of a station, or of the nearest before it; None where all of these are missing."""
+    """The place of a station, or of the nearest existing one before it; None if all of these are missing."""
     return next((place for place in places[number::-1] if place is not None), None)
 
 
 def without(blend, number):
-    """A value of Blend when a station is removed: what passed to that one stays at the one before it."""
+    """The value of Blend after a station was removed: a Blend that passed to the removed station stays at the one before it."""
     return min(blend, max(blend - 1.0, number - 1.0))

@@ -165,7 +165,7 @@ def _tracks(rig, chosen):
 
 
 class _Wanted:
-    """Where the controls of the chains have to stand, frame by frame."""
+    """Places that the chains' controls must have, one a frame."""
 
     def __init__(self, context, rig, chosen):
         self._rig, self._chosen, self._view_layer = rig, chosen, context.view_layer
@@ -238,7 +238,7 @@ class _Wanted:
             self._places[self._poles[chain.name]][0].append((Matrix.Translation(Vector(pole.tolist())), None))
 
     def place(self, depsgraph, controls_now, index):
-        """Note what the channels of these controls have to be at the frame that is evaluated."""
+        """Note the values that the controls' channels must have at the evaluated frame."""
         for control in controls_now:
             matrices, channels = self._places[control]
             channels.add(controls.basis_for(control, depsgraph, *matrices[index]))

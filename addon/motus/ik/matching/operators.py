@@ -14,7 +14,7 @@ GOOD = 1e-3
 
 
 class _Match(OverFrames):
-    """What both directions have in common. job: the generator of job that does it."""
+    """Mixin of the operators that match in one direction. job: the generator in job.py that does the work."""
 
     redo = (*OverFrames.redo, Rows(("switch",)))
 
@@ -35,7 +35,7 @@ class _Match(OverFrames):
 
 
 def _number(value):
-    """To a thousandth, without an exponent."""
+    """A number as text, rounded to a thousandth, without an exponent."""
     return f"{round(value, 3):.12g}"
 
 

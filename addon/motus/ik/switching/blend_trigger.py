@@ -53,13 +53,13 @@ def check_elsewhere(rig, owner, system_name):
 
 
 def _check_no_own_setting(rig, owner, path):
-    """Refuse a setting of the rig's own, whichever object the path begins at: to Blender, Blend is one with all of them."""
+    """Refuse triggers that read a setting of this rig: Blender treats all settings of an object as one node, so the driver of *Blend* would form a cycle."""
     if any(_holder(owner, path[: found.start()]) == rig for found in _SETTINGS.finditer(path)):
         _refuse_own(rig)
 
 
 def _holder(owner, path):
-    """What a path leads to; None where it ends in the middle of a name."""
+    """The datablock or group that a data path leads to; None if the path ends in the middle of a name."""
     try:
         return owner.path_resolve(path) if path else owner
     except ValueError:
@@ -76,7 +76,7 @@ def _entry_count(owner):
 
 
 def property_source(owner, path):
-    """The same of a property of an object, by its data path."""
+    """The driver's variable for a property of an object, by its data path."""
     try:
         value = owner.path_resolve(path)
     except ValueError:

@@ -13,7 +13,7 @@ KEPT = 3
 
 
 class Ground(NamedTuple):
-    """What snow lies on.
+    """Surfaces that snow lies on, with what shelters them.
 
     collider: the native SnowCollider of the surfaces and what shelters them. layer: the SnowLayer of the surfaces alone,
     whose vertices come first among the vertex_count ones of the collider.

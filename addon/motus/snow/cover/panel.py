@@ -13,7 +13,7 @@ def _is_cover(obj):
 
 
 def draw_main(layout, context):
-    """What is wrong, and how snow lies."""
+    """Draw what is wrong, and how snow lies."""
     cover = context.object
     problem = ui.draw_problem(layout, context, system(), cover)
     if problem == solve.WAITING:
@@ -30,13 +30,13 @@ def draw_layer(layout, context):
 
 
 def draw_surfaces(layout, context):
-    """What snow lies on."""
+    """Draw the list of surfaces that snow lies on."""
     _draw_list(layout, context.object, 'SURFACES')
     ui.split(layout).prop(context.object.motus.snow_cover, "collection")
 
 
 def draw_emitters(layout, context):
-    """What snow falls from."""
+    """Draw the list of emitters that snow falls from."""
     _draw_list(layout, context.object, 'EMITTERS')
 
 

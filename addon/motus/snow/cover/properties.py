@@ -21,7 +21,7 @@ def _number(name, description, default, options=frozenset(), **more):
 
 
 class SnowCoverKeywords:
-    """What both the settings and the operator have: the names are the keywords of scripts."""
+    """Mixin of the settings and of the operator, which share these properties; scripts use the names as keywords."""
 
     lump: _number(
         "Snow per Flake",

@@ -31,7 +31,7 @@ def is_emitter(obj):
 
 
 def surfaces(settings):
-    """What snow lies on, Gathered, but for what was deleted."""
+    """The surfaces that snow lies on, Gathered, without deleted ones."""
     listed = [one.original for one in (pointed(entry, "object") for entry in settings.surfaces) if one]
     found = [gathered.Gathered(obj, ()) for obj in listed]
     if pointed(settings, "collection"):

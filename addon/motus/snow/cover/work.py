@@ -91,7 +91,7 @@ def is_too_fine(plan):
 
 
 def price(plan):
-    """What the work costs, about."""
+    """Rough price of the whole work (see core/measures/bounds.py)."""
     triangles = sum(len(one.faces.triangles) for one in (*plan.lain_on, *plan.shelters))
     # Edges are halved: on the average they end up 0.6 times as long as the longest.
     refined = 2.0 * sum(one.area for one in plan.lain_on) / (0.6 * plan.resolution) ** 2

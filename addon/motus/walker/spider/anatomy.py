@@ -56,7 +56,7 @@ def _leg(name, angle, share, count):
 
 
 def _knee(hip, foot):
-    """Where a leg bends, upwards."""
+    """Place of a leg's knee, which bends upwards."""
     way = foot - hip
     angle = math.acos((UPPER**2 + way.length**2 - LOWER**2) / (2.0 * UPPER * way.length))
     across = way.cross(Vector((0.0, 0.0, 1.0))).normalized()

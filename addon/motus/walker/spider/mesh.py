@@ -65,7 +65,7 @@ class _Parts:
         self.rings(rings, [material for _, _, material in profile[1:]], bone)
 
     def rings(self, rings, materials, bone, is_smooth=False):
-        """What rings (m, k, 3) make, closed at both ends. materials: of what lies between two."""
+        """Add a tube through rings (m, k, 3), closed at both ends. materials: of the band between two rings."""
         count, sides = rings.shape[:2]
         faces, found = [], []
         for row in range(count - 1):
