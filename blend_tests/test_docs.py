@@ -246,6 +246,12 @@ class ExamplesTest(support.SceneTestCase):
 
 
 class PagesTest(support.SceneTestCase):
+    def test_the_page_of_what_is_kept_is_that_of_the_declarations(self):
+        import kept_page
+
+        page = (DOCS / "kept.md").read_text(encoding="utf-8")
+        self.assertEqual(page, kept_page.text(), "run ./motus docs kept")
+
     def test_the_operator_page_names_every_operator_and_keyword(self):
         import operator_page
 

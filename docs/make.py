@@ -1,6 +1,6 @@
-"""Makes the generated parts of the manual: the operator page and the pictures.
+"""Makes the generated parts of the manual: the pages of operators and of what is kept, and the pictures.
 
-`./motus docs` runs it inside Blender, `./motus docs operators` for the page alone.
+`./motus docs` runs it inside Blender, `./motus docs operators` or `./motus docs kept` for a page alone.
 
 What is seen in a window is made by `./motus docs steps`, also the insets in the pictures of the demo scenes: steps.py.
 """
@@ -15,6 +15,7 @@ import chroma_pictures  # noqa: E402  (found by the line above)
 import demo_pictures  # noqa: E402
 import dynamics_pictures  # noqa: E402
 import ik_pictures  # noqa: E402
+import kept_page  # noqa: E402
 import lattice_pictures  # noqa: E402
 import layers_pictures  # noqa: E402
 import look_at_pictures  # noqa: E402
@@ -28,9 +29,11 @@ import support  # noqa: E402
 import walker_pictures  # noqa: E402
 
 support.enable()
-(HERE / "operators.md").write_text(operator_page.text(), encoding="utf-8")
-print("docs/operators.md")
-if "operators" in sys.argv[sys.argv.index("--") + 1 :]:
+chosen, pages = sys.argv[sys.argv.index("--") + 1 :], {"operators": operator_page, "kept": kept_page}
+for name in chosen or pages:
+    (HERE / f"{name}.md").write_text(pages[name].text(), encoding="utf-8")
+    print(f"docs/{name}.md")
+if chosen:
     sys.exit()
 pictures = HERE / "pictures"
 for render in (

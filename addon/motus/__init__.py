@@ -1,6 +1,9 @@
 """Motus: procedural animation for Blender, on a native C++ core."""
 
 from .core import registration
+from .core.keeping import forget_all
+
+__all__ = ("forget_all", "register", "unregister")
 
 
 def register():

@@ -76,7 +76,7 @@ def solve_time(obj):
     import numpy as np
 
     solve, table = support.addon("pull.pins.solve"), support.addon("pull.pins.table")
-    support.addon("pull.pins.shapes").forget()
+    support.addon("pull.pins.shapes")._shapes.clear()
     offsets, times = np.zeros((len(obj.data.vertices), 3), np.float32), []
     for _ in range(FRAMES):
         start = time.perf_counter()

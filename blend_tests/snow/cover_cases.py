@@ -19,8 +19,8 @@ def cover_system():
 def forget_work():
     """Let all be computed as if nothing had been before."""
     support.addon("snow.cover.work")._done.clear()
-    support.addon("snow.cover.ground").made.cache_clear()
-    support.addon("snow.flakes").made.cache_clear()
+    support.addon("snow.cover.ground")._grounds.clear()
+    support.addon("snow.flakes")._snows.clear()
 
 
 def layer(cover):

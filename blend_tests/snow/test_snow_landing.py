@@ -45,7 +45,7 @@ class Landing(LandingCase):
         go_to(100)
         every = flakes(emitter)["position"]
         bounds, landings = support.addon("core.measures.bounds"), support.addon("snow.landings")
-        support.addon("snow.flakes").made.cache_clear()
+        support.addon("snow.flakes")._snows.clear()
         emitter.motus.snow.seed += 1
         emitter.motus.snow.seed -= 1
         with mock.patch.object(bounds, "AT_ONCE", 3 * landings.BLOCK):
@@ -247,15 +247,15 @@ class Collection(LandingCase):
         self.gathered(self.mesh("Field", positions, faces))
         emitter = self.add(colliders="Scenery")
         flakes_of = support.addon("snow.flakes")
-        flakes_of.collider.cache_clear()
-        reading = mock.Mock(wraps=support.addon("core.scenery.meshes")._read)
-        with mock.patch.object(support.addon("core.scenery.meshes"), "_read", reading):
+        flakes_of._colliders.clear()
+        making, reading = mock.Mock(wraps=flakes_of._collider), mock.Mock(wraps=support.addon("core.scenery.meshes")._read)
+        with mock.patch.object(flakes_of, "_collider", making), mock.patch.object(support.addon("core.scenery.meshes"), "_read", reading):
             for frame in (60, 3, 100, 61):
                 go_to(frame)
                 emitter.motus.snow.friction += 0.01
                 bpy.context.view_layer.update()
         self.assertGreater(self.lying(emitter, 0.5), 20)
-        self.assertEqual(flakes_of.collider.cache_info().misses, 1)
+        self.assertEqual(making.call_count, 1)
         self.assertLessEqual(reading.call_count, 1)
 
     def test_a_file_that_is_opened_cold(self):

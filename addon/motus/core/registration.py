@@ -2,17 +2,16 @@
 
 import bpy
 
-from . import bake, declare, settings, tracks, translations, wiring
+from . import bake, declare, keeping, settings, translations, wiring
 from .blender import handlers
 from .evaluated import read_keys
 from .file import deleted
 from .interface import baking, bone_entries, menus, overlay, panels, refreshing, ui
 from .interface.tracks import operators as track_operators, panel as track_panel
 from .interface.view import playback, viewports
-from .scenery import meshes
 
 _undo = []
-_FORGETTING = handlers.Forgetting(tracks.forget), handlers.Forgetting(meshes.forget)
+_FORGETTING = handlers.Forgetting(keeping.forget_file, keeping.forget_all)
 
 
 def register(systems, languages, extra_classes=(), extra_add_menu=()):
@@ -57,8 +56,7 @@ def _register(systems, languages, extra_classes, extra_add_menu):
     _call(wiring.register, wiring.unregister)
     _call(read_keys.register, read_keys.unregister)
     _call(track_panel.register, track_panel.unregister)
-    for one in _FORGETTING:
-        _call(one.register, one.unregister)
+    _call(_FORGETTING.register, _FORGETTING.unregister)
     _call(viewports.register, viewports.unregister)
     _call(overlay.register, overlay.unregister)
     _call(lambda: None, playback.unregister)  # read-outs that are drawn begin to follow playback

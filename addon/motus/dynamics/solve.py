@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix, Vector
 
-from ..core import native, rigs, wiring
+from ..core import keeping, native, rigs, wiring
 from ..core.animation import strips
 from ..core.declare import Problem, registered, systems
 from ..core.evaluated import copies
@@ -50,6 +50,10 @@ PROBLEMS = (
 
 _FORM = {"fingerprint": int, "units": [(str, [str])], "properties?": [(str, lambda index: type(index) is int, int)]}
 """Form of the text that groups.py notes of a group."""
+
+_MADE = keeping.OfEvaluation(
+    "native motion of a group (Made)", "the group; made anew where the stamp of its inputs has changed", "one for each group"
+)
 
 
 class Made(NamedTuple):
@@ -126,17 +130,15 @@ def _made(context):
     """The Made of the context's group, kept for as long as its inputs stay what they are."""
     owner, scene = context.owner, context.depsgraph.scene
     copy = copies.of(owner)
-    place = "dynamics", context.group
-    found = copy.found.get(place) if copy else None
+    kept = _MADE.on(copy)
+    found = kept.get(context.group)
     if (
         found is None
         or found.stamp is None
         or not found.reach.low <= context.frame < found.reach.high
         or found.stamp != _stamp(owner, copy, scene, found.asked)
     ):
-        found = _make(context, copy, scene)
-        if copy:
-            copy.found[place] = found
+        found = kept[context.group] = _make(context, copy, scene)
     return found
 
 

@@ -2,13 +2,16 @@
 
 import math
 
-from ..core import native
+from ..core import keeping, native
 from ..core.blender import actions
 from ..core.evaluated import copies, read_keys
 from ..core.lazy import numpy as np
 
 LARGEST_CACHE = 64
 """Rigs, or states of one, for which an action is kept."""
+_CLIPS = keeping.OfEvaluation(
+    "native clips of an evaluated action", "slot, names and rotation modes of the rig's bones", f"{LARGEST_CACHE} for each evaluated action"
+)
 MODES = ('QUATERNION', 'XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX', 'AXIS_ANGLE')
 """Rotation modes by their numbers in LayerClip."""
 _EULER = 'XYZ'
@@ -93,7 +96,7 @@ def clip_of(action, slot, names, modes):
     """The Clip of an evaluated action; kept until its keys are edited. modes: rotation modes of the bones."""
     if read_keys.is_noting():
         read_keys.number_of(action)
-    kept, place = copies.found_of_action(action), ("layers", slot, names, modes)
+    kept, place = _CLIPS.within(copies.found_of_action(action)), (slot, names, modes)
     found = kept.get(place)
     if found is None:
         if len(kept) >= LARGEST_CACHE:

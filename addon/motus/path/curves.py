@@ -4,10 +4,9 @@ import threading
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from ..core import native, rigs
+from ..core import keeping, native, rigs
 from ..core.declare import Problem
 from ..core.evaluated import copies
-from ..core.evaluated.per_thread import aside
 from ..core.lazy import numpy as np
 
 ALL_SPLINES = -1
@@ -27,6 +26,15 @@ PROBLEMS = (NO_SPLINES, NO_SUCH_SPLINE, TOO_FEW_POINTS, TOO_MANY_POINTS, RATIONA
 # A second to_curve() on an object frees the result of the first, and drivers run in several threads. Within to_curve() Blender
 # may evaluate another driver in the same thread (modifiers run in parallel); that driver ends before to_curve() returns.
 _temporary_curve = threading.RLock()
+
+_CURVES = keeping.OfEvaluation(
+    "native curves of an evaluated curve's splines", "index of the spline", "one for each spline that is followed"
+)
+_IN_WORLD = keeping.OfEvaluation(
+    "native curves of an evaluated curve's splines, in the world",
+    "index of the spline; made anew at another world matrix",
+    "one for each spline that is followed",
+)
 
 
 class Unreadable(Exception):
@@ -64,13 +72,13 @@ def read(curve_object, splines, depsgraph, index, matrix):
     copy = None if is_deformed or is_edited else copies.of(splines.id_data)  # the splines of a hidden object belong to its original data
     if copy is None or copy.has_animated_splines:
         return _in_world(*_read(curve_object, splines, depsgraph, index, is_deformed), matrix)  # type: ignore[call-arg]
-    local = copy.found.get(index)
+    kept, kept_in_world = _CURVES.on(copy), _IN_WORLD.on(copy)
+    local = kept.get(index)
     if local is None:
-        local = copy.found[index] = _read(curve_object, splines, depsgraph, index, is_deformed)
-    name, place = ("in world", index), rigs.columns(matrix).tobytes()
-    found = copy.found.get(name)
+        local = kept[index] = _read(curve_object, splines, depsgraph, index, is_deformed)
+    place, found = rigs.columns(matrix).tobytes(), kept_in_world.get(index)
     if found is None or found[0] != place:
-        found = copy.found[name] = place, _in_world(*local, matrix)  # type: ignore[call-arg]
+        found = kept_in_world[index] = place, _in_world(*local, matrix)  # type: ignore[call-arg]
     return found[1]
 
 
@@ -87,7 +95,7 @@ def _read(curve_object, splines, depsgraph, index, is_deformed):
         if curve_object.data.is_editmode:
             return _read_shown(curve_object, splines, index, is_polygon)
         try:
-            with aside():
+            with keeping.aside():
                 deformed = curve_object.to_curve(depsgraph, apply_modifiers=True)
             return _read_splines(deformed.splines, index, is_polygon)
         finally:
@@ -100,7 +108,7 @@ def _read_shown(curve_object, splines, index, is_polygon):
     Reads the line that Blender draws; of a curve with a surface the edited points.
     """
     try:
-        with aside():
+        with keeping.aside():
             mesh = curve_object.to_mesh()
         strips = None if mesh is None or len(mesh.polygons) else _strips(mesh)
     finally:

@@ -1,6 +1,5 @@
 """Snow: flakes that are computed anew on each frame, without a cache, in any order of frames."""
 
-from ..core.blender import handlers
 from ..core.declare import System
 from . import build, cover, gizmo, landings, look, operators, overlay, panel, presets, properties, solve
 
@@ -30,7 +29,7 @@ SYSTEM = System(
     rebuild=build.rebuild,
     unbakeable=solve.UNBAKEABLE.sentence,
     overlay=overlay.overlay,
-    extras=(handlers.Forgetting(landings.forget),),
+    extras=(landings,),
     add_menu=("motus.snow_add",),
     object_menu=("motus.snow_remove",),
 )

@@ -1,8 +1,6 @@
 """The native Snow that the settings ask for, and its flakes in Blender's memory."""
 
-import functools
-
-from ..core import native
+from ..core import keeping, native
 from ..core.declare import Problem
 from ..core.evaluated.per_thread import scratch
 from ..core.file.choices import chosen
@@ -16,8 +14,10 @@ MOST = 1 << 24
 """Flakes at once."""
 BYTES = 68
 """Of a flake: position, velocity, turn, colour, radius, age and number."""
-KEPT = 32
-COLLIDERS = 4
+_snows = keeping.OfFile(
+    "native Snow of an emitter, with where its flakes land; or what is wrong with it", "all that the flakes' ways are made from", most=32
+)
+_colliders = keeping.OfFile("native SnowCollider of meshes that flakes land on", "stamps of the faces, and where they stand", most=4)
 STEP = 1 << 16
 """Flakes for whose numbers there is room are a multiple of it, so that the room stays the same from frame to frame."""
 
@@ -107,8 +107,12 @@ def _size(settings):
     return settings.start_size * (1.0 if is_scale else 0.5 * settings.flake_width)
 
 
-@functools.lru_cache(maxsize=KEPT)
-def made(keywords, acceleration, poses, wind, faces=None, angles=None, collider=None):
+def made(*what):
+    """The native Snow of what _made() is given, or what is wrong with it."""
+    return _snows.made(what, lambda: _made(*what))
+
+
+def _made(keywords, acceleration, poses, wind, faces=None, angles=None, collider=None):
     """The native Snow; or what is wrong with it.
 
     wind: of births.winds(). faces: that flakes leave. angles: half those that a camera sees by. collider: a SnowCollider. Each
@@ -131,19 +135,16 @@ def made(keywords, acceleration, poses, wind, faces=None, angles=None, collider=
         return OUT_OF_RANGE
 
 
-@functools.lru_cache(maxsize=COLLIDERS)
 def collider(parts):
     """The native SnowCollider of faces that are Placed, or None where they cannot be one."""
+    return _colliders.made(parts, lambda: _collider(parts))
+
+
+def _collider(parts):
     try:
         return native.module.SnowCollider(*meshes.joined(parts))
     except ValueError:
         return None
-
-
-def forget():
-    """Let go of all snows, and of the meshes that their flakes land on."""
-    made.cache_clear()
-    collider.cache_clear()
 
 
 def fill(points, snow, seconds, share, is_found=True):

@@ -9,11 +9,10 @@ import time
 
 import bpy
 
-from ..core import wiring
+from ..core import keeping, wiring
 from ..core.declare import is_owner, registered
 from ..core.interface.view import viewports
 from ..core.measures import bounds
-from . import flakes
 
 AT_ONCE = 48
 """Blocks of 256 flakes that an evaluation, or a call of the timer, looks at."""
@@ -24,8 +23,12 @@ PAUSE = 0.01
 SHOWN = 0.3
 """Seconds from one time to the next that what has been found is shown."""
 
-_searches = {}
-"""Name of an emitter -> its Search, which the solver leaves here."""
+_searches = keeping.OfFile(
+    "which flakes' landings are still looked for (Search)",
+    "name of the emitter",
+    most=1024,
+    until="all landings are found, or another file is opened",
+)
 
 
 class Search:
@@ -71,10 +74,10 @@ def are_left(context, snow, seconds):
         return False
     left = snow.find_landings(seconds, AT_ONCE)
     if left == 0:
-        _searches.pop(name, None)
+        _searches.drop(name)
         return False
     if search is None or not search.is_for(snow, seconds):
-        _searches[name] = Search(snow, seconds, left)
+        _searches.add(name, Search(snow, seconds, left))
         context.wants_to_settle = True
     return True
 
@@ -92,25 +95,27 @@ def settle():
 
 
 def _go_on():
-    for name, search in list(_searches.items()):
+    for name, search in _searches.items():
         emitter = bpy.data.objects.get((name, None))
         if emitter is None or not is_owner(registered["snow"], emitter):
-            _searches.pop(name, None)
+            _searches.drop(name)
             continue
         if search.has_no_room:
             continue
         goes_on, is_shown = search.go_on()
         if not goes_on and not search.has_no_room:
-            _searches.pop(name, None)
+            _searches.drop(name)
         if is_shown:
             wiring.touch(registered["snow"], emitter)
             viewports.redraw(('VIEW_3D', 'PROPERTIES'))
-    return None if all(search.has_no_room for search in _searches.values()) else PAUSE
+    return None if all(search.has_no_room for _, search in _searches.items()) else PAUSE
 
 
-def forget():
-    """Let go of all snows, and of what is looked for."""
-    _searches.clear()
-    flakes.forget()
+def register():
+    """Nothing is looked for until a solver leaves something."""
+
+
+def unregister():
+    """Look for nothing more."""
     if bpy.app.timers.is_registered(_go_on):  # not after another file was opened, which ends it
         bpy.app.timers.unregister(_go_on)

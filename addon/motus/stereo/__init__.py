@@ -1,8 +1,7 @@
 """Stereo camera rig: sets a camera's eyes by a depth budget, and checks what an audience will see."""
 
-from ..core.blender import handlers
 from ..core.declare import System
-from . import checking, measuring, operators, output, overlay, panel, presets, properties, results, rig, solve, viewing
+from . import checking, measuring, operators, output, overlay, panel, presets, properties, rig, solve, viewing
 
 SYSTEM = System(
     name="stereo",
@@ -24,7 +23,6 @@ SYSTEM = System(
     owner_types=frozenset({'CAMERA'}),
     solve=solve.solve,
     problems=solve.PROBLEMS,
-    extras=(handlers.Forgetting(results.forget_all),),
     outputs=rig.OUTPUTS,
     groups=rig.groups,
     overlay=overlay.overlay,

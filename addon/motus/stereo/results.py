@@ -2,15 +2,14 @@
 
 from typing import Any, NamedTuple
 
+from ..core import keeping
 from ..core.lazy import numpy as np
 
 COLUMNS = 32
 NARROWEST = 0.001
 """Least range of the histogram, in parallax; equal parallax everywhere gives one column."""
-MOST = 64
 
-_found = {}
-"""Results by the name of the camera and its library; the oldest ones are dropped."""
+_found = keeping.OfFile("what the last check of a stereo rig has found (Result)", "name of the camera with its library", most=64)
 
 
 class Result(NamedTuple):
@@ -28,10 +27,7 @@ def keep(camera, sentences, parallax):
     lowest, highest = (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)
     wider = 0.5 * max(NARROWEST - (highest - lowest), 0.0)
     counts, _ = np.histogram(values, COLUMNS, (lowest - wider, highest + wider))
-    _found.pop(camera.name_full, None)
-    _found[camera.name_full] = Result(tuple(sentences), lowest, highest, counts / max(len(values), 1))
-    while len(_found) > MOST:
-        del _found[next(iter(_found))]
+    _found.add(camera.name_full, Result(tuple(sentences), lowest, highest, counts / max(len(values), 1)))
 
 
 def of(camera):
@@ -41,9 +37,4 @@ def of(camera):
 
 def forget(camera):
     """Drop the result of a camera."""
-    _found.pop(camera.name_full, None)
-
-
-def forget_all():
-    """Drop all results: another file may have cameras of the same names."""
-    _found.clear()
+    _found.drop(camera.name_full)

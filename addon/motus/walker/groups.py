@@ -1,10 +1,9 @@
 """What is wired on a walker: its feet by one solver, the body that leans by another."""
 
-import functools
 import json
 from typing import Any, NamedTuple
 
-from ..core import rigs, wiring
+from ..core import keeping, rigs, wiring
 from ..core.declare import BonesOwn, Entry, Group, Member, Transform
 from ..core.file import stored
 from ..core.lazy import numpy as np
@@ -17,6 +16,7 @@ FEET, BODY = "feet", "body"
 PLACE, LEANING, TURN = frozenset({"location"}), frozenset({"location", "rotation"}), frozenset({"rotation"})
 
 _FORM = {"feet": [{"leg": int, "is_bone": bool}], "is_looped": bool, "lacks": int, "is_bodiless": bool, "fingerprint": int}
+_noted = keeping.OfProcess("what a walker's groups note (Noted)", "the text", most=64)
 
 
 def entries(owner):
@@ -96,9 +96,12 @@ class Noted(NamedTuple):
     is_bodiless: bool
 
 
-@functools.lru_cache(maxsize=64)
 def parsed(text):
     """The Noted of a group's data. Raises Damaged."""
+    return _noted.made(text, lambda: _parsed(text))
+
+
+def _parsed(text):
     said = stored.parse(text, _FORM)
     legs_of = [foot["leg"] for foot in said["feet"]]
     if legs_of != sorted(set(legs_of)):

@@ -1,10 +1,14 @@
 """Results that a walker's two solvers (feet and body) share within one evaluation."""
 
-from ..core import wiring
+from ..core import keeping, wiring
 from ..core.evaluated import copies, read_keys
 
-KEY = "walker shared"
-"""Of Copy.found: (moment, group, what was found, which keys were read)."""
+_WAITING = keeping.OfEvaluation(
+    "what a walker's first solver leaves for its second one: (moment, group, what was found, which keys were read)",
+    "the owner",
+    "one for each walker",
+    until="the second solver has taken it",
+)
 
 
 def found(context, make):
@@ -14,9 +18,10 @@ def found(context, make):
         return make()
     moment = wiring.evaluation(), context.frame
     # Taken by one alone: who is solved again by itself may be so because the rest has changed.
-    waiting = copy.found.pop(KEY, None)
+    kept = _WAITING.on(copy)
+    waiting = kept.pop("waiting", None)
     if waiting is not None and waiting[0] == moment and waiting[1] != context.group and read_keys.note(waiting[3]):
         return waiting[2]
     made = make()
-    copy.found[KEY] = moment, context.group, made, read_keys.noted()
+    kept["waiting"] = moment, context.group, made, read_keys.noted()
     return made

@@ -222,9 +222,9 @@ class TimeTest(cases.PinsTestCase):
         grid = self.animated()
         frame_set(7.25)
         kept = evaluated(grid).copy()
-        support.addon("pull.pins.shapes").forget()
+        support.addon("pull.pins.shapes")._shapes.clear()
         frame_set(3)
-        support.addon("pull.pins.shapes").forget()
+        support.addon("pull.pins.shapes")._shapes.clear()
         frame_set(7.25)
         self.assert_bits(evaluated(grid), kept)
 

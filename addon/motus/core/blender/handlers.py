@@ -29,14 +29,14 @@ def remove(pairs: Sequence[Pair]) -> None:
 
 
 class Forgetting:
-    """Has something forgotten that belongs to the file: when another one is opened, and when the add-on goes. One of a system's `extras`."""
+    """Has what belongs to the file forgotten when another one is opened, and all when the add-on is disabled."""
 
-    def __init__(self, forget: Callable[[], None]) -> None:
+    def __init__(self, forget: Callable[[], None], forget_all: Callable[[], None]) -> None:
         @persistent
         def loaded(*_: Any) -> None:
             forget()
 
-        self._forget, self._pairs = forget, ((bpy.app.handlers.load_post, loaded),)
+        self._forget_all, self._pairs = forget_all, ((bpy.app.handlers.load_post, loaded),)
 
     def register(self) -> None:
         """Forget with each file from now on."""
@@ -45,7 +45,7 @@ class Forgetting:
     def unregister(self) -> None:
         """Forget for the last time."""
         remove(self._pairs)
-        self._forget()
+        self._forget_all()
 
 
 def take_back(*steps: Callable[[], Any]) -> None:

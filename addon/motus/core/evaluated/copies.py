@@ -16,6 +16,7 @@ from typing import Any, NamedTuple, TypeVar
 import bpy
 from bpy.app.handlers import persistent
 
+from .. import keeping
 from ..blender import actions
 from ..file import stored
 
@@ -38,7 +39,7 @@ def original_of(evaluated: Any, originals: Any, depsgraph: bpy.types.Depsgraph) 
     return next((one for one in found if one is not None and one.evaluated_get(depsgraph) == evaluated), None)
 
 
-class _Latest:
+class _OfCopies(keeping.OfEvaluation):
     """What is known of evaluated datablocks, of each of them for as long as it is there and was not copied anew.
 
     Blender copies a datablock anew to where it lay before.
@@ -47,7 +48,8 @@ class _Latest:
     FEW = 64
     """Up to so many are kept without a look at which of them are gone."""
 
-    def __init__(self) -> None:
+    def __init__(self, what: str) -> None:
+        super().__init__(what, "a number that no other copy has had", "one for each evaluated copy that Blender has")
         self.known: dict[int | None, Any] = {}  # number -> what is known of the copy that has it
         self._places: dict[int, tuple[Any, int]] = {}  # where a datablock lies -> (it, the number)
         self._most = self.FEW
@@ -87,7 +89,9 @@ def is_gone(datablock: Any) -> bool:
     return False
 
 
-_copies, _actions, _found = _Latest(), _Latest(), _Latest()
+_copies = _OfCopies("an evaluated object, armature, curve or scene: its drivers, its action, and the rooms of what is read of it")
+_found = _OfCopies("an evaluated action: the rooms of what is read of it")
+_REACH = keeping.OfEvaluation("which settings and bones an action sets", "the action", "one for each evaluated action")
 
 
 class Reach(NamedTuple):
@@ -112,7 +116,7 @@ _NOTHING, _ANYTHING = Reach(False, False, frozenset()), Reach(True, True, None)
 
 
 class Copy:
-    """One evaluated copy. number: no other copy has had it. found: what was read of it, by name."""
+    """One evaluated copy. number: no other copy has had it. found: rooms of what was read of it, by keeping.OfEvaluation."""
 
     def __init__(self, evaluated: Any, number: int) -> None:
         self.number = number
@@ -230,7 +234,7 @@ def forget(*_: Any) -> None:
 
     Another file is loaded, or the classes of properties end, to which what is kept of them refers.
     """
-    for known in (_copies, _actions, _found):
+    for known in (_copies, _found):
         known.clear()
 
 
@@ -245,7 +249,7 @@ def number_of_action(action: Any) -> int | None:
 
 
 def found_of_action(action: Any) -> dict[Any, Any]:
-    """What was read of an evaluated action, by name, for as long as Blender keeps that copy of it; of an original nothing is kept."""
+    """Rooms of what was read of an evaluated action (keeping.OfEvaluation.within); of an original nothing is kept."""
     number = number_of_action(action)
     if number is None:
         return {}
@@ -306,12 +310,10 @@ def has_animation(evaluated: Any) -> bool:
 
 
 def _reach_of_action(action: Any) -> Reach:
-    number = number_of_action(action)
-    known = _actions.known.get(number)
+    kept = _REACH.within(found_of_action(action))
+    known: Reach | None = kept.get("reach")
     if known is None:
-        known = _reach(itertools.chain.from_iterable(actions.all_fcurves(action)))
-        if number:
-            _actions.add(action, number, known)
+        known = kept["reach"] = _reach(itertools.chain.from_iterable(actions.all_fcurves(action)))
     return known
 
 

@@ -6,11 +6,14 @@ than it was when it was chosen (*Convert*). So nobody reads a pointer but by poi
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Callable
 from typing import Any
 
 import bpy
+
+from .. import keeping
+
+_DECLARED = keeping.OfProcess("what a pointer of settings is declared for", "class of the settings, name of the pointer", most=1024)
 
 
 def to_object(*types: str, also: Callable[[Any, Any], bool] = lambda _settings, _obj: True, **options: Any) -> Any:
@@ -55,11 +58,11 @@ def pointed(settings: Any, name: str) -> Any:
     value = getattr(settings, name)
     if value is None:
         return None
-    kind, types = _declared(type(settings), name)  # type: ignore[arg-type]
+    group = type(settings)
+    kind, types = _DECLARED.get((group, name)) or _DECLARED.add((group, name), _declared(group, name))
     return value if isinstance(value, kind) and (not types or value.type in types) else None
 
 
-@functools.cache
 def _declared(group: Any, name: str) -> tuple[Any, frozenset[str]]:
     """(class of the datablocks, types of objects or none) that a pointer of a class of settings is declared for."""
     kind = getattr(bpy.types, group.bl_rna.properties[name].fixed_type.identifier)

@@ -4,6 +4,7 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix
 
+from .. import keeping
 from ..evaluated import copies
 from ..evaluated.per_thread import scratch
 from ..lazy import numpy as np
@@ -13,8 +14,9 @@ _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE":
 
 INHERITS_ROTATION, HAS_LOCAL_LOCATION = 8, 16
 
-LAID = "laid"
-"""Key of Copy.found: {key: (rows, (n, 16) float32)}, see lay()."""
+_LAID = keeping.OfEvaluation(
+    "transforms that a system lays over a rig's bones: {key: (rows, (n, 16) float32)}, see lay()", "the rig", "one for each rig"
+)
 
 LENDS_MEMORY = hasattr(Matrix, "__buffer__")  # Blender 5
 
@@ -110,8 +112,7 @@ def poses(rig, known, rows=None):
 def basis(rig, known):
     """Arrays.basis alone: where a system lays poses over the bones, what it makes of them."""
     found = own_basis(rig, known)
-    copy = copies.of(rig)
-    for rows, matrices in list(copy.found.get(LAID, {}).values()) if copy else ():
+    for rows, matrices in _LAID.on(copies.of(rig)).get("laid", {}).values():
         found[rows] = matrices
     return found
 
@@ -126,10 +127,9 @@ def lay(rig, key, rows, matrices):
 
     For a system that lays poses; others wait for its solver. The note stands until this is called again with the same key.
     """
-    copy = copies.of(rig)
-    if copy is not None:
-        # A new dictionary each time: other threads may go through the one that is there.
-        copy.found[LAID] = copy.found.get(LAID, {}) | {key: (rows, matrices)}
+    kept = _LAID.on(copies.of(rig))
+    # A new dictionary each time: other threads may go through the one that is there.
+    kept["laid"] = kept.get("laid", {}) | {key: (rows, matrices)}
 
 
 def laid_bones(rig):
@@ -141,7 +141,7 @@ def laid_bones(rig):
 
 def is_laid(copy):
     """Whether a system lays poses over bones of an evaluated rig's Copy."""
-    return LAID in copy.found
+    return bool(_LAID.on(copy))
 
 
 def columns(matrix):

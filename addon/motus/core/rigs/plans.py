@@ -1,15 +1,15 @@
 """Plans that are made once from what is wired on a rig and used for many frames."""
 
 import zlib
-from collections import OrderedDict
 from typing import Any, NamedTuple
 
+from .. import keeping
 from ..evaluated import copies
-from ..evaluated.per_thread import kept
 from ..file.stored import Damaged
 from .arrays import inheritance, is_still, names_of, still
 
-LARGEST_CACHE = 64
+_PLANS = keeping.OfThread("plans of rigs", "what was wired, fingerprint of the bones included; the rig's name and library", most=64)
+_SOURCES = keeping.OfEvaluation("what is read of a rig for its plan", "what was wired", "one for each group that is wired on a rig")
 
 
 def fingerprint(rig):
@@ -27,12 +27,11 @@ def plan(rig, key, make):
     """
     if rig.pose is None or not isinstance(key, str):
         raise Damaged("no rig, or nothing that is known of it")
-    plans = kept("plans", OrderedDict)
+    plans = _PLANS.here()
     place = key, rig.name, rig.library and rig.library.name
-    found = plans.get(place)
+    found = plans.find(place)
     copy = copies.stamp_of_data(rig)
     if found is not None and copy and found.copy == copy:
-        plans.move_to_end(place)
         return found
     if found is None or copy or not is_still(rig, found.still):
         # The key is what was wired; the rig may be one that was edited since.
@@ -40,12 +39,9 @@ def plan(rig, key, make):
         if found is not None and found.edited == edited:
             found.still = still(rig, names)
         else:
-            found = plans[place] = make(rig, {name: row for row, name in enumerate(names)})
+            found = plans.add(place, make(rig, {name: row for row, name in enumerate(names)}))
             found.edited = edited
-            if len(plans) > LARGEST_CACHE:
-                plans.popitem(last=False)
     found.copy = copy
-    plans.move_to_end(place)
     return found
 
 
@@ -55,14 +51,12 @@ def source(rig, key, make, read):
     Kept for as long as Blender keeps these copies of the rig and of its armature; where the armature's cannot be told apart,
     for as long as its bones stay what they are.
     """
-    copy, armature = copies.of(rig), rig.data and copies.stamp_of_data(rig)
-    place = "source", key
-    found = None if copy is None else copy.found.get(place)
+    armature = rig.data and copies.stamp_of_data(rig)
+    kept = _SOURCES.on(copies.of(rig))
+    found = kept.get(key)
     if found is None or found.armature != armature or (armature is None and not is_still(rig, found.still)):
         planned = plan(rig, key, make)
-        found = _Source(armature, planned.still, read(rig, planned))
-        if copy is not None:
-            copy.found[place] = found
+        found = kept[key] = _Source(armature, planned.still, read(rig, planned))
     return found.made
 
 

@@ -1,5 +1,6 @@
 """Where evaluated objects stand, as one array."""
 
+from .. import keeping
 from ..evaluated import copies
 from ..file import deleted
 from ..lazy import numpy as np
@@ -7,8 +8,11 @@ from .arrays import LENDS_MEMORY, columns
 
 LARGE_SCENE = 4  # objects for each target
 
-# How many objects a view layer had when they were last counted: only for the faster of two ways to the same answer.
-_layer_sizes = {}
+_layer_sizes = keeping.OfFile(
+    "how many objects a view layer had when they were last counted: for the faster of two ways to the same answer",
+    "names of scene and view layer",
+    most=256,
+)
 
 
 def standing(objects):
@@ -48,7 +52,7 @@ class Standing:
         if _layer_sizes.get(layer, 0) <= most:
             # What is compared is where evaluated data lies in memory.
             every = list(map(hash, view_layer.objects.values()))
-            _layer_sizes[layer] = len(every)
+            _layer_sizes.add(layer, len(every))
             if len(every) <= most:
                 if every != self._every:
                     self._find(every)

@@ -2,19 +2,22 @@
 
 import hashlib
 import threading
-from collections import OrderedDict
 from typing import Any, NamedTuple
 
+from .. import keeping
 from ..evaluated import copies
-from ..evaluated.per_thread import aside
 from ..lazy import numpy as np
 
 MOST_BYTES = 256 << 20
 """Of faces that are kept."""
 
-_faces = OrderedDict()
-"""Number of an evaluated copy of a mesh -> its Faces, or None."""
-_lock = threading.Lock()
+_faces = keeping.OfFile(
+    "Faces of an evaluated mesh",
+    "number of the evaluated copy of the mesh",
+    most_size=MOST_BYTES,
+    size=lambda _, found: found.bytes if found else 0,
+    unit="bytes",
+)
 # A second to_mesh() on an object frees the first one's result, and drivers run in several threads.
 _temporary_mesh = threading.RLock()
 
@@ -77,23 +80,7 @@ def faces(obj):
     mesh = obj.data
     if mesh == obj.original.data:  # all its copies would have its number
         return _read_shown(obj)
-    number = copies.number_given(mesh)
-    with _lock:  # a render's thread may be here at the same time as the viewport's
-        if number in _faces:
-            _faces.move_to_end(number)
-            return _faces[number]
-    found = _read_shown(obj)
-    with _lock:
-        _faces[number] = found
-        while len(_faces) > 1 and sum(one.bytes for one in _faces.values() if one) > MOST_BYTES:
-            _faces.popitem(last=False)
-    return found
-
-
-def forget():
-    """Let go of all faces: they are of another file."""
-    with _lock:
-        _faces.clear()
+    return _faces.made(copies.number_given(mesh), lambda: _read_shown(obj))
 
 
 def _read_shown(obj):
@@ -101,7 +88,7 @@ def _read_shown(obj):
         return _read(obj.data)
     with _temporary_mesh:  # in Edit Mode Blender leaves the evaluated mesh empty until somebody asks for one
         try:
-            with aside():
+            with keeping.aside():
                 mesh = obj.to_mesh()
             return _read(mesh)
         finally:

@@ -9,11 +9,11 @@ import base64
 import binascii
 import json
 import uuid
-from collections import OrderedDict
 from typing import Any, NamedTuple
 
 import bpy
 
+from .. import keeping
 from ..animation import keys
 from ..file import libraries, stored
 from ..lazy import numpy as np
@@ -30,8 +30,13 @@ LARGEST_MEMORY = 1 << 28
 """Bytes of recordings that are kept unpacked, the latest ones."""
 
 _FORM = (int, float, float, str, str)
-_read = OrderedDict()
-"""(what, head) -> the Recording that was found there. No two recordings have the same head."""
+_read = keeping.OfFile(
+    "recordings, unpacked",
+    "what was recorded, and the recording's header, which no other recording has",
+    most_size=LARGEST_MEMORY,
+    size=lambda _, found: found.samples.nbytes,
+    unit="bytes",
+)
 
 
 class MOTUS_PG_recording(bpy.types.PropertyGroup):
@@ -73,12 +78,7 @@ def read(id_data, what, width):
     head = entry.head if entry else ""
     if not head:
         return None
-    found = _read.get((what, head))
-    if found is None:
-        found = _read[what, head] = _opened(head, entry.data, width)
-        while len(_read) > 1 and sum(one.samples.nbytes for one in list(_read.values())) > LARGEST_MEMORY:
-            _read.popitem(last=False)
-    return found
+    return _read.made((what, head), lambda: _opened(head, entry.data, width))
 
 
 def _opened(head, data, width):

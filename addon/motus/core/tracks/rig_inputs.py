@@ -2,6 +2,7 @@
 
 import functools
 
+from .. import keeping
 from ..animation import keys, strips
 from ..animation.channel import Channel
 from ..animation.strips import together
@@ -10,6 +11,10 @@ from ..evaluated.question import answered
 from ..lazy import numpy as np
 from . import laid
 from .transforms import Own, World
+
+_KEPT = keeping.OfEvaluation(
+    "what is made of a rig's keys, settings and rest pose", "its name; made anew where their stamp has changed", "one for each name"
+)
 
 
 class RigInputs:
@@ -137,7 +142,7 @@ def kept(rig, name, make):
     stamp = stamp_of(rig)
     if stamp is None:
         return make()
-    known = copies.of(rig).found
+    known = _KEPT.on(copies.of(rig))
     found = known.get(name)
     if found is None or found[0] != stamp:
         found = known[name] = stamp, make()

@@ -2,9 +2,8 @@
 
 import enum
 import functools
-import threading
-from collections import OrderedDict
 
+from .. import keeping
 from ..animation import channel
 from ..animation.channel import Channel
 from ..animation.strips import keys_stamp
@@ -17,39 +16,14 @@ from .transforms import PARTS, Own, Transforms, World
 LARGEST_CACHE = 8192  # of what kept() keeps: some thousand properties or bones, in a viewport and a render
 LARGEST_MEMORY = 1 << 30  # bytes of that
 
-
-class _Kept(OrderedDict):
-    """(what, bytes of it) by place, what was asked for least lately first where there are many; no more than the limits."""
-
-    def __init__(self):
-        self._memory = 0
-        self._changing = threading.Lock()
-
-    def find(self, place):
-        """What is there; None without."""
-        held = self.get(place)
-        # As long as there is much room left nobody needs to know what was asked for lately, and to note it takes as long as to find it.
-        if held is not None and (2 * len(self) > LARGEST_CACHE or 2 * self._memory > LARGEST_MEMORY):
-            with self._changing:
-                if place in self:
-                    self.move_to_end(place)
-        return held
-
-    def empty(self):
-        """Let go of all."""
-        with self._changing:
-            self.clear()
-            self._memory = 0
-
-    def add(self, place, held):
-        with self._changing:
-            self._memory += held[1] - self.pop(place, (None, 0))[1]  # another thread may have been here meanwhile
-            self[place] = held
-            while len(self) > LARGEST_CACHE or (self._memory > LARGEST_MEMORY and len(self) > 1):
-                self._memory -= self.popitem(last=False)[1][1]
-
-
-_kept = _Kept()
+_made = keeping.OfFile(
+    "what solvers make of tracks: native tracks, samples, plans",
+    "what it is, and the tracks' stamps",
+    LARGEST_CACHE,
+    LARGEST_MEMORY,
+    lambda _, found: _bytes(found),
+    "bytes",
+)
 
 
 class Kind(enum.Enum):
@@ -223,18 +197,7 @@ def kept_by(stamp, name, make):
     """The same by a track's stamp, or another hashable one that changes whenever what make() reads may; None: nobody can tell."""
     if stamp is None:
         return make()
-    place = name, stamp
-    held = _kept.find(place)
-    if held is None:
-        found = make()
-        held = found, _bytes(found)
-        _kept.add(place, held)
-    return held[0]
-
-
-def forget():
-    """Let go of what is kept: it is of another file."""
-    _kept.empty()
+    return _made.made((name, stamp), make)
 
 
 def _bytes(found):

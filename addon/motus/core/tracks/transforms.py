@@ -1,12 +1,12 @@
 """Location, rotation and scale of objects and bones over time, and their world matrices, as Blender makes them."""
 
 import functools
-from collections import OrderedDict
 from typing import Any, NamedTuple
 
 import bpy
 from mathutils import Matrix
 
+from .. import keeping
 from ..animation import keys, strips
 from ..animation.channel import Channel, is_driven
 from ..animation.reason import Reason
@@ -23,8 +23,12 @@ DEEPEST = 256
 """Parents above each other; of bones too. What hangs deeper is taken for a loop."""
 LARGEST_CACHE = 1024  # bones of some rigs, in a viewport and a render
 
-_keys = OrderedDict()
-"""(an evaluated action, beginning of data paths, rotation mode) -> which channels have keys there (Own._keys_at)."""
+_keys = keeping.OfFile(
+    "which channels of an object or bone have keys", "the action's stamp, beginning of the data paths, rotation mode", LARGEST_CACHE
+)
+_DRIVEN = keeping.OfEvaluation(
+    "whether drivers set a channel of an object or bone", "beginning of the data paths, rotation mode", "one for each object or bone"
+)
 
 
 class Transforms(NamedTuple):
@@ -153,9 +157,8 @@ class Own:
 
     def _has_drivers(self):
         """Whether a driver sets a channel; known for as long as Blender keeps an evaluated copy that can be told from others."""
-        copy = copies.of(self._id) if self._id.is_evaluated else None
-        known = {} if copy is None else copy.found
-        place = "own drivers", self._prefix, self._mode
+        known = _DRIVEN.on(copies.of(self._id) if self._id.is_evaluated else None)
+        place = self._prefix, self._mode
         if place not in known:
             known[place] = any(
                 is_driven(self._id, self._prefix + name, index)
@@ -176,18 +179,13 @@ class Own:
         if self._id.animation_data is None:
             return {name: range(size) for name, size in self._names().items()}, False
         place = (self._action, self._prefix, self._mode) if self._id.is_evaluated and self._action else None
-        found = _keys.get(place)
-        if found is None:
-            still = {
-                name: [index for index, curve in enumerate(self._curves(name, size)) if curve is None]
-                for name, size in self._names().items()
-            }
-            found = still, any(self._curves("rotation_mode", 1))
-            if place:
-                _keys[place] = found
-                if len(_keys) > LARGEST_CACHE:
-                    _keys.popitem(last=False)
-        return found
+        return _keys.made(place, self._find_keys) if place else self._find_keys()
+
+    def _find_keys(self):
+        still = {
+            name: [index for index, curve in enumerate(self._curves(name, size)) if curve is None] for name, size in self._names().items()
+        }
+        return still, any(self._curves("rotation_mode", 1))
 
     def _still_values(self):
         """Values of the channels that nothing animates."""

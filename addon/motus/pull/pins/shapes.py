@@ -4,24 +4,27 @@ An entry is keyed by the content of the mesh (positions, numbers of the roots, a
 compared on every evaluation. The results do not depend on the cache.
 """
 
-import threading
-from collections import OrderedDict
-
-from ...core import native
-from ...core.evaluated.per_thread import kept
+from ...core import keeping, native
 from ...core.lazy import numpy as np
 from ..mesh import arrays
 from . import binding
 
 LARGEST = 32
 """Most shapes in the cache."""
-MOST_VERTICES = 4_000_000
-"""Most vertices of all shapes in the cache except the latest one."""
+MOST_VERTICES = 8_000_000
+"""Most vertices of all shapes in the cache."""
 SPARE_REACHES = 64
 """Number of unused reaches that a shape keeps, for pins that are being edited."""
 
-_lock = threading.Lock()
-_shapes = OrderedDict()
+_shapes = keeping.OfFile(
+    "what pins reach, with the mesh as it was (Shape)",
+    "name of the mesh, whether its topology counts; compared with the mesh's content",
+    LARGEST,
+    MOST_VERTICES,
+    lambda _, shape: len(shape.positions),
+    "vertices",
+)
+_BUFFERS = keeping.OfThread("what is read of a mesh, to be compared", "a name; another size replaces it", most=8)
 
 
 class Reached:
@@ -53,7 +56,7 @@ class Shape:
         self._triangles = None if topology is None else arrays.triangles(mesh)
         self._edges = None if topology is None else arrays.edges(mesh)
         self._picker = None
-        self._found = OrderedDict()
+        self._found = keeping.Latest()
 
     def is_of(self, positions, numbers, topology):
         """Whether these positions, numbers and topology of a mesh are those that the cached Shape was made for."""
@@ -63,16 +66,15 @@ class Shape:
 
     def find(self, row):
         """Find a pin's root and reach: (root or None, status, Reached or None)."""
-        if row.where not in self._found:
-            root, status = binding.root(row, self.positions, self._anchors, self._size)
-            self._found[row.where] = root, status, None if root is None else Reached(self._reaches(row, root))
-        self._found.move_to_end(row.where)
-        return self._found[row.where]
+        return self._found.made(row.where, lambda: self._find(row))
+
+    def _find(self, row):
+        root, status = binding.root(row, self.positions, self._anchors, self._size)
+        return root, status, None if root is None else Reached(self._reaches(row, root))
 
     def forget_but(self, count):
         """Remove reaches of pins that have changed, if more than `count` and SPARE_REACHES are kept."""
-        while len(self._found) > count + SPARE_REACHES:
-            self._found.popitem(last=False)
+        self._found.trim(count + SPARE_REACHES)
 
     def _reaches(self, row, root):
         if self._picker is None:
@@ -88,28 +90,10 @@ def shape_of(mesh, rows):
     if any(row.distance != "straight" for row in rows):
         topology = _topology(mesh)
     place = mesh.name_full, topology is None
-    with _lock:
-        shape = _shapes.get(place)
-        if shape is not None and shape.is_of(positions, numbers, topology):
-            _shapes.move_to_end(place)
-            return shape
-    shape = Shape(mesh, positions.copy(), numbers, topology and tuple(array.copy() for array in topology))
-    with _lock:
-        _shapes[place] = shape
-        _shapes.move_to_end(place)
-        while len(_shapes) > 1 and (len(_shapes) > LARGEST or _kept_vertices() > MOST_VERTICES):
-            _shapes.popitem(last=False)
-    return shape
-
-
-def forget():
-    """Empty the cache."""
-    with _lock:
-        _shapes.clear()
-
-
-def _kept_vertices():
-    return sum(len(shape.positions) for shape in list(_shapes.values())[:-1])
+    shape = _shapes.find(place)
+    if shape is not None and shape.is_of(positions, numbers, topology):
+        return shape
+    return _shapes.add(place, Shape(mesh, positions.copy(), numbers, topology and tuple(array.copy() for array in topology)))
 
 
 def _positions(mesh):
@@ -132,10 +116,9 @@ def _topology(mesh):
 
 def _buffer(name, size, dtype):
     # Reused memory: fresh memory would have to be mapped by the system on every frame, which takes longer than filling it.
-    buffers = kept("pins", dict)
-    if name not in buffers or len(buffers[name]) != size:
-        buffers[name] = np.empty(size, dtype)
-    return buffers[name]
+    buffers = _BUFFERS.here()
+    found = buffers.get(name)
+    return buffers.add(name, np.empty(size, dtype)) if found is None or len(found) != size else found
 
 
 def _memory(items):

@@ -1,8 +1,7 @@
 """Ground cover: snow that lies on surfaces, and grows with the flakes that land there."""
 
-from ...core.blender import handlers
 from ...core.declare import System
-from . import build, look, operators, panel, presets, properties, solve, work
+from . import build, look, operators, panel, presets, properties, solve
 
 SYSTEM = System(
     name="snow_cover",
@@ -25,7 +24,6 @@ SYSTEM = System(
     dress=look.dress,
     settle=build.settle,
     rebuild=build.wire,
-    extras=(handlers.Forgetting(work.forget),),
     unbakeable=solve.UNBAKEABLE.sentence,
     object_menu=("motus.snow_cover_add", "motus.snow_cover_remove"),
 )

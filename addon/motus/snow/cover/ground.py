@@ -1,15 +1,16 @@
 """What snow lies on: the surfaces as one mesh in the world, refined, and what else flakes land on."""
 
-import functools
 from typing import Any, NamedTuple
 
-from ...core import native
+from ...core import keeping, native
 from ...core.lazy import numpy as np
 from ...core.scenery import meshes
 
 MOST = 1 << 21
 """Vertices of the layer."""
-KEPT = 3
+_grounds = keeping.OfFile(
+    "what snow lies on (Ground), or None", "stamps of the faces and where they stand, resolution, up, angle of repose", most=3
+)
 
 
 class Ground(NamedTuple):
@@ -24,9 +25,12 @@ class Ground(NamedTuple):
     vertex_count: int
 
 
-@functools.lru_cache(maxsize=KEPT)
-def made(lain_on, shelters, resolution, up, repose):
-    """The Ground of what is Placed; None where it would have more than MOST vertices."""
+def made(*what):
+    """The Ground of what is Placed; None where it would have more than MOST vertices. what: lain_on, shelters, resolution, up, repose."""
+    return _grounds.made(what, lambda: _made(*what))
+
+
+def _made(lain_on, shelters, resolution, up, repose):
     positions, triangles = meshes.joined(lain_on)
     try:
         positions, triangles = native.module.refine(positions, triangles, resolution, MOST)

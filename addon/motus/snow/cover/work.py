@@ -4,11 +4,9 @@ On frames that are shown what takes long is left to an operator with progress, a
 that are rendered have it done at once.
 """
 
-import threading
-from collections import OrderedDict
 from typing import Any, NamedTuple
 
-from ...core import native
+from ...core import keeping, native
 from ...core.declare import Problem
 from ...core.measures import bounds
 from .. import flakes
@@ -72,11 +70,20 @@ class Work(NamedTuple):
     fault: Any
 
 
-_done = OrderedDict()
-"""(name of a cover's object, Plan) -> its Work, or what is wrong with it."""
-_asked = {}
-"""Name of a cover's object -> the Plan that the viewport waits for."""
-_lock = threading.Lock()
+_done = keeping.OfFile(
+    "how snow lies (Work), or what is wrong with it",
+    f"name of the cover's object, Plan; {KEPT} for each cover",
+    MOST_KEPT,
+    MOST_FLAKES_KEPT,
+    lambda place, _: sum(fall.count for fall in place[1].falls),
+    "flakes",
+)
+_asked = keeping.OfFile(
+    "the Plan of a snow cover that the viewport waits for",
+    "name of the cover's object",
+    most=1024,
+    until="it is worked out, or another file is opened",
+)
 
 
 def may_wait(depsgraph, owner):
@@ -104,17 +111,12 @@ def _price(fall):
 
 def known(name, plan):
     """The Work of a plan of the cover of a name, or what is wrong with it, if it was done before; else None."""
-    with _lock:
-        found = _done.get((name, plan))
-        if found is not None:
-            _done.move_to_end((name, plan))
-        return found
+    return _done.find((name, plan))
 
 
 def latest(name):
     """(Plan, Work) of what was done last for the cover of a name; None without."""
-    with _lock:
-        return next(((plan, found) for (whose, plan), found in reversed(_done.items()) if whose == name and isinstance(found, Work)), None)
+    return next(((plan, found) for (whose, plan), found in reversed(_done.items()) if whose == name and isinstance(found, Work)), None)
 
 
 def rounds(smoothing, resolution):
@@ -127,7 +129,7 @@ def rounds(smoothing, resolution):
 
 def ask(name, plan):
     """Note that the cover of a name waits for a plan."""
-    _asked[name] = plan
+    _asked.add(name, plan)
 
 
 def asked(name):
@@ -148,18 +150,11 @@ def do(name, plan):
 def steps(name, plan):
     """Do the work of a plan in parts; yields how many of part_count() are done."""
     found = yield from _steps(plan)
-    with _lock:
-        _done[name, plan] = found
-        for place in [place for place in _done if place[0] == name][:-KEPT]:
-            del _done[place]
-        while len(_done) > 1 and (len(_done) > MOST_KEPT or _flakes_kept() > MOST_FLAKES_KEPT):
-            _done.popitem(last=False)
-        if _asked.get(name) == plan:
-            del _asked[name]
-
-
-def _flakes_kept():
-    return sum(fall.count for _, plan in _done for fall in plan.falls)
+    _done.add((name, plan), found)
+    for place in [place for place, _ in _done.items() if place[0] == name][:-KEPT]:
+        _done.drop(place)
+    if _asked.get(name) == plan:
+        _asked.drop(name)
 
 
 def part_count(plan):
@@ -196,11 +191,3 @@ def _landed(snow, fall):
     for part in range(PARTS if _price(fall) > LONG else 0):
         snow.landings(start + (fall.end - start) * (part + 1) / PARTS)
         yield part + 1
-
-
-def forget():
-    """Let go of all that was worked out or asked for: covers of another file may have the same names."""
-    with _lock:
-        _done.clear()
-    _asked.clear()
-    ground.made.cache_clear()

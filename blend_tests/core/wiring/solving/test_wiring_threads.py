@@ -102,7 +102,7 @@ class NestedTest(support.SceneTestCase):
         bpy.context.view_layer.update()
 
     def test_both_are_right(self):
-        curves, per_thread = support.addon("path.curves"), support.addon("core.evaluated.per_thread")
+        curves, arrays = support.addon("path.curves"), support.addon("core.evaluated.per_thread")._ARRAYS
         depsgraph = bpy.context.evaluated_depsgraph_get()
         outer, inner = (bpy.data.objects[name].evaluated_get(depsgraph) for name in ("Outer", "Inner"))
         wanted = [curves.read_evaluated(one, depsgraph, 0).curve.length() for one in (outer, inner)]
@@ -116,13 +116,13 @@ class NestedTest(support.SceneTestCase):
 
             def to_curve(self, *arguments, **keywords):
                 found["inner"] = curves.read_evaluated(inner, depsgraph, 0).curve.length()
-                found["kept"] = per_thread.kept("test", lambda: "inner")
+                found["kept"] = arrays.here().made("test", lambda: "inner")
                 return outer.to_curve(*arguments, **keywords)
 
         def solve():
-            self.assertEqual(per_thread.kept("test", lambda: "outer"), "outer")
+            self.assertEqual(arrays.here().made("test", lambda: "outer"), "outer")
             found["outer"] = curves.read_evaluated(Nesting(), depsgraph, 0).curve.length()
-            found["still kept"] = per_thread.kept("test", lambda: "other")
+            found["still kept"] = arrays.here().made("test", lambda: "other")
 
         thread = threading.Thread(target=solve, daemon=True)
         thread.start()

@@ -2,14 +2,19 @@
 
 import bpy
 
+from ... import keeping
 from ...blender import handlers
 from ...tracks import digest, recordings
 from ...translations import tr
 from .. import ui
 from .operators import MOTUS_OT_track_clear, MOTUS_OT_track_record
 
-_digests = {}
-"""Type and name of a datablock -> its digest, until the next edit."""
+_digests = keeping.OfFile(
+    "digests of what recordings were made from",
+    "type and name of the datablock",
+    most=256,
+    until="the next edit, or another file is opened",
+)
 
 
 def draw(layout, track, **keywords):
@@ -41,10 +46,7 @@ def _digest(id_data):
         _digests.clear()
         handlers.add(_watched())
     place = id_data.bl_rna.identifier, id_data.name_full
-    found = _digests.get(place)
-    if found is None:
-        found = _digests[place] = digest.of(id_data)
-    return found
+    return _digests.made(place, lambda: digest.of(id_data))
 
 
 def _forget(*_):

@@ -3,6 +3,7 @@
 import bpy
 import bpy.utils.previews
 
+from ... import keeping
 from ...lazy import numpy as np
 
 WIDTH, HEIGHT = 256, 256  # icons are square
@@ -11,6 +12,7 @@ LINE, AXIS, LEVEL = (0.95, 0.55, 0.20), (0.55, 0.55, 0.55), (0.40, 0.62, 0.90)
 
 _graphs = []
 """The previews, once there is a graph."""
+_shown = keeping.OfProcess("which graph an icon shows: a hash of its values", "the place where it is shown", most=256)
 
 
 def icon(name, values, levels=(0.0,), marks=()):
@@ -28,11 +30,8 @@ def icon(name, values, levels=(0.0,), marks=()):
     if _shown.get(name) != key:
         preview.image_size = (WIDTH, HEIGHT)
         preview.image_pixels_float = pixels(values[0], levels, values[1:]).ravel().tolist()
-        _shown[name] = key
+        _shown.add(name, key)
     return preview.icon_id
-
-
-_shown = {}
 
 
 def pixels(values, levels=(0.0,), marks=()):

@@ -6,12 +6,12 @@ one that is appended does not bring the others. The shared outbox is one row's a
 """
 
 import json
-from collections import OrderedDict
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import bpy
 
+from ... import keeping
 from ...declare import Setting, groups_of, is_owner, of_owner
 from ...evaluated import copies
 from ...file import stored
@@ -22,9 +22,7 @@ from ...measures.handedness import is_mirrored
 from ..hubs import outbox
 from ..sinks import attribute_sink
 
-LARGEST_CACHE = 4096
-_known = OrderedDict()
-"""Text of a row -> Row, or Damaged."""
+_known = keeping.OfFile("rows of hubs that owners share (Row), or Damaged", "name of the system, the text of the row", most=4096)
 
 
 class Row(NamedTuple):
@@ -90,12 +88,7 @@ def row(system, mesh, index):
 def _row(system, text):
     if text is None:
         return None
-    found = _known.get(text) if isinstance(text, str) else Damaged
-    if found is None:
-        found = _known[text] = _parsed(system, text)
-        if len(_known) > LARGEST_CACHE:
-            _known.popitem(last=False)
-    return found
+    return _known.made((system.name, text), lambda: _parsed(system, text)) if isinstance(text, str) else Damaged
 
 
 def _parsed(system, text):

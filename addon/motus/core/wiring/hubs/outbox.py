@@ -19,12 +19,12 @@ All of that may have been changed by whoever had the file: opened() and owner_of
 import functools
 import json
 import re
-from collections import OrderedDict
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import bpy
 
+from ... import keeping
 from ...declare import has_settings
 from ...file import stored
 from ...file.stored import Damaged, Newer
@@ -46,8 +46,9 @@ OTHER = "\n"
 """What Info.members has in place of a name for an object that is not the owner."""
 LARGEST_CACHE = 256  # groups whose Info is known at a time
 
-_infos = OrderedDict()
-"""(carrier's name, name of the property) -> (what lies there, the Info that it says or the exception for why it says none)."""
+_infos = keeping.OfProcess(
+    "what a hub's mesh notes of a group (Info), or the exception for why it says none", "its text and version", LARGEST_CACHE
+)
 
 
 @dataclass(frozen=True)
@@ -321,13 +322,8 @@ def _info(system, carrier, group):
     noted = carrier.get(name)
     read = getattr(noted, "get", None)
     said = (read("text"), read("version", VERSION)) if read else (None, VERSION)
-    place = carrier.name_full, name
-    known = _infos.get(place)
-    if known is None or known[0] != said:
-        known = _infos[place] = said, _parsed(*said)
-        if len(_infos) > LARGEST_CACHE:
-            _infos.popitem(last=False)
-    found = known[1]
+    is_sound = isinstance(said[0], str) and isinstance(said[1], int)  # what a damaged file has may have no hash
+    found = _infos.made(said, lambda: _parsed(*said)) if is_sound else _parsed(*said)
     if not isinstance(found, Info):
         raise found("no info")
     return found

@@ -9,7 +9,7 @@ from typing import Any
 
 import bmesh
 
-from ... import native
+from ... import keeping, native
 from ...blender import capabilities, node_groups
 from ...evaluated.per_thread import scratch
 from ...file.stored import Damaged
@@ -28,8 +28,9 @@ Each has nodes of its own and no more inputs than it needs, for the file's sake.
 TUBE_SIDES = 8
 RADIUS = "radius"
 
-_forms = {}
-"""(system's name, (name, kind) of its attributes) -> an empty BMesh with them, of which meshes are made that have them."""
+_forms = keeping.OfProcess(
+    "empty BMeshes, of which meshes are made that have their attributes", "name of the system, (name, kind) of the attributes", most=64
+)
 _TYPES = {
     'FLOAT': 'FLOAT',
     'INT': 'INT',
@@ -220,9 +221,7 @@ def _resize(system, carrier, count, settings):
         missing = {name for name, _ in made.attributes}.difference(names)
         if not missing.issubset(made.unneeded(settings)):
             raise Damaged("another form than that of the points")
-    form = _forms.get((system.name, present))
-    if form is None:
-        form = _forms[system.name, present] = _form_of(mesh, present)
+    form = _forms.made((system.name, present), lambda: _form_of(mesh, present))
     # Of all that empties a mesh this alone leaves it the driver that is being evaluated.
     form.to_mesh(carrier)
     carrier.vertices.add(count)

@@ -12,11 +12,11 @@ import functools
 import json
 import math
 import re
-from collections import OrderedDict
 from typing import Any, NamedTuple
 
 import bpy
 
+from ... import keeping
 from ...animation import channel
 from ...blender import datablocks, drivers
 from ...declare import Variable
@@ -32,11 +32,9 @@ KEY = "motus_properties"
 """Custom property of a hub's mesh: a Note of each property, as text."""
 REST_KEY = "motus_resting"
 """Custom property of a hub's mesh whose drivers are at rest, and of what they are on: they are aimed at it."""
-LARGEST_CACHE = 256
 _OF_BONE = re.compile(r'pose\.bones\["((?:[^"\\]|\\.)*)"\]')
 
-_known = OrderedDict()
-"""Text -> Notes, or Damaged."""
+_known = keeping.OfProcess("what a hub's mesh notes of driven properties, or Damaged", "the text", most=256)
 
 
 class Note(NamedTuple):
@@ -295,21 +293,20 @@ def _checked(mesh, box):
         yield note
 
 
+def _parsed(text):
+    try:
+        said = stored.parse(text, [(int, str, lambda value: type(value) is int and -1 <= value < 32, float)])
+    except stored.Damaged:
+        return stored.Damaged
+    return tuple(Note(*one) for one in said)
+
+
 def _notes(mesh):
     """The Notes of a hub's mesh. Raises Damaged where they are not what add() makes."""
     text = mesh.get(KEY)
     if text is None:
         return ()
-    found = _known.get(text) if isinstance(text, str) else stored.Damaged
-    if found is None:
-        try:
-            said = stored.parse(text, [(int, str, lambda value: type(value) is int and -1 <= value < 32, float)])
-            found = tuple(Note(*one) for one in said)
-        except stored.Damaged:
-            found = stored.Damaged
-        _known[text] = found
-        if len(_known) > LARGEST_CACHE:
-            _known.popitem(last=False)
+    found = _known.made(text, lambda: _parsed(text)) if isinstance(text, str) else stored.Damaged
     if found is stored.Damaged:
         raise found("no properties")
     return found

@@ -7,7 +7,7 @@ evaluated datablocks are kept too: they are good for as long as these lie where 
 
 import logging
 
-from ... import native
+from ... import keeping, native
 from ...declare import Context, Setting, System, groups_of, of_owner, registered
 from ...evaluated import copies, read_keys
 from ...file import stored
@@ -20,6 +20,13 @@ from ..hubs import outbox, outputs
 from ..sinks import attribute_sink, geometry_sink, property_sink
 
 log = logging.getLogger(__name__)
+
+_SOLVERS = keeping.OfEvaluation("solvers (Solver, RowsSolver)", "what the driver names: system and group", "one for each solver driver")
+_MEMOS = keeping.OfEvaluation(
+    "what systems make of settings that nothing animates (Context.kept)",
+    "system and group; name and key of Context.kept",
+    "one for each name that a system uses",
+)
 
 
 def called(name):
@@ -37,12 +44,11 @@ def solver_of(carrier, name):
     if not outbox.is_in_place(system, carrier, key):
         raise Damaged("no outbox")
     copy = copies.of(carrier)
-    found = None if copy is None else copy.found.get(name)
+    kept = _SOLVERS.on(copy)
+    found = kept.get(name)
     if found is None or not found.is_current():
         kind = RowsSolver if outbox.SHARED_KEY in carrier else Solver
-        found = kind(system, key, carrier)
-        if copy is not None:
-            copy.found[name] = found
+        found = kept[name] = kind(system, key, carrier)
     return found
 
 
@@ -56,7 +62,7 @@ class Solver:
         self._system, self._carrier, self._owner = system, carrier, owner
         self._copy = copies.of(owner)
         # What is kept of the settings, unless they are animated.
-        self._memo = None if self._copy is None else self._copy.found.setdefault(("memo", system.name, key), {})
+        self._memo = None if self._copy is None else _MEMOS.on(self._copy).setdefault((system.name, key), {})
         self._slots, self._box, self._layout = found.slots, np.frombuffer(found.slots), layout
         self._outlet = outputs.outlet(system, owner)
         self._poses = _Poses(layout.members)
