@@ -20,7 +20,7 @@ PACKAGE_FOLDER = Path(__file__).resolve().parent.parent
 
 
 class Status(NamedTuple):
-    """What came of the import, and what the user should do about it: a template and its values."""
+    """Result of importing the native module, and a sentence about what the user should do: a template and its values."""
 
     code: str
     template: str

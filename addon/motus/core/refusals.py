@@ -1,4 +1,4 @@
-"""What operators refuse, whichever system is theirs: a sentence says why."""
+"""Checks that operators of all systems share; each raises Refused with a sentence that says why."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ INFINITE = 3.4e38
 
 
 class Refused(Exception):
-    """What was asked cannot be done; the sentence says why."""
+    """Raised if an operator cannot do what was asked; the sentence says why."""
 
 
 def named(name: str) -> bpy.types.Object:
@@ -84,7 +84,7 @@ def check_evaluated(obj: bpy.types.Object, view_layer: bpy.types.ViewLayer) -> N
 
 
 def check_posed(rig: Any, view_layer: Any) -> None:
-    """The same for a rig's bones, and refuse one that shows its rest pose."""
+    """Refuse a rig whose bones are not evaluated in the view layer, or that shows its rest pose."""
     check_evaluated(rig, view_layer)
     # Of a hidden rig Blender evaluates those bones that something visible needs, and lists it nowhere.
     evaluated = rig.evaluated_get(view_layer.depsgraph)

@@ -39,7 +39,7 @@ class Number(NamedTuple):
 
     @property
     def present(self) -> float:
-        """Its value now."""
+        """The property's value now."""
         if self.type == 'ENUM':
             return float(choices.number(self.holder, self.name))
         value = self.holder[_key(self.name)] if self.name.startswith("[") else getattr(self.holder, self.name)
@@ -56,7 +56,7 @@ class Number(NamedTuple):
             setattr(self.holder, self.name, value)
 
     def rounded(self, values: Array) -> Array:
-        """What Blender makes of an F-curve's values when it writes them into the property."""
+        """Values of an F-curve as Blender writes them into the property: rounded for integers, 0 or 1 for booleans, within the limits."""
         if self.type == 'BOOLEAN':
             return (values > TRUE).astype(float)
         if self.type in {'INT', 'ENUM'}:
@@ -126,7 +126,7 @@ class Channel:
 
     @property
     def stamp(self) -> Any:
-        """Of an evaluated datablock: something hashable that changes whenever values() may; None of an original."""
+        """Something hashable that changes whenever values() of an evaluated datablock may; None for an original datablock."""
         if not self._id.is_evaluated:
             return None
         if self._stack is not None:
@@ -180,7 +180,7 @@ def is_in_strips(id_data: Any, data_path: str, index: int = 0) -> bool:
 
 
 def _holder(id_data: Any, data_path: str) -> tuple[Any, str]:
-    """What holds the property at a data path, and its name there; of a custom property with its brackets."""
+    """(datablock or group that holds the property at a data path, name of the property there); a custom property's name has its brackets."""
     custom = _CUSTOM.search(data_path)
     path, _, name = data_path.rpartition(".")
     if custom:

@@ -110,7 +110,7 @@ class _Laps:
         self._lap = self._within(self._first, self._last)
 
     def until(self, frame: float) -> float:
-        """From the first key to a frame, which may lie before it."""
+        """Integral from the first key to a frame, which may lie before the key."""
         if frame < self._first:
             return -self._beyond(self._first - frame, -1.0, self._cycles.mode_before, self._cycles.cycles_before)
         if frame > self._last:
@@ -156,7 +156,7 @@ def _integral(curve: Any, edges: Any) -> float:
 
 
 def _nodes(edges: Any) -> Array:
-    """Where the F-curve is read for the pieces between rising frames."""
+    """Frames at which the F-curve is read for the pieces between rising frames."""
     edges = np.array(edges)
     return (edges[:-1, None] + np.diff(edges)[:, None] * np.array(NODES)).ravel()
 

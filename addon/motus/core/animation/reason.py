@@ -15,7 +15,7 @@ class Reason:
 
     @property
     def sentence(self) -> str:
-        """In the user's language."""
+        """The reason as a sentence in the user's language."""
         return _SENTENCES[self.kind]().format(**self._names)
 
 

@@ -24,7 +24,7 @@ REPEATS = 1000
 
 
 def acting(curves: Any, data_path: str, index: int) -> Any:
-    """Which of the F-curves of an action (actions.curves_of) animates a number; None where none does."""
+    """The F-curve of an action (actions.curves_of) that animates a number; None without one."""
     curve = curves.find(data_path, index=index) if curves else None
     if curve is None or curve.is_empty or curve.mute or (curve.group and curve.group.mute) or not curve.is_valid:
         return None
@@ -59,7 +59,7 @@ class Stack:
 
     @classmethod
     def of(cls, animation: Any, data_path: str, number: Any, top: Any) -> Stack | Reason:
-        """Of what animates a number, where strips take part; a Reason where Blender's value is not known ahead.
+        """The Stack of strips and action that animate a number; a Reason if Blender's value is not known ahead.
 
         top: the F-curve of the active action, or None.
         """
@@ -92,24 +92,24 @@ class Stack:
         return lower
 
     def bounds(self, first: float, last: float) -> list[float]:
-        """As Channel.bounds()."""
+        """Rising frames from first to last, between which the values are smooth."""
         inner = {frame for layer in self._layers for frame in layer.bounds(first, last)}
         return keys.union([[first, *inner, last]])
 
     @property
     def stamp(self) -> Any:
-        """As Channel.stamp."""
+        """Something hashable that changes whenever the values may; None if nobody can tell."""
         return together(layer.stamp for layer in self._layers)
 
 
 def together(stamps: Iterable[Any]) -> tuple[Any, ...] | None:
-    """One stamp of several; None where one of them is None."""
+    """Combines several stamps into one; None if one of them is None."""
     found = tuple(stamps)
     return None if None in found else found
 
 
 def stamp_of_action(player: Any) -> tuple[int, int] | None:
-    """Which action an evaluated player plays (actions.curves_of), and which slot of it; None of an original, or without an action."""
+    """Stamp of the action and slot that an evaluated player plays (actions.curves_of); None for an original, or without an action."""
     action = player.action
     number = action and read_keys.number_of(action)
     # The handle is a property of what plays actions since these have slots.
@@ -117,7 +117,7 @@ def stamp_of_action(player: Any) -> tuple[int, int] | None:
 
 
 def stamp_of(animation: Any) -> tuple[Any, ...] | None:
-    """Of all that evaluated animation data plays, whatever that sets: hashable; None where nobody can tell its edits."""
+    """Hashable stamp of everything that evaluated animation data plays; None if edits cannot be told."""
     if animation is None:
         return ()
     acting = (
@@ -138,7 +138,7 @@ def stamp_of(animation: Any) -> tuple[Any, ...] | None:
 
 
 def keys_stamp(id_data: Any) -> tuple[int, int] | None:
-    """What changes with any key of an evaluated datablock's action, where no NLA takes part; None without an action."""
+    """Stamp that changes with any key of an evaluated datablock's action, if no NLA takes part; None without an action."""
     animation = id_data.animation_data
     if animation is None or (animation.use_nla and animation.nla_tracks):
         return None
@@ -244,7 +244,7 @@ class _Track:
             yield keys.values(curve, _action_times(strip, clamped[at])), influence[acts], strip.blend_type, at
 
     def _chosen(self, times: Array) -> tuple[Array, Array]:
-        """Which strip acts at each time, -1 for none, and the time within it."""
+        """(index of the strip that acts at each time, -1 for none; the time within that strip)."""
         chosen, clamped = np.full(len(times), -1), times.copy()
         left = np.ones(len(times), bool)
         for place, (strip, _) in enumerate(self._strips):
@@ -337,7 +337,7 @@ def _controlled(strip: Any, name: str, times: Array) -> Array:
 
 
 def _action_times(strip: Any, times: Array) -> Array:
-    """Where in its action a strip is at times within it."""
+    """Frames of a strip's action at times within the strip."""
     start, end = strip.action_frame_start, strip.action_frame_end
     if strip.use_animated_time:
         found = _controlled(strip, "strip_time", times)

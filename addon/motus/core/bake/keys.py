@@ -68,7 +68,7 @@ def remember(id_data, owner, tracks, muted):
 
 
 def restore(id_data):
-    """Undo what write(), mute() and remember() did to an object; False where the file does not say all of it any more."""
+    """Undo what write(), mute() and remember() did to an object. Returns False if the file no longer says all of it."""
     state = states.of(id_data)
     values, constraints, drivers, is_whole = _kept(state.kept)
     baked, state.action = states.named(state, "action"), None

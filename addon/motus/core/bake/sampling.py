@@ -39,7 +39,7 @@ class Track:
         self.record_basis(_basis(self.thing, self.id_data.evaluated_get(depsgraph)))
 
     def record_basis(self, matrix):
-        """The same for a matrix of the thing relative to what its parents do."""
+        """Record a frame from the thing's matrix relative to its parents."""
         deltas = _deltas(self.thing)
         signs = _signs(self.thing, deltas, matrix)
         if "location" in self.channels:
@@ -67,7 +67,7 @@ class Track:
 
     @property
     def group(self):
-        """What the F-curves are listed under."""
+        """Name of the group that the F-curves are listed under."""
         return self.thing.name if isinstance(self.thing, bpy.types.PoseBone) else "Object Transforms"
 
 
@@ -87,7 +87,7 @@ class NumberTrack:
         self._rows.append(self._read(self.thing.evaluated_get(depsgraph)).number.present)
 
     def curves(self):
-        """As of Track."""
+        """(data path, index, values by frames) of the F-curve that it makes."""
         yield self._path, max(self.number.index, 0), self._rows
 
     @property

@@ -42,7 +42,7 @@ class _Noted:
 
 
 def of(id_data):
-    """What a datablock remembers while it is baked, to be read and written."""
+    """The group of properties in which a datablock keeps what unbaking needs."""
     return id_data.motus.bake if isinstance(id_data, bpy.types.Object) else _Noted(id_data)
 
 

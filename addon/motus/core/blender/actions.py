@@ -22,7 +22,7 @@ def fcurves(id_data: Any) -> Curves:
 
 
 def curves_of(player: Any) -> Curves:
-    """The same of what plays an action: animation data or a strip of the NLA; or None."""
+    """F-curves that a player has: animation data, a strip of the NLA, or None."""
     action = player and player.action
     if not action:
         return ()
@@ -82,7 +82,7 @@ def make_own(player: Any) -> None:
 
 
 def make_local(id_data: Any) -> None:
-    """Let a datablock play a copy of its action where that one is linked, and so cannot be keyed."""
+    """Let a datablock play a local copy of its action if the action is linked, and so cannot be keyed."""
     animation = id_data.animation_data
     if animation and animation.action and _is_linked(animation.action):
         make_own(animation)
@@ -107,7 +107,7 @@ def find(id_data: Any, data_path: str, index: int = 0) -> bpy.types.FCurve | Non
 
 
 def slot_identifier(id_data: Any) -> str:
-    """Which slot of its action animates the datablock; "" where it has none or actions have no slots."""
+    """Identifier of the slot of its action that animates the datablock; "" if there is none, or actions have no slots."""
     animation = id_data.animation_data
     slot = animation.action_slot if animation and capabilities.has_slotted_actions() else None
     return slot.identifier if slot else ""
@@ -155,7 +155,7 @@ def own_curves(id_data: Any, is_meant: Callable[[str], bool]) -> Iterator[Curves
 
 
 def remove(id_data: Any, prefixes: str | tuple[str, ...]) -> None:
-    """Remove keys and drivers of what has a data path with one of these beginnings, and what is then empty.
+    """Remove keys and drivers whose data paths have one of these beginnings, and animation data that is empty then.
 
     Of strips of the NLA the keys alone.
     """

@@ -100,7 +100,7 @@ def has_compositor_sockets() -> bool:
 
 
 def has_compositor_in_viewport() -> bool:
-    """The viewport shows what the compositor makes of it (3.5), in the camera's view or everywhere."""
+    """Whether the viewport can show the compositor's result (since 3.5)."""
     shading = bpy.types.View3DShading.bl_rna.properties
     return "use_compositor" in shading and shading["use_compositor"].type == 'ENUM'
 

@@ -55,7 +55,7 @@ class Named(NamedTuple):
 
     @classmethod
     def of(cls, thing: Any) -> "Named":
-        """That of an Object or PoseBone."""
+        """The Named of an Object or PoseBone."""
         return cls(thing.id_data, thing.name if isinstance(thing, bpy.types.PoseBone) else "")
 
     @property
@@ -70,7 +70,7 @@ class Named(NamedTuple):
 
 
 def _collections() -> list[Any]:
-    """The file's collections of datablocks, each of one type: one of all of them (5.2) is not among them."""
+    """The file's collections of datablocks, each of one type; 5.2's collection of all datablocks is left out."""
     properties: Any = bpy.data.bl_rna.properties
     return [prop for prop in properties if prop.type == 'COLLECTION' and prop.fixed_type.identifier != 'ID']
 
@@ -103,7 +103,7 @@ _ID_TYPES = {
 
 
 def id_type(datablock: Any) -> str:
-    """Its type, as targets of drivers' variables name it."""
+    """Type of a datablock, as targets of drivers' variables name it."""
     kind = next(one for one in type(datablock).__mro__ if one.__base__ is bpy.types.ID)
     name = kind.__name__.upper()
     return _ID_TYPES.get(name, name)
@@ -121,7 +121,7 @@ def named_by(datablock: Any, path: str) -> tuple[Any, str]:
 
 
 def label_of(id_data: Any, data_path: str, index: int = -1) -> str:
-    """What the interface calls a property, in the user's language; the data path where it has no name.
+    """Name of a property in the interface, in the user's language; the data path if it has no name.
 
     index: in an array, -1 for a property that is none.
     """

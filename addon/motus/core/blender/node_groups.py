@@ -30,7 +30,7 @@ def set_input(modifier: Any, name: str, value: Any) -> None:
 
 
 def input_of(modifier: Any, name: str) -> Any:
-    """What the modifier's group is given for one of its inputs."""
+    """The modifier's value for one of its group's inputs."""
     return _values(modifier)[_identifier(modifier, name)]
 
 
@@ -47,7 +47,7 @@ def _assign(modifier: Any, identifier: str, value: Any) -> None:
 
 
 def inputs_of(modifier: Any) -> list[Any]:
-    """What the modifier's group is given for its inputs: a list of values, without those that Blender keeps elsewhere."""
+    """The modifier's values for its group's inputs, without those that Blender keeps elsewhere."""
     return list(_values(modifier).values())
 
 

@@ -53,7 +53,7 @@ class Context:
         return self.memo is not None
 
     def kept(self, name: str, key: Any, make: Callable[[], Any]) -> Any:
-        """What `make()` gives, which depends on settings and `key` alone; where they are still it is made once for a key."""
+        """The result of `make()`, which depends on settings and `key` alone; made once for a key while nothing animates the settings."""
         if self.memo is None:
             return make()
         found = self.memo.get(name)

@@ -23,7 +23,7 @@ class Variable:
 
     @property
     def is_transform(self) -> bool:
-        """Whether it waits for a transform and reads one number of it, which is cheaper than a whole matrix."""
+        """Whether the variable waits for a transform and reads one number of it, which is cheaper than a whole matrix."""
         return not self.data_path
 
 
@@ -120,7 +120,7 @@ class Deformed:
     of: str
 
     def objects(self, settings: Any) -> list[Any]:
-        """Those whose geometry comes first, as far as they are there."""
+        """The objects whose geometry is evaluated first, as far as they exist."""
         return [pointed(settings, self.of)]
 
     def variable(self, owner: Any, settings: Any) -> Variable | None:
@@ -144,7 +144,7 @@ class Geometry(Deformed):
 
 @dataclass(frozen=True)
 class Geometries(Deformed):
-    """The same of the objects that the function `of` gives for settings: wiring.waited_for() has them then."""
+    """Evaluates the geometry of several objects first. `of(settings)` returns them; read them with wiring.waited_for()."""
 
     of: Callable[[Any], list[Any]]  # type: ignore[assignment]
 

@@ -49,7 +49,7 @@ class Property:
 
 @dataclass(frozen=True)
 class Group:
-    """What one solver computes at once, where a system needs several on one owner.
+    """Members, inputs and outputs of one solver; a system may have several groups on one owner.
 
     key: letters and digits, "" for the first. inputs: Transform and BonesOwn that the solver waits for. outputs: names of
     numbers. properties: driven by outputs, on top of which solve() leaves the influence to the wiring; what solve() does not set
@@ -83,7 +83,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class Points:
-    """What a system makes on its owner: points with a position and `attributes`, which are pairs of name and kind.
+    """Points that a system makes on its owner, with a position and `attributes`, which are pairs of name and kind.
 
     kind: 'FLOAT', 'INT', 'VECTOR', 'COLOR', or 'QUATERNION' (w, x, y, z), which before Blender 4.0 arrives as Euler angles.
     Names that Blender knows: the FLOAT "radius" of points and curves; the VECTOR "velocity", in metres a second, of which

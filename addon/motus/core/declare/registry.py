@@ -20,7 +20,7 @@ def systems() -> list[System]:
 
 
 def offered(name: str) -> Any:
-    """What a registered feature offers others (Feature.offers)."""
+    """The functions that a registered feature offers to others (Feature.offers)."""
     return registered[name].offers
 
 

@@ -40,7 +40,7 @@ def original_of(evaluated: Any, originals: Any, depsgraph: bpy.types.Depsgraph) 
 
 
 class _OfCopies(keeping.OfEvaluation):
-    """What is known of evaluated datablocks, of each of them for as long as it is there and was not copied anew.
+    """Knowledge about evaluated datablocks, each kept until Blender copies the datablock anew.
 
     Blender copies a datablock anew to where it lay before.
     """
@@ -106,7 +106,7 @@ class Reach(NamedTuple):
     bones: frozenset[str] | None
 
     def poses(self, names: frozenset[str] | None) -> bool:
-        """Whether it sets the own transform of a bone of these names, a frozenset; None for all."""
+        """Whether animation sets the own transform of a bone among `names`, a frozenset; None for all bones."""
         if self.bones is None or names is None:
             return self.bones is None or len(self.bones) > 0
         return not self.bones.isdisjoint(names)
@@ -148,7 +148,7 @@ class Copy:
         return self._driven.splines or self._acting.splines
 
     def has_animated_poses(self, names: frozenset[str] | None) -> bool:
-        """Whether one sets the own transform of a bone of these names, a frozenset; None for all."""
+        """Whether action or NLA sets the own transform of a bone among `names`, a frozenset; None for all bones."""
         return self._driven.poses(names) or self._acting.poses(names)
 
 
@@ -158,7 +158,7 @@ def prepare(owner: Any) -> None:
 
 
 def mark(*datablocks: Any) -> None:
-    """Let evaluated copies of these be told apart."""
+    """Give datablocks a marker property by which their evaluated copies can be told apart."""
     for datablock in datablocks:
         if not datablock.library and _mark(datablock) is None:
             datablock[KEY] = [0]
@@ -166,13 +166,13 @@ def mark(*datablocks: Any) -> None:
 
 
 def unmark(datablock: Any) -> None:
-    """Take that back."""
+    """Stop telling evaluated copies of this datablock apart (removes its marker property)."""
     if not datablock.library:
         datablock.pop(KEY, None)
 
 
 def release(owner: Any) -> None:
-    """Take that back, from what no other rig needs it for."""
+    """Remove the marker property of an owner, and of its armature unless another rig has it."""
     if owner.pop(KEY, None) is None or owner.type != 'ARMATURE':
         return
     data = owner.data
@@ -219,7 +219,7 @@ def _number_in(mark: Any) -> int:
 
 
 def number_given(evaluated: Any) -> int:
-    """The same of a datablock that nobody has prepared, and of whose properties no other thread reads any."""
+    """Number of the copy of a datablock that was not prepared, and whose properties no other thread reads."""
     mark = _mark(evaluated)
     if mark is None:
         evaluated[KEY] = [0]
@@ -266,7 +266,7 @@ def _mark(datablock: Any) -> memoryview[int] | None:
 
 
 def _is_given(number: Any) -> bool:
-    """Whether it comes from here. What a file holds does not."""
+    """Whether a number was given here; a number that a file holds was not."""
     return isinstance(number, int) and _first <= number <= _latest[0]
 
 
@@ -283,7 +283,7 @@ def has_moving_settings(evaluated: Any) -> bool:
 
 
 def has_animated_settings(owner: Any) -> bool:
-    """The same of an object that is not evaluated."""
+    """Whether an action, the NLA or a driver sets a Motus setting of an object that is not evaluated."""
     animation = owner.animation_data
     if animation is None:
         return False

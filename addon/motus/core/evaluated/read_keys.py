@@ -31,7 +31,7 @@ _at_work: dict[int, list[dict[int, int]]] = {}
 
 
 class Reading:
-    """What a solver or driver of an evaluated datablock has read. It is a context manager, which notes what its thread reads.
+    """Actions that a solver or driver of an evaluated datablock has read; as a context manager it notes what its thread reads.
 
     among: gives, of the datablock, the actions that it may read at all; None: any.
     """
@@ -69,7 +69,7 @@ class Reading:
         return self.original.evaluated_get(depsgraph) == self.datablock
 
     def is_outdated(self, edited: dict[int, int | None]) -> bool:
-        """Whether it may have read other keys than there are now. edited: {where an evaluated action lies: number of its copy}."""
+        """Whether the solver may have read keys that have been edited since. edited: {where an evaluated action lies: number of its copy}."""
         numbers = self._numbers
         if numbers is None:
             return self._among is None or any(action.as_pointer() in edited for action in self._among(self.datablock))
@@ -103,7 +103,7 @@ def is_noting() -> bool:
 
 
 def noted() -> dict[int, int] | None:
-    """What this thread has read, for note(), where somebody else is given what was made of it; None where it notes nothing."""
+    """Actions that this thread has read, for note() by another reader of the same result; None if the thread notes nothing."""
     waiting = _at_work.get(threading.get_ident())
     return dict(waiting[-1]) if waiting else None
 

@@ -49,7 +49,7 @@ def watch(objects: Iterable[bpy.types.Object]) -> None:
 
 
 def which(objects: Iterable[bpy.types.Object]) -> list[int]:
-    """Indices of those of the objects that were deleted."""
+    """Indices of the objects that were deleted."""
     return [index for index, obj in enumerate(objects) if is_deleted(obj)]
 
 
@@ -84,7 +84,7 @@ def look(view_layer: Any = None) -> None:
 
 
 def _absent(objects: Iterable[bpy.types.Object], view_layer: bpy.types.ViewLayer | None) -> set[bpy.types.Object]:
-    """Those of the objects that stand in no collection."""
+    """The objects of a list that stand in no collection."""
     left = {obj for obj in objects if not (view_layer and obj.visible_get(view_layer=view_layer))}
     for owner in (*bpy.data.collections, *(scene.collection for scene in bpy.data.scenes)):
         if not left:

@@ -31,7 +31,7 @@ def to_object(*types: str, also: Callable[[Any, Any], bool] = lambda _settings, 
 
 
 def _stands(obj: bpy.types.Object) -> bool:
-    """Whether an object is in a collection. Blender goes through all of these to say so, a picker through all objects."""
+    """Whether an object is in a collection. Costly: Blender goes through all collections, and a picker asks for all objects."""
     return obj.visible_get() or obj.hide_get() or bool(obj.users_collection)
 
 
@@ -49,7 +49,7 @@ def to_node_tree(**options: Any) -> Any:
 
 
 def pointed(settings: Any, name: str) -> Any:
-    """What a pointer of settings names, if that is what the pointer is declared for; else None.
+    """The datablock that a pointer of settings names, if it is of the declared type; else None.
 
     To ask a pointer that names nothing has the file hold an empty one.
     """

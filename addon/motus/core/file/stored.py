@@ -21,11 +21,11 @@ _BRACKET = re.compile(r"[\[{\]}]")
 
 
 class Damaged(Exception):
-    """What is stored is not what Motus stores."""
+    """Raised if stored data are not of the form that Motus stores."""
 
 
 class Newer(Damaged):
-    """What is stored was made by a newer version of Motus."""
+    """Raised if stored data were made by a newer version of Motus."""
 
 
 def doubles(value: Any, count: int | None = None) -> memoryview[float]:
@@ -40,7 +40,7 @@ def doubles(value: Any, count: int | None = None) -> memoryview[float]:
 
 
 def whole_numbers(value: Any, count: int) -> memoryview[int]:
-    """The same of an array of 32-bit integers."""
+    """A custom property that is an array of 32-bit integers, checked. Raises Damaged for anything else."""
     try:
         memory = memoryview(value)
     except TypeError:
@@ -51,7 +51,7 @@ def whole_numbers(value: Any, count: int) -> memoryview[int]:
 
 
 def parse(text: Any, form: Any) -> Any:
-    """What a JSON text says, which has to have this form (see fits)."""
+    """The content of a JSON text, checked to have a form (see fits). Raises Damaged for anything else."""
     if not isinstance(text, str) or len(text) > LARGEST_TEXT or _is_deep(text):
         raise Damaged("no text that can be read")
     try:

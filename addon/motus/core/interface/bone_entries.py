@@ -181,7 +181,7 @@ def _give(system, entry, values):
 
 
 def draw_shown(layout, system, label, icon='BONE_DATA'):
-    """Whose settings follow below, and the button that hands them on."""
+    """Draw the name of the bone whose settings follow, and the button *To All Selected*."""
     row = operators.offer(layout.row(align=True))
     row.label(text=label, icon=icon, translate=False)
     row.operator(MOTUS_OT_to_selected.bl_idname).system = system.name

@@ -189,7 +189,7 @@ class Operator:
         return self.properties.is_property_set(name)
 
     def given(self, names):
-        """The keywords of these that the caller gave, by name."""
+        """{name: value} of the keywords among `names` that the caller gave."""
         return {name: getattr(self, name) for name in names if self.is_given(name)}
 
 
@@ -206,7 +206,7 @@ class FindsValues(Operator):
         return super().is_given(name) and not self._is_found(name)
 
     def show_used(self, settings, names):
-        """Take over from the settings that were made all of these keywords that nobody gave."""
+        """Copy from new settings the values of all keywords among `names` that the caller did not give."""
         found = {}
         for name in names:
             if not self.is_given(name):
@@ -227,7 +227,7 @@ def _plain(value):
 
 
 class OfAnObject(Operator):
-    """What operators on a system's set-up of one object have.
+    """Mixin of operators on a system's set-up of one object.
 
     found(context, name): the object of this name, or the active one, where it has such a set-up; else raises Refused.
     """
@@ -240,7 +240,7 @@ class OfAnObject(Operator):
 
 
 class OfARig(Operator):
-    """What operators on a system's set-up of a rig have, in the modes in which constraints can be changed.
+    """Mixin of operators on a system's set-up of a rig, for the modes in which constraints can be changed.
 
     rig_with(context, name): the rig of this name, or the active one, where it has such a set-up; else raises Refused.
     """

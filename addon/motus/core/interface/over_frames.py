@@ -85,7 +85,7 @@ class Job(Operator):
             viewports.redraw(None)
 
     def _guarded(self, context, function):
-        """What a function answers; where it raises, nothing of the operator is left running."""
+        """The result of `function(context)`; if it raises, nothing of the operator is left running."""
         try:
             return function(context)
         except Refused as refusal:

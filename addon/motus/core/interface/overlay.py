@@ -123,7 +123,7 @@ def batches(context):
 
 
 def notes(context):
-    """What is said of the active object, in the user's language."""
+    """Sentences about the active object, in the user's language."""
     found = [
         system.overlay.note(context, context.object)
         for system in _switched_on(context)

@@ -36,7 +36,7 @@ class Part:
 
 @dataclass(frozen=True, eq=False)
 class SystemPanel:
-    """What the panels of a system show, in each editor.
+    """The content of a system's panels, in each editor.
 
     name: of the system. prefix: how the panels' classes begin. editors: {end of the prefix: mixin that says where}.
     owner(context): what the panel is of: the active object, or the scene for a feature of scenes. suits(owner): whether the
@@ -119,7 +119,7 @@ def _common(panel):
 
 
 def _menu(panel, name):
-    """What is seldom needed."""
+    """Menu *More* of a panel, for what is seldom needed."""
 
     def draw(self, _context):
         button = operators.offer(self.layout).operator(panel.refresh, icon='FILE_REFRESH')
@@ -221,7 +221,7 @@ def _actions(panel, menu):
 
 
 class _Adding:
-    """What is selected, and all that it can be given, or that can be begun without it.
+    """Panel *Add*: what is selected, and the buttons of all systems.
 
     The buttons are the same whatever is selected, so that each keeps its place; those that do not suit are grey, and say why.
     """
@@ -256,7 +256,7 @@ class MOTUS_PT_sidebar(_Adding, ui.Sidebar, bpy.types.Panel):
 
 
 class _Overlay:
-    """What the viewport shows, system by system: first those that the active object uses."""
+    """Panel *Overlay*: switches of what the viewport shows, first those of systems that the active object uses."""
 
     def draw_header(self, context):
         self.layout.prop(context.scene.motus, "show_overlay", text="")

@@ -102,7 +102,7 @@ def _default(settings, name):
 
 
 class _Panel:
-    """What Motus brings stands above the user's own."""
+    """Menu of presets: Motus' own above the user's."""
 
     def draw(self, context):
         layout = self.layout

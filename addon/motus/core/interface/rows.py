@@ -50,7 +50,7 @@ class Row:
 
     @property
     def names(self):
-        """Of all properties that the row draws."""
+        """Names of all properties that the row draws."""
         return (self.switch, self.name) if self.switch else (self.name,)
 
     def fits(self, settings):
@@ -103,7 +103,7 @@ class Rows:
 
     @property
     def names(self):
-        """Of all properties that can be drawn."""
+        """Names of all properties that can be drawn."""
         return tuple(name for row in self._rows for name in row.names)
 
     @property

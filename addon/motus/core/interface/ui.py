@@ -145,7 +145,7 @@ def split(layout, longest=""):
 
 
 def draw_rig_influence(layout, settings):
-    """What all entries of a rig are weighed with."""
+    """Draw the influence that all entries of a rig are multiplied with."""
     text = bpy.app.translations.pgettext_iface("Rig Influence")
     row = layout.row()  # apart: what is split stays so
     split(row, text).prop(settings, "influence", text=text, translate=False, slider=True)

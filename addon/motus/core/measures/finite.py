@@ -1,4 +1,4 @@
-"""What is no finite number stays out of the sinks: Blender hands it on to all that hangs on it, and keeps it."""
+"""Tests for finite numbers: infinite ones stay out of the sinks, since Blender passes them on to everything that depends on a sink, and keeps them."""
 
 from __future__ import annotations
 

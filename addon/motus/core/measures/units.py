@@ -27,7 +27,7 @@ def in_scene(scene: bpy.types.Scene, prop: Any, value: Any) -> Any:
 
 
 def defaults(scene: bpy.types.Scene, item: Any, names: Container[str]) -> dict[str, Any]:
-    """{name: default} of those of these properties that are lengths, in a scene whose unit is no metre. item: settings, or Operator.properties."""
+    """{name: default in the scene's unit} of the properties among `names` that are lengths; {} in a scene of metres. item: settings, or Operator.properties."""
     if metres(scene) == 1.0:
         return {}
     properties = [prop for prop in item.bl_rna.properties if prop.identifier in names and getattr(prop, "unit", 'NONE') in LENGTHS]

@@ -22,7 +22,7 @@ LENDS_MEMORY = hasattr(Matrix, "__buffer__")  # Blender 5
 
 
 class Still(NamedTuple):
-    """What of a rig only an edit of its armature changes; a new fingerprint comes with that."""
+    """The part of a rig that only edits of its armature change: names, rest pose, lengths, inheritance."""
 
     names: tuple
     places: Any  # for each row the place in Bone order, None where they are the same
@@ -110,7 +110,7 @@ def poses(rig, known, rows=None):
 
 
 def basis(rig, known):
-    """Arrays.basis alone: where a system lays poses over the bones, what it makes of them."""
+    """Arrays.basis alone: the bones' own transforms, after systems that lay poses over the bones."""
     found = own_basis(rig, known)
     for rows, matrices in _LAID.on(copies.of(rig)).get("laid", {}).values():
         found[rows] = matrices

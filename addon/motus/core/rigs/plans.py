@@ -20,7 +20,7 @@ def fingerprint(rig):
 
 
 def plan(rig, key, make):
-    """What `make(rig, rows)` gives, kept for the same `key` and bones; it has a Still as `still`. rows: name -> row.
+    """The result of `make(rig, rows)`, kept for the same `key` and bones; it has a Still as `still`. rows: name -> row.
 
     key: a string that stands for all that the plan is made of, the rig's fingerprint included. Kept by each thread for
     itself: a plan is not shared between threads.
@@ -46,7 +46,7 @@ def plan(rig, key, make):
 
 
 def source(rig, key, make, read):
-    """What `read(rig, plan)` makes of an evaluated rig and of plan(rig, key, make).
+    """The result of `read(rig, plan)` for an evaluated rig and plan(rig, key, make).
 
     Kept for as long as Blender keeps these copies of the rig and of its armature; where the armature's cannot be told apart,
     for as long as its bones stay what they are.
@@ -61,7 +61,7 @@ def source(rig, key, make, read):
 
 
 class _Source(NamedTuple):
-    """What source() keeps. armature: its stamp. still: of the plan."""
+    """An entry that source() keeps. armature: the armature's stamp. still: the plan's Still."""
 
     armature: Any
     still: Any

@@ -24,7 +24,7 @@ def standing(objects):
 
 
 class Standing:
-    """Where evaluated objects stand that an evaluated copy names, all of them read by one call."""
+    """Reads the world matrices of several evaluated objects by one call."""
 
     def __init__(self, objects):
         self._objects = objects

@@ -63,7 +63,7 @@ class Placed(NamedTuple):
         return self.faces.area * larger * largest
 
     def chosen(self, which):
-        """Of these triangles alone, (t,) bool; None without any."""
+        """The mesh of the chosen triangles alone, (t,) bool; None if none is chosen."""
         if not which.any():
             return None
         faces = self.faces._replace(triangles=np.ascontiguousarray(self.faces.triangles[which]))

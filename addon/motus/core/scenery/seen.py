@@ -15,12 +15,12 @@ class Seen(NamedTuple):
     objects: tuple
 
     def moves(self, scene):
-        """Whether it may stand elsewhere, or have another shape, on another frame."""
+        """Whether the object may have another place or shape at another frame."""
         return any(stillness.moves(obj, scene) for obj in self.objects)
 
     @property
     def placed(self):
-        """Its faces, Placed; None where it has none."""
+        """The object's faces, Placed; None without faces."""
         return meshes.placed(self.objects[0], self.matrix)
 
 
@@ -46,12 +46,12 @@ def alone(obj):
 
 
 def still(found, scene):
-    """Those Seen that do not move. What several of them hang on is asked once."""
+    """The Seen that do not move. Parents that several of them share are asked once."""
     return answered(object(), lambda: [one for one in found if not one.moves(scene)])
 
 
 def matrix(each, ready):
-    """Where what is Gathered stands."""
+    """World matrix of a Gathered object."""
     found = ready[each.object].matrix_world
     for instancer in reversed(each.instancers):
         found = ready[instancer].matrix_world @ Matrix.Translation(-instancer.instance_collection.instance_offset) @ found

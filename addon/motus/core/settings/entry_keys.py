@@ -15,7 +15,7 @@ def prefixes(path, entries, index):
 
 
 def animated_prefix(owner, path, entries, index):
-    """That of the two by which an entry of an owner, original or evaluated, is animated: the index, if nobody has used the name."""
+    """The data-path prefix under which this entry is animated. Uses the index form unless an F-curve or driver uses the name."""
     by_index, by_name = prefixes(path, entries, index)
     copy = copies.of(owner) if owner.is_evaluated else None
     if entries.find(entries[index].name) != index or (copy and not copy.has_animated_settings):

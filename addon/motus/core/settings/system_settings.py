@@ -38,7 +38,7 @@ def touch(item, _context):
 
 
 def _is_keyword(item):
-    """Whether it is an operator, which may have the same properties as the settings: there is nothing to evaluate."""
+    """Whether the item belongs to an operator, which may have the same properties as the settings but has nothing to evaluate."""
     return not isinstance(item, bpy.types.PropertyGroup)
 
 

@@ -27,7 +27,7 @@ def is_laid(bone):
 
 
 class Laid:
-    """As transforms.Own. solved: what lays poses over it, the lowest first."""
+    """A bone's own transform over time, after systems that lay poses over it. solved: these systems' parts, the lowest first."""
 
     def __init__(self, own, bone, laying):
         self._own, self._bone, self.solved = own, bone, laying
@@ -38,22 +38,22 @@ class Laid:
 
     @functools.cached_property
     def reason(self):
-        """As Channel.reason."""
+        """The Reason for which the values are not known at other frames; None if they are known."""
         return next((part.reason for part in self._parts if part.reason), None)
 
     @property
     def solvers(self):
-        """As World.solvers."""
+        """Labels of the systems that are asked for the values."""
         return [one.label for one in self.solved]
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Something hashable that changes whenever the values may; None if nobody can tell."""
         return together([part.stamp for part in self._parts])
 
     @property
     def price(self):
-        """As Track.price."""
+        """Price of the values for each time (see core/measures/bounds.py)."""
         return sum(part.price for part in self._parts)
 
     def values(self, times):
@@ -64,12 +64,12 @@ class Laid:
         return found
 
     def bounds(self, first, last):
-        """As Channel.bounds()."""
+        """Rising frames from first to last, between which the values are smooth."""
         return keys.union([part.bounds(first, last) for part in self._parts])
 
     @property
     def extent(self):
-        """As Channel.extent."""
+        """First and last frame between which the values change; None if they do not."""
         return keys.united(part.extent for part in self._parts)
 
     @property

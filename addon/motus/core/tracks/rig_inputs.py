@@ -18,7 +18,7 @@ _KEPT = keeping.OfEvaluation(
 
 
 class RigInputs:
-    """Of a rig, original or evaluated. name: of what is solved from them, hashable.
+    """Inputs of solvers of bones of one rig, original or evaluated. name: hashable name of what is solved from them.
 
     bones: names of those whose own transforms are read. above: name of the bone that they hang on, "" for none. goals:
     (object, bone or "") whose world matrices are read, None where there is none. settings(): data paths of numbers of the
@@ -54,22 +54,22 @@ class RigInputs:
 
     @functools.cached_property
     def reason(self):
-        """As Channel.reason."""
+        """The Reason for which the values are not known at other frames; None if they are known."""
         mine = kept(self._rig, (*self._name, "reason"), lambda: _first_reason([*self.settings.values(), *self.own.values()]))
         return mine or _first_reason(self._others)
 
     def bounds(self, first, last):
-        """As Channel.bounds(): at each frame as well, since what is solved is smooth between keys alone where they are few."""
+        """Rising frames from first to last between which the inputs are smooth, whole frames included."""
         return keys.union([[first, *keys.whole(first, last), last], *(part.bounds(first, last) for part in self._parts)])
 
     @property
     def extent(self):
-        """As Channel.extent."""
+        """First and last frame between which the values change; None if they do not."""
         return keys.united(part.extent for part in self._parts)
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Something hashable that changes whenever the inputs may; None if nobody can tell."""
         lying = [own for own in self.own.values() if isinstance(own, laid.Laid)]
         return together((stamp_of(self._rig), *(part.stamp for part in (*lying, *self._others))))
 
@@ -82,7 +82,7 @@ class RigInputs:
         return columns(self._world.values(times), len(times))
 
     def goals(self, times):
-        """For each goal (n, 16) world matrices, column by column, or None."""
+        """World matrices (n, 16) of each goal, column by column; None for a missing goal."""
         return [goal and columns(goal.values(times), len(times)) for goal in self._goals]
 
     def rows(self, times, names):
@@ -104,7 +104,7 @@ class RigInputs:
 
 
 class SolvedBone:
-    """What System.over_time gives of a bone that is solved from these inputs alone, but for `applied` and `stamp`."""
+    """Base of what System.over_time returns for a bone that is solved from RigInputs alone; a subclass has `applied` and `stamp`."""
 
     def __init__(self, inputs):
         self._inputs = inputs
@@ -112,12 +112,12 @@ class SolvedBone:
 
     @property
     def reason(self):
-        """As Channel.reason."""
+        """The Reason for which the values are not known at other frames; None if they are known."""
         return self._inputs.reason
 
     @property
     def extent(self):
-        """As Channel.extent."""
+        """First and last frame between which the values change; None if they do not."""
         return self._inputs.extent
 
 
@@ -127,18 +127,18 @@ def columns(matrices, count):
 
 
 def once(rig, name, times, make):
-    """What make() gives for a rig and times: bones that are solved together are asked for one by one."""
+    """The result of make() for a rig and times, made once although the bones that are solved together are asked for one by one."""
     return answered((hash(rig), name, times.tobytes()), make)
 
 
 def stamp_of(rig):
-    """As Channel.stamp, of all that a rig and its bones themselves are, but for drivers: settings, keys and rest pose."""
+    """Stamp of a rig and its bones without drivers: settings, keys and rest pose."""
     copy = copies.of(rig)
     return copy and together((copy.number, strips.stamp_of(rig.animation_data), copies.stamp_of_data(rig)))
 
 
 def kept(rig, name, make):
-    """What make() gives of these, no references to Blender's data, until they change; made anew where nobody can tell."""
+    """The result of make() for these inputs, kept until they change; made anew if changes cannot be told. It must not refer to Blender's data."""
     stamp = stamp_of(rig)
     if stamp is None:
         return make()

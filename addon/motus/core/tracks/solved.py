@@ -26,7 +26,7 @@ _asked = set()
 
 
 class Solved:
-    """What a system makes of an Object or PoseBone, as a part of a chain of parents. label: of the system."""
+    """The result of a system on an Object or PoseBone, as a part of a chain of parents. label: the system's."""
 
     def __init__(self, system, thing, source):
         self.label, self._thing, self._source = system.label, thing, source
@@ -35,7 +35,7 @@ class Solved:
 
     @property
     def reason(self):
-        """As Channel.reason."""
+        """The Reason for which the values are not known at other frames; None if they are known."""
         place = threading.get_ident(), hash(self._thing), self.label
         if place in _asked:  # such as a curve that hangs on what follows it
             return Reason(Reason.LOOP, thing=self._thing.name)
@@ -47,12 +47,12 @@ class Solved:
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Something hashable that changes whenever the values may; None if nobody can tell."""
         return self._source.stamp
 
     @property
     def extent(self):
-        """As Channel.extent."""
+        """First and last frame between which the values change; None if they do not."""
         return self._source.extent
 
 
@@ -105,14 +105,14 @@ def _are_known(system, obj, constraints):
 
 
 def of_bone(bone, scene, beneath=None):
-    """The same of a PoseBone, on top of what is laid over it; its owner is the rig. beneath: a System whose sinks do not count."""
+    """The Solved of a PoseBone, on top of poses laid over the bone; its owner is the rig. beneath: a System whose sinks do not count."""
     acting = acting_on(bone, beneath)
     found = acting and next((system for system in systems() if all(wiring.is_sink(system, one) for one in acting)), None)
     return of_bone_by(found, bone, scene) if found else None
 
 
 def of_bone_by(system, bone, scene):
-    """What one system makes of a PoseBone; None where it does nothing to it, or cannot be asked."""
+    """The result of one system on a PoseBone; None if the system does not drive the bone, or cannot be asked."""
     rig = bone.id_data
     if not system.over_time or not rig.is_property_set("motus") or not getattr(rig.motus, system.name).is_active:
         return None

@@ -62,7 +62,7 @@ class Track:
 
     @functools.cached_property
     def recording(self):
-        """What was recorded of it; None where nothing was, or where it is damaged."""
+        """The recording of this input; None without one, or if it is damaged."""
         try:
             return recordings.read(self.id_data, self.what, self.width)
         except stored.Damaged:
@@ -80,7 +80,7 @@ class Track:
 
     @property
     def sentence(self):
-        """What the panel says, in the user's language."""
+        """Sentence of the panel about this input, in the user's language."""
         if self.reason is None:
             if self._solvers:
                 return tr("Exact at any frame: solved by {systems}").format(systems=", ".join(map(tr, self._solvers)))
@@ -107,7 +107,7 @@ class Track:
         return read(self.recording, times)[:, 0]
 
     def bounds(self, first, last):
-        """Rising times from first to last between which it is smooth: where to take samples of it; a bounded number."""
+        """Rising times from first to last between which the input is smooth, for sampling; a bounded number."""
         if self.reason is None:
             return self._source.bounds(first, last)
         return recordings.bounds(self.recording, first, last) if self.recording else [first, last]
@@ -121,12 +121,12 @@ class Track:
 
     @property
     def price(self):
-        """What values() costs for each time; see core/measures/bounds.py."""
+        """Price of values() for each time (see core/measures/bounds.py)."""
         return getattr(self._source, "price", 1) if self.reason is None else self.width
 
     @property
     def stamp(self):
-        """Of an evaluated thing: something hashable that changes whenever values() may; None where that is not known."""
+        """Something hashable that changes whenever values() of an evaluated thing may; None if nobody can tell."""
         if self.reason is None:
             return self._source.stamp
         return self.recording and self.recording.stamp
@@ -145,7 +145,7 @@ def property_track(id_data, data_path, index=-1, is_beneath_driver=False):
 
 
 def moving_numbers(id_data, names, frame):
-    """{name: number at a frame} of those properties of an evaluated datablock that keys or strips are known to animate.
+    """{name: number at a frame} of the properties among `names` that keys or strips are known to animate on an evaluated datablock.
 
     For a solver that must not wait for its own datablock's animation. Where no NLA takes part, without a Track, which takes longer
     than the numbers.
@@ -186,7 +186,7 @@ def world_track(thing, scene, beneath=None):
 
 
 def kept(track, name, make):
-    """What make() gives, for as long as the track stays what it is; make() is called anew where nobody can tell.
+    """The result of make(), kept while the track does not change; make() is called anew if changes cannot be told.
 
     name: hashable, of all else that make() depends on. What is kept is shared by threads, and must not be changed.
     """
@@ -194,14 +194,14 @@ def kept(track, name, make):
 
 
 def kept_by(stamp, name, make):
-    """The same by a track's stamp, or another hashable one that changes whenever what make() reads may; None: nobody can tell."""
+    """The result of make(), kept by a stamp: a track's, or another hashable value that changes whenever make()'s input may; None keeps nothing."""
     if stamp is None:
         return make()
     return _made.made((name, stamp), make)
 
 
 def _bytes(found):
-    """Of the memory that arrays and native tracks take, about."""
+    """Rough number of bytes that arrays and native tracks take."""
     if isinstance(found, tuple):
         return sum(map(_bytes, found))
     return getattr(found, "nbytes", 0)

@@ -68,12 +68,12 @@ class Own:
 
     @functools.cached_property
     def channels(self):
-        """{property: its Channels}, of those that count in the rotation mode."""
+        """{property: its Channels} of the properties that have an effect in the bone's or object's rotation mode."""
         return {name: [Channel(self._id, self._prefix + name, index) for index in range(size)] for name, size in self._names().items()}
 
     @functools.cached_property
     def reason(self):
-        """As Channel.reason, of the first channel that has one."""
+        """The Reason of the first channel that has one; None if all are known."""
         if self._is_simple:
             changes_mode = self._keys_at[1]
         else:
@@ -91,7 +91,7 @@ class Own:
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Something hashable that changes whenever the values may; None if nobody can tell."""
         if not self._id.is_evaluated:
             return None
         if not self._is_simple:
@@ -125,7 +125,7 @@ class Own:
         return Transforms(locations, self._quaternions(found), scales)
 
     def bounds(self, first, last):
-        """As Channel.bounds()."""
+        """Rising frames from first to last, between which the values are smooth."""
         if self._is_simple:
             found = [curve for name, size in self._names().items() for curve in self._curves(name, size) if curve]
             return keys.union([[first, last], *(keys.bounds(curve, first, last) for curve in found)])
@@ -133,7 +133,7 @@ class Own:
 
     @property
     def extent(self):
-        """As Channel.extent."""
+        """First and last frame between which the values change; None if they do not."""
         if self._is_simple:
             found = [curve for name, size in self._names().items() for curve in self._curves(name, size) if curve]
             return keys.united(map(keys.extent, found))
@@ -169,7 +169,7 @@ class Own:
 
     @functools.cached_property
     def _action(self):
-        """As strips.stamp_of_action; () without one."""
+        """Stamp of the action (strips.stamp_of_action); () without an action."""
         animation = self._id.animation_data
         return strips.stamp_of_action(animation) if animation and animation.action else ()
 
@@ -237,7 +237,7 @@ class World:
 
     @functools.cached_property
     def reason(self):
-        """As Channel.reason."""
+        """The Reason for which the values are not known at other frames; None if they are known."""
         return answered(
             (self, "reason"),
             lambda: next(filter(None, (self._of(link, "reason", lambda link=link: link.reason) for link in reversed(self._links))), None),
@@ -245,11 +245,11 @@ class World:
 
     @property
     def solvers(self):
-        """Names of the systems that are asked for it."""
+        """Labels of the systems that are asked for the values."""
         return list(dict.fromkeys(one.label for link in self._links for one in link.all_solved))
 
     def _of(self, link, *question_and_answer):
-        """What is asked of a link, which things that hang on the same one ask too."""
+        """Result for a link of the chain of parents, found once for all things that share the link."""
         *question, answer = question_and_answer
         return answered((link.key, *question), answer)
 
@@ -270,7 +270,7 @@ class World:
         return np.broadcast_to(self._of(link, "poses", times.tobytes(), lambda: link.poses(times)), (len(times), 4, 4))
 
     def bounds(self, first, last):
-        """As Channel.bounds()."""
+        """Rising frames from first to last, between which the values are smooth."""
         return answered(
             (self, "bounds", first, last),
             lambda: keys.union([self._of(link, "bounds", first, last, lambda link=link: link.bounds(first, last)) for link in self._links]),
@@ -278,19 +278,19 @@ class World:
 
     @property
     def extent(self):
-        """As Channel.extent."""
+        """First and last frame between which the values change; None if they do not."""
         return answered(
             (self, "extent"), lambda: keys.united([self._of(link, "extent", lambda link=link: link.extent) for link in self._links])
         )
 
     @property
     def price(self):
-        """As Track.price."""
+        """Price of the values for each time (see core/measures/bounds.py)."""
         return sum(link.price for link in self._links)
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """Something hashable that changes whenever the values may; None if nobody can tell."""
         return answered(
             (self, "stamp"), lambda: strips.together([self._of(link, "stamp", lambda link=link: link.stamp) for link in self._links])
         )
@@ -329,7 +329,7 @@ class _Link:
 
     @functools.cached_property
     def solved(self):
-        """What a system of Motus's makes of the object; None where none drives it, or something else does too."""
+        """The Solved of the system that drives the object; None without one, or if something else drives the object too."""
         return solved.of(self._object, self._scene) if len(self._object.constraints) else None
 
     def _of_bones(self):
@@ -349,7 +349,7 @@ class _Link:
 
     @functools.cached_property
     def _turning(self):
-        """{name of a bone: what a system of Motus's makes of it}."""
+        """{name of a bone: the Solved of the system that drives it}."""
         found = {bone.name: solved.of_bone(bone, self._scene, self._beneath) for bone in self._bones if len(bone.constraints)}
         return {name: one for name, one in found.items() if one}
 
@@ -359,12 +359,12 @@ class _Link:
 
     @property
     def _driving(self):
-        """What systems make of the object and the bones, on top of what is laid over these."""
+        """The Solved of the systems that drive the object and the bones, on top of poses laid over the bones."""
         return [*([self.solved] if self.solved else []), *(self._turning.values() if self._is_posed else ())]
 
     @property
     def all_solved(self):
-        """What systems make of the object and the bones."""
+        """The Solved of all systems that drive the object and the bones."""
         laying = [one for own in self._posed for one in getattr(own, "solved", ())] if self._is_posed else []
         return [*laying, *self._driving]
 

@@ -80,7 +80,7 @@ class Travel:
         return "    ".join(parts)
 
     def _under(self):
-        """What of the plane lies where the mouse points."""
+        """The point of the plane that the mouse points at."""
         return self.view.place_at(self._pointed[0] + self._offset[0], self._pointed[1] + self._offset[1], self.point)
 
     def _displacement(self):

@@ -71,6 +71,6 @@ def register():
 
 
 def unregister():
-    """Take that back, and what notices edits."""
+    """Remove the lists of recordings from all datablocks, and the handlers that notice edits."""
     handlers.remove(_watched())
     delattr(bpy.types.ID, recordings.LIST)

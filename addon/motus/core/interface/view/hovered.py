@@ -8,7 +8,7 @@ _INDEX = re.compile(r"\[(\d{1,9})\]$")
 
 
 def find(context, is_drawing=False):
-    """(datablock, data path, index) of it; None without one.
+    """(datablock, data path, index) of the property under the mouse; None without one.
 
     is_drawing: while a menu is drawn 3.4 tells no index.
     """
@@ -25,7 +25,7 @@ def find(context, is_drawing=False):
 
 
 def _hovered_index(context):
-    """Which component of an array is meant; only the path that Blender copies tells."""
+    """Index of the array component under the mouse, which only the data path that Blender copies tells."""
     manager = context.window_manager
     before = manager.clipboard
     try:

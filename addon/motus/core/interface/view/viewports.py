@@ -151,7 +151,7 @@ class PerViewport:
         self._all.append(self)
 
     def get(self, space):
-        """What is kept of a viewport; None without."""
+        """The kept state of a viewport; None without one."""
         self.drop_gone()
         return self._kept.get(space.as_pointer())
 
@@ -160,7 +160,7 @@ class PerViewport:
         self._kept[space.as_pointer()] = value
 
     def take(self, space):
-        """What is kept of a viewport, which is kept no longer; None without."""
+        """Take the kept state of a viewport out of the store; None without one."""
         self.drop_gone()
         return self._kept.pop(space.as_pointer(), None)
 
