@@ -47,7 +47,7 @@ template <class Work>
     return best;
 }
 
-void measure(const char* name, const Settings& settings, double time) {
+void measure(const char* name, const SnowSettings& settings, double time) {
     const Snow snow(settings);
     Buffers buffers(snow.living(time).count());
     std::array<double, 2> taken{};
@@ -62,7 +62,7 @@ void measure(const char* name, const Settings& settings, double time) {
 }
 
 /// What one writes down first: every flake by itself, its way by steps of 1/60 s.
-void measure_naive(const Settings& settings, double time) {
+void measure_naive(const SnowSettings& settings, double time) {
     constexpr std::size_t count = 10000;
     Buffers buffers(count);
     const double naive = bench::nanoseconds(
@@ -109,7 +109,7 @@ void measure_naive(const Settings& settings, double time) {
     return std::make_shared<const Collider>(positions, triangles);
 }
 
-void measure_landings(Settings settings) {
+void measure_landings(SnowSettings settings) {
     constexpr int cells = 224;  // 100 352 triangles
     const double built = bench::nanoseconds([&] { keep(hills(cells)); }, 3);
     std::printf("  %-34s %9d triangles %5.2f ms\n", "a collider is built", 2 * cells * cells, 1e-6 * built);
@@ -188,7 +188,7 @@ void measure_layer() {
 
 int main() {
     std::printf("Snow: position, size, colour and age into given buffers, best of several.\n\n");
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 500000.0;
     settings.snow = true;
     settings.drag = 1.0;
@@ -196,23 +196,23 @@ int main() {
     measure("steering and wind", settings, 100.0);
     measure("the same at 5000 s", settings, 5000.0);
     measure_naive(settings, 100.0);
-    Settings gusty = settings;
+    SnowSettings gusty = settings;
     gusty.gusts = 0.5;
     measure("with gusts", gusty, 100.0);
-    Settings turbulent = settings;
+    SnowSettings turbulent = settings;
     turbulent.turbulence = 0.5;
     measure("with turbulence", turbulent, 100.0);
-    Settings random = settings;
+    SnowSettings random = settings;
     random.start_color = {{0.0F, {1.0F, 1.0F, 1.0F, 1.0F}}, {1.0F, {0.5F, 0.7F, 1.0F, 1.0F}}};
     random.cone_angle = 0.5;
     random.random_speed = random.random_orientation = random.random_size = random.random_color = true;
     measure("all random but the lifetime", random, 100.0);
     random.random_lifetime = true;
     measure("all random", random, 100.0);
-    Settings apart = settings;
+    SnowSettings apart = settings;
     apart.snow_offsets = true;
     measure("offsets into the noise", apart, 100.0);
-    Settings few = settings;
+    SnowSettings few = settings;
     few.rate = 50000.0;
     measure("steering and wind", few, 100.0);
     few.rate = 500.0;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double seconds = 250.0 / 24.0;
 
-void bench_plans(const char* name, const Ground& ground, const Settings& settings) {
+void bench_plans(const char* name, const Ground& ground, const WalkSettings& settings) {
     const Way way = way_along(seconds, around);
     const double planned = nanoseconds([&] { keep(Walker(way, settings, &ground, 1)); });
     const Walker walker(way, settings, &ground, 1);
@@ -35,7 +35,7 @@ void bench_plans(const char* name, const Ground& ground, const Settings& setting
 
 int main() {
     std::printf("walker: 250 frames, eight legs, one thread\n");
-    Settings plain, with_hips;
+    WalkSettings plain, with_hips;
     for (const glm::dvec3& place : eight_feet())
         with_hips.hips.push_back(0.3 * place + glm::dvec3(0.0, 0.0, 0.4));
     with_hips.lengths.assign(8, 1.4);

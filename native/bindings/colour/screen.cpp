@@ -84,7 +84,7 @@ struct Pixels {
     const Pixels pixels(picture);
     const glm::dvec3 screen = key_color(color);
     const colour::Difference difference = difference_of(balance, gain);
-    colour::Report report;
+    colour::ScreenQuality report;
     {
         const ReleaseGil released(pixels.rows.size(), pixel_cost);
         report = colour::judge_screen(pixels.picture(), screen, difference);

@@ -30,9 +30,9 @@ using snow::Collider;
 using snow::Collision;
 using snow::Cover;
 using snow::CoverSettings;
-using snow::Settings;
 using snow::Shape;
 using snow::Snow;
+using snow::SnowSettings;
 
 constexpr double flake_cost = 10.0;  // ns, rough
 
@@ -85,7 +85,7 @@ constexpr double flake_cost = 10.0;  // ns, rough
     return result;
 }
 
-void set_surface(const py::object& positions, const py::object& triangles, Settings& settings) {
+void set_surface(const py::object& positions, const py::object& triangles, SnowSettings& settings) {
     if (!positions.is_none()) {
         const Points points(positions, "surface_positions");
         settings.surface_positions.assign(points.values().begin(), points.values().end());
@@ -100,14 +100,14 @@ void set_surface(const py::object& positions, const py::object& triangles, Setti
     }
 }
 
-void set_emitter(const py::object& times, const py::object& poses, Settings& settings) {
+void set_emitter(const py::object& times, const py::object& poses, SnowSettings& settings) {
     const DoubleArray at = row(times, "emitter_times");
     settings.emitter_times.assign(at.data(), at.data() + at.size());
     if (!poses.is_none()) settings.emitter_matrices = matrices(poses, "emitter_matrices");
 }
 
 void set_frustum(const py::object& angles, const py::object& least, const py::object& most,
-                 Settings& settings) {
+                 SnowSettings& settings) {
     const DoubleArray both = row(angles, "frustum_angles");
     if (both.size() != 2) value_error("frustum_angles", "must have the shape (2,), not " + shape_of(both));
     settings.frustum_angles = {both.at(0), both.at(1)};
@@ -115,7 +115,8 @@ void set_frustum(const py::object& angles, const py::object& least, const py::ob
     settings.frustum_far = number(most, "frustum_far");
 }
 
-void set_wind(const py::object& wind, const py::object& times, const py::object& values, Settings& settings) {
+void set_wind(const py::object& wind, const py::object& times, const py::object& values,
+              SnowSettings& settings) {
     settings.wind = vector(wind, "wind");
     const DoubleArray at = row(times, "wind_times");
     settings.wind_times.assign(at.data(), at.data() + at.size());
@@ -136,7 +137,7 @@ void set_wind(const py::object& wind, const py::object& times, const py::object&
 
 void set_collisions(const py::object& ground, const py::object& collider, const py::object& collision,
                     const py::object& rest_time, const py::object& melt_time, const py::object& friction,
-                    Settings& settings) {
+                    SnowSettings& settings) {
     if (!ground.is_none()) settings.ground = number(ground, "ground");
     if (!collider.is_none()) {
         static_cast<void>(instance<Collider>(collider, "collider", "a SnowCollider or None"));
@@ -167,7 +168,7 @@ void set_collisions(const py::object& ground, const py::object& collider, const 
     const py::object& collision, const py::object& rest_time, const py::object& melt_time,
     const py::object& friction, const py::object& seed, const py::object& emitter_times,
     const py::object& emitter_matrices) {
-    Settings settings;
+    SnowSettings settings;
     settings.start_speed = number(start_speed, "start_speed");
     settings.lifetime = number(lifetime, "lifetime");
     settings.start_size = number(start_size, "start_size");

@@ -102,7 +102,7 @@ struct WayArguments {
                                const py::object& frequency, const py::object& damping,
                                const py::object& response, const py::object& height, const py::object& tilt) {
     walker::Way way = way_of({times, poses, rest, phases, duty, stride, cadence, up, resets, jump});
-    walker::Settings settings;
+    walker::WalkSettings settings;
     settings.clearance = number(clearance, "clearance");
     settings.reach_up = number(reach_up, "reach_up");
     settings.reach_down = number(reach_down, "reach_down");

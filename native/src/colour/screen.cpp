@@ -227,7 +227,7 @@ struct ScreenNumbers {
     std::vector<double> luminances, reds, greens, mattes;
 };
 
-void judge_evenness(ScreenNumbers& found, Report& report) {
+void judge_evenness(ScreenNumbers& found, ScreenQuality& report) {
     const double middle = quantile(found.luminances, 0.5);
     if (middle > 0.0)
         report.luminance_spread =
@@ -298,7 +298,7 @@ double matte(const glm::dvec3& pixel, const glm::dvec3& screen, const Difference
     return std::clamp(1.0 - difference.gain * share, 0.0, 1.0);
 }
 
-Report judge_screen(const Picture& picture, const glm::dvec3& color, const Difference& difference) {
+ScreenQuality judge_screen(const Picture& picture, const glm::dvec3& color, const Difference& difference) {
     check(picture);
     require(is_screen_color(color), "color: must be a green or a blue");
     const glm::length_t channel = channel_of(color);
@@ -323,7 +323,7 @@ Report judge_screen(const Picture& picture, const glm::dvec3& color, const Diffe
         screen.mattes.push_back(matte(pixel, color, difference));
     }
 
-    Report report;
+    ScreenQuality report;
     report.share = static_cast<double>(inside.screen_count()) / static_cast<double>(picture.pixels.size());
     if (!screen.mattes.empty()) {
         judge_evenness(screen, report);

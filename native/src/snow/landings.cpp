@@ -28,8 +28,8 @@ struct Landings::Hit {
     std::int32_t triangle = Landing::ground;
 };
 
-Landings::Landings(const Course& course, const Settings& settings)
-    : course_(course),
+Landings::Landings(const FlightModel& model, const SnowSettings& settings)
+    : model_(model),
       ground_(settings.ground),
       collider_(settings.collider),
       collision_(settings.collision),
@@ -72,8 +72,8 @@ std::optional<Landings::Hit> Landings::first_hit(const glm::dvec3& start, const 
 class Landings::March {
   public:
     March(const Landings& landings, std::uint64_t block)
-        : landings_(landings), course_(landings.course_), flight_(course_), first_(block * block_size) {
-        const std::vector<Births::Piece>& pieces = course_.births.pieces();
+        : landings_(landings), model_(landings.model_), flight_(model_), first_(block * block_size) {
+        const std::vector<Births::Piece>& pieces = model_.births.pieces();
         const std::uint64_t last = std::min(first_ + block_size, pieces.empty() ? 0 : pieces.back().last);
         auto piece = pieces.begin();
         for (std::uint64_t id = first_; id < last; ++id) {
@@ -81,14 +81,14 @@ class Landings::March {
             Walker& walker = walkers_[count_++];
             walker.low = static_cast<std::uint32_t>(id);
             walker.birth = piece->is_burst ? piece->burst
-                                           : course_.births.streamed(piece->streamed + (id - piece->first));
+                                           : model_.births.streamed(piece->streamed + (id - piece->first));
             walker.since = walker.birth;
-            walker.end = walker.birth + course_.lifetime;
+            walker.end = walker.birth + model_.lifetime;
         }
-        if (!course_.random_lifetime || count_ == 0) return;
+        if (!model_.random_lifetime || count_ == 0) return;
         set_lows(0, count_);
         Row<float> draws;
-        course_.kernel->lives(course_.kind.key, high(), lows_.data(), count_, draws.data());
+        model_.kernel->lives(model_.kind.key, high(), lows_.data(), count_, draws.data());
         for (std::size_t i = 0; i < count_; ++i)
             walkers_[i].end += lifetime_range * static_cast<double>(draws[i]);
     }
@@ -96,7 +96,7 @@ class Landings::March {
     void find(Page& page) {
         // The grid of times has no room beside times that are as large.
         constexpr double most_steps = 0x1p50;
-        const double step = course_.look_step;
+        const double step = model_.look_step;
         if (count_ == 0 || !(walkers_[count_ - 1].birth < most_steps * step)) return;
         const std::size_t all = count_;
         count_ = 0;
@@ -217,8 +217,8 @@ class Landings::March {
     }
 
     const Landings& landings_;
-    const Course& course_;
-    Flight flight_, one_{course_};
+    const FlightModel& model_;
+    Flight flight_, one_{model_};
     std::uint64_t first_;
     std::array<Walker, block_size> walkers_{};  ///< `count_` that are under way, and those not yet born
     std::size_t count_ = 0;

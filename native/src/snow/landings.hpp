@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "course.hpp"
+#include "flight_model.hpp"
 #include "motus/core/cache.hpp"
 #include "motus/snow/collider.hpp"
 #include "motus/snow/snow.hpp"
@@ -44,8 +44,8 @@ class Landings {
   public:
     using Page = LandingPage;
 
-    /// The course has to stay where it is.
-    Landings(const Course& course, const Settings& settings);
+    /// `model` must stay where it is in memory for as long as the landings exist.
+    Landings(const FlightModel& model, const SnowSettings& settings);
     /// Its pages are kept no longer.
     ~Landings();
     Landings(const Landings&) = delete;
@@ -103,7 +103,7 @@ class Landings {
     /// Those of all snows, which together have so much room.
     [[nodiscard]] static Pages& pages();
 
-    const Course& course_;
+    const FlightModel& model_;
     std::optional<double> ground_;
     std::shared_ptr<const Collider> collider_;
     Collision collision_;

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "course.hpp"
+#include "flight_model.hpp"
 #include "kernel.hpp"
 #include "landings.hpp"
 #include "motus/core/ieee_floats.hpp"
@@ -17,9 +17,9 @@
 namespace motus::snow {
 
 struct Snow::Parts {
-    explicit Parts(const Settings& settings) : course(settings), landings(course, settings) {}
+    explicit Parts(const SnowSettings& settings) : model(settings), landings(model, settings) {}
 
-    Course course;
+    FlightModel model;
     Landings landings;
 };
 
@@ -30,12 +30,12 @@ constexpr std::size_t landing_grain = 2;  // blocks whose landings are looked fo
 /// The living flakes of a block, and what the runs in it need.
 class Block {
   public:
-    Block(const Course& course, const Landings& landings)
-        : births_(course.births),
-          lifetime_(course.lifetime),
-          random_lifetime_(course.random_lifetime),
-          kind_(course.kind),
-          kernel_(*course.kernel),
+    Block(const FlightModel& model, const Landings& landings)
+        : births_(model.births),
+          lifetime_(model.lifetime),
+          random_lifetime_(model.random_lifetime),
+          kind_(model.kind),
+          kernel_(*model.kernel),
           landings_(landings) {}
 
     /// Those of numbers from first to last, all in one block of block_size, as they land by its page.
@@ -127,9 +127,8 @@ class Snow::Rows {
     /// Those that may live at a time.
     [[nodiscard]] static Living::Parts candidates(const std::shared_ptr<const Parts>& snow, double time) {
         require(std::isfinite(time), "time must be finite");
-        const Course& course = snow->course;
-        Living::Parts living{time, course.births.count_older(time, course.longest()),
-                             course.births.count(time)};
+        const FlightModel& model = snow->model;
+        Living::Parts living{time, model.births.count_older(time, model.longest()), model.births.count(time)};
         living.count = static_cast<std::size_t>(living.last - living.first);
         living.snow = snow;
         return living;
@@ -141,7 +140,7 @@ class Snow::Rows {
         in_parts(
             counts.size() - 1, snow.landings.are_any() ? landing_grain : std::size_t{256},
             [&](std::size_t from, std::size_t to) {
-                Block block(snow.course, snow.landings);
+                Block block(snow.model, snow.landings);
                 for (std::size_t i = from; i < to; ++i) {
                     rows.take(i, block);
                     counts[i + 1] = block.count();
@@ -188,7 +187,7 @@ class Snow::Rows {
     const Living::Parts& living_;
 };
 
-Snow::Snow(const Settings& settings)
+Snow::Snow(const SnowSettings& settings)
     : parts_(in_ieee_floats([&] { return std::make_shared<const Parts>(settings); })) {}
 
 Living Snow::living(double time, std::size_t threads) const {
@@ -197,7 +196,7 @@ Living Snow::living(double time, std::size_t threads) const {
         Living::Parts living = Rows::candidates(parts_, time);
         const bool may_rest =
             landings.are_any() && landings.rest_time() < std::numeric_limits<double>::infinity();
-        if (parts_->course.random_lifetime || may_rest) Rows::count_living(*parts_, living, threads);
+        if (parts_->model.random_lifetime || may_rest) Rows::count_living(*parts_, living, threads);
         return Living(std::move(living));
     });
 }
@@ -240,12 +239,12 @@ void Snow::evaluate(const Living& living, const Fields& out, std::size_t threads
     require(fits(out.position) && fits(out.velocity) && fits(out.size) && fits(out.color) && fits(out.age) &&
                 fits(out.rotation) && fits(out.id),
             "out must have a row for each living flake");
-    const Course& course = parts_->course;
+    const FlightModel& model = parts_->model;
     const Landings& landings = parts_->landings;
     const Rows rows(*parts_, *living.parts_);
     const auto fill = [&](std::size_t from, std::size_t to) {
-        Block block(course, landings);
-        Flight flight(course);
+        Block block(model, landings);
+        Flight flight(model);
         for (std::size_t i = from; i < to; ++i) {
             rows.take(i, block);
             const std::size_t before = rows.before(i);
@@ -265,7 +264,7 @@ std::vector<Touchdown> Snow::touchdowns(double end, std::size_t threads) const {
     return in_ieee_floats([&] {
         std::vector<Touchdown> all;
         if (!landings.are_any()) return all;
-        const std::uint64_t count = parts_->course.births.count(end);
+        const std::uint64_t count = parts_->model.births.count(end);
         require(static_cast<double>(count) <= most_touchdowns,
                 "end must be earlier: more than 1e7 flakes are born until then");
         std::vector<std::vector<Touchdown>> of_blocks((count + block_size - 1) / block_size);

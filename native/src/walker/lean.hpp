@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "motus/walker/course.hpp"
+#include "motus/walker/body_trajectory.hpp"
 
 namespace motus::walker {
 

@@ -27,35 +27,36 @@ constexpr std::array nearer{0.25, 0.5, 0.75};
     return search;
 }
 
-[[nodiscard]] double expected_steps(const Course& course) {
+[[nodiscard]] double expected_steps(const BodyTrajectory& trajectory) {
     // At both ends of a stretch there may be one more than there are cycles, and one is where the foot is
     // put.
     constexpr double at_ends = 3.0;
     double cycles = 0.0;
-    for (std::size_t stretch = 0; stretch < course.stretch_count(); ++stretch)
-        cycles += course.last_phase(stretch) + at_ends;
-    return cycles * static_cast<double>(course.way().rest.size());
+    for (std::size_t stretch = 0; stretch < trajectory.stretch_count(); ++stretch)
+        cycles += trajectory.last_phase(stretch) + at_ends;
+    return cycles * static_cast<double>(trajectory.way().rest.size());
 }
 
 }  // namespace
 
-Correction corrected(const Settings& settings, const glm::dvec3& lean, const Axes& axes) {
+Correction corrected(const WalkSettings& settings, const glm::dvec3& lean, const Axes& axes) {
     const Lean followed{settings.height * lean.x, settings.tilt * lean.y, settings.tilt * lean.z};
     return {followed.height * axes.up, turn_of(followed, axes)};
 }
 
-Planner::Planner(const Settings& settings, const Course& course, const Ground* ground, std::size_t threads)
+Planner::Planner(const WalkSettings& settings, const BodyTrajectory& trajectory, const Ground* ground,
+                 std::size_t threads)
     : settings_(settings),
-      course_(course),
+      trajectory_(trajectory),
       ground_(ground != nullptr && !ground->is_empty() ? ground : nullptr),
       reach_{settings.reach_up, settings.reach_down},
       threads_(threads),
       hips_(settings.hips) {
-    require(expected_steps(course) <= most_steps,
+    require(expected_steps(trajectory) <= most_steps,
             "poses must go slower, or the stride be longer, or the cadence lower: more than 1,000,000 steps "
             "would be planned");
     if (!hips_.empty()) return;
-    const std::vector<glm::dvec3>& rest = course.way().rest;
+    const std::vector<glm::dvec3>& rest = trajectory.way().rest;
     glm::dvec3 middle(0.0);
     for (const glm::dvec3& place : rest) middle += place / static_cast<double>(rest.size());
     hips_.assign(rest.size(), middle);
@@ -66,7 +67,7 @@ void Planner::for_legs(const Work& work) const {
     // Steps that are worth a thread: each takes some microseconds.
     constexpr double worth_it = 100.0;
     const std::size_t legs = hips_.size();
-    const std::size_t grain = expected_steps(course_) > worth_it ? 1 : legs;
+    const std::size_t grain = expected_steps(trajectory_) > worth_it ? 1 : legs;
     const auto part = [&](std::size_t first, std::size_t last) {
         for (std::size_t leg = first; leg < last; ++leg) work(leg);
     };
@@ -85,10 +86,10 @@ void Planner::find_place(Footfall& fall) const {
 }
 
 Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) const {
-    const Way& way = course_.way();
+    const Way& way = trajectory_.way();
     const double own = way.phases[leg], swing = 1.0 - way.duty;
-    const double begin = way.times[course_.first_sample(stretch)];
-    const bool is_slow = course_.starts_slowly(stretch);
+    const double begin = way.times[trajectory_.first_sample(stretch)];
+    const bool is_slow = trajectory_.starts_slowly(stretch);
     // The stretch begins in cycle 0, maybe in its swing: of this the foot has so much before it. A body that
     // sets off has all feet on the ground: such swings begin then, or are over where little is left of them.
     const double before = (swing - own) / swing;
@@ -96,18 +97,19 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
     const bool stands = before <= 0.0 || (is_slow && before < little);
     const int first = stands ? 0 : -1;
     // The first whose stand is half over when the body rests.
-    const auto last = static_cast<int>(std::ceil(course_.last_phase(stretch) + own - 1.0 + 0.5 * way.duty));
+    const auto last =
+        static_cast<int>(std::ceil(trajectory_.last_phase(stretch) + own - 1.0 + 0.5 * way.duty));
     Footfalls falls;
     for (int cycle = first; cycle <= std::max(first, last); ++cycle) {
         const double lift = static_cast<double>(cycle) - own;
         Footfall fall;
-        fall.lift = course_.time_at(stretch, lift);
-        fall.touch = course_.time_at(stretch, lift + swing);
-        fall.until = course_.time_at(stretch, lift + 1.0);
+        fall.lift = trajectory_.time_at(stretch, lift);
+        fall.touch = trajectory_.time_at(stretch, lift + swing);
+        fall.until = trajectory_.time_at(stretch, lift + 1.0);
         if (is_slow) fall.lift = std::max(fall.lift, begin);
-        const double middle = course_.time_at(stretch, lift + 1.0 - 0.5 * way.duty);
-        const glm::dmat4 pose = course_.pose(stretch, middle);
-        fall.search = {in_world(pose, way.rest[leg]), in_world(pose, hips_[leg]), course_.axes(pose).up};
+        const double middle = trajectory_.time_at(stretch, lift + 1.0 - 0.5 * way.duty);
+        const glm::dmat4 pose = trajectory_.pose(stretch, middle);
+        fall.search = {in_world(pose, way.rest[leg]), in_world(pose, hips_[leg]), trajectory_.axes(pose).up};
         find_place(fall);
         falls.push_back(fall);
     }
@@ -118,7 +120,7 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
 }
 
 std::vector<Step> Planner::steps_of(const Footfalls& falls, bool looks_for_obstacles) const {
-    const double least = std::max(settings_.minimum_step, no_step * course_.way().stride);
+    const double least = std::max(settings_.minimum_step, no_step * trajectory_.way().stride);
     std::vector<Step> steps;
     const Footfall* before = nullptr;
     for (const Footfall& fall : falls) {
@@ -137,7 +139,7 @@ std::vector<Step> Planner::steps_of(const Footfalls& falls, bool looks_for_obsta
             const Clearing over = looks_for_obstacles && ground_ != nullptr
                                       ? clearing(*ground_, step.start, step.end, up, settings_.reach_up)
                                       : Clearing{};
-            const double share = std::min(1.0, length / (full_step * course_.way().stride));
+            const double share = std::min(1.0, length / (full_step * trajectory_.way().stride));
             step.rise = (settings_.clearance * share + over.rise) * up;
             step.upwards = over.upwards;
             step.downwards = over.downwards;
@@ -151,7 +153,7 @@ std::vector<Step> Planner::steps_of(const Footfalls& falls, bool looks_for_obsta
 Footsteps Planner::all_steps(bool looks_for_obstacles) const {
     std::vector<std::vector<Step>> steps(falls_.size());
     for_legs([&](std::size_t leg) {
-        for (std::size_t stretch = 0; stretch < course_.stretch_count(); ++stretch)
+        for (std::size_t stretch = 0; stretch < trajectory_.stretch_count(); ++stretch)
             steps[row(leg, stretch)] = steps_of(falls_[row(leg, stretch)], looks_for_obstacles);
     });
     Footsteps all;
@@ -160,13 +162,13 @@ Footsteps Planner::all_steps(bool looks_for_obstacles) const {
 }
 
 dynamics::Track Planner::leans_of(const Footsteps& steps) const {
-    const Way& way = course_.way();
+    const Way& way = trajectory_.way();
     const std::size_t legs = way.rest.size();
     std::vector<double> inputs(3 * way.times.size());
     std::vector<glm::dvec3> rest(legs), feet(legs);
     std::vector<double> weights(legs);
-    for (std::size_t stretch = 0; stretch < course_.stretch_count(); ++stretch) {
-        for (std::size_t i = course_.first_sample(stretch); i <= course_.last_sample(stretch); ++i) {
+    for (std::size_t stretch = 0; stretch < trajectory_.stretch_count(); ++stretch) {
+        for (std::size_t i = trajectory_.first_sample(stretch); i <= trajectory_.last_sample(stretch); ++i) {
             for (std::size_t leg = 0; leg < legs; ++leg) {
                 const Step& step = step_at(steps.of(row(leg, stretch)), way.times[i]);
                 const double through = step.through(way.times[i]);
@@ -175,27 +177,27 @@ dynamics::Track Planner::leans_of(const Footsteps& steps) const {
                 weights[leg] = 1.0 - (1.0 - least_weight) * above(through);
             }
             const glm::dvec3 origin(way.poses[i][3]);
-            const Lean lean = lean_of(origin, course_.axes(way.poses[i]), rest, feet, weights);
+            const Lean lean = lean_of(origin, trajectory_.axes(way.poses[i]), rest, feet, weights);
             inputs[3 * i] = lean.height;
             inputs[3 * i + 1] = lean.side;
             inputs[3 * i + 2] = lean.ahead;
         }
     }
-    return {settings_.filter, way.times, inputs, 3, course_.starts()};
+    return {settings_.filter, way.times, inputs, 3, trajectory_.starts()};
 }
 
 void Planner::correct(const dynamics::Track& leans) {
-    const std::vector<glm::dmat4>& poses = course_.way().poses;
+    const std::vector<glm::dmat4>& poses = trajectory_.way().poses;
     std::vector<double> outputs(3 * poses.size());
     leans.outputs(outputs);
     corrections_.clear();
     for (std::size_t i = 0; i < poses.size(); ++i)
         corrections_.push_back(corrected(settings_, {outputs[3 * i], outputs[3 * i + 1], outputs[3 * i + 2]},
-                                         course_.axes(poses[i])));
+                                         trajectory_.axes(poses[i])));
 }
 
 glm::dvec3 Planner::hip_at(std::size_t leg, std::size_t sample) const {
-    const glm::dmat4& pose = course_.way().poses[sample];
+    const glm::dmat4& pose = trajectory_.way().poses[sample];
     const Correction& correction = corrections_[sample];
     const glm::dvec3 origin(pose[3]);
     const glm::dvec3 hip =
@@ -204,7 +206,7 @@ glm::dvec3 Planner::hip_at(std::size_t leg, std::size_t sample) const {
 }
 
 glm::dvec3 Planner::hip_after(std::size_t leg, std::size_t sample, double time) const {
-    const std::vector<double>& times = course_.way().times;
+    const std::vector<double>& times = trajectory_.way().times;
     const glm::dvec3 hip = hip_at(leg, sample);
     if (!(time > times[sample])) return hip;
     const double share = (time - times[sample]) / (times[sample + 1] - times[sample]);
@@ -218,9 +220,9 @@ double Planner::longest_reach(std::size_t leg) const {
 
 bool Planner::is_missed(std::size_t leg, std::size_t stretch, const glm::dvec3& place, double from,
                         double until) const {
-    const std::vector<double>& times = course_.way().times;
-    const std::size_t last = course_.last_sample(stretch);
-    const double begin = std::clamp(from, times[course_.first_sample(stretch)], times[last]);
+    const std::vector<double>& times = trajectory_.way().times;
+    const std::size_t last = trajectory_.last_sample(stretch);
+    const double begin = std::clamp(from, times[trajectory_.first_sample(stretch)], times[last]);
     const double end = std::clamp(until, begin, times[last]);
     const double longest = longest_reach(leg);
     const auto is_too_far = [&](const glm::dvec3& hip) { return length_of(place - hip) > longest; };
@@ -250,10 +252,10 @@ bool Planner::move_nearer(std::size_t leg, std::size_t stretch, Footfalls& falls
 
 void Planner::add_missed(std::size_t leg, std::size_t stretch, const glm::dvec3& place, double from,
                          double until, std::vector<Problem>& found) const {
-    const std::vector<double>& times = course_.way().times;
+    const std::vector<double>& times = trajectory_.way().times;
     const double longest = longest_reach(leg);
     bool was_missed = false;
-    for (std::size_t sample = course_.first_sample(stretch); sample <= course_.last_sample(stretch);
+    for (std::size_t sample = trajectory_.first_sample(stretch); sample <= trajectory_.last_sample(stretch);
          ++sample) {
         if (times[sample] < from) continue;
         if (times[sample] > until) break;
@@ -268,8 +270,9 @@ void Planner::add_missed(std::size_t leg, std::size_t stretch, const glm::dvec3&
 
 std::vector<Problem> Planner::problems(std::size_t leg, std::size_t stretch,
                                        std::span<const Step> steps) const {
-    const std::vector<double>& times = course_.way().times;
-    const double begin = times[course_.first_sample(stretch)], end = times[course_.last_sample(stretch)];
+    const std::vector<double>& times = trajectory_.way().times;
+    const double begin = times[trajectory_.first_sample(stretch)],
+                 end = times[trajectory_.last_sample(stretch)];
     std::vector<Problem> found;
     if (!settings_.lengths.empty() && !has_reach(leg)) found.push_back({leg, begin, end, Trouble::no_length});
     for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -287,7 +290,7 @@ std::vector<Problem> Planner::problems(std::size_t leg, std::size_t stretch,
 }
 
 Plan Planner::plan() {
-    const std::size_t stretches = course_.stretch_count();
+    const std::size_t stretches = trajectory_.stretch_count();
     const std::size_t rows = hips_.size() * stretches;
     falls_.resize(rows);
     for_legs([&](std::size_t leg) {
@@ -309,7 +312,7 @@ Plan Planner::plan() {
         }
     }
 
-    Plan plan{all_steps(true), std::move(leans), {}, course_.way().times.back()};
+    Plan plan{all_steps(true), std::move(leans), {}, trajectory_.way().times.back()};
     std::vector<std::vector<Problem>> troubles(rows);
     for_legs([&](std::size_t leg) {
         for (std::size_t stretch = 0; stretch < stretches; ++stretch)

@@ -16,12 +16,13 @@ struct Plan {
 };
 
 /// How the body follows its feet, of a pose of its own: as much of height and tilt as `settings` say.
-[[nodiscard]] Correction corrected(const Settings& settings, const glm::dvec3& lean, const Axes& axes);
+[[nodiscard]] Correction corrected(const WalkSettings& settings, const glm::dvec3& lean, const Axes& axes);
 
 /// Throws std::invalid_argument, naming the argument, where more than most_steps would be planned.
 class Planner {
   public:
-    Planner(const Settings& settings, const Course& course, const Ground* ground, std::size_t threads);
+    Planner(const WalkSettings& settings, const BodyTrajectory& trajectory, const Ground* ground,
+            std::size_t threads);
     [[nodiscard]] Plan plan();
 
   private:
@@ -41,7 +42,7 @@ class Planner {
     template <class Work>
     void for_legs(const Work& work) const;
     [[nodiscard]] std::size_t row(std::size_t leg, std::size_t stretch) const {
-        return leg * course_.stretch_count() + stretch;
+        return leg * trajectory_.stretch_count() + stretch;
     }
     [[nodiscard]] Footfalls footfalls(std::size_t leg, std::size_t stretch) const;
     void find_place(Footfall& fall) const;
@@ -69,8 +70,8 @@ class Planner {
     void add_missed(std::size_t leg, std::size_t stretch, const glm::dvec3& place, double from, double until,
                     std::vector<Problem>& found) const;
 
-    const Settings& settings_;
-    const Course& course_;
+    const WalkSettings& settings_;
+    const BodyTrajectory& trajectory_;
     const Ground* ground_;  ///< none where it is empty
     Reach reach_;
     std::size_t threads_;

@@ -24,7 +24,7 @@ constexpr double largest_number = 1e12;
     return is_finite(place) && is_length(length_of(place));
 }
 
-[[nodiscard]] Settings checked(Settings settings, std::size_t legs, std::size_t samples) {
+[[nodiscard]] WalkSettings checked(WalkSettings settings, std::size_t legs, std::size_t samples) {
     require(is_length(settings.clearance), "clearance must be from 0 to 1e12");
     require(is_length(settings.reach_up), "reach_up must be from 0 to 1e12");
     require(is_length(settings.reach_down), "reach_down must be from 0 to 1e12");
@@ -47,10 +47,10 @@ constexpr double largest_number = 1e12;
 
 }  // namespace
 
-Walker::Walker(Way way, Settings settings, const Ground* ground, std::size_t threads)
-    : course_(in_ieee_floats([&] { return Course(std::move(way)); })),
-      settings_(checked(std::move(settings), leg_count(), course_.way().times.size())) {
-    Plan plan = in_ieee_floats([&] { return Planner(settings_, course_, ground, threads).plan(); });
+Walker::Walker(Way way, WalkSettings settings, const Ground* ground, std::size_t threads)
+    : trajectory_(in_ieee_floats([&] { return BodyTrajectory(std::move(way)); })),
+      settings_(checked(std::move(settings), leg_count(), trajectory_.way().times.size())) {
+    Plan plan = in_ieee_floats([&] { return Planner(settings_, trajectory_, ground, threads).plan(); });
     steps_ = std::move(plan.steps);
     leans_ = std::move(plan.leans);
     problems_ = std::move(plan.problems);
@@ -61,7 +61,7 @@ Foot Walker::foot(std::size_t leg, double time) const {
     require(leg < leg_count(), "leg must be one of the walker's");
     require(std::isfinite(time), "time must be finite");
     return in_ieee_floats([&] {
-        const std::size_t row = leg * course_.stretch_count() + course_.stretch_at(time);
+        const std::size_t row = leg * trajectory_.stretch_count() + trajectory_.stretch_at(time);
         const Step& step = step_at(steps_.of(row), time);
         const double through = step.through(time);
         // Of a step that is over, or that has not begun, the very numbers.
@@ -78,23 +78,24 @@ Correction Walker::body(double time) const {
     return in_ieee_floats([&] {
         glm::dvec3 lean(0.0);
         leans_->evaluate(time, {&lean[0], 3});
-        return corrected(settings_, lean, course_.axes(course_.pose(course_.stretch_at(time), time)));
+        return corrected(settings_, lean,
+                         trajectory_.axes(trajectory_.pose(trajectory_.stretch_at(time), time)));
     });
 }
 
 double Walker::phase(double time) const {
     require(std::isfinite(time), "time must be finite");
-    return course_.phase(course_.stretch_at(time), time);
+    return trajectory_.phase(trajectory_.stretch_at(time), time);
 }
 
 std::span<const Step> Walker::steps(std::size_t leg) const {
     require(leg < leg_count(), "leg must be one of the walker's");
-    const std::size_t stretches = course_.stretch_count();
+    const std::size_t stretches = trajectory_.stretch_count();
     return steps_.between(leg * stretches, (leg + 1) * stretches);
 }
 
 std::size_t Walker::bytes() const noexcept {
-    return course_.bytes() + steps_.bytes() + problems_.capacity() * sizeof(Problem) + leans_->bytes() +
+    return trajectory_.bytes() + steps_.bytes() + problems_.capacity() * sizeof(Problem) + leans_->bytes() +
            settings_.hips.capacity() * sizeof(glm::dvec3) + settings_.bodies.capacity() * sizeof(glm::dmat4) +
            settings_.lengths.capacity() * sizeof(double);
 }

@@ -70,7 +70,7 @@ TEST_CASE("a picture of one pixel", "[colour]") {
     REQUIRE(found);
     CHECK(found->y == Approx(0.5));
     CHECK_FALSE(screen_color({grey, 1}));
-    const Report report = judge_screen({one, 1}, *found);
+    const ScreenQuality report = judge_screen({one, 1}, *found);
     CHECK(report.share == 1.0);
     CHECK(report.luminance_spread == 0.0);
     CHECK(report.black == 0.0);
@@ -113,7 +113,7 @@ TEST_CASE("the balance weighs the larger channel against the smaller", "[colour]
 }
 
 TEST_CASE("the report tells an even screen from an uneven one", "[colour]") {
-    const Report even = judge_screen(Footage(green, skin, 0.0, 0.0).picture(), green);
+    const ScreenQuality even = judge_screen(Footage(green, skin, 0.0, 0.0).picture(), green);
     CHECK(even.share == Approx(1.0 - 3.14159 * 21.0 * 21.0 / (96.0 * 64.0)).margin(0.02));
     CHECK(even.luminance_spread == Approx(0.0).margin(1e-6));
     CHECK(even.chroma_spread == Approx(0.0).margin(1e-6));
@@ -121,17 +121,17 @@ TEST_CASE("the report tells an even screen from an uneven one", "[colour]") {
     CHECK(even.white == 1.0);
     CHECK(even.spill == 0.0);
 
-    const Report uneven = judge_screen(Footage(green, skin, 0.4, 0.0).picture(), 0.8 * green);
+    const ScreenQuality uneven = judge_screen(Footage(green, skin, 0.4, 0.0).picture(), 0.8 * green);
     CHECK(uneven.luminance_spread == Approx(0.9 * 0.4 / 0.8).margin(0.06));
     CHECK(uneven.chroma_spread == Approx(0.0).margin(1e-6));
     CHECK(uneven.black == Approx(1.0 - 0.6 / 0.8).margin(0.03));
 
-    const Report noisy = judge_screen(Footage(green, skin, 0.0, 0.01).picture(), green);
+    const ScreenQuality noisy = judge_screen(Footage(green, skin, 0.0, 0.01).picture(), green);
     CHECK(noisy.chroma_spread > 0.01);
     CHECK(noisy.black > 0.03);
     // However strong the noise is, of the screen nearly all lies below that level.
     const Footage grainy(green, skin, 0.3, 0.03);
-    const Report found = judge_screen(grainy.picture(), 0.85 * green);
+    const ScreenQuality found = judge_screen(grainy.picture(), 0.85 * green);
     std::size_t above = 0, count = 0;
     for (std::size_t i = 0; i < Footage::width * Footage::height; ++i) {
         const double x = static_cast<double>(i % Footage::width) - 48.0,
@@ -167,7 +167,7 @@ TEST_CASE("a soft edge is no subject", "[colour]") {
             const double alpha = glm::clamp((22.0 - std::hypot(x, y)) / 6.0, 0.0, 1.0);
             soft.pixels[i] = glm::vec4(glm::vec3(alpha * grey + (1.0 - alpha) * blue), 1.0F);
         }
-        const Report report = judge_screen(soft.picture(), blue);
+        const ScreenQuality report = judge_screen(soft.picture(), blue);
         CHECK(report.white == Approx(1.0));
         CHECK(report.black == Approx(0.0).margin(1e-6));
         CHECK(report.spill == Approx(0.0).margin(1e-6));
@@ -177,7 +177,7 @@ TEST_CASE("a soft edge is no subject", "[colour]") {
 TEST_CASE("colours beyond the gamut give numbers", "[colour]") {
     // Parts below 0, whose sum is 0.
     const glm::dvec3 wide{-0.5, 1.0, -0.5};
-    const Report report = judge_screen(Footage(wide, skin, 0.0, 0.0).picture(), green);
+    const ScreenQuality report = judge_screen(Footage(wide, skin, 0.0, 0.0).picture(), green);
     CHECK(report.share > 0.5);
     CHECK(report.chroma_spread == Approx(0.0).margin(1e-6));
     CHECK(report.luminance_spread == Approx(0.0).margin(1e-6));
@@ -185,7 +185,7 @@ TEST_CASE("colours beyond the gamut give numbers", "[colour]") {
 
 TEST_CASE("spill is measured on the subject", "[colour]") {
     const glm::dvec3 lit{0.3, 0.3 + 0.1 * (0.45 - 0.08), 0.3};
-    const Report report = judge_screen(Footage(green, lit, 0.0, 0.0).picture(), green);
+    const ScreenQuality report = judge_screen(Footage(green, lit, 0.0, 0.0).picture(), green);
     CHECK(report.spill == Approx(0.1).margin(1e-3));
     CHECK(report.white < 1.0);
     CHECK(report.white > 0.8);

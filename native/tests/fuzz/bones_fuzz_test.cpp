@@ -43,7 +43,7 @@ struct Rig {
                                [](const glm::dquat& q) { return std::abs(glm::dot(q, q) - 1.0) < 1e-6; });
 }
 
-[[nodiscard]] bool are_reasonable(const chains::Report& report) {
+[[nodiscard]] bool are_reasonable(const chains::Convergence& report) {
     return std::isfinite(report.residual) && report.iterations >= 0;
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("a target that is no number is not reached", "[fuzz]") {
         }
     }
     std::vector<glm::dvec3> joints{{0, 0, 0}, {0, 1, 0}, {0, 2, 0.1}, {0, 3, 0}};
-    const auto refused_by = [&](const chains::Settings& settings, const char* name) {
+    const auto refused_by = [&](const chains::SolverSettings& settings, const char* name) {
         return is_refused([&] { chains::solve(joints, glm::dvec3(1.0), settings); }, name);
     };
     CHECK(refused_by({not_a_number, 100, {}, {}}, "tolerance"));
@@ -138,13 +138,13 @@ TEST_CASE("chains of any numbers are refused or finite", "[fuzz]") {
     Dice dice(13, 0.06);
     for (int round = 0; round < 1500; ++round) {
         std::vector<glm::dvec3> joints = dice.places(2 + dice.below(5));
-        chains::Settings settings;
+        chains::SolverSettings settings;
         settings.tolerance = dice.chance(0.9) ? 1e-6 : dice.number();
         settings.max_iterations = dice.chance(0.9) ? 100 : dice.whole(-1, 3);
         if (dice.chance(0.4)) settings.pole = dice.place();
         if (dice.chance(0.4)) settings.plane = dice.place();
         returns([&] {
-            const chains::Report report = chains::solve(joints, dice.place(), settings);
+            const chains::Convergence report = chains::solve(joints, dice.place(), settings);
             CHECK(are_reasonable(report));
             for (const glm::dvec3& joint : joints) CHECK(is_finite(joint));
         });
@@ -167,12 +167,12 @@ TEST_CASE("chains with limits of any numbers are refused or finite", "[fuzz]") {
                 one.max = one.min + glm::dvec3(dice.number(0.0, 2.0));
             }
         const chains::Limited chain{dice.place(), dice.quaternion(), rest, offsets, limits};
-        chains::Settings settings;
+        chains::SolverSettings settings;
         settings.max_iterations = 20;
         std::optional<glm::dquat> orientation;
         if (dice.chance(0.3)) orientation = dice.quaternion();
         returns([&] {
-            const chains::Report report =
+            const chains::Convergence report =
                 chains::solve_limited(chain, dice.place(), settings, rotations, orientation);
             CHECK(are_reasonable(report));
             CHECK(are_rotations(rotations));
@@ -236,7 +236,7 @@ TEST_CASE("a plan takes the rig that it was made for", "[fuzz]") {
     const std::vector<glm::dvec3> eyes{{0.0, 1.0, 0.0}};
     std::vector<look_at::Input> inputs(1);
     std::vector<glm::dquat> rows(looks.rows().size());
-    std::vector<look_at::Report> reports(1);
+    std::vector<look_at::GazeDiagnostics> reports(1);
     CHECK(
         is_refused([&] { looks.solve(rig.view(), glm::dmat4(1.0), inputs, rows, reports); }, "eyes_forward"));
     inputs[0].eyes_forward = eyes;
@@ -281,7 +281,7 @@ TEST_CASE("rigs of any numbers are solved to finite turns", "[fuzz]") {
             input.up = dice.place();
             const std::vector<look_at::Input> inputs(1, input);
             std::vector<glm::dquat> rows(looks.rows().size());
-            std::vector<look_at::Report> reports(1);
+            std::vector<look_at::GazeDiagnostics> reports(1);
             looks.solve(rig.view(), world, inputs, rows, reports);
             CHECK(are_rotations(rows));
             CHECK(are_finite(reports[0].angle, reports[0].yaw, reports[0].pitch));
@@ -292,8 +292,8 @@ TEST_CASE("rigs of any numbers are solved to finite turns", "[fuzz]") {
             task.bones = ik::Bones(plan, ik::Rest(plan, rig.view()), rig.basis);
             task.poses = rig.poses;
             task.world = world;
-            std::vector<ik::Settings> settings(2);
-            for (ik::Settings& one : settings)
+            std::vector<ik::ChainSettings> settings(2);
+            for (ik::ChainSettings& one : settings)
                 one = {dice.number(0.0, 1.0),
                        dice.number(0.0, 1.0),
                        dice.number(0.0, 0.5),
@@ -317,11 +317,11 @@ TEST_CASE("rigs of any numbers are solved to finite turns", "[fuzz]") {
             task.limits = limits;
             std::vector<glm::dquat> rotations(plan.rows().size());
             std::vector<glm::dvec3> scales(plan.rows().size());
-            std::vector<ik::Report> report(2);
+            std::vector<ik::ChainDiagnostics> report(2);
             ik::solve(plan, task, {rotations, scales, report});
             CHECK(are_rotations(rotations));
             for (const glm::dvec3& scale : scales) CHECK(is_finite(scale));
-            for (const ik::Report& one : report)
+            for (const ik::ChainDiagnostics& one : report)
                 CHECK(are_finite(one.residual, one.reason, one.distance, one.reach));
             std::vector<glm::dmat4> matched(2);
             std::vector<glm::dvec3> matched_poles(2);
@@ -335,9 +335,9 @@ TEST_CASE("gazes in any direction are finite", "[fuzz]") {
     Dice dice(18, 0.3);
     for (int round = 0; round < 500; ++round) {
         const look_at::GazeChart chart(dice.direction(), dice.direction());
-        const look_at::Settings settings{dice.number(0.0, 1.0), dice.number(0.0, 1.0), dice.number(0.0, 1.0),
-                                         dice.number(0.0, 1.0), dice.number(0.0, 1.0), dice.number(0.0, 4.0),
-                                         dice.number(0.0, 4.0), dice.number(0.0, 4.0)};
+        const look_at::GazeSettings settings{
+            dice.number(0.0, 1.0), dice.number(0.0, 1.0), dice.number(0.0, 1.0), dice.number(0.0, 1.0),
+            dice.number(0.0, 1.0), dice.number(0.0, 4.0), dice.number(0.0, 4.0), dice.number(0.0, 4.0)};
         (void)look_at::turns_to(chart, dice.direction(), dice.direction(), settings);
         (void)chart.turn(chart.place(dice.direction()), {dice.number(), dice.number()});
     }

@@ -40,8 +40,8 @@ namespace {
 }
 
 /// Flakes that fall on what lies below, about as large as the mesh.
-[[nodiscard]] snow::Settings falling_on(const ZooMesh& mesh) {
-    snow::Settings settings;
+[[nodiscard]] snow::SnowSettings falling_on(const ZooMesh& mesh) {
+    snow::SnowSettings settings;
     settings.rate = 15.0;
     settings.looping = false;
     settings.duration = 3.0;
@@ -211,7 +211,7 @@ TEST_CASE("snow on a zoo of meshes has a finite height", "[zoo]") {
 TEST_CASE("flakes leave a zoo of meshes at finite places", "[zoo]") {
     for (const ZooMesh& mesh : mesh_zoo()) {
         CAPTURE(mesh.name);
-        snow::Settings settings;
+        snow::SnowSettings settings;
         settings.shape = snow::Shape::surface;
         settings.surface_positions = mesh.positions;
         settings.surface_triangles = mesh.triangles;
@@ -239,7 +239,7 @@ TEST_CASE("a zoo of meshes is walked on", "[zoo]") {
             }
             way.rest = {{0.3, 0.3, -0.5}, {-0.3, 0.3, -0.5}, {0.3, -0.3, -0.5}, {-0.3, -0.3, -0.5}};
             way.phases = {0.0, 0.5, 0.5, 0.0};
-            walker::Settings settings;
+            walker::WalkSettings settings;
             settings.hips = {{0.2, 0.2, 0.0}, {-0.2, 0.2, 0.0}, {0.2, -0.2, 0.0}, {-0.2, -0.2, 0.0}};
             settings.lengths = {1.0, 1.0, 1.0, 1.0};
             const walker::Walker walker(way, settings, &ground, 1);

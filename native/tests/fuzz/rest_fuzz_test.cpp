@@ -164,7 +164,7 @@ TEST_CASE("walkers of any numbers are refused or finite", "[fuzz]") {
         way.duty = dice.number(0.1, 0.9);
         way.stride = dice.number(0.2, 1.0);
         way.up = dice.place();
-        walker::Settings settings;
+        walker::WalkSettings settings;
         settings.clearance = dice.number(0.0, 0.2);
         settings.minimum_step = dice.number(0.0, 0.1);
         settings.tilt = dice.number(0.0, 1.0);
@@ -218,9 +218,9 @@ TEST_CASE("what is moved from can still be asked: walkers", "[fuzz]") {
     CHECK(is_refused([&] { (void)walker.foot(0, 0.5); }, "leg"));
     CHECK(returns([&] { (void)walker.body(0.5); }) == false);
     // NOLINTEND(bugprone-use-after-move)
-    const walker::Course course(way);
-    CHECK(is_refused([&] { (void)course.pose(1, 0.0); }, "stretch"));
-    CHECK(is_refused([&] { (void)course.last_sample(1); }, "stretch"));
+    const walker::BodyTrajectory trajectory(way);
+    CHECK(is_refused([&] { (void)trajectory.pose(1, 0.0); }, "stretch"));
+    CHECK(is_refused([&] { (void)trajectory.last_sample(1); }, "stretch"));
     CHECK(is_refused([] { (void)walker::step_at({}, 0.0); }, "steps"));
     CHECK(is_refused([] { (void)walker::Footsteps().of(0); }, "row"));
 }

@@ -20,8 +20,8 @@ using namespace motus::test;
 
 namespace {
 
-[[nodiscard]] Settings settings_of(Dice& dice) {
-    Settings s;
+[[nodiscard]] SnowSettings settings_of(Dice& dice) {
+    SnowSettings s;
     s.start_speed = dice.number();
     s.lifetime = dice.number(0.1, 4.0);
     s.start_size = dice.number();
@@ -65,7 +65,7 @@ namespace {
 }  // namespace
 
 TEST_CASE("a snow takes its own flakes alone", "[fuzz]") {
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 1000.0;
     const Snow few(settings);
     settings.delay = 1.0;
@@ -89,7 +89,7 @@ TEST_CASE("snow slides over triangles without area, and lies where it would with
     // Slope and floor with one column of vertices at the foot, and with two, between which triangles have no
     // area.
     const auto lies = [](const ZooMesh& mesh, int smoothing) {
-        Settings settings;
+        SnowSettings settings;
         settings.rate = 100.0;
         settings.lifetime = 8.0;
         settings.start_speed = -2.0;
@@ -133,7 +133,7 @@ TEST_CASE("flakes of any numbers are refused or at finite places", "[fuzz]") {
     for (const double share : {0.01, 0.08}) {
         Dice dice(41, share);
         for (int round = 0; round < 40; ++round) {
-            const Settings settings = settings_of(dice);
+            const SnowSettings settings = settings_of(dice);
             // What takes long, and much memory, is left out.
             if (settings.snow && settings.lifetime > 1e3) continue;
             const double time = dice.number(0.0, 6.0);
@@ -161,7 +161,7 @@ TEST_CASE("flakes of any numbers are refused or at finite places", "[fuzz]") {
 }
 
 TEST_CASE("flakes that steer by a large angle are where they can be", "[fuzz]") {
-    Settings settings;
+    SnowSettings settings;
     settings.snow = settings.snow_offsets = true;
     settings.rate = 200.0;
     for (const double angle : {1e6, -1e6}) {
@@ -192,7 +192,7 @@ TEST_CASE("flakes that steer by a large angle are where they can be", "[fuzz]") 
 TEST_CASE("births, covers and layers of any numbers are refused or finite", "[fuzz]") {
     Dice dice(42, 0.2);
     const ZooMesh mesh = slope_and_floor(3, 1.0F);
-    Settings settings;
+    SnowSettings settings;
     settings.collider = std::make_shared<const Collider>(mesh.positions, mesh.triangles);
     settings.start_speed = -2.0;
     settings.rate = 30.0;

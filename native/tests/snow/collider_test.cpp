@@ -21,8 +21,8 @@ using namespace motus::snow;
 namespace {
 
 /// Of all kinds, over a slanted sheet and the ground.
-[[nodiscard]] Settings rich_over(Collision collision) {
-    Settings s = rich(4000.0);
+[[nodiscard]] SnowSettings rich_over(Collision collision) {
+    SnowSettings s = rich(4000.0);
     s.ground = -2.0;
     s.collider = sheet(1.0F, 1.0F, 0.3F, 8);
     s.collision = collision;
@@ -34,7 +34,7 @@ namespace {
 }  // namespace
 
 TEST_CASE("flakes land on a plane when their closed form says", "[snow]") {
-    Settings settings = falling(2000.0);
+    SnowSettings settings = falling(2000.0);
     settings.gravity = true;
     // z = 3 - 1.5 t - 9.81 t^2 / 2.
     const auto fall_to = [](double z) {
@@ -58,13 +58,13 @@ TEST_CASE("flakes land on a plane when their closed form says", "[snow]") {
 }
 
 TEST_CASE("a flake is where it landed until it is gone", "[snow]") {
-    Settings settings = rich_over(Collision::stay);
+    SnowSettings settings = rich_over(Collision::stay);
     settings.rest_time = std::numeric_limits<double>::infinity();
     const std::vector<Touchdown> downs = Snow(settings).touchdowns(4.0);
     REQUIRE(downs.size() > 2000);
     CHECK(std::ranges::any_of(downs, [](const Touchdown& one) { return one.triangle >= 0; }));
     CHECK(std::ranges::any_of(downs, [](const Touchdown& one) { return one.triangle < 0; }));
-    Settings free = settings;
+    SnowSettings free = settings;
     free.ground.reset();
     free.collider.reset();
     const auto row_of = [](const Flakes& flakes, std::uint64_t id) {
@@ -101,7 +101,7 @@ TEST_CASE("a flake is where it landed until it is gone", "[snow]") {
 
 TEST_CASE("landed flakes are the same whatever was asked for before", "[snow]") {
     for (const Collision collision : {Collision::stay, Collision::slide, Collision::melt}) {
-        const Settings settings = rich_over(collision);
+        const SnowSettings settings = rich_over(collision);
         const Flakes wanted = flakes_at(Snow(settings), 2.9);
         CHECK(wanted.id.size() > 1000);
         const Snow other(settings);
@@ -114,7 +114,7 @@ TEST_CASE("landed flakes are the same whatever was asked for before", "[snow]") 
 
 TEST_CASE("landings are found block by block, and the flakes known then are those that there are", "[snow]") {
     for (const Collision collision : {Collision::stay, Collision::melt}) {
-        Settings settings = falling(1000.0);
+        SnowSettings settings = falling(1000.0);
         settings.ground = 0.0;
         settings.collision = collision;
         settings.melt_time = 5.0;
@@ -147,16 +147,16 @@ TEST_CASE("landings are found block by block, and the flakes known then are thos
 
 TEST_CASE("all instruction sets find the same landings", "[snow]") {
     for (const bool has_offsets : {false, true}) {
-        Settings settings = rich_over(Collision::slide);
+        SnowSettings settings = rich_over(Collision::slide);
         settings.snow_offsets = has_offsets;
-        Course course(settings);
-        const Landings landings(course, settings);
+        FlightModel model(settings);
+        const Landings landings(model, settings);
         for (const std::uint64_t block : {0U, 9U, 30U}) {
-            course.kernel = &kernels().front();
+            model.kernel = &kernels().front();
             const auto wanted = landings.find(block);
             for (const Kernel& kernel : kernels()) {
                 CAPTURE(kernel.name);
-                course.kernel = &kernel;
+                model.kernel = &kernel;
                 const auto found = landings.find(block);
                 CHECK(found->times == wanted->times);
                 CHECK(found->slides.size() == wanted->slides.size());
@@ -171,7 +171,7 @@ TEST_CASE("all instruction sets find the same landings", "[snow]") {
 }
 
 TEST_CASE("flakes rest for their time, and melt", "[snow]") {
-    Settings settings = falling(500.0);
+    SnowSettings settings = falling(500.0);
     settings.ground = 0.0;  // after 2 s
     settings.rest_time = 1.0;
     CHECK(flakes_at(Snow(settings), 20.0).id.size() == Approx(1500).margin(1));
@@ -195,7 +195,7 @@ TEST_CASE("flakes rest for their time, and melt", "[snow]") {
 }
 
 TEST_CASE("flakes slide down to the edge as friction lets them", "[snow]") {
-    Settings settings = falling(200.0);
+    SnowSettings settings = falling(200.0);
     settings.start_speed = -3.0;
     settings.lifetime = 20.0;
     settings.collision = Collision::slide;
@@ -263,7 +263,7 @@ TEST_CASE("nothing passes a closed surface, and nothing lands on what it leaves"
                                (i & 4) != 0 ? 3.0F : -3.0F);
     const Triangles triangles{{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                               {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    Settings settings = rich(2000.0);
+    SnowSettings settings = rich(2000.0);
     settings.emitter_times.clear();
     settings.emitter_matrices.clear();
     settings.start_speed = 4.0;
@@ -274,7 +274,7 @@ TEST_CASE("nothing passes a closed surface, and nothing lands on what it leaves"
         for (const glm::vec3& at : flakes_at(snow, time).position)
             CHECK(std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) < 3.005F);  // between two looks
 
-    Settings leaving;
+    SnowSettings leaving;
     leaving.rate = 5000.0;
     leaving.shape = Shape::surface;
     leaving.surface_positions = positions;
@@ -291,21 +291,21 @@ TEST_CASE("bad colliders are refused with a sentence", "[snow]") {
     CHECK_THROWS_WITH(Collider(points, Triangles{{0, -1, 2}}), Catch::StartsWith("collider_triangles"));
     CHECK_THROWS_WITH(Collider(Points{{std::numeric_limits<float>::quiet_NaN(), 0, 0}}, Triangles{}),
                       Catch::StartsWith("collider_positions"));
-    Settings settings = falling(10.0);
+    SnowSettings settings = falling(10.0);
     settings.collider = std::make_shared<const Collider>(points, Triangles{{0, 1, 1}});
     CHECK(Snow(settings).touchdowns(5.0).empty());
     settings.collider = std::make_shared<const Collider>(Points{}, Triangles{});
     CHECK(Snow(settings).touchdowns(5.0).empty());
     const auto refuses = [](const char* name, const auto& change) {
-        Settings bad;
+        SnowSettings bad;
         change(bad);
         CHECK_THROWS_WITH(Snow(bad), Catch::StartsWith(name));
     };
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    refuses("ground", [&](Settings& s) { s.ground = nan; });
-    refuses("rest_time", [&](Settings& s) { s.rest_time = -1.0; });
-    refuses("melt_time", [&](Settings& s) { s.melt_time = nan; });
-    refuses("friction", [&](Settings& s) { s.friction = -1.0; });
+    refuses("ground", [&](SnowSettings& s) { s.ground = nan; });
+    refuses("rest_time", [&](SnowSettings& s) { s.rest_time = -1.0; });
+    refuses("melt_time", [&](SnowSettings& s) { s.melt_time = nan; });
+    refuses("friction", [&](SnowSettings& s) { s.friction = -1.0; });
     settings.ground = 0.0;
     settings.rate = 1e7;
     settings.lifetime = 1.0;

@@ -20,7 +20,7 @@ using namespace motus::snow;
 namespace {
 
 struct Covered {
-    Covered(const Settings& settings, const CoverSettings& by) : snow(settings), cover(snow, by) {}
+    Covered(const SnowSettings& settings, const CoverSettings& by) : snow(settings), cover(snow, by) {}
 
     [[nodiscard]] std::vector<float> at(double time, std::size_t threads = 1) const {
         std::vector<float> heights(cover.vertex_count());
@@ -44,7 +44,7 @@ struct Covered {
 
 TEST_CASE("all that landed lies on the cover, at any time", "[snow]") {
     for (const int smoothing : {0, 4, 50}) {
-        Settings settings = falling(3000.0);
+        SnowSettings settings = falling(3000.0);
         settings.random_lifetime = true;
         settings.collider = sheet(2.0F, 0.0F, 0.1F, 12);
         const Covered one(settings,
@@ -70,7 +70,7 @@ TEST_CASE("snow lies on a surface at the height of the ground", "[snow]") {
     for (const float height : {0.0F, 0.1F, -3.7F}) {
         // To rounding: what is turned, or refined, is as near.
         for (const float lower : {0.0F, 2e-7F}) {
-            Settings settings = falling(2000.0);
+            SnowSettings settings = falling(2000.0);
             settings.random_speed = true;
             settings.lifetime = 20.0;
             settings.collider = sheet(2.0F, height - lower, 0.0F, 7);
@@ -91,7 +91,7 @@ TEST_CASE("snow lies on a surface at the height of the ground", "[snow]") {
 
 TEST_CASE("what rises to the lower side of something falls off", "[snow]") {
     for (const float slope : {0.0F, 1e-4F, 0.3F}) {
-        Settings settings = falling(500.0);
+        SnowSettings settings = falling(500.0);
         settings.start_speed = 1.5;
         settings.cone_radius = 1.5;
         Points positions;
@@ -110,7 +110,7 @@ TEST_CASE("what rises to the lower side of something falls off", "[snow]") {
 
 TEST_CASE("steep snow slides off, however finely the slope is divided", "[snow]") {
     for (const int cells : {4, 150}) {
-        Settings settings = falling(2000.0);
+        SnowSettings settings = falling(2000.0);
         settings.collider = sheet(2.0F, 0.0F, 2.5F, cells);
         const Covered one(settings, {.end = 6.0, .flake_volume = 1e-3, .repose = 0.8});
         CHECK(one.snow.touchdowns(6.0).size() > 1000);
@@ -119,7 +119,7 @@ TEST_CASE("steep snow slides off, however finely the slope is divided", "[snow]"
 }
 
 TEST_CASE("the cover is even where snow falls evenly", "[snow]") {
-    Settings settings = falling(40000.0);
+    SnowSettings settings = falling(40000.0);
     settings.collider = sheet(2.0F, 0.0F, 0.0F, 6);
     const Covered one(settings, {.end = 4.0, .flake_volume = 1e-5, .smoothing = 10});
     const double mean = one.cover.volume(4.0) / 16.0;
@@ -127,7 +127,7 @@ TEST_CASE("the cover is even where snow falls evenly", "[snow]") {
 }
 
 TEST_CASE("nothing lies under a roof", "[snow]") {
-    Settings settings = falling(20000.0);
+    SnowSettings settings = falling(20000.0);
     Points positions;
     Triangles triangles;
     add_sheet(2.0F, 0.0F, 0.0F, 32, positions, triangles);
@@ -150,7 +150,7 @@ TEST_CASE("nothing lies under a roof", "[snow]") {
 }
 
 TEST_CASE("snow beside a roof ends along its shadow, and is all there", "[snow]") {
-    Settings settings = falling(40000.0);
+    SnowSettings settings = falling(40000.0);
     constexpr float edge = 0.13F;
     constexpr int cells = 20;
     constexpr float cell = 4.0F / static_cast<float>(cells);
@@ -197,7 +197,7 @@ TEST_CASE("the steeper the less lies, and the rest is below", "[snow]") {
     double most = 2.0;
     // Tangent of the slope, over that of the angle of repose.
     for (const double steepness : {0.5, 0.95, 1.1, 1.25, 1.4, 1.6, 4.0}) {
-        Settings settings = falling(8000.0);
+        SnowSettings settings = falling(8000.0);
         Points positions;
         Triangles triangles;
         add_sheet(4.0F, -6.0F, 0.0F, 20, positions, triangles);
@@ -231,7 +231,7 @@ TEST_CASE("the steeper the less lies, and the rest is below", "[snow]") {
 }
 
 TEST_CASE("what slides down a wall falls to the ground, and not under the house", "[snow]") {
-    Settings settings = falling(3000.0);
+    SnowSettings settings = falling(3000.0);
     settings.gravity = true;
     settings.drag = 2.0;
     settings.wind = {6.0, 0.0, 0.0};
@@ -265,7 +265,7 @@ TEST_CASE("what slides down a wall falls to the ground, and not under the house"
 }
 
 TEST_CASE("covers of bad settings are refused with a sentence", "[snow]") {
-    Settings settings = falling(10.0);
+    SnowSettings settings = falling(10.0);
     const CoverSettings good{.end = 3.0};
     CHECK_THROWS_WITH(Cover(Snow(settings), good), Catch::StartsWith("snow must have a collider"));
     settings.collider = sheet(2.0F, 0.0F, 0.0F, 2);

@@ -14,7 +14,7 @@ using namespace motus;
 using namespace motus::snow;
 
 TEST_CASE("random switches stay in their ranges, evenly", "[snow]") {
-    Settings settings = rich(20000.0);
+    SnowSettings settings = rich(20000.0);
     settings.snow = settings.gravity = false;
     settings.drag = settings.turbulence = 0.0;
     settings.delay = 0.0;
@@ -46,7 +46,7 @@ TEST_CASE("random switches stay in their ranges, evenly", "[snow]") {
 }
 
 TEST_CASE("a random lifetime is even, and never negative", "[snow]") {
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 100000.0;
     settings.lifetime = 0.4;
     settings.random_lifetime = true;
@@ -62,7 +62,7 @@ TEST_CASE("a random lifetime is even, and never negative", "[snow]") {
 }
 
 TEST_CASE("random numbers have nothing to do with each other or the seed", "[snow]") {
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 30000.0;
     settings.start_speed = 0.0;
     settings.shape = Shape::box;

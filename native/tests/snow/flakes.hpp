@@ -47,8 +47,8 @@ template <class T>
 }
 
 /// Everything at once.
-[[nodiscard]] inline Settings rich(double rate) {
-    Settings s;
+[[nodiscard]] inline SnowSettings rich(double rate) {
+    SnowSettings s;
     s.rate = rate;
     s.delay = 0.3;
     s.lifetime = 2.5;
@@ -71,13 +71,13 @@ template <class T>
 }
 
 /// Flakes of several shapes that fly in several ways.
-[[nodiscard]] inline std::array<Settings, 4> kinds(double rate) {
-    std::array<Settings, 4> all{rich(rate), rich(rate), rich(rate), rich(rate)};
+[[nodiscard]] inline std::array<SnowSettings, 4> kinds(double rate) {
+    std::array<SnowSettings, 4> all{rich(rate), rich(rate), rich(rate), rich(rate)};
     all[1].snow = false;
     all[1].shape = Shape::sphere;
     all[2].snow_offsets = true;
     all[2].shape = Shape::cone;
-    all[3] = Settings{};
+    all[3] = SnowSettings{};
     all[3].rate = rate;
     return all;
 }

@@ -18,7 +18,7 @@ using namespace motus::snow;
 TEST_CASE("steering is the integral of the turned direction", "[snow]") {
     for (const double frequency : {0.4, 1.0, 3.0}) {
         for (const bool apart : {false, true}) {
-            Settings settings;
+            SnowSettings settings;
             settings.rate = 0.0;
             settings.bursts = {{0.0, 40}};
             settings.lifetime = 20.0;
@@ -59,7 +59,7 @@ TEST_CASE("steering is the integral of the turned direction", "[snow]") {
 }
 
 TEST_CASE("the velocity is the position's derivative, and nothing jumps", "[snow]") {
-    for (Settings settings : kinds(500.0)) {
+    for (SnowSettings settings : kinds(500.0)) {
         settings.random_lifetime = false;
         const Snow snow(settings);
         constexpr double h = 1.0 / 512.0;
@@ -82,7 +82,7 @@ TEST_CASE("the velocity is the position's derivative, and nothing jumps", "[snow
 }
 
 TEST_CASE("turbulent air moves flakes at its speed, and gathers them nowhere", "[snow]") {
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 0.0;
     settings.bursts = {{0.0, 40000}};
     settings.shape = Shape::box;
@@ -124,7 +124,7 @@ TEST_CASE("turbulent air moves flakes at its speed, and gathers them nowhere", "
 }
 
 TEST_CASE("keyed wind carries flakes along, the same at any time", "[snow]") {
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 2000.0;
     settings.start_speed = 0.0;
     settings.cone_radius = 0.0;
@@ -153,7 +153,7 @@ TEST_CASE("keyed wind carries flakes along, the same at any time", "[snow]") {
 }
 
 TEST_CASE("gravity adds to the way, with snow too", "[snow]") {
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 1000.0;
     settings.snow = true;
     const Flakes floating = flakes_at(Snow(settings), 9.0);

@@ -16,7 +16,7 @@ using namespace motus;
 using namespace motus::snow;
 
 TEST_CASE("plain flakes fly straight from the square", "[snow]") {
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 10000.0;
     settings.cone_radius = 2.0;
     const Flakes now = flakes_at(Snow(settings), 50.0);
@@ -40,7 +40,7 @@ TEST_CASE("plain flakes fly straight from the square", "[snow]") {
 }
 
 TEST_CASE("shapes are filled evenly", "[snow]") {
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 20000.0;
     settings.start_speed = 0.0;
     settings.cone_radius = 1.5;
@@ -72,7 +72,7 @@ TEST_CASE("shapes are filled evenly", "[snow]") {
 
 TEST_CASE("a surface is covered evenly, and left along its normals", "[snow]") {
     test::Random random(6);
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 100000.0;
     settings.lifetime = 1.0;
     settings.shape = Shape::surface;
@@ -111,7 +111,7 @@ TEST_CASE("a surface is covered evenly, and left along its normals", "[snow]") {
 }
 
 TEST_CASE("a camera's frustum is filled evenly, and left downwards", "[snow]") {
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 100000.0;
     settings.lifetime = 1.0;
     settings.start_speed = 0.0;
@@ -164,7 +164,7 @@ TEST_CASE("a camera's frustum is filled evenly, and left downwards", "[snow]") {
 }
 
 TEST_CASE("flakes stay where the emitter was when they were born", "[snow]") {
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 100.0;
     settings.start_speed = 0.0;
     settings.cone_radius = 0.0;

@@ -40,8 +40,8 @@ inline void add_sheet(float r, float height, float slope, int cells, Points& pos
 }
 
 /// Flakes that fall from a square of half width 2 at a height of 3.
-[[nodiscard]] inline Settings falling(double rate) {
-    Settings s;
+[[nodiscard]] inline SnowSettings falling(double rate) {
+    SnowSettings s;
     s.rate = rate;
     s.lifetime = 6.0;
     s.start_speed = -1.5;

@@ -15,7 +15,7 @@ using namespace motus;
 using namespace motus::snow;
 
 TEST_CASE("any frame is the same in any order and by any threads", "[snow]") {
-    for (const Settings& settings : kinds(30000.0)) {
+    for (const SnowSettings& settings : kinds(30000.0)) {
         const Snow snow(settings);
         const Flakes first = flakes_at(snow, 3.3);
         CHECK(first.age.size() > 1000);
@@ -26,7 +26,7 @@ TEST_CASE("any frame is the same in any order and by any threads", "[snow]") {
 }
 
 TEST_CASE("flakes live from their birth to their lifetime, in the order of numbers", "[snow]") {
-    for (const Settings& settings : kinds(701.0)) {
+    for (const SnowSettings& settings : kinds(701.0)) {
         const Snow snow(settings);
         for (const double time : {-1.0, 0.0, 0.3, 0.31, 0.8, 2.0, 2.8, 4.0, 1000.0}) {
             const Flakes now = flakes_at(snow, time);
@@ -55,7 +55,7 @@ TEST_CASE("flakes live from their birth to their lifetime, in the order of numbe
 }
 
 TEST_CASE("looping has no end, and the flow no seam", "[snow]") {
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 50.0;
     settings.duration = 3.0;
     const auto count = [&](double time) { return Snow(settings).living(time).count(); };
@@ -67,7 +67,7 @@ TEST_CASE("looping has no end, and the flow no seam", "[snow]") {
 }
 
 TEST_CASE("late times are as good as early ones", "[snow]") {
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 1024.0;
     settings.snow = true;
     const Snow snow(settings);
@@ -83,62 +83,63 @@ TEST_CASE("late times are as good as early ones", "[snow]") {
 TEST_CASE("bad settings are refused with a sentence", "[snow]") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const auto refuses = [](const char* name, const auto& change) {
-        Settings settings;
+        SnowSettings settings;
         change(settings);
         CHECK_THROWS_WITH(Snow(settings), Catch::StartsWith(name));
     };
     for (const double bad : {-1.0, nan}) {
-        refuses("rate", [&](Settings& s) { s.rate = bad; });
-        refuses("lifetime", [&](Settings& s) { s.lifetime = bad; });
-        refuses("delay", [&](Settings& s) { s.delay = bad; });
-        refuses("duration", [&](Settings& s) { s.duration = bad; });
-        refuses("cone_angle", [&](Settings& s) { s.cone_angle = bad; });
-        refuses("cone_radius", [&](Settings& s) { s.cone_radius = bad; });
-        refuses("drag", [&](Settings& s) { s.drag = bad; });
-        refuses("frustum_angles", [&](Settings& s) { s.frustum_angles.y = bad; });
-        refuses("frustum_near", [&](Settings& s) { s.frustum_near = bad; });
-        refuses("frustum_far", [&](Settings& s) { s.frustum_far = bad; });
-        refuses("gusts", [&](Settings& s) { s.gusts = bad; });
-        refuses("gust_frequency", [&](Settings& s) { s.gust_frequency = bad; });
-        refuses("snow_frequency", [&](Settings& s) { s.snow_frequency = bad; });
-        refuses("turbulence must", [&](Settings& s) { s.turbulence = bad; });
-        refuses("turbulence_size", [&](Settings& s) { s.turbulence_size = bad; });
-        refuses("tumble", [&](Settings& s) { s.tumble = bad; });
+        refuses("rate", [&](SnowSettings& s) { s.rate = bad; });
+        refuses("lifetime", [&](SnowSettings& s) { s.lifetime = bad; });
+        refuses("delay", [&](SnowSettings& s) { s.delay = bad; });
+        refuses("duration", [&](SnowSettings& s) { s.duration = bad; });
+        refuses("cone_angle", [&](SnowSettings& s) { s.cone_angle = bad; });
+        refuses("cone_radius", [&](SnowSettings& s) { s.cone_radius = bad; });
+        refuses("drag", [&](SnowSettings& s) { s.drag = bad; });
+        refuses("frustum_angles", [&](SnowSettings& s) { s.frustum_angles.y = bad; });
+        refuses("frustum_near", [&](SnowSettings& s) { s.frustum_near = bad; });
+        refuses("frustum_far", [&](SnowSettings& s) { s.frustum_far = bad; });
+        refuses("gusts", [&](SnowSettings& s) { s.gusts = bad; });
+        refuses("gust_frequency", [&](SnowSettings& s) { s.gust_frequency = bad; });
+        refuses("snow_frequency", [&](SnowSettings& s) { s.snow_frequency = bad; });
+        refuses("turbulence must", [&](SnowSettings& s) { s.turbulence = bad; });
+        refuses("turbulence_size", [&](SnowSettings& s) { s.turbulence_size = bad; });
+        refuses("tumble", [&](SnowSettings& s) { s.tumble = bad; });
     }
-    refuses("start_speed", [&](Settings& s) { s.start_speed = nan; });
-    refuses("start_size", [&](Settings& s) { s.start_size = 1e300; });
-    refuses("max_angle", [&](Settings& s) { s.max_angle = nan; });
-    refuses("wind", [&](Settings& s) { s.wind.y = nan; });
-    refuses("wind_values", [&](Settings& s) { s.wind_times = {1.0}; });
-    refuses("wind_values", [&](Settings& s) { s.wind_times = {1.0}, s.wind_values = {{nan, 0.0, 0.0}}; });
-    refuses("wind_times", [&](Settings& s) { s.wind_times = {nan}, s.wind_values = {{}}; });
-    refuses("wind_times must rise", [&](Settings& s) {
+    refuses("start_speed", [&](SnowSettings& s) { s.start_speed = nan; });
+    refuses("start_size", [&](SnowSettings& s) { s.start_size = 1e300; });
+    refuses("max_angle", [&](SnowSettings& s) { s.max_angle = nan; });
+    refuses("wind", [&](SnowSettings& s) { s.wind.y = nan; });
+    refuses("wind_values", [&](SnowSettings& s) { s.wind_times = {1.0}; });
+    refuses("wind_values", [&](SnowSettings& s) { s.wind_times = {1.0}, s.wind_values = {{nan, 0.0, 0.0}}; });
+    refuses("wind_times", [&](SnowSettings& s) { s.wind_times = {nan}, s.wind_values = {{}}; });
+    refuses("wind_times must rise", [&](SnowSettings& s) {
         s.wind_times = {1.0, 1.0}, s.wind_values = {{}, {}};
     });
-    refuses("start_color", [&](Settings& s) { s.start_color.clear(); });
-    refuses("start_color", [&](Settings& s) { s.start_color = {{1.0F, {}}, {0.0F, {}}}; });
-    refuses("emitter_matrices", [&](Settings& s) { s.emitter_times = {0.0}; });
-    refuses("surface_triangles must have an area", [&](Settings& s) { s.shape = Shape::surface; });
-    refuses("surface_triangles must name", [&](Settings& s) {
+    refuses("start_color", [&](SnowSettings& s) { s.start_color.clear(); });
+    refuses("start_color", [&](SnowSettings& s) { s.start_color = {{1.0F, {}}, {0.0F, {}}}; });
+    refuses("emitter_matrices", [&](SnowSettings& s) { s.emitter_times = {0.0}; });
+    refuses("surface_triangles must have an area", [&](SnowSettings& s) { s.shape = Shape::surface; });
+    refuses("surface_triangles must name", [&](SnowSettings& s) {
         s.shape = Shape::surface;
         s.surface_triangles = {{0, 1, 2}};
     });
-    refuses("surface_positions", [&](Settings& s) {
+    refuses("surface_positions", [&](SnowSettings& s) {
         s.shape = Shape::surface;
         s.surface_positions = {glm::vec3(std::numeric_limits<float>::infinity())};
     });
-    refuses("rate must be lower: up to 2e+12 flakes", [&](Settings& s) { s.rate = 1e12; });
-    refuses("rate must be lower", [&](Settings& s) { s.lifetime = 1e12; });
-    refuses("rate must be lower", [&](Settings& s) { s.bursts = {{1.0, 1000000000000U}}; });
-    refuses("lifetime must be shorter", [&](Settings& s) { s.rate = 0.1, s.lifetime = 1e6, s.snow = true; });
+    refuses("rate must be lower: up to 2e+12 flakes", [&](SnowSettings& s) { s.rate = 1e12; });
+    refuses("rate must be lower", [&](SnowSettings& s) { s.lifetime = 1e12; });
+    refuses("rate must be lower", [&](SnowSettings& s) { s.bursts = {{1.0, 1000000000000U}}; });
+    refuses("lifetime must be shorter",
+            [&](SnowSettings& s) { s.rate = 0.1, s.lifetime = 1e6, s.snow = true; });
 
-    Settings none;
+    SnowSettings none;
     none.rate = 0.0;
     CHECK(flakes_at(Snow(none), 5.0).age.empty());
     none.rate = 100.0;
     none.lifetime = 0.0;
     CHECK(flakes_at(Snow(none), 5.0).age.empty());
-    const Snow snow{Settings{}};
+    const Snow snow{SnowSettings{}};
     const Living living = snow.living(1.0);
     std::vector<float> few(living.count() - 1);
     CHECK_THROWS_AS(snow.evaluate(living, {.age = few}), std::invalid_argument);
@@ -158,7 +159,7 @@ TEST_CASE("only what is wanted is filled, and it is the same", "[snow]") {
 }
 
 TEST_CASE("what is kept of one snow's landings is no other's", "[snow]") {
-    Settings settings;
+    SnowSettings settings;
     settings.rate = 300.0;
     settings.gravity = true;
     settings.emitter_times = {0.0};
@@ -178,14 +179,14 @@ TEST_CASE("what is kept of one snow's landings is no other's", "[snow]") {
 }
 
 TEST_CASE("a snow that was moved from is still the snow", "[snow]") {
-    for (const Settings& settings : kinds(701.0)) {
+    for (const SnowSettings& settings : kinds(701.0)) {
         const Flakes wanted = flakes_at(Snow(settings), 2.3);
         Snow snow(settings);
         Snow moved = std::move(snow);
         CHECK(are_same(flakes_at(moved, 2.3), wanted));
         // NOLINTBEGIN(bugprone-use-after-move): that is what it is about
         CHECK(are_same(flakes_at(snow, 2.3), wanted));
-        Snow other{Settings{}};
+        Snow other{SnowSettings{}};
         other = std::move(moved);
         CHECK(are_same(flakes_at(other, 2.3), wanted));
         CHECK(are_same(flakes_at(moved, 2.3), wanted));

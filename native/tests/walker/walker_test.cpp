@@ -69,17 +69,17 @@ TEST_CASE("a standing foot is within half a stride of its rest place", "[walker]
                 Way way = way_along(8.0, pose, gait);
                 way.duty = duty;
                 way.stride = 0.4;
-                const Course course(way);
+                const BodyTrajectory trajectory(way);
                 const Ground ground = plane();
                 const Walker walker(way, {}, &ground);
                 double farthest = 0.0;
                 for (double time = 0.0; time < 9.0; time += 0.0171) {
-                    const glm::dmat4 body = course.pose(0, time);
+                    const glm::dmat4 body = trajectory.pose(0, time);
                     for (std::size_t leg = 0; leg < walker.leg_count(); ++leg) {
                         const Foot foot = walker.foot(leg, time);
                         if (foot.swing > 0.0 || time < first_landing(walker, leg)) continue;
                         const glm::dvec3 off = foot.position - in_world(body, way.rest[leg]);
-                        const glm::dvec3 above = course.axes(body).up;
+                        const glm::dvec3 above = trajectory.axes(body).up;
                         farthest = std::max(farthest, glm::length(off - above * glm::dot(off, above)));
                     }
                 }
@@ -141,7 +141,7 @@ TEST_CASE("neighbours do not swing together", "[walker]") {
 
 TEST_CASE("a swing is smooth, and clears the ground", "[walker]") {
     const Ground ground = hilly_ground();
-    Settings settings;
+    WalkSettings settings;
     settings.clearance = 0.2;
     const Walker walker(way_along(8.0, around), settings, &ground);
     for (std::size_t leg = 0; leg < walker.leg_count(); ++leg) {
@@ -179,7 +179,7 @@ TEST_CASE("feet stand on the ground, and have its normal", "[walker]") {
 
 TEST_CASE("any time, in any order, with any number of threads, is the same", "[walker]") {
     const Ground ground = hilly_ground();
-    Settings settings;
+    WalkSettings settings;
     settings.hips.assign(8, {0.0, 0.0, 0.5});
     settings.lengths.assign(8, 1.3);
     const Way way = way_along(10.0, around, Gait::ripple);
@@ -199,7 +199,7 @@ TEST_CASE("any time, in any order, with any number of threads, is the same", "[w
 TEST_CASE("the body rises and leans with the ground", "[walker]") {
     const double slope = 0.25;
     const Ground hill({}, {}, Plane{{0.0, 0.0, 0.5}, {0.0, -slope, 1.0}});
-    Settings settings;
+    WalkSettings settings;
     settings.reach_up = settings.reach_down = 3.0;
     Way way = way_along(8.0, there);
     const Walker walker(way, settings, &hill);
@@ -230,7 +230,7 @@ TEST_CASE("a body walks up a wall", "[walker]") {
         place.z += std::max(0.0, s - quarter);
         return moved(place) * glm::rotate(glm::dmat4(1.0), angle, {1.0, 0.0, 0.0});
     };
-    Settings settings;
+    WalkSettings settings;
     settings.reach_up = 0.6;
     const Walker walker(way_along(10.0, climb), settings, &ground);
     CHECK(walker.problems().empty());
@@ -266,7 +266,7 @@ TEST_CASE("after a jump all feet are there at once", "[walker]") {
 TEST_CASE("short steps are left out if wanted", "[walker]") {
     const Ground ground = plane();
     const auto trembles = [](double time) { return moved({0.02 * std::sin(40.0 * time), 0.0, 0.0}); };
-    Settings settings;
+    WalkSettings settings;
     CHECK(Walker(way_along(5.0, trembles), settings, &ground).steps(0).size() > 3);
     settings.minimum_step = 0.05;
     const Walker calm(way_along(5.0, trembles), settings, &ground);
@@ -291,7 +291,7 @@ TEST_CASE("where there is no ground a foot is on its rest place, and that is sai
 }
 
 TEST_CASE("out of reach a foothold is looked for nearer, and said if there is none", "[walker]") {
-    Settings settings;
+    WalkSettings settings;
     const Way way = way_along(8.0, there);
     for (const glm::dvec3& place : way.rest) settings.hips.push_back(0.3 * place + 0.4 * up);
     settings.lengths.assign(8, 1.3);
@@ -318,7 +318,7 @@ TEST_CASE("out of reach a foothold is looked for nearer, and said if there is no
 
 TEST_CASE("a foot counts as out of reach at exactly those samples at which it is", "[walker]") {
     // Legs that are too short at both ends of a stand, but not in its middle.
-    Settings settings;
+    WalkSettings settings;
     const Way way = way_along(8.0, there);
     for (const glm::dvec3& place : way.rest) settings.hips.push_back(place + 0.5 * up);
     settings.lengths.assign(8, 0.52);
@@ -409,24 +409,24 @@ TEST_CASE("settings that are none are refused by the argument's name", "[walker]
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const Way way = way_along(1.0, there);
     const auto refused = [&](const char* name, const auto& spoil) {
-        Settings settings;
+        WalkSettings settings;
         spoil(settings);
         CHECK_THROWS_WITH(Walker(way, settings), Catch::StartsWith(name));
     };
-    refused("clearance", [](Settings& s) { s.clearance = -0.1; });
-    refused("reach_up", [&](Settings& s) { s.reach_up = nan; });
-    refused("reach_down", [](Settings& s) { s.reach_down = 1e13; });
-    refused("minimum_step", [](Settings& s) { s.minimum_step = -1.0; });
-    refused("height", [](Settings& s) { s.height = 1.1; });
-    refused("tilt", [&](Settings& s) { s.tilt = nan; });
-    refused("hips", [](Settings& s) { s.hips.resize(3); });
-    refused("lengths", [](Settings& s) { s.hips.resize(8); });
-    refused("bodies", [](Settings& s) { s.bodies.resize(1); });
-    refused("hips", [&](Settings& s) {
+    refused("clearance", [](WalkSettings& s) { s.clearance = -0.1; });
+    refused("reach_up", [&](WalkSettings& s) { s.reach_up = nan; });
+    refused("reach_down", [](WalkSettings& s) { s.reach_down = 1e13; });
+    refused("minimum_step", [](WalkSettings& s) { s.minimum_step = -1.0; });
+    refused("height", [](WalkSettings& s) { s.height = 1.1; });
+    refused("tilt", [&](WalkSettings& s) { s.tilt = nan; });
+    refused("hips", [](WalkSettings& s) { s.hips.resize(3); });
+    refused("lengths", [](WalkSettings& s) { s.hips.resize(8); });
+    refused("bodies", [](WalkSettings& s) { s.bodies.resize(1); });
+    refused("hips", [&](WalkSettings& s) {
         s.hips.assign(8, {0.0, nan, 0.0});
         s.lengths.assign(8, 1.0);
     });
-    refused("lengths", [](Settings& s) {
+    refused("lengths", [](WalkSettings& s) {
         s.hips.resize(8);
         s.lengths.assign(8, -1.0);
     });

@@ -239,7 +239,7 @@ void limited_chains() {
             const std::vector<glm::dvec3> offsets(bones, {0.0, 1.0 / static_cast<double>(bones), 0.0});
             const Limited chain{.rest = rest, .offsets = offsets, .limits = limits};
             const glm::dvec3 target = random.at_distance(0.1, 1.1);
-            Report report;
+            Convergence report;
             const double time = bench::nanoseconds(
                 [&] {
                     std::fill(rotations.begin(), rotations.end(), glm::dquat(1.0, 0.0, 0.0, 0.0));

@@ -23,7 +23,7 @@ struct Crowd {
     std::vector<int> parents, inheritance;
     std::vector<float> rest, poses, basis, lengths;
     std::vector<ChainBones> chains;
-    std::vector<Settings> settings;
+    std::vector<ChainSettings> settings;
     std::vector<glm::dmat4> targets;
     std::vector<glm::dvec3> poles;
     std::vector<chains::JointLimits> limits;
@@ -66,7 +66,8 @@ struct Crowd {
     }
 };
 
-void run(const char* name, int length, const Settings& settings, bool has_pole, bool has_limits = false) {
+void run(const char* name, int length, const ChainSettings& settings, bool has_pole,
+         bool has_limits = false) {
     Crowd crowd(length);
     crowd.settings.assign(chain_count, settings);
     if (!has_pole) crowd.poles.assign(chain_count, glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
@@ -75,7 +76,7 @@ void run(const char* name, int length, const Settings& settings, bool has_pole, 
     const Plan plan(crowd.parents, crowd.chains, {});
     std::vector<glm::dquat> rotations(plan.rows().size());
     std::vector<glm::dvec3> scales(plan.rows().size());
-    std::vector<Report> report(chain_count);
+    std::vector<ChainDiagnostics> report(chain_count);
     const ik::Rest rest(plan, crowd.rig());
     const Input input = crowd.input(plan, rest);
     const auto solve = [&] { ik::solve(plan, input, {rotations, scales, report}); };
@@ -92,13 +93,13 @@ void run(const char* name, int length, const Settings& settings, bool has_pole, 
 
 int main() {
     std::printf("%-44s %8s %8s\n", "us a chain", "solve", "+ read");
-    Settings plain;
-    Settings turned = plain;
+    ChainSettings plain;
+    ChainSettings turned = plain;
     turned.rotation_weight = 1.0;
-    Settings soft = turned;
+    ChainSettings soft = turned;
     soft.softness = 0.2;
     soft.stretch = 1.0;
-    Settings limited = plain;
+    ChainSettings limited = plain;
     limited.use_limits = 1.0;
     run("two bones", 2, plain, false);
     run("two bones, pole", 2, plain, true);

@@ -72,7 +72,7 @@ void row(const char* name, int spine_bones, bool eyes) {
     const Plan plan(crowd.parents, crowd.bones);
     const RigView rig{crowd.parents, crowd.matrices, crowd.matrices, crowd.basis, {}, crowd.inheritance};
     std::vector<glm::dquat> rotations(plan.rows().size());
-    std::vector<Report> reports(plan.size());
+    std::vector<GazeDiagnostics> reports(plan.size());
     const double taken = bench::nanoseconds(
         [&] {
             plan.solve(rig, glm::dmat4(1.0), crowd.inputs, rotations, reports);

@@ -41,9 +41,9 @@ struct Solution {
     py::object reason;
 };
 
-chains::Settings settings_of(const py::object& tolerance, const py::object& max_iterations,
-                             const py::object& pole, const py::object& plane) {
-    chains::Settings settings;
+chains::SolverSettings settings_of(const py::object& tolerance, const py::object& max_iterations,
+                                   const py::object& pole, const py::object& plane) {
+    chains::SolverSettings settings;
     settings.tolerance = number(tolerance, "tolerance");
     if (!(settings.tolerance > 0.0)) value_error("tolerance", "must be > 0");
     settings.max_iterations = whole_number(max_iterations, "max_iterations");
@@ -122,14 +122,14 @@ Solution solve(const py::object& reason_type, const py::object& joints, const py
     if (pose.size() < 2 || pose.size() > chains::most_bones + 1)
         value_error("joints", "must have 2 to 256 rows, not " + std::to_string(pose.size()));
     const glm::dvec3 to = vector(target, "target");
-    const chains::Settings settings = settings_of(tolerance, max_iterations, pole, plane);
+    const chains::SolverSettings settings = settings_of(tolerance, max_iterations, pole, plane);
     check_size(pose, "joints");
     check_size({&to, 1}, "target");
     if (limits.is_none() && !frames.is_none()) value_error("frames", "are read with limits only");
 
     DoubleArray result = to_array(pose);
     const std::span<glm::dvec3> out = points_of(result);
-    chains::Report report;
+    chains::Convergence report;
     py::object rotations = py::none();
     if (limits.is_none()) {
         const ReleaseGil released(out.size(), free_cost);

@@ -33,8 +33,8 @@ constexpr std::array report_columns{"residual", "angle", "reason", "iterations",
                                     "reach",    "tip_x", "tip_y",  "tip_z"};
 
 // The tables are read and written in place.
-static_assert(sizeof(ik::Settings) == settings_columns.size() * sizeof(double));
-static_assert(sizeof(ik::Report) == report_columns.size() * sizeof(double));
+static_assert(sizeof(ik::ChainSettings) == settings_columns.size() * sizeof(double));
+static_assert(sizeof(ik::ChainDiagnostics) == report_columns.size() * sizeof(double));
 static_assert(sizeof(glm::dmat4) == 16 * sizeof(double) && sizeof(chains::JointLimits) == 6 * sizeof(double));
 
 template <class Names>
@@ -108,7 +108,7 @@ ik::Bones read_bones(const ik::Plan& plan, const py::object& rest, const py::obj
 /// lock.
 struct CopiedInput {
     std::vector<float> poses;
-    std::vector<ik::Settings> settings;
+    std::vector<ik::ChainSettings> settings;
     std::vector<glm::dmat4> targets;
     std::vector<glm::dvec3> poles;
     std::vector<chains::JointLimits> limits;
@@ -118,7 +118,7 @@ struct CopiedInput {
     CopiedInput(const ik::Plan& plan, const ik::Bones& bones, const py::object& given_poses,
                 const py::object& world, const py::object& given_settings)
         : poses(copied(elements<float>(given_poses, "poses", {plan.parents().size(), 16}))),
-          settings(copied(rows_of<ik::Settings>(given_settings, "settings", plan.chain_count()))) {
+          settings(copied(rows_of<ik::ChainSettings>(given_settings, "settings", plan.chain_count()))) {
         input.bones = bones;
         input.poses = poses;
         input.world = matrix_of_columns(world, "world");
@@ -152,7 +152,7 @@ py::object solve(const ik::Plan& plan, const py::object& bones, const py::object
     ik::Output result;
     result.rotations = quaternions_in(rotation_rows.mutable_data(), rows);
     result.scales = points_of(scale_rows);
-    result.report = new_rows<ik::Report>(report, chains);
+    result.report = new_rows<ik::ChainDiagnostics>(report, chains);
     {
         const ReleaseGil released(plan.chain_bone_count(), chain_bone_cost);
         ik::solve(plan, given.input, result);

@@ -65,14 +65,14 @@ Turns look_at_targets(const py::object& reason_type, const py::object& forward, 
     constexpr double least_sine = 1e-6;
     if (glm::length(glm::cross(above, ahead)) < least_sine)
         value_error("up", std::string("must not lie along ") + (chest.is_none() ? "forward" : "chest"));
-    const look_at::Settings settings{fraction(weight, "weight"),
-                                     fraction(body_weight, "body_weight"),
-                                     fraction(head_weight, "head_weight"),
-                                     fraction(eyes_weight, "eyes_weight"),
-                                     fraction(clamp, "clamp"),
-                                     limit(body_limit, "body_limit"),
-                                     limit(head_limit, "head_limit"),
-                                     limit(eyes_limit, "eyes_limit")};
+    const look_at::GazeSettings settings{fraction(weight, "weight"),
+                                         fraction(body_weight, "body_weight"),
+                                         fraction(head_weight, "head_weight"),
+                                         fraction(eyes_weight, "eyes_weight"),
+                                         fraction(clamp, "clamp"),
+                                         limit(body_limit, "body_limit"),
+                                         limit(head_limit, "head_limit"),
+                                         limit(eyes_limit, "eyes_limit")};
     const DoubleArray given = doubles(targets, "targets");
     const bool is_single = given.ndim() == 1;
     if (given.ndim() < 1 || given.ndim() > 2 || given.shape(given.ndim() - 1) != 3)
@@ -218,11 +218,11 @@ DoubleArray solve_plan(const look_at::Plan& plan, const py::object& rest, const 
     }
     {
         const ReleaseGil released(count, entry_cost);
-        std::vector<look_at::Report> reports(count);
+        std::vector<look_at::GazeDiagnostics> reports(count);
         plan.solve(rig.view(), to_world, inputs, out, reports);
         rows_from_quaternions(out);
         for (std::size_t i = 0; i < count; ++i) {
-            const look_at::Report& one = reports[i];
+            const look_at::GazeDiagnostics& one = reports[i];
             const std::span<double> row = report_values.subspan(i * report_count, report_count);
             row[0] = one.angle;
             row[1] = one.reason ? static_cast<double>(*one.reason) : -1.0;

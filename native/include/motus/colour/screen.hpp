@@ -39,7 +39,7 @@ struct Difference {
                            const Difference& difference = {});
 
 /// How well a picture can be keyed by a colour.
-struct Report {
+struct ScreenQuality {
     double share = 0.0;             ///< of the picture's pixels that are of the screen
     double luminance_spread = 0.0;  ///< 5th to 95th percentile of the screen's luminance, over its median
     double chroma_spread =
@@ -54,7 +54,7 @@ struct Report {
 /// the other kind is a twelfth of the picture's greater side away, or a twenty-fifth if these are few: nearer
 /// ones may be a soft edge.
 /// Numbers of what is not in the picture, screen or subject, are the defaults.
-[[nodiscard]] Report judge_screen(const Picture& picture, const glm::dvec3& color,
-                                  const Difference& difference = {});
+[[nodiscard]] ScreenQuality judge_screen(const Picture& picture, const glm::dvec3& color,
+                                         const Difference& difference = {});
 
 }  // namespace motus::colour

@@ -29,8 +29,8 @@
 
 namespace motus::snow {
 
-/// Where flakes are born, in the emitter's space, evenly spread; r is Settings::radius. They leave along +Z
-/// but where said.
+/// Where flakes are born, in the emitter's space, evenly spread; r is SnowSettings::radius. They leave along
+/// +Z but where said.
 enum class Shape : std::uint8_t {
     square,   ///< |x|, |y| <= r, z = 0
     disc,     ///< about Z
@@ -51,7 +51,7 @@ struct GradientStop {
 };
 
 /// Metres, seconds, radians, world space; every number finite.
-struct Settings {
+struct SnowSettings {
     double start_speed = 5.0;
     double lifetime = 2.0;  ///< >= 0
     double start_size = 1.0;
@@ -172,7 +172,7 @@ class Snow {
 
     /// Throws std::invalid_argument, naming the argument, where a value is outside its domain, or more flakes
     /// than most_flakes would live at once.
-    explicit Snow(const Settings& settings);
+    explicit Snow(const SnowSettings& settings);
     ~Snow() = default;
     Snow(const Snow&) noexcept = default;
     Snow& operator=(const Snow&) noexcept = default;
@@ -202,7 +202,7 @@ class Snow {
     /// end is not finite, or more than most_touchdowns flakes are born until then.
     [[nodiscard]] std::vector<Touchdown> touchdowns(double end, std::size_t threads = thread_count()) const;
 
-    // Settings.
+    // SnowSettings.
     [[nodiscard]] const std::shared_ptr<const Collider>& collider() const noexcept;
     [[nodiscard]] const glm::dvec3& acceleration() const noexcept;
 

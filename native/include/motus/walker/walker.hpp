@@ -11,7 +11,7 @@
 
 #include "motus/core/parallel.hpp"
 #include "motus/dynamics/track.hpp"
-#include "motus/walker/course.hpp"
+#include "motus/walker/body_trajectory.hpp"
 #include "motus/walker/gait.hpp"
 #include "motus/walker/ground.hpp"
 #include "motus/walker/step.hpp"
@@ -21,7 +21,7 @@ namespace motus::walker {
 inline constexpr double most_steps = 1e6;
 
 /// How feet and body go on a way.
-struct Settings {
+struct WalkSettings {
     /// m, >= 0, of a swinging foot half-way, above the ground under its way; less in steps that are shorter
     /// than a quarter of the stride.
     double clearance = 0.1;
@@ -58,9 +58,10 @@ class Walker {
     /// ground: none, or an empty one: feet stand on their rest places. Throws std::invalid_argument, naming
     /// the argument, where sizes differ, a number is not finite or outside its domain, there are no samples
     /// or more than most_samples, no legs or more than most_legs, or more than most_steps would be planned.
-    Walker(Way way, Settings settings, const Ground* ground = nullptr, std::size_t threads = thread_count());
+    Walker(Way way, WalkSettings settings, const Ground* ground = nullptr,
+           std::size_t threads = thread_count());
 
-    [[nodiscard]] std::size_t leg_count() const noexcept { return course_.way().rest.size(); }
+    [[nodiscard]] std::size_t leg_count() const noexcept { return trajectory_.way().rest.size(); }
     [[nodiscard]] Foot foot(std::size_t leg, double time) const;
     [[nodiscard]] Correction body(double time) const;
     /// Cycles since the first sample, or since the last jump; negative before.
@@ -75,10 +76,10 @@ class Walker {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    Course course_;
-    Settings settings_;
+    BodyTrajectory trajectory_;
+    WalkSettings settings_;
     Footsteps steps_;
-    std::optional<dynamics::Track> leans_;  ///< height at the origin, and slopes along Course::axes
+    std::optional<dynamics::Track> leans_;  ///< height at the origin, and slopes along BodyTrajectory::axes
     std::vector<Problem> problems_;
     double settled_ = 0.0;
 };

@@ -125,7 +125,7 @@ void lay_along(Bones& bones, const glm::dvec3& along, bool folded) {
 }
 
 /// Returns the number of iterations.
-int bring_to_target(Bones& bones, Task task, const Settings& settings) {
+int bring_to_target(Bones& bones, Task task, const SolverSettings& settings) {
     const glm::dvec3 tip = tip_of(bones);
     const double pose_chord = glm::length(tip);
     const glm::dvec3 pose_along = pose_chord > closed ? tip / pose_chord : direction_of_closed(bones);
@@ -177,7 +177,7 @@ bool is_in_reach_of_doubles(const glm::dvec3& place) {
     return std::abs(place.x) <= largest && std::abs(place.y) <= largest && std::abs(place.z) <= largest;
 }
 
-void check(const glm::dvec3& target, const Settings& settings) {
+void check(const glm::dvec3& target, const SolverSettings& settings) {
     require(is_in_reach_of_doubles(target), "target: must be finite, and 1e300 at most");
     require(settings.tolerance >= 0.0 && std::isfinite(settings.tolerance),
             "tolerance: must be at least 0 and finite");
@@ -187,7 +187,7 @@ void check(const glm::dvec3& target, const Settings& settings) {
     require(is_finite(settings.plane), "plane: must be finite");
 }
 
-Report solve(std::span<glm::dvec3> joints, const glm::dvec3& target, const Settings& settings) {
+Convergence solve(std::span<glm::dvec3> joints, const glm::dvec3& target, const SolverSettings& settings) {
     require(joints.size() >= 2 && joints.size() <= most_bones + 1,
             "joints: must be 2 or more, and 256 at most");
     require(std::ranges::all_of(joints, is_in_reach_of_doubles), "joints: must be finite, and 1e300 at most");
@@ -197,7 +197,7 @@ Report solve(std::span<glm::dvec3> joints, const glm::dvec3& target, const Setti
     const double scale = scale_for(joints);
     Bones bones;
     const double length = read_bones(joints, scale, bones) / scale;
-    Report report;
+    Convergence report;
     Task task{unit_vector(half_way), 0.0, glm::dvec3(0.0)};
     if (length > 0.0) {
         task.distance = 2.0 * (glm::dot(task.along, half_way) / length);

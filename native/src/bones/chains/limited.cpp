@@ -68,7 +68,7 @@ SwingTwist clamped(const SwingTwist& angles, const JointLimits& limits) {
 /// Tries starts and keeps the best end. In units of the chain's length, seen from its root.
 class Search {
   public:
-    Search(const Limited& chain, const Reach& reach, const glm::dvec3& target, const Settings& settings,
+    Search(const Limited& chain, const Reach& reach, const glm::dvec3& target, const SolverSettings& settings,
            const std::optional<glm::dquat>& orientation)
         : chain_(chain),
           pose_(chain, reach.unit()),
@@ -110,7 +110,7 @@ class Search {
 
     const Limited& chain_;
     LimitedPose pose_;
-    Settings settings_;
+    SolverSettings settings_;
     Goal goal_;
     LeadGoal led_;
     double bound_ = 0.0;  // no chain of these lengths comes nearer to the target
@@ -339,8 +339,8 @@ void bone_frames(std::span<const glm::dvec3> joints, std::span<glm::dquat> frame
     }
 }
 
-Report solve_limited(const Limited& chain, const glm::dvec3& target, const Settings& settings,
-                     std::span<glm::dquat> rotations, const std::optional<glm::dquat>& orientation) {
+Convergence solve_limited(const Limited& chain, const glm::dvec3& target, const SolverSettings& settings,
+                          std::span<glm::dquat> rotations, const std::optional<glm::dquat>& orientation) {
     const std::size_t count = chain.offsets.size();
     require(count >= 1 && count <= most_bones, "offsets: a chain has 1 to 255 bones");
     check(chain, rotations);
@@ -350,7 +350,7 @@ Report solve_limited(const Limited& chain, const glm::dvec3& target, const Setti
     PerBone<glm::dquat> given;
     std::copy(rotations.begin(), rotations.end(), given.begin());
     Search search(chain, reach, target, settings, orientation);
-    Report report;
+    Convergence report;
     report.iterations = search.run(rotations);
     bool is_at_rest = search.is_at_rest();
     if (orientation && !search.is_on_target()) {

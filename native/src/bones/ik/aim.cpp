@@ -150,11 +150,11 @@ void Aim::find_joints(const Pose& pose, const AimGoal& goal, const Line& line, A
     } else {
         for (std::size_t i = 1; i <= goal.count; ++i)
             joints_[i] = root + line.turn * (pose.joints()[i] - root);
-        chains::Settings settings;
+        chains::SolverSettings settings;
         settings.tolerance = goal.tolerance;
         settings.max_iterations = goal.max_iterations;
         settings.plane = line.chord.normal;
-        const chains::Report found = chains::solve({joints_.data(), goal.count + 1}, end, settings);
+        const chains::Convergence found = chains::solve({joints_.data(), goal.count + 1}, end, settings);
         report.reason = found.reason;
         report.iterations += found.iterations;
     }

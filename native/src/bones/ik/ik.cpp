@@ -14,7 +14,7 @@
 namespace motus::bones::ik {
 namespace {
 
-constexpr double not_finite = -1.0;  // Report::reason
+constexpr double not_finite = -1.0;  // ChainDiagnostics::reason
 
 bool has_valid_limits(std::span<const chains::JointLimits> limits) {
     return std::all_of(limits.begin(), limits.end(), [](const chains::JointLimits& limit) {
@@ -31,7 +31,7 @@ bool has_valid_limits(std::span<const chains::JointLimits> limits) {
 std::optional<Task> read_task(const Input& input, const RigWorld& world, std::size_t index,
                               const Plan::Chain& chain) {
     const glm::dmat4& target = input.targets[index];
-    const Settings& settings = input.settings[index];
+    const ChainSettings& settings = input.settings[index];
     if (!world.is_valid || !is_finite(target) || !has_finite_numbers(settings)) return {};
     Task task;
     task.settings = within_domains(settings);
@@ -61,7 +61,7 @@ void write_neutral(const Plan::Chain& chain, const Output& output) {
     for (const Plan::Hanging& guard : chain.guards) clear(guard.row);
 }
 
-bool is_chain_finite(const Plan::Chain& chain, const Output& output, const Report& report) {
+bool is_chain_finite(const Plan::Chain& chain, const Output& output, const ChainDiagnostics& report) {
     const auto is_row_finite = [&output](std::size_t row) {
         return is_finite(output.rotations[row]) && is_finite(output.scales[row]);
     };
@@ -77,7 +77,7 @@ bool are_guards_finite(const Input& input, const Plan::Chain& chain) {
     });
 }
 
-void report_solution(Report& report, const AimReport& aim, const Pose& pose, const Task& task,
+void report_solution(ChainDiagnostics& report, const AimReport& aim, const Pose& pose, const Task& task,
                      const RigWorld& world) {
     const glm::dvec3 miss = task.target - pose.tip();
     Reason reason = aim.reason;
@@ -98,8 +98,8 @@ void report_solution(Report& report, const AimReport& aim, const Pose& pose, con
 void solve_one(const Plan& plan, const Input& input, std::size_t index, const RigWorld& world,
                Solution& solution, const Output& output) {
     const Plan::Chain chain = plan.chain(index, input.settings[index].left_out);
-    Report& report = output.report[index];
-    report = Report{};
+    ChainDiagnostics& report = output.report[index];
+    report = ChainDiagnostics{};
     report.reason = not_finite;
     if (!are_guards_finite(input, chain) || !solution.read(input, chain)) {
         write_neutral(chain, output);
@@ -127,7 +127,7 @@ void solve_one(const Plan& plan, const Input& input, std::size_t index, const Ri
     report.angle = solution.write(input.bones.rows(), chain, *task, output);
     if (!is_chain_finite(chain, output, report)) {  // numbers so large that their products are not
         write_neutral(chain, output);
-        report = Report{};
+        report = ChainDiagnostics{};
         report.reason = not_finite;
     }
 }

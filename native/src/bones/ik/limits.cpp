@@ -26,7 +26,7 @@ void Aim::find_rotations(const Pose& pose, const AimGoal& goal, const Line& line
     chain.offsets = {offsets_.data(), count};
     chain.limits = goal.limits.subspan(0, count);
 
-    chains::Settings settings;
+    chains::SolverSettings settings;
     settings.tolerance = goal.tolerance;
     settings.max_iterations = goal.max_iterations;
     settings.plane = line.carried;
@@ -39,7 +39,7 @@ void Aim::find_rotations(const Pose& pose, const AimGoal& goal, const Line& line
         orientation = glm::normalize(*goal.orientation * glm::conjugate(pose.frame(count - 1)) * frame);
     const bool is_whole = report.end == report.distance;
     const glm::dvec3 end = is_whole ? goal.target : pose.root() + report.end * line.chord.along;
-    const chains::Report found =
+    const chains::Convergence found =
         chains::solve_limited(chain, end, settings, {rotations_.data(), count}, orientation);
     report.reason = found.reason;
     report.iterations += found.iterations;

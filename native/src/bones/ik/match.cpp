@@ -16,7 +16,7 @@ namespace motus::bones::ik {
 namespace {
 
 /// The distance of a target for which softness and stretch together leave the tip at `distance`.
-double distance_before(double distance, double reach, const Settings& settings) {
+double distance_before(double distance, double reach, const ChainSettings& settings) {
     const double soft = settings.softness * reach;
     double near = distance;
     double far = std::max(distance, reach + 2.0 * soft);
@@ -44,7 +44,7 @@ struct Match {
 };
 
 Match match_one(const Input& input, const Plan::Chain& chain, const Pose& pose, const RigWorld& world,
-                const Settings& settings) {
+                const ChainSettings& settings) {
     // A tail bone with the target's orientation leaves the rest of the chain to go where it begins.
     const bool turns_tail = !chain.has_free_effector && pose.size() > 1 && settings.rotation_weight >= 0.5 &&
                             settings.use_limits == 0.0;

@@ -27,7 +27,7 @@ Solution::Solution(std::size_t longest)
       joints_(longest + 1) {}
 
 AimReport Solution::solve(const Plan::Chain& chain, const Task& task) {
-    const Settings& settings = task.settings;
+    const ChainSettings& settings = task.settings;
     AimGoal goal;
     goal.count = pose_.size();
     goal.target = task.target;

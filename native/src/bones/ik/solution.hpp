@@ -15,7 +15,7 @@ namespace motus::bones::ik {
 
 /// What a chain is asked for, in pose space; all finite and within its domain.
 struct Task {
-    Settings settings;
+    ChainSettings settings;
     glm::dvec3 target{0.0};
     glm::dquat orientation{1.0, 0.0, 0.0, 0.0};  ///< frame_of() the target
     std::optional<glm::dvec3> pole;

@@ -7,16 +7,16 @@
 
 namespace motus::bones::ik {
 
-bool has_finite_numbers(const Settings& s) {
+bool has_finite_numbers(const ChainSettings& s) {
     return are_finite(s.position_weight, s.rotation_weight, s.softness, s.stretch, s.pole_angle, s.bend,
                       s.hinge_angle, s.tolerance, s.iterations, s.use_limits, s.is_on, s.left_out);
 }
 
-bool has_finite_numbers(const Report& r) {
+bool has_finite_numbers(const ChainDiagnostics& r) {
     return are_finite(r.residual, r.angle, r.reason, r.iterations, r.distance, r.reach) && is_finite(r.tip);
 }
 
-Settings within_domains(Settings settings) {
+ChainSettings within_domains(ChainSettings settings) {
     settings.position_weight = std::clamp(settings.position_weight, 0.0, 1.0);
     settings.rotation_weight = std::clamp(settings.rotation_weight, 0.0, 1.0);
     settings.softness = std::clamp(settings.softness, 0.0, 1.0);

@@ -13,8 +13,8 @@
 namespace motus::bones::ik {
 
 /// Whether all numbers of these are finite.
-[[nodiscard]] bool has_finite_numbers(const Settings& settings);
-[[nodiscard]] bool has_finite_numbers(const Report& report);
+[[nodiscard]] bool has_finite_numbers(const ChainSettings& settings);
+[[nodiscard]] bool has_finite_numbers(const ChainDiagnostics& report);
 
 /// Between pose space and the world.
 struct RigWorld {
@@ -36,8 +36,8 @@ struct RigWorld {
     bool is_valid;
 };
 
-/// Settings in the domains that they are documented with; finite ones only.
-[[nodiscard]] Settings within_domains(Settings settings);
+/// The settings, each brought into its documented domain; finite ones only.
+[[nodiscard]] ChainSettings within_domains(ChainSettings settings);
 
 /// std::invalid_argument where bones or poses are not those of the plan's rig.
 void check_rig(const Plan& plan, const Input& input);

@@ -92,7 +92,7 @@ glm::dquat GazeChart::turn(const glm::dvec2& from, const glm::dvec2& to) const {
     return turn.w < 0.0 ? -turn : turn;
 }
 
-Level level_for(const Settings& settings) {
+Level level_for(const GazeSettings& settings) {
     return settings.clamp <= 0.0 && settings.head_limit >= pi ? Level::all_round : Level::in_front;
 }
 
@@ -108,7 +108,7 @@ GazeStep limited_turn(const glm::dvec2& from, const glm::dvec2& turn, double lim
     return {factor * turn, factor < 1.0};
 }
 
-GazeStep gaze_goal(const glm::dvec2& animated, const glm::dvec2& target, const Settings& settings) {
+GazeStep gaze_goal(const glm::dvec2& animated, const glm::dvec2& target, const GazeSettings& settings) {
     const double freedom = (1.0 - share(settings.clamp)) * pi;
     const GazeStep whole = limited_turn(animated, target - animated, freedom, target);
     const double weight = share(settings.weight);
@@ -125,7 +125,7 @@ GazeStep gaze_share(const glm::dvec2& present, const GazeStep& goal, const glm::
 }
 
 Turns turns_to(const GazeChart& chart, const glm::dvec3& animated, const glm::dvec3& target,
-               const Settings& settings) {
+               const GazeSettings& settings) {
     Turns turns;
     bool is_limited = false;
     glm::dvec2 present = chart.place(animated);

@@ -31,7 +31,7 @@ std::optional<glm::dvec3> towards(const glm::dvec3& place, const glm::dvec3& tar
     return direction_of(way);
 }
 
-bool has_finite_numbers(const Settings& s) {
+bool has_finite_numbers(const GazeSettings& s) {
     return are_finite(s.weight, s.body_weight, s.head_weight, s.eyes_weight, s.clamp, s.body_limit,
                       s.head_limit, s.eyes_limit);
 }
@@ -46,7 +46,7 @@ class Plan::Solver {
         : rig_(rig), entry_(entry), input_(input), settings_(input.settings), rotations_(rotations) {}
 
     /// None where something is not finite, or a bone that looks has no size.
-    [[nodiscard]] std::optional<Report> run() {
+    [[nodiscard]] std::optional<GazeDiagnostics> run() {
         const Link& first = entry_.body.empty() ? entry_.head : entry_.body.front();
         const int parent = rig_.parents[first.bone];
         if (parent >= 0) base_ = matrix_at(rig_.poses, static_cast<std::size_t>(parent));
@@ -168,11 +168,11 @@ class Plan::Solver {
     const RigView& rig_;
     const Entry& entry_;
     const Input& input_;
-    const Settings& settings_;
+    const GazeSettings& settings_;
     std::span<glm::dquat> rotations_;
     glm::dmat4 base_{1.0};
     std::optional<GazeChart> chart_;
-    Report report_;
+    GazeDiagnostics report_;
     bool is_limited_ = false;
 };
 
@@ -237,7 +237,7 @@ Plan::Plan(std::span<const int> parents, std::span<const Bones> entries)
 }
 
 void Plan::solve(const RigView& rig, const glm::dmat4& world, std::span<const Input> inputs,
-                 std::span<glm::dquat> rotations, std::span<Report> reports) const {
+                 std::span<glm::dquat> rotations, std::span<GazeDiagnostics> reports) const {
     if (inputs.size() != size()) throw std::invalid_argument("inputs: one per entry is needed");
     if (reports.size() != size()) throw std::invalid_argument("reports: one per entry is needed");
     if (rotations.size() != rows_.size()) throw std::invalid_argument("rotations: one per row is needed");
@@ -250,7 +250,7 @@ void Plan::solve(const RigView& rig, const glm::dmat4& world, std::span<const In
         throw std::invalid_argument("rig: must have as many bones as the plan");
 
     const glm::dmat4 to_rig = glm::inverse(world);
-    const Report meaningless{0.0, std::nullopt, 0.0, 0.0};
+    const GazeDiagnostics meaningless{0.0, std::nullopt, 0.0, 0.0};
     for (std::size_t i = 0; i < size(); ++i) {
         if (inputs[i].eyes_forward.size() != entries_[i].eyes.size())
             throw std::invalid_argument("eyes_forward: one per eye is needed");
@@ -259,7 +259,7 @@ void Plan::solve(const RigView& rig, const glm::dmat4& world, std::span<const In
         const Entry& entry = entries_[i];
         const std::span<glm::dquat> rows = rotations.subspan(entry.first_row, entry.row_count);
         std::fill(rows.begin(), rows.end(), no_turn);
-        reports[i] = inputs[i].is_on ? meaningless : Report{};
+        reports[i] = inputs[i].is_on ? meaningless : GazeDiagnostics{};
         if (!inputs[i].is_on) continue;
 
         Input input = inputs[i];
@@ -269,7 +269,7 @@ void Plan::solve(const RigView& rig, const glm::dmat4& world, std::span<const In
         if (!has_finite_numbers(input.settings) || !is_finite(input.target) || !head_forward || !up) continue;
         input.head_forward = *head_forward;
         input.up = *up;
-        if (const std::optional<Report> report = Solver(rig, entry, input, rows).run())
+        if (const std::optional<GazeDiagnostics> report = Solver(rig, entry, input, rows).run())
             reports[i] = *report;
         else
             std::fill(rows.begin(), rows.end(), no_turn);

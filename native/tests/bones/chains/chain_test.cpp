@@ -16,11 +16,11 @@ namespace {
 
 struct Solved {
     Joints joints;
-    Report report;
+    Convergence report;
 };
 
-Solved solve(Joints joints, const glm::dvec3& target, const Settings& settings = {}) {
-    const Report report = chains::solve(joints, target, settings);
+Solved solve(Joints joints, const glm::dvec3& target, const SolverSettings& settings = {}) {
+    const Convergence report = chains::solve(joints, target, settings);
     return {std::move(joints), report};
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("every target within reach is reached from every pose", "[chain]") {
 
 TEST_CASE("a tolerance near rounding is met", "[chain]") {
     Random random(2);
-    Settings settings;
+    SolverSettings settings;
     settings.tolerance = 1e-13;
     for (int round = 0; round < 300; ++round) {
         Joints joints =
@@ -117,7 +117,7 @@ TEST_CASE("lengths are kept whatever the tolerance", "[chain]") {
             const double length = random.between(0.1, 1.0);
             joints.push_back(joints.back() + length * (random.chance(0.5) ? line : -line));
         }
-        Settings settings;
+        SolverSettings settings;
         settings.tolerance = std::pow(10.0, random.between(-9.0, 0.0));
         if (round % 2 == 0) settings.pole = joints[0] + 3.0 * random.direction();
         const double share = round % 4 < 2 ? 1.0 - std::pow(10.0, random.between(-13.0, -1.0)) : 0.5;
@@ -181,7 +181,7 @@ TEST_CASE("a straight chain bends into an arc on the side of the plane", "[chain
             const double inner = inner_reach(joints);
             const double distance = inner + random.between(0.05, 0.98) * (length_of(joints) - inner);
             const glm::dvec3 along = random.direction();
-            Settings settings;
+            SolverSettings settings;
             settings.plane = glm::normalize(glm::cross(along, random.direction()));
             const Solved solved = solve(joints, joints[0] + distance * along, settings);
             CAPTURE(bones, round);
@@ -235,7 +235,7 @@ TEST_CASE("the bend is on the pole's side", "[chain]") {
             const double distance = inner + random.between(0.2, 0.9) * (length_of(joints) - inner);
             const glm::dvec3 along = random.direction();
             const glm::dvec3 target = joints[0] + distance * along;
-            Settings settings;
+            SolverSettings settings;
             settings.tolerance = 1e-12;
             settings.pole = joints[0] + 3.0 * random.direction();
             const Solved solved = solve(joints, target, settings);
@@ -260,7 +260,7 @@ TEST_CASE("a pole on the line from root to target does nothing, and comes in smo
     const glm::dvec3 along = random.direction();
     const glm::dvec3 target = joints[0] + 0.6 * length_of(joints) * along;
     const glm::dvec3 side = glm::normalize(glm::cross(along, random.direction()));
-    Settings settings;
+    SolverSettings settings;
     settings.tolerance = 1e-12;
     const Joints without = solve(joints, target, settings).joints;
     const auto with_pole = [&](double away) {
@@ -275,7 +275,7 @@ TEST_CASE("a pole on the line from root to target does nothing, and comes in smo
 
 TEST_CASE("the solution is continuous in the target", "[chain]") {
     Random random(10);
-    Settings settings;
+    SolverSettings settings;
     settings.tolerance = 1e-12;
     for (const Shape shape : {Shape::straight, Shape::bent, Shape::crooked}) {
         for (int round = 0; round < 12; ++round) {
@@ -297,7 +297,7 @@ TEST_CASE("the solution is continuous in the target", "[chain]") {
 
 TEST_CASE("the solution is continuous in the pose", "[chain]") {
     Random random(11);
-    Settings settings;
+    SolverSettings settings;
     settings.tolerance = 1e-12;
     for (int round = 0; round < 24; ++round) {
         const std::size_t bones = 3 + static_cast<std::size_t>(round % 4);
@@ -349,7 +349,7 @@ TEST_CASE("degenerate chains are defined at every size", "[chain]") {
             const double distance = std::pow(10.0, random.between(-250.0, 250.0));
             target = distance * random.direction();
         }
-        Settings settings;
+        SolverSettings settings;
         if (random.chance(0.3)) settings.pole = random.chance(0.2) ? root : size * random.direction();
         if (random.chance(0.3)) settings.plane = size * random.direction();
         const Joints before = joints;
@@ -378,7 +378,7 @@ TEST_CASE("a chain without any length stays where it is", "[chain]") {
 
 TEST_CASE("iterations are limited and counted", "[chain]") {
     Random random(13);
-    Settings none;
+    SolverSettings none;
     none.max_iterations = 0;
     int stopped = 0;
     for (int round = 0; round < 100; ++round) {

@@ -56,9 +56,9 @@ struct Sweep {
         for (int i = 0; i <= steps; ++i) {
             const double u = static_cast<double>(i) / steps;
             rotations.assign(count, {1.0, 0.0, 0.0, 0.0});
-            Settings settings;
+            SolverSettings settings;
             if (pole) settings.pole = pole(u);
-            const Report report = solve_limited(limb.chain(), path(u), settings, rotations);
+            const Convergence report = solve_limited(limb.chain(), path(u), settings, rotations);
             joints_of(limb.chain(), rotations, joints);
             worst = std::max(worst, report.residual / limb.length);
             if (i > 0) {
@@ -165,9 +165,9 @@ TEST_CASE("an elbow with limits follows a pole that goes round", "[limited_sweep
     check_smooth(Sweep(limb, target, pole));
     for (const double u : {0.0, 0.2, 0.5, 0.9}) {
         std::vector<glm::dquat> rotations(2, {1.0, 0.0, 0.0, 0.0});
-        Settings settings;
+        SolverSettings settings;
         settings.pole = pole(u);
-        const Report report = solve_limited(limb.chain(), target(u), settings, rotations);
+        const Convergence report = solve_limited(limb.chain(), target(u), settings, rotations);
         CHECK(report.reason == Reason::reached);
         Joints joints(3);
         joints_of(limb.chain(), rotations, joints);

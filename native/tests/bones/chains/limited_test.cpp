@@ -79,7 +79,7 @@ std::vector<glm::dquat> random_rotations(Random& random, const Arm& arm) {
     return rotations;
 }
 
-Report solve(const Arm& arm, const glm::dvec3& target, std::vector<glm::dquat>& rotations) {
+Convergence solve(const Arm& arm, const glm::dvec3& target, std::vector<glm::dquat>& rotations) {
     return solve_limited(arm.chain(), target, {}, rotations);
 }
 
@@ -206,7 +206,7 @@ TEST_CASE("targets that the limits allow are reached", "[limited_chain]") {
         const Arm arm = random_arm(random, 2 + round % 9);
         const glm::dvec3 target = arm.tip(random_rotations(random, arm));
         std::vector<glm::dquat> rotations = arm.rotations;
-        const Report report = solve(arm, target, rotations);
+        const Convergence report = solve(arm, target, rotations);
         CAPTURE(round, report.residual);
         check_within(arm, rotations);
         REQUIRE(report.residual ==
@@ -224,7 +224,7 @@ TEST_CASE("nothing found by chance is nearer to the target", "[limited_chain]") 
         const Arm arm = random_arm(random, 2 + round % 4);
         const glm::dvec3 target = arm.length * random.at_distance(0.0, 1.1);
         std::vector<glm::dquat> rotations = arm.rotations;
-        const Report report = solve(arm, target, rotations);
+        const Convergence report = solve(arm, target, rotations);
         check_within(arm, rotations);
         if (report.reason == Reason::reached) continue;
         REQUIRE(report.reason != Reason::iterations);
@@ -242,7 +242,7 @@ TEST_CASE("a chain without limits reaches what its lengths allow", "[limited_cha
             if (bones == 1 && share < 1.0) continue;
             const glm::dvec3 target = share * arm.length * random.direction();
             std::vector<glm::dquat> rotations = arm.rotations;
-            const Report report = solve(arm, target, rotations);
+            const Convergence report = solve(arm, target, rotations);
             CAPTURE(bones, share, report.iterations);
             // Nor does a bone that is longer than all others together let the tip come to its root.
             const double folded = inner_reach(arm.joints(arm.rotations)) / arm.length;
@@ -270,7 +270,7 @@ TEST_CASE("the last bone takes the orientation where it can", "[limited_chain]")
         const std::vector<glm::dquat> wanted = random_rotations(random, arm);
         const glm::dquat orientation = arm.last_frame(wanted);
         std::vector<glm::dquat> rotations = arm.rotations;
-        const Report report = solve_limited(arm.chain(), arm.tip(wanted), {}, rotations, orientation);
+        const Convergence report = solve_limited(arm.chain(), arm.tip(wanted), {}, rotations, orientation);
         check_within(arm, rotations);
         CAPTURE(round);
         REQUIRE(report.reason == Reason::reached);
@@ -288,7 +288,7 @@ TEST_CASE("an orientation that cannot be had does not cost the position", "[limi
         if (solve(arm, target, without).reason != Reason::reached) continue;
         std::vector<glm::dquat> rotations = arm.rotations;
         const glm::dquat wanted = random.rotation(pi);
-        const Report report = solve_limited(arm.chain(), target, {}, rotations, wanted);
+        const Convergence report = solve_limited(arm.chain(), target, {}, rotations, wanted);
         CAPTURE(round);
         check_within(arm, rotations);
         REQUIRE(report.reason == Reason::reached);
@@ -302,7 +302,7 @@ TEST_CASE("a pose on its target stays as it is", "[limited_chain]") {
     for (int round = 0; round < 50; ++round) {
         const Arm arm = random_arm(random, 1 + round % 8);
         std::vector<glm::dquat> rotations = arm.rotations;
-        const Report report = solve(arm, arm.tip(arm.rotations), rotations);
+        const Convergence report = solve(arm, arm.tip(arm.rotations), rotations);
         REQUIRE(report.iterations == 0);
         for (std::size_t i = 0; i < rotations.size(); ++i)
             REQUIRE(angle_between(rotations[i], arm.rotations[i]) < 1e-7);
@@ -322,18 +322,18 @@ TEST_CASE("every finite question has a finite answer, the same each time", "[lim
         for (glm::dquat& rotation : arm.rotations) rotation = random.rotation(pi);
         glm::dvec3 target = size * random.at_distance(0.0, 10.0);
         if (random.chance(0.1)) target = glm::dvec3(0.0);
-        Settings settings;
+        SolverSettings settings;
         if (random.chance(0.3)) settings.pole = size * random.direction();
         std::optional<glm::dquat> orientation;
         if (random.chance(0.3)) orientation = random.rotation(pi);
         std::vector<glm::dquat> rotations = arm.rotations;
-        const Report report = solve_limited(arm.chain(), target, settings, rotations, orientation);
+        const Convergence report = solve_limited(arm.chain(), target, settings, rotations, orientation);
         CAPTURE(round, size);
         check_within(arm, rotations);
         REQUIRE(std::isfinite(report.residual));
         REQUIRE(report.residual == Approx(glm::distance(arm.tip(rotations), target)).margin(1e-11 * size));
         std::vector<glm::dquat> again = arm.rotations;
-        const Report second = solve_limited(arm.chain(), target, settings, again, orientation);
+        const Convergence second = solve_limited(arm.chain(), target, settings, again, orientation);
         REQUIRE(again == rotations);
         REQUIRE(second.iterations == report.iterations);
     }
@@ -345,10 +345,10 @@ TEST_CASE("targets any number of times farther away than the chain is long", "[l
     const auto solved = [&](double length, double distance) {
         const std::vector<glm::dvec3> offsets(2, {0.0, length, 0.0});
         const Limited chain{.rest = rest, .offsets = offsets, .limits = limits};
-        Settings settings;
+        SolverSettings settings;
         settings.pole = glm::dvec3(0.0, 0.0, distance);
         std::vector<glm::dquat> rotations = rest;
-        const Report report = solve_limited(chain, {distance, 0.0, 0.0}, settings, rotations);
+        const Convergence report = solve_limited(chain, {distance, 0.0, 0.0}, settings, rotations);
         CAPTURE(length, distance);
         REQUIRE(std::isfinite(report.residual));
         if (distance > 2.1 * length) REQUIRE(report.reason == Reason::too_far);

@@ -44,7 +44,7 @@ bool is_finite(const Solve& solve) {
     double sum = 0.0;
     for (const glm::dquat& q : solve.rotations) sum += 0.0 * (q.w + q.x + q.y + q.z);
     for (const glm::dvec3& v : solve.scales) sum += 0.0 * (v.x + v.y + v.z);
-    for (const Report& r : solve.report)
+    for (const ChainDiagnostics& r : solve.report)
         sum += 0.0 * (r.residual + r.angle + r.reason + r.iterations + r.distance + r.reach + r.tip.x +
                       r.tip.y + r.tip.z);
     return sum == 0.0;
@@ -291,13 +291,13 @@ TEST_CASE("bones are those of one plan, whatever their number", "[rig_ik]") {
 
 TEST_CASE("each setting that is not finite, and limits that leave nothing, make a chain neutral",
           "[rig_ik]") {
-    constexpr double Settings::*settings[] = {
-        &Settings::position_weight, &Settings::rotation_weight, &Settings::softness,
-        &Settings::stretch,         &Settings::pole_angle,      &Settings::bend,
-        &Settings::hinge_angle,     &Settings::tolerance,       &Settings::iterations,
-        &Settings::use_limits,      &Settings::is_on,           &Settings::left_out};
+    constexpr double ChainSettings::*settings[] = {
+        &ChainSettings::position_weight, &ChainSettings::rotation_weight, &ChainSettings::softness,
+        &ChainSettings::stretch,         &ChainSettings::pole_angle,      &ChainSettings::bend,
+        &ChainSettings::hinge_angle,     &ChainSettings::tolerance,       &ChainSettings::iterations,
+        &ChainSettings::use_limits,      &ChainSettings::is_on,           &ChainSettings::left_out};
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    for (double Settings::*const setting : settings) {
+    for (double ChainSettings::*const setting : settings) {
         for (const double value : {not_a_number, infinite, -infinite}) {
             Solve solve = sample(3, 3, true, 0.7);
             solve.settings[0].*setting = value;

@@ -155,7 +155,7 @@ TEST_CASE("weights: nothing, everything, and slerp between", "[rig_ik]") {
         Solve solve = sample(seed, 3, seed % 2 == 0, 0.7);
         solve.run();
         const std::vector<glm::dquat> whole = solve.rotations;
-        const Report report = solve.report[0];
+        const ChainDiagnostics report = solve.report[0];
         solve.settings[0].position_weight = 0.0;
         solve.run();
         for (const glm::dquat& rotation : solve.rotations) CHECK(rotation == no_turn);

@@ -85,7 +85,7 @@ struct Solve {
     std::vector<ChainBones> chains;
     std::vector<Guard> guards;
     glm::dmat4 world{1.0};
-    std::vector<Settings> settings;
+    std::vector<ChainSettings> settings;
     std::vector<glm::dmat4> targets;
     std::vector<glm::dvec3> poles;
     std::vector<chains::JointLimits> limits;
@@ -93,9 +93,9 @@ struct Solve {
     std::vector<int> rows;
     std::vector<glm::dquat> rotations;
     std::vector<glm::dvec3> scales;
-    std::vector<Report> report;
+    std::vector<ChainDiagnostics> report;
 
-    void add_chain(ChainBones chain, const glm::dvec3& target, const Settings& chain_settings = {}) {
+    void add_chain(ChainBones chain, const glm::dvec3& target, const ChainSettings& chain_settings = {}) {
         chains.push_back(std::move(chain));
         settings.push_back(chain_settings);
         targets.push_back(glm::translate(glm::dmat4(1.0), target));
@@ -115,7 +115,7 @@ struct Solve {
         rows.assign(plan.rows().begin(), plan.rows().end());
         rotations.assign(rows.size(), glm::dquat(0.0, 0.0, 0.0, 0.0));
         scales.assign(rows.size(), glm::dvec3(0.0));
-        report.assign(chains.size(), Report{});
+        report.assign(chains.size(), ChainDiagnostics{});
         solve(plan, input(plan), {rotations, scales, report});
     }
     [[nodiscard]] std::size_t row_of(int bone) const {
@@ -217,8 +217,8 @@ inline double angle_between(const glm::dquat& a, const glm::dquat& b) {
     return angle_of_turn(glm::conjugate(a) * b);
 }
 
-inline Settings exact() {
-    Settings settings;
+inline ChainSettings exact() {
+    ChainSettings settings;
     settings.tolerance = 1e-12;
     return settings;
 }

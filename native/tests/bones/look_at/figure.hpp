@@ -73,7 +73,7 @@ struct Figure {
 
 struct Result {
     std::vector<glm::dquat> rotations;
-    Report report;
+    GazeDiagnostics report;
 };
 
 inline Result solve(const Figure& figure) {

@@ -25,7 +25,7 @@ const glm::dvec3 up{0, 0, 1};
 const GazeChart chart(ahead, up);
 const GazeChart chart_in_front(ahead, up, Level::in_front);
 
-Turns turns_to(const glm::dvec3& animated, const glm::dvec3& target, const Settings& settings) {
+Turns turns_to(const glm::dvec3& animated, const glm::dvec3& target, const GazeSettings& settings) {
     return turns_to(level_for(settings) == Level::all_round ? chart : chart_in_front, animated, target,
                     settings);
 }
@@ -35,8 +35,8 @@ glm::dvec3 towards(double yaw, double pitch) {
     return glm::angleAxis(yaw, up) * (std::cos(pitch) * ahead + std::sin(pitch) * up);
 }
 
-Settings free_head() {
-    Settings settings;
+GazeSettings free_head() {
+    GazeSettings settings;
     settings.body_weight = 0.0;
     settings.clamp = 0.0;
     return settings;
@@ -64,7 +64,7 @@ std::vector<glm::dvec3> random_directions(unsigned seed, int count) {
 /// The greatest change of a part, in multiples of the target's, as the target goes along a way of small
 /// steps.
 template <class Way>
-double greatest_gain(const Settings& settings, const glm::dvec3& animated, Way&& way) {
+double greatest_gain(const GazeSettings& settings, const glm::dvec3& animated, Way&& way) {
     constexpr int count = 4000;
     double gain = 0.0;
     Turns last = turns_to(animated, way(0.0), settings);
@@ -96,7 +96,7 @@ TEST_CASE("the original's weights: the body takes 0.3 of the turn, the head the 
 }
 
 TEST_CASE("shares of what is left", "[look_at]") {
-    Settings settings;
+    GazeSettings settings;
     settings.weight = 0.5;
     settings.body_weight = 0.4;
     settings.head_weight = 0.5;
@@ -111,7 +111,7 @@ TEST_CASE("shares of what is left", "[look_at]") {
 TEST_CASE("a free gaze of full weight meets its target everywhere", "[look_at]") {
     const std::vector<glm::dvec3> directions = random_directions(1, 4000);
     for (std::size_t i = 0; i + 1 < directions.size(); i += 2) {
-        Settings settings = free_head();
+        GazeSettings settings = free_head();
         settings.body_weight = 0.1 * static_cast<double>(i % 11);
         const Turns turns = turns_to(directions[i], directions[i + 1], settings);
         CHECK(angle_between(gaze_after(turns, directions[i]), directions[i + 1]) < 1e-13);
@@ -139,7 +139,7 @@ TEST_CASE("places in the chart give their directions back", "[look_at]") {
 }
 
 TEST_CASE("a level head stays level, a rolled one keeps its roll", "[look_at]") {
-    Settings settings = free_head();
+    GazeSettings settings = free_head();
     for (double yaw = -175; yaw <= 175; yaw += 10) {
         for (double pitch = -36; pitch <= 36; pitch += 6) {
             const Turns turns = turns_to(towards(0.3, 0.2), towards(yaw * degree, pitch * degree), settings);
@@ -155,7 +155,7 @@ TEST_CASE("a level head stays level, a rolled one keeps its roll", "[look_at]") 
 TEST_CASE("no weight is exactly no turn", "[look_at]") {
     for (const glm::dvec3& direction : random_directions(3, 200)) {
         for (int which = 0; which < 3; ++which) {
-            Settings settings;
+            GazeSettings settings;
             settings.eyes_weight = 0.5;
             if (which == 0) settings.weight = 0.0;
             if (which == 1) settings.clamp = 1.0;
@@ -168,9 +168,9 @@ TEST_CASE("no weight is exactly no turn", "[look_at]") {
 
 TEST_CASE("more weight brings the gaze nearer", "[look_at]") {
     for (const glm::dvec3& target : {towards(1.0, 0.3), towards(-0.7, -0.9), towards(0.2, 1.2)}) {
-        for (double Settings::*weight :
-             {&Settings::weight, &Settings::body_weight, &Settings::head_weight, &Settings::eyes_weight}) {
-            Settings settings;
+        for (double GazeSettings::*weight : {&GazeSettings::weight, &GazeSettings::body_weight,
+                                             &GazeSettings::head_weight, &GazeSettings::eyes_weight}) {
+            GazeSettings settings;
             settings.clamp = 0.1;
             settings.head_weight = 0.6;
             double last = pi;
@@ -188,7 +188,7 @@ TEST_CASE("more weight brings the gaze nearer", "[look_at]") {
 
 TEST_CASE("clamp and limits hold, and begin smoothly", "[look_at]") {
     for (const glm::dvec3& target : random_directions(4, 3000)) {
-        Settings settings;
+        GazeSettings settings;
         settings.clamp = 0.5;
         const Turns clamped = turns_to(ahead, target, settings);
         CHECK(angle_between(gaze_after(clamped, ahead), ahead) <= pi / 2 + 1e-12);
@@ -211,7 +211,7 @@ TEST_CASE("clamp and limits hold, and begin smoothly", "[look_at]") {
         if (to_target > 150 * degree) CHECK(turns.reason == Reason::limit);
     }
 
-    Settings settings = free_head();
+    GazeSettings settings = free_head();
     settings.head_limit = 60 * degree;
     constexpr double step = 0.01 * degree;
     double last = 0.0, last_speed = 1.0;
@@ -229,7 +229,7 @@ TEST_CASE("clamp and limits hold, and begin smoothly", "[look_at]") {
 
 TEST_CASE("a clamped gaze has no jump anywhere, straight behind included", "[look_at]") {
     const glm::dvec3 animated = GENERATE(ahead, towards(0.5, -0.3), towards(0.1, -1.0), towards(-0.9, 0.5));
-    Settings settings;
+    GazeSettings settings;
     settings.eyes_weight = 0.5;
     SECTION("by the clamp") {
         settings.clamp = GENERATE(0.5, 0.7, 0.9);
@@ -253,7 +253,7 @@ TEST_CASE("a clamped gaze has no jump anywhere, straight behind included", "[loo
 }
 
 TEST_CASE("a free gaze jumps nowhere but straight behind", "[look_at]") {
-    Settings settings;
+    GazeSettings settings;
     settings.clamp = 0.0;
     constexpr double most = 40.0;
     for (double pitch = -50; pitch <= 50; pitch += 10) {
@@ -274,7 +274,7 @@ TEST_CASE("a free gaze jumps nowhere but straight behind", "[look_at]") {
 }
 
 TEST_CASE("straight behind is defined: to the left", "[look_at]") {
-    Settings settings;
+    GazeSettings settings;
     settings.clamp = 0.0;
     const Turns turns = turns_to(ahead, -ahead, settings);
     CHECK(angle_between(turns.body, glm::angleAxis(0.3 * pi, up)) < 1e-14);
@@ -286,7 +286,7 @@ TEST_CASE("straight behind is defined: to the left", "[look_at]") {
 TEST_CASE("a gaze already turned aside does not come round the back", "[look_at]") {
     // Animated 60 degrees to the left, target 170 degrees to the right: 230 degrees by the front, 130 by the
     // back.
-    Settings settings = free_head();
+    GazeSettings settings = free_head();
     settings.head_weight = 0.5;
     const Turns turns = turns_to(towards(60 * degree, 0), towards(-170 * degree, 0), settings);
     CHECK(angle_between(turns.head * towards(60 * degree, 0), towards(-55 * degree, 0)) < 1e-13);
@@ -298,7 +298,7 @@ TEST_CASE("any settings and directions give finite rotations", "[look_at]") {
     const std::vector<glm::dvec3> directions = random_directions(6, 20000);
     const std::vector<glm::dvec3> axes{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     for (std::size_t i = 0; i + 1 < directions.size(); i += 2) {
-        const Settings settings{wide(), wide(), wide(), wide(), wide(), wide(), wide(), wide()};
+        const GazeSettings settings{wide(), wide(), wide(), wide(), wide(), wide(), wide(), wide()};
         const glm::dvec3 from = i % 3 == 0 ? axes[random.below(axes.size())] : directions[i];
         const glm::dvec3 to = i % 5 == 0 ? axes[random.below(axes.size())] : directions[i + 1];
         const Turns turns = turns_to(from, to, settings);

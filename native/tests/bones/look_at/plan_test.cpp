@@ -240,7 +240,7 @@ TEST_CASE("numbers that are not finite leave their entry alone, others are solve
     for (Input& input : inputs) input.eyes_forward = good.eyes_forward;
     inputs[0].target.x = nan;
     std::vector<glm::dquat> rotations(plan.rows().size());
-    std::vector<Report> reports(2);
+    std::vector<GazeDiagnostics> reports(2);
     plan.solve(good.view(), good.world, inputs, rotations, reports);
     CHECK_FALSE(reports[0].reason.has_value());
     const Result alone = solve(good);
@@ -295,7 +295,7 @@ TEST_CASE("plans refuse bones that are not above each other", "[rig_look_at]") {
     CHECK_THROWS_AS(Plan(wrong, {&head, 1}), std::invalid_argument);
 
     const Figure figure(1);
-    Report report;
+    GazeDiagnostics report;
     std::vector<glm::dquat> rows(9);
     Input input = figure.input;
     input.eyes_forward = figure.eyes_forward;

@@ -18,7 +18,7 @@ namespace motus::bones::chains {
 
 inline constexpr std::size_t most_bones = 255;  ///< bones
 
-struct Settings {
+struct SolverSettings {
     double tolerance = 1e-6;   ///< residual that counts as reached, as a fraction of the chain's length, >= 0
     int max_iterations = 100;  ///< >= 0
     std::optional<glm::dvec3>
@@ -33,9 +33,9 @@ struct Settings {
 [[nodiscard]] bool is_in_reach_of_doubles(const glm::dvec3& place);
 
 /// Throws std::invalid_argument, naming the argument, where a number is not finite or outside its domain.
-void check(const glm::dvec3& target, const Settings& settings);
+void check(const glm::dvec3& target, const SolverSettings& settings);
 
-struct Report {
+struct Convergence {
     double residual = 0.0;  ///< |tip - target|
     int iterations = 0;     ///< Newton steps; the first bend is none
     Reason reason = Reason::reached;
@@ -50,6 +50,6 @@ struct Report {
 /// in the pose wherever that shows a plane. Deterministic; allocates nothing; never NaN for coordinates up to
 /// 1e300. Throws std::invalid_argument, naming the argument and before anything is written, where a number is
 /// not finite or outside its domain.
-Report solve(std::span<glm::dvec3> joints, const glm::dvec3& target, const Settings& settings);
+Convergence solve(std::span<glm::dvec3> joints, const glm::dvec3& target, const SolverSettings& settings);
 
 }  // namespace motus::bones::chains

@@ -54,9 +54,9 @@ struct Limited {
 /// coordinates as for solve. Throws std::invalid_argument, naming the argument and before anything is
 /// written, where a size is another than stated, a number is not finite (limits may be infinite), a
 /// quaternion is not unit to 1e-3, or the domains of `settings` or of JointLimits are left.
-Report solve_limited(const Limited& chain, const glm::dvec3& target, const Settings& settings,
-                     std::span<glm::dquat> rotations,
-                     const std::optional<glm::dquat>& orientation = std::nullopt);
+Convergence solve_limited(const Limited& chain, const glm::dvec3& target, const SolverSettings& settings,
+                          std::span<glm::dquat> rotations,
+                          const std::optional<glm::dquat>& orientation = std::nullopt);
 
 /// Joints of a chain: joints.size() == offsets.size() + 1, else std::invalid_argument; limits are not read.
 void joints_of(const Limited& chain, std::span<const glm::dquat> rotations, std::span<glm::dvec3> joints);

@@ -33,7 +33,7 @@ struct Guard {
 };
 
 /// One chain's settings; a row of numbers, as Python's table of settings has them.
-struct Settings {
+struct ChainSettings {
     double position_weight = 1.0;  ///< 0 to 1, of the solution over the FK rotations
     double rotation_weight = 0.0;  ///< 0 to 1, of the target's orientation over the effector's
     double softness = 0.0;         ///< see soft_reach(); fraction of the chain's length
@@ -54,7 +54,7 @@ struct Settings {
 
 /// What a chain came to; a row of numbers. Residual, reason, distance, reach and tip are those of the
 /// solution with all its weight on the position, whatever position_weight.
-struct Report {
+struct ChainDiagnostics {
     double residual = 0.0;  ///< |tip - target|, world
     double angle =
         0.0;  ///< rad, between the effector as it is turned and the target; 0 without rotation_weight
@@ -102,7 +102,7 @@ class Plan {
         Hanging effector;                 ///< read only where it is free
         std::span<const Hanging> guards;  ///< without the effector
     };
-    /// left_out: as in Settings, whatever it is.
+    /// left_out: as in ChainSettings, whatever it is.
     [[nodiscard]] Chain chain(std::size_t index, double left_out = 0.0) const;
 
   private:
@@ -174,7 +174,7 @@ struct Input {
     Bones bones;                                  ///< of the plan
     std::span<const float> poses;                 ///< as in RigView; read for the parents of chains
     glm::dmat4 world{1.0};                        ///< the rig's matrix_world
-    std::span<const Settings> settings;           ///< one per chain
+    std::span<const ChainSettings> settings;      ///< one per chain
     std::span<const glm::dmat4> targets;          ///< one per chain, world
     std::span<const glm::dvec3> poles;            ///< one per chain, world; a NaN in it: none
     std::span<const chains::JointLimits> limits;  ///< one per chain bone, chain by chain; or empty: no limits
@@ -182,9 +182,9 @@ struct Input {
 
 /// What a solve writes.
 struct Output {
-    std::span<glm::dquat> rotations;  ///< one per row
-    std::span<glm::dvec3> scales;     ///< one per row
-    std::span<Report> report;         ///< one per chain
+    std::span<glm::dquat> rotations;     ///< one per row
+    std::span<glm::dvec3> scales;        ///< one per row
+    std::span<ChainDiagnostics> report;  ///< one per chain
 };
 
 /// Solves every chain by itself. std::invalid_argument where sizes do not fit. Always finite; rows of a chain

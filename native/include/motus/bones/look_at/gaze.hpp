@@ -60,7 +60,7 @@ class GazeChart {
 };
 
 /// Weights are clamped to [0, 1], limits to >= 0.
-struct Settings {
+struct GazeSettings {
     double weight = 1.0;       ///< of the whole turn
     double body_weight = 0.3;  ///< share of the whole turn that the body takes, evenly over its bones
     double head_weight = 1.0;  ///< share that the head takes of what the body leaves
@@ -72,7 +72,7 @@ struct Settings {
 };
 
 /// all_round where nothing keeps the head from turning right round: no clamp, and no limit of the head.
-[[nodiscard]] Level level_for(const Settings& settings);
+[[nodiscard]] Level level_for(const GazeSettings& settings);
 
 /// A place in the chart, or a step from one to another, and whether a limit made it shorter.
 struct GazeStep {
@@ -90,7 +90,7 @@ struct GazeStep {
 /// Where the whole turn ends that starts at the animated gaze: the target, but for weight and clamp. `by` is
 /// the place.
 [[nodiscard]] GazeStep gaze_goal(const glm::dvec2& animated, const glm::dvec2& target,
-                                 const Settings& settings);
+                                 const GazeSettings& settings);
 
 /// The step from the present gaze that one part takes, by its weight and limit.
 [[nodiscard]] GazeStep gaze_share(const glm::dvec2& present, const GazeStep& goal, const glm::dvec2& target,
@@ -112,6 +112,6 @@ struct Turns {
 /// head and eyes, and stays so as the body turns. Unit directions. A share of no weight is exactly the
 /// identity.
 [[nodiscard]] Turns turns_to(const GazeChart& chart, const glm::dvec3& animated, const glm::dvec3& target,
-                             const Settings& settings);
+                             const GazeSettings& settings);
 
 }  // namespace motus::bones::look_at

@@ -23,7 +23,7 @@ struct Bones {
 
 /// What one head looks at.
 struct Input {
-    Settings settings;
+    GazeSettings settings;
     glm::dvec3 target{0.0};  ///< world space
     glm::dvec3 head_forward{0.0, 0.0,
                             1.0};  ///< axis of the head bone that points where the face does; not zero
@@ -33,7 +33,7 @@ struct Input {
 };
 
 /// What came of it. Angles in the rig's space, rad.
-struct Report {
+struct GazeDiagnostics {
     double angle =
         0.0;  ///< between gaze and target: of the eyes (the worse) where they have weight, else of the head
     std::optional<Reason> reason =
@@ -73,7 +73,7 @@ class Plan {
     /// where a span has another size, one of Input::eyes_forward included, or the rig's parents are not the
     /// plan's.
     void solve(const RigView& rig, const glm::dmat4& world, std::span<const Input> inputs,
-               std::span<glm::dquat> rotations, std::span<Report> reports) const;
+               std::span<glm::dquat> rotations, std::span<GazeDiagnostics> reports) const;
 
   private:
     /// A bone on the way up, and where its result goes; none where it only carries the next one.

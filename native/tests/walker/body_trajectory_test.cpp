@@ -1,4 +1,4 @@
-#include "motus/walker/course.hpp"
+#include "motus/walker/body_trajectory.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -23,15 +23,15 @@ glm::dmat4 ahead(double time) {
 
 }  // namespace
 
-TEST_CASE("the cadence goes with the speed, and is never below the slowest", "[course]") {
+TEST_CASE("the cadence goes with the speed, and is never below the slowest", "[trajectory]") {
     Way way = way_along(4.0, ahead);
     way.stride = 0.4;
-    const Course fast(way);
+    const BodyTrajectory fast(way);
     CHECK(fast.phase(0, 3.0) == Approx(way.duty * 2.0 / 0.4 * 3.0));
     way.cadence = 10.0;
-    CHECK(Course(way).phase(0, 3.0) == Approx(30.0));
+    CHECK(BodyTrajectory(way).phase(0, 3.0) == Approx(30.0));
     CHECK_FALSE(fast.starts_slowly(0));
-    CHECK(Course(way).starts_slowly(0));
+    CHECK(BodyTrajectory(way).starts_slowly(0));
 
     // On the spot: the feet on the outside decide.
     Way spin = way_along(4.0, [](double time) {
@@ -40,70 +40,71 @@ TEST_CASE("the cadence goes with the speed, and is never below the slowest", "[c
     spin.stride = 0.2;
     double radius = 0.0;
     for (const glm::dvec3& place : spin.rest) radius = std::max(radius, glm::length(place));
-    CHECK(Course(spin).phase(0, 3.0) == Approx(spin.duty * 0.8 * radius / 0.2 * 3.0).epsilon(1e-3));
+    CHECK(BodyTrajectory(spin).phase(0, 3.0) == Approx(spin.duty * 0.8 * radius / 0.2 * 3.0).epsilon(1e-3));
 
     // Up and down, feet have nowhere to go.
     const Way bounce = way_along(4.0, [](double time) { return moved({0.0, 0.0, std::sin(9.0 * time)}); });
-    CHECK(Course(bounce).phase(0, 3.0) == Approx(3.0 * bounce.cadence));
+    CHECK(BodyTrajectory(bounce).phase(0, 3.0) == Approx(3.0 * bounce.cadence));
 }
 
-TEST_CASE("times and phases are each other's inverse, beyond the ends too", "[course]") {
+TEST_CASE("times and phases are each other's inverse, beyond the ends too", "[trajectory]") {
     Random random(1);
     const Way way = way_along(6.0, around);
-    const Course course(way);
+    const BodyTrajectory trajectory(way);
     double before = -std::numeric_limits<double>::infinity();
     for (double time = -2.0; time < 9.0; time += 0.013) {
-        const double phase = course.phase(0, time);
+        const double phase = trajectory.phase(0, time);
         CHECK(phase > before);
         before = phase;
-        CHECK(course.time_at(0, phase) == Approx(time).margin(1e-9));
+        CHECK(trajectory.time_at(0, phase) == Approx(time).margin(1e-9));
     }
-    CHECK(course.phase(0, 0.0) == 0.0);
-    CHECK(course.phase(0, 8.0) - course.phase(0, 7.0) == Approx(way.cadence));
+    CHECK(trajectory.phase(0, 0.0) == 0.0);
+    CHECK(trajectory.phase(0, 8.0) - trajectory.phase(0, 7.0) == Approx(way.cadence));
 }
 
-TEST_CASE("poses are the samples', and go evenly between them", "[course]") {
+TEST_CASE("poses are the samples', and go evenly between them", "[trajectory]") {
     Random random(2);
     Way way = way_along(3.0, around);
     for (glm::dmat4& pose : way.poses) pose = pose * glm::scale(glm::dmat4(1.0), {2.0, -1.0, 0.5});
-    const Course course(way);
-    for (std::size_t i = 0; i < way.times.size(); ++i) CHECK(course.pose(0, way.times[i]) == way.poses[i]);
-    const glm::dmat4 half = course.pose(0, 0.5 * (way.times[3] + way.times[4]));
+    const BodyTrajectory trajectory(way);
+    for (std::size_t i = 0; i < way.times.size(); ++i)
+        CHECK(trajectory.pose(0, way.times[i]) == way.poses[i]);
+    const glm::dmat4 half = trajectory.pose(0, 0.5 * (way.times[3] + way.times[4]));
     for (int axis = 0; axis < 3; ++axis)
         CHECK(glm::length(half[axis]) ==
               Approx(0.5 * (glm::length(way.poses[3][axis]) + glm::length(way.poses[4][axis]))));
     CHECK(glm::length(half[3] - 0.5 * (way.poses[3][3] + way.poses[4][3])) < 1e-12);
     // It comes as it goes on, unless that is slowly, and rests at the end.
     const glm::dvec3 step(way.poses[1][3] - way.poses[0][3]);
-    CHECK(glm::length(glm::dvec3(course.pose(0, -1.0)[3] - way.poses[0][3]) + 24.0 * step) < 1e-9);
-    CHECK(course.pose(0, 100.0) == way.poses.back());
+    CHECK(glm::length(glm::dvec3(trajectory.pose(0, -1.0)[3] - way.poses[0][3]) + 24.0 * step) < 1e-9);
+    CHECK(trajectory.pose(0, 100.0) == way.poses.back());
     way.cadence = 100.0;
-    CHECK(Course(way).pose(0, -1.0) == way.poses.front());
+    CHECK(BodyTrajectory(way).pose(0, -1.0) == way.poses.front());
 }
 
-TEST_CASE("axes are at right angles whatever the pose is", "[course]") {
+TEST_CASE("axes are at right angles whatever the pose is", "[trajectory]") {
     Random random(3);
     Way way = way_along(1.0, ahead);
     for (int trial = 0; trial < 200; ++trial) {
         way.up = random.direction();
-        const Course course(way);
+        const BodyTrajectory trajectory(way);
         glm::dmat4 pose(1.0);
         for (int axis = 0; axis < 3; ++axis) pose[axis] = glm::dvec4(random.in_cube(), 0.0);
         if (trial % 4 == 0) pose[trial % 3] = glm::dvec4(0.0);
         if (trial == 0) pose = glm::dmat4(0.0);
-        const Axes axes = course.axes(pose);
+        const Axes axes = trajectory.axes(pose);
         const glm::dmat3 all(axes.side, axes.ahead, axes.up);
         const glm::dmat3 product = glm::transpose(all) * all;
         for (int axis = 0; axis < 3; ++axis)
             CHECK(glm::length(product[axis] - glm::dmat3(1.0)[axis]) < 1e-12);
     }
     way.up = {0.0, 0.0, 1.0};
-    CHECK(Course(way).axes(glm::dmat4(0.0)).up == glm::dvec3(0.0, 0.0, 1.0));
+    CHECK(BodyTrajectory(way).axes(glm::dmat4(0.0)).up == glm::dvec3(0.0, 0.0, 1.0));
 }
 
-TEST_CASE("jumps begin a stretch anew", "[course]") {
+TEST_CASE("jumps begin a stretch anew", "[trajectory]") {
     Way way = way_along(4.0, [](double time) { return moved({time < 2.0 ? 0.0 : 30.0, 0.5 * time, 0.0}); });
-    const Course found(way);
+    const BodyTrajectory found(way);
     REQUIRE(found.stretch_count() == 2);
     CHECK(found.first_sample(1) == 48);
     CHECK(found.last_sample(0) == 47);
@@ -115,22 +116,22 @@ TEST_CASE("jumps begin a stretch anew", "[course]") {
     // Until then it stays where it was.
     CHECK(found.pose(0, 1.99) == way.poses[47]);
     way.jump = 100.0;
-    CHECK(Course(way).stretch_count() == 1);
+    CHECK(BodyTrajectory(way).stretch_count() == 1);
     way.resets = {0, 20, 48};
-    const Course told(way);
+    const BodyTrajectory told(way);
     REQUIRE(told.stretch_count() == 3);
     CHECK(told.first_sample(1) == 20);
     way.jump = 1e-9;
-    CHECK(Course(way).stretch_count() == way.times.size());
+    CHECK(BodyTrajectory(way).stretch_count() == way.times.size());
 }
 
-TEST_CASE("a way that is none is refused by the argument's name", "[course]") {
+TEST_CASE("a way that is none is refused by the argument's name", "[trajectory]") {
     const Way good = way_along(1.0, ahead);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto refused = [&](const char* name, const auto& spoil) {
         Way way = good;
         spoil(way);
-        CHECK_THROWS_WITH(Course(way), Catch::StartsWith(name));
+        CHECK_THROWS_WITH(BodyTrajectory(way), Catch::StartsWith(name));
     };
     refused("times", [](Way& w) {
         w.times.clear();

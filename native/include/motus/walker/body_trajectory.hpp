@@ -39,11 +39,11 @@ struct Axes {
 /// The body's way in stretches between jumps. In each the phase is the integral of the cadence, from 0 at the
 /// first sample on; the cadence is max(cadence, duty * speed / stride), with the speed of the leg whose rest
 /// place goes fastest across `up`. Immutable.
-class Course {
+class BodyTrajectory {
   public:
     /// Throws std::invalid_argument, naming the argument, where sizes differ, or a number is not finite,
     /// larger than 1e12 or outside its domain.
-    explicit Course(Way way);
+    explicit BodyTrajectory(Way way);
 
     [[nodiscard]] const Way& way() const noexcept { return way_; }
     [[nodiscard]] std::size_t stretch_count() const noexcept { return starts_.size(); }
@@ -79,7 +79,8 @@ class Course {
 
   private:
     void require_stretch(std::size_t stretch) const {
-        require(stretch < starts_.size(), "stretch: must be one of the course, which is not one moved from");
+        require(stretch < starts_.size(),
+                "stretch: must be one of the trajectory, which is not one moved from");
     }
     [[nodiscard]] bool jumps_to(std::size_t sample) const;
     [[nodiscard]] double cadence_after(std::size_t sample) const;

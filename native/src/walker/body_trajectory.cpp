@@ -1,4 +1,4 @@
-#include "motus/walker/course.hpp"
+#include "motus/walker/body_trajectory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +82,7 @@ void check(const Way& way) {
 
 }  // namespace
 
-Course::Course(Way way) : way_(checked(std::move(way))), side_(axis_across(way_.up)) {
+BodyTrajectory::BodyTrajectory(Way way) : way_(checked(std::move(way))), side_(axis_across(way_.up)) {
     starts_.push_back(0);
     phases_.push_back(0.0);
     for (std::size_t sample = 1; sample < way_.times.size(); ++sample) {
@@ -96,7 +96,7 @@ Course::Course(Way way) : way_(checked(std::move(way))), side_(axis_across(way_.
     }
 }
 
-bool Course::jumps_to(std::size_t sample) const {
+bool BodyTrajectory::jumps_to(std::size_t sample) const {
     if (std::ranges::binary_search(way_.resets, sample)) return true;
     const double most = way_.jump.value_or(strides_of_a_jump * way_.stride);
     return std::ranges::any_of(way_.rest, [&](const glm::dvec3& place) {
@@ -105,7 +105,7 @@ bool Course::jumps_to(std::size_t sample) const {
     });
 }
 
-double Course::cadence_after(std::size_t sample) const {
+double BodyTrajectory::cadence_after(std::size_t sample) const {
     const glm::dmat4 &from = way_.poses[sample], &to = way_.poses[sample + 1];
     const glm::dvec3 up = direction_or(axes(from).up + axes(to).up, axes(from).up);
     double farthest = 0.0;
@@ -117,25 +117,25 @@ double Course::cadence_after(std::size_t sample) const {
     return std::max(way_.cadence, way_.duty * speed / way_.stride);
 }
 
-std::size_t Course::stretch_at(double time) const {
+std::size_t BodyTrajectory::stretch_at(double time) const {
     const auto begins = [this](std::size_t sample) { return way_.times[sample]; };
     const auto after = std::ranges::upper_bound(starts_, time, {}, begins);
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - starts_.begin() - 1, 0));
 }
 
-std::size_t Course::sample_before(std::size_t stretch, double time) const {
+std::size_t BodyTrajectory::sample_before(std::size_t stretch, double time) const {
     const auto first = way_.times.begin() + static_cast<std::ptrdiff_t>(first_sample(stretch));
     const auto end = way_.times.begin() + static_cast<std::ptrdiff_t>(last_sample(stretch)) + 1;
     const auto after = std::upper_bound(first, end, time);
     return first_sample(stretch) + static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - first - 1, 0));
 }
 
-double Course::rate(std::size_t sample, std::size_t last) const {
+double BodyTrajectory::rate(std::size_t sample, std::size_t last) const {
     if (sample >= last) return way_.cadence;
     return (phases_[sample + 1] - phases_[sample]) / (way_.times[sample + 1] - way_.times[sample]);
 }
 
-glm::dmat4 Course::pose(std::size_t stretch, double time) const {
+glm::dmat4 BodyTrajectory::pose(std::size_t stretch, double time) const {
     require_stretch(stretch);
     const std::size_t last = last_sample(stretch);
     const std::size_t sample = sample_before(stretch, time);
@@ -150,13 +150,13 @@ glm::dmat4 Course::pose(std::size_t stretch, double time) const {
     return pose;
 }
 
-double Course::phase(std::size_t stretch, double time) const {
+double BodyTrajectory::phase(std::size_t stretch, double time) const {
     require_stretch(stretch);
     const std::size_t sample = sample_before(stretch, time);
     return phases_[sample] + (time - way_.times[sample]) * rate(sample, last_sample(stretch));
 }
 
-double Course::time_at(std::size_t stretch, double phase) const {
+double BodyTrajectory::time_at(std::size_t stretch, double phase) const {
     require_stretch(stretch);
     const std::size_t last = last_sample(stretch);
     const auto begin = phases_.begin() + static_cast<std::ptrdiff_t>(first_sample(stretch));
@@ -168,13 +168,13 @@ double Course::time_at(std::size_t stretch, double phase) const {
     return sample < last ? std::min(time, way_.times[sample + 1]) : time;
 }
 
-bool Course::starts_slowly(std::size_t stretch) const {
+bool BodyTrajectory::starts_slowly(std::size_t stretch) const {
     require_stretch(stretch);
     const std::size_t first = first_sample(stretch);
     return first == last_sample(stretch) || cadence_after(first) == way_.cadence;
 }
 
-Axes Course::axes(const glm::dmat4& pose) const {
+Axes BodyTrajectory::axes(const glm::dmat4& pose) const {
     const glm::dmat3 turn(pose);
     Axes axes;
     axes.up = direction_or(turn * way_.up, {0.0, 0.0, 1.0});
@@ -183,7 +183,7 @@ Axes Course::axes(const glm::dmat4& pose) const {
     return axes;
 }
 
-std::size_t Course::bytes() const noexcept {
+std::size_t BodyTrajectory::bytes() const noexcept {
     return (way_.times.capacity() + way_.phases.capacity() + phases_.capacity()) * sizeof(double) +
            way_.poses.capacity() * sizeof(glm::dmat4) + way_.rest.capacity() * sizeof(glm::dvec3) +
            starts_.capacity() * sizeof(std::size_t);

@@ -1,4 +1,4 @@
-#include "course.hpp"
+#include "flight_model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ constexpr double largest_step = 0x1p-5;  // s
     return value > 0.0 && value <= most;
 }
 
-void require_valid(const Settings& s) {
+void require_valid(const SnowSettings& s) {
     require(is_single(s.start_speed), "start_speed must be finite");
     require(is_between(s.lifetime, 0.0, 1e30), "lifetime must be at least 0 and finite");
     require(is_single(s.start_size), "start_size must be finite");
@@ -76,7 +76,7 @@ void require_valid(const Settings& s) {
 
 /// Between nodes of what depends on the age: a power of two, so that nodes lie at exact ages. The cubics
 /// between them are then right to 1e-5 of a second's way.
-[[nodiscard]] double step_for(const Settings& s) {
+[[nodiscard]] double step_for(const SnowSettings& s) {
     double step = largest_step;
     const double fastest =
         std::max({s.snow ? s.snow_frequency : 0.0, 0.25 * s.drag, s.gusts > 0.0 ? s.gust_frequency : 0.0});
@@ -88,7 +88,7 @@ void require_valid(const Settings& s) {
     return {v.x, v.y, v.z, v.w};
 }
 
-[[nodiscard]] Frustum frustum_of(const Settings& s) {
+[[nodiscard]] Frustum frustum_of(const SnowSettings& s) {
     const SineCosine<Pair> both = sine_cosine(Pair(s.frustum_angles.x, s.frustum_angles.y));
     const double part = s.frustum_near / s.frustum_far;
     return {static_cast<float>(lane(both.sine, 0) / lane(both.cosine, 0)),
@@ -96,13 +96,13 @@ void require_valid(const Settings& s) {
             static_cast<float>(part * part * part)};
 }
 
-[[nodiscard]] Air air_of(const Settings& s) {
+[[nodiscard]] Air air_of(const SnowSettings& s) {
     const glm::dvec3 acceleration = s.gravity ? s.acceleration : glm::dvec3(0.0);
     if (s.wind_times.empty()) return {acceleration, s.drag, s.wind, s.gusts, s.gust_frequency};
     return {acceleration, s.drag, s.wind_times, s.wind_values, s.gusts, s.gust_frequency};
 }
 
-[[nodiscard]] glm::dvec3 mean_wind(const Settings& s) {
+[[nodiscard]] glm::dvec3 mean_wind(const SnowSettings& s) {
     if (s.wind_times.empty()) return s.wind;
     glm::dvec3 sum(0.0);
     for (const glm::dvec3& wind : s.wind_values) sum += wind;
@@ -139,7 +139,7 @@ void write_from(const Fields& out, std::size_t index, Run& run) {
 
 }  // namespace
 
-Course::Course(Settings settings)
+FlightModel::FlightModel(SnowSettings settings)
     : lifetime((require_valid(settings), settings.lifetime)),
       random_lifetime(settings.random_lifetime),
       births(settings.rate, settings.delay, settings.duration, settings.looping, std::move(settings.bursts)),
@@ -228,10 +228,10 @@ void Interval::set(double time, double index, Run& run) {
     run.way_rate = way_rate_;
 }
 
-Flight::Flight(const Course& course)
-    : course_(course), interval_(course.air, course.step), standing_(course.kind) {
+Flight::Flight(const FlightModel& model)
+    : model_(model), interval_(model.air, model.step), standing_(model.kind) {
     standing_.snow = standing_.snow_offsets = standing_.is_turbulent = false;
-    run_.step = course.step;
+    run_.step = model.step;
 }
 
 template <class Fly>
@@ -240,13 +240,13 @@ void Flight::in_runs(double time, const double* ages, const std::uint32_t* lows,
     const double *age = ages, *end = ages + count;
     run_.high = high;
     while (age != end) {
-        const double interval = std::floor(*age / course_.step);
-        run_.start = interval * course_.step;
-        const std::size_t part = course_.emitter.part_at(time - *age);
-        const double part_end = course_.emitter.end_of(part);
+        const double interval = std::floor(*age / model_.step);
+        run_.start = interval * model_.step;
+        const std::size_t part = model_.emitter.part_at(time - *age);
+        const double part_end = model_.emitter.end_of(part);
         const double* next = std::partition_point(
             age + 1, end, [&](double other) { return other >= run_.start && time - other < part_end; });
-        run_.glide = course_.emitter.glide(part, time - run_.start, course_.step);
+        run_.glide = model_.emitter.glide(part, time - run_.start, model_.step);
         const auto at = static_cast<std::size_t>(age - ages);
         run_.ages = age;
         run_.lows = lows + at;
@@ -261,12 +261,12 @@ void Flight::fill(double time, const double* ages, const std::uint32_t* lows, st
                   std::size_t count, const Fields& out, std::size_t index) {
     in_runs(time, ages, lows, high, count, out, index, [&](double interval) {
         interval_.set(time, interval, run_);
-        for (std::size_t wave = 0; course_.kind.is_turbulent && wave < wave_count; ++wave) {
-            run_.phases[wave] = phase_at(course_.kind.waves[wave], time - run_.start);
-            run_.phase_changes[wave] = static_cast<float>(-course_.kind.waves[wave].frequency * course_.step);
+        for (std::size_t wave = 0; model_.kind.is_turbulent && wave < wave_count; ++wave) {
+            run_.phases[wave] = phase_at(model_.kind.waves[wave], time - run_.start);
+            run_.phase_changes[wave] = static_cast<float>(-model_.kind.waves[wave].frequency * model_.step);
         }
-        if (course_.steering) course_.steering->set(static_cast<std::size_t>(interval), run_);
-        course_.kernel->fill(course_.kind, run_, scratch_);
+        if (model_.steering) model_.steering->set(static_cast<std::size_t>(interval), run_);
+        model_.kernel->fill(model_.kind, run_, scratch_);
     });
 }
 
@@ -275,7 +275,7 @@ void Flight::fill_births(double time, const double* ages, const std::uint32_t* l
     in_runs(time, ages, lows, high, count, out, 0, [&](double /*interval*/) {
         run_.drift = run_.drift_velocity = {};
         run_.way = run_.way_rate = {};
-        course_.kernel->fill(standing_, run_, scratch_);
+        model_.kernel->fill(standing_, run_, scratch_);
     });
 }
 

@@ -19,14 +19,14 @@ namespace motus::snow {
 inline constexpr double lifetime_range = 1.0;  ///< s, of a random lifetime
 inline constexpr std::size_t padding = 16;     ///< loops run over whole vectors
 
-struct Course {
-    explicit Course(Settings settings);
-    ~Course() = default;
+struct FlightModel {
+    explicit FlightModel(SnowSettings settings);
+    ~FlightModel() = default;
     // `kind` points into its own arrays.
-    Course(const Course&) = delete;
-    Course& operator=(const Course&) = delete;
-    Course(Course&&) = delete;
-    Course& operator=(Course&&) = delete;
+    FlightModel(const FlightModel&) = delete;
+    FlightModel& operator=(const FlightModel&) = delete;
+    FlightModel(FlightModel&&) = delete;
+    FlightModel& operator=(FlightModel&&) = delete;
 
     [[nodiscard]] double longest() const { return lifetime + (random_lifetime ? lifetime_range : 0.0); }
 
@@ -65,7 +65,7 @@ class Interval {
 /// Fills rows of flakes. For one thread at a time.
 class Flight {
   public:
-    explicit Flight(const Course& course);
+    explicit Flight(const FlightModel& model);
 
     /// Of flakes of falling ages at a time, with their numbers' lower words, both of which go on to the next
     /// multiple of `padding`, into the rows from `index` on.
@@ -82,7 +82,7 @@ class Flight {
     void in_runs(double time, const double* ages, const std::uint32_t* lows, std::uint32_t high,
                  std::size_t count, const Fields& out, std::size_t index, const Fly& fly);
 
-    const Course& course_;
+    const FlightModel& model_;
     Interval interval_;
     Kind standing_;  ///< of flakes that nothing moves
     Run run_;
