@@ -1,4 +1,4 @@
-// One function a file of bindings.
+// The functions that bind the library: one for each source file of the bindings.
 #pragma once
 #include <pybind11/pybind11.h>
 

@@ -4,9 +4,12 @@
 #include "areas.hpp"
 
 PYBIND11_MODULE(motus_native, m) {
-    m.doc() =
-        "Native core of Motus. Arrays are NumPy float64; metres, radians and seconds; quaternions w, x, y, "
-        "z.";
+    m.doc() = R"(
+Native core of Motus.
+
+Arrays are NumPy float64 unless said; (m, 3) means m rows of x, y, z. Metres, radians and seconds; quaternions w, x, y, z.
+A wrong shape, type or value raises ValueError or TypeError that names the argument. Parameters and lengths outside a
+curve's interval never raise: extend = "clamp" | "extrapolate" | "loop" | "ping_pong" says what they mean.)";
     m.attr("__version__") = MOTUS_VERSION;
 
     // All classes are local to the module: a second copy of it, of another package, has classes of its own.

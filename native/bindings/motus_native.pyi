@@ -1,906 +1,1450 @@
-"""Native core of Motus.
+"""
+Native core of Motus.
 
 Arrays are NumPy float64 unless said; (m, 3) means m rows of x, y, z. Metres, radians and seconds; quaternions w, x, y, z.
 A wrong shape, type or value raises ValueError or TypeError that names the argument. Parameters and lengths outside a
-curve's interval never raise: extend = "clamp" | "extrapolate" | "loop" | "ping_pong" says what they mean. help() of each
-name is its manual.
+curve's interval never raise: extend = "clamp" | "extrapolate" | "loop" | "ping_pong" says what they mean.
 """
-
-from enum import IntEnum
-from typing import Callable, Literal, Sequence, Union, overload
-
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
-
-_Array = NDArray[np.float64]
-_Number = Union[float, int]
-_Extend = Literal["clamp", "extrapolate", "loop", "ping_pong"]
-_Mode = Literal["world_up", "minimal", "banking", "curvature", "tilt"]
-_Axis = Literal["X", "Y", "Z", "-X", "-Y", "-Z"]
-_EmitterShape = Literal["square", "disc", "box", "sphere", "cone", "surface", "frustum"]
-_Collision = Literal["stay", "slide", "melt"]
-_StereoMode = Literal["off_axis", "parallel", "toe_in"]
-_FlakeField = Literal["position", "velocity", "size", "color", "age", "rotation", "id"]
-_Gait = Literal["tripod", "tetrapod", "ripple", "wave", "trot", "pace"]
-_Basis = Literal["bernstein", "linear", "cardinal", "catmull_rom", "bspline"]
-
-__version__: str
-
+from __future__ import annotations
+import builtins
+import enum
+import numpy
+import numpy.typing
+import typing
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'Reason', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'bone_to_pose', 'box_around', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
 class Curve:
-    """A curve of Bezier segments of one degree, t in [0, segment_count]; the base of the classes below. Immutable."""
-
+    """
+    A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
+    
+    The parameter t runs over [0, segment_count], segment i over [i, i + 1].
+    """
+    def __repr__(self) -> str:
+        ...
+    def bounds(self) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+        """
+        Corners (min, max) of the smallest axis-aligned box that holds the curve, each (3,).
+        """
+    def curvature(self, t: numpy.typing.ArrayLike, extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp') -> typing.Any:
+        """
+        Curvature |C' x C''| / |C'|^3 at t (a number or (m,)), 1 / unit of length: a float or (m,).
+        
+        Where C' vanishes, the limit: infinity at a cusp, 0 on a straight stretch.  extend: what a t outside means, as in
+        position(); 0 if it goes straight on.  Raises as position().
+        """
+    def derivative(self, t: numpy.typing.ArrayLike, order: int = 1, extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp') -> typing.Any:
+        """
+        Derivative of the position with respect to t.
+        
+        t: a number or (m,), in [0, segment_count]; at a joint the segment that begins there counts.  order: 1, 2 or 3.
+        extend: outside, the derivative of position(t, extend): 'loop' repeats it; on the way back of 'ping_pong' odd orders
+        change their sign; 'extrapolate' keeps the end's first derivative, the others are 0; 'clamp' gives the end's derivative.
+        Returns (3,) or (m, 3).  Raises ValueError if t is not finite or order is not 1, 2 or 3, TypeError as position().
+        """
+    def elevate(self, times: int = 1) -> Curve:
+        """
+        The same curve written with a degree higher by `times`: a Bezier of a Bezier, else a Chain.
+        
+        Raises ValueError if times < 0 or the degree would pass 64, TypeError if it is no whole number.
+        """
+    def length(self) -> float:
+        """
+        Length of the curve in its unit; gaps between segments do not count; 0 if all points coincide.
+        
+        Adaptive Clenshaw-Curtis quadrature of |C'|; error <= 1e-12 of the length, cusps included.
+        """
+    def length_at(self, t: numpy.typing.ArrayLike, extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp') -> typing.Any:
+        """
+        Distance along the curve from its start to t (a number or (m,)): a float or (m,).
+        
+        extend: outside [0, segment_count] the distance at which position_at_length(s, extend) is position(t, extend): 'loop' and
+        'ping_pong' add whole lengths, 'extrapolate' goes on by |C'| of that end.
+        Error <= 1e-12 of the length.  Raises as position().
+        """
+    def nearest(self, point: numpy.typing.ArrayLike) -> tuple[typing.Any, numpy.typing.NDArray[numpy.float64], typing.Any]:
+        """
+        The nearest of all points of the curve.
+        
+        point: (3,) or (m, 3), in the curve's space.  Returns (t, position, distance): float, (3,), float, or (m,), (m, 3), (m,).
+        Branch and bound, then Newton's method; the distance is right to 1e-12 of itself.  Raises ValueError for another shape,
+        if a value is not finite, or above 1e100.
+        """
+    def position(self, t: numpy.typing.ArrayLike, extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp') -> typing.Any:
+        """
+        Position at the parameter t.
+        
+        t: a number or (m,), in [0, segment_count].  extend: the meaning of a t outside: 'clamp' the nearest end; 'extrapolate' on
+        along the end's derivative; 'loop' modulo the interval; 'ping_pong' forth and back.
+        Returns (3,) or (m, 3), in the curve's space and unit. De Casteljau's scheme (cubics: the Bernstein form): Farin,
+        "Curves and Surfaces for CAGD" (2002).  Raises ValueError if t is not finite or extend is none of these names,
+        TypeError if t does not hold real numbers.
+        """
+    def position_at_length(self, s: numpy.typing.ArrayLike, extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp') -> typing.Any:
+        """
+        Position at the distance s along the curve: equal steps of s are equal steps on the curve.
+        
+        s: a number or (m,), in [0, length()].  extend: what an s outside means, as in position(); 'extrapolate' goes on straight
+        along the unit tangent of that end.
+        Returns (3,) or (m, 3), right to 1e-10 of the length.  Raises as position().
+        """
+    def reversed(self) -> Curve:
+        """
+        The same points run through from the end to the start: a Bezier of a Bezier, else a Chain.
+        """
+    def split(self, t: float) -> tuple[Curve, Curve]:
+        """
+        The parts (before, after) of the curve cut at t (a number, clamped): two Bezier of a Bezier, else two Chain.
+        
+        Cut at an end, one part has zero length.  Raises ValueError if t is not finite, TypeError if it is no number.
+        """
+    def t_at_length(self, s: numpy.typing.ArrayLike, extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp') -> typing.Any:
+        """
+        Parameter at the distance s along the curve: the inverse of length_at().
+        
+        s: a number or (m,), in [0, length()].  extend: what an s outside means, as in position(); 'extrapolate' gives the end's
+        parameter, since no parameter lies beyond.
+        Returns a float or (m,); the distance at it differs from s by <= 1e-10 of the length (measured: 1e-12). Where the curve
+        rests (a segment of zero length), one of its parameters.  Raises as position().
+        """
+    def tangent(self, t: numpy.typing.ArrayLike, extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp') -> typing.Any:
+        """
+        Unit tangent at t (a number or (m,)): (3,) or (m, 3).
+        
+        Where the first derivative vanishes (cusp, handle on its point): its limit from the right, or at the end of the curve from
+        the left; (0, 1, 0) on a curve of zero length.  extend: as in derivative(), order 1.  Raises as position().
+        """
+    def torsion(self, t: numpy.typing.ArrayLike, extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp') -> typing.Any:
+        """
+        Torsion (C' x C'') . C''' / |C' x C''|^2 at t (a number or (m,)), 1 / unit of length: a float or (m,).
+        
+        Positive where the curve turns as a right-handed screw, forth and back; 0 where the curvature is 0 or infinite.
+        extend: as in curvature().  Raises as position().
+        """
+    def transformed(self, matrix: numpy.typing.ArrayLike) -> Curve:
+        """
+        The curve moved by an affine matrix, (4, 4) in rows as Blender's: a Bezier of a Bezier, else a Chain.
+        
+        Raises ValueError for another shape or if a value is not finite.
+        """
     @property
-    def degree(self) -> int: ...
+    def control_points(self) -> numpy.ndarray:
+        """
+        A copy of the control points: (degree + 1, 3) of a Bezier, else (segment_count, degree + 1, 3).
+        """
     @property
-    def segment_count(self) -> int: ...
+    def cyclic(self) -> bool:
+        """
+        Whether the curve's end is its start.
+        """
     @property
-    def cyclic(self) -> bool: ...
+    def degree(self) -> int:
+        """
+        Degree of the segments, 1 to 64.
+        """
     @property
-    def control_points(self) -> _Array: ...  # a copy: (degree + 1, 3) of a Bezier, else (segment_count, degree + 1, 3)
-
-    # t, s: a number or (m,). Results (3,) or (m, 3) for vectors, a float or (m,) for numbers.
-    def position(self, t: ArrayLike, extend: _Extend = "clamp") -> _Array: ...
-    def derivative(self, t: ArrayLike, order: int = 1, extend: _Extend = "clamp") -> _Array: ...  # order 1, 2 or 3
-    def tangent(self, t: ArrayLike, extend: _Extend = "clamp") -> _Array: ...  # unit vectors
-    @overload
-    def curvature(self, t: _Number, extend: _Extend = "clamp") -> float: ...
-    @overload
-    def curvature(self, t: ArrayLike, extend: _Extend = "clamp") -> _Array: ...
-    @overload
-    def torsion(self, t: _Number, extend: _Extend = "clamp") -> float: ...
-    @overload
-    def torsion(self, t: ArrayLike, extend: _Extend = "clamp") -> _Array: ...
-    def length(self) -> float: ...
-    @overload
-    def length_at(self, t: _Number, extend: _Extend = "clamp") -> float: ...
-    @overload
-    def length_at(self, t: ArrayLike, extend: _Extend = "clamp") -> _Array: ...
-    @overload
-    def t_at_length(self, s: _Number, extend: _Extend = "clamp") -> float: ...
-    @overload
-    def t_at_length(self, s: ArrayLike, extend: _Extend = "clamp") -> _Array: ...
-    def position_at_length(self, s: ArrayLike, extend: _Extend = "clamp") -> _Array: ...
-
-    # (t, position, distance): float, (3,), float for a point (3,); (m,), (m, 3), (m,) for points (m, 3).
-    def nearest(self, point: ArrayLike) -> tuple: ...
-    def bounds(self) -> tuple[_Array, _Array]: ...  # (min, max), each (3,)
-    def split(self, t: float) -> tuple[Curve, Curve]: ...  # (before, after)
-    def elevate(self, times: int = 1) -> Curve: ...
-    def reversed(self) -> Curve: ...
-    def transformed(self, matrix: ArrayLike) -> Curve: ...  # (4, 4) in rows, affine
-
+    def segment_count(self) -> int:
+        """
+        Number of segments: the end of the parameter's interval.
+        """
 class Bezier(Curve):
-    """One segment of any degree n from 1 to 64, t in [0, 1]."""
-
-    def __init__(self, control_points: ArrayLike) -> None: ...  # (n + 1, 3)
-
+    """
+    A Bezier curve of any degree n, 1 to 64, t in [0, 1].
+    """
+    def __init__(self, control_points: numpy.typing.ArrayLike) -> None:
+        """
+        control_points: (n + 1, 3), 2 to 65 rows.  Raises ValueError for another shape or if a value is not finite,
+        TypeError if they are not real numbers.
+        """
 class Spline(Curve):
-    """Cubic segments through points with two handles each, as Blender's Bezier splines."""
-
-    def __init__(
-        self,
-        points: ArrayLike,  # (k, 3), k >= 2
-        handles_left: ArrayLike,  # (k, 3)
-        handles_right: ArrayLike,  # (k, 3)
-        cyclic: bool = False,  # adds the segment from the last point to the first
-    ) -> None: ...
-
+    """
+    Cubic segments through points with two handles each, as Blender's Bezier splines; t in [0, segment_count].
+    """
+    def __init__(self, points: numpy.typing.ArrayLike, handles_left: numpy.typing.ArrayLike, handles_right: numpy.typing.ArrayLike, cyclic: bool = False) -> None:
+        """
+        points, handles_left, handles_right: (k, 3), k >= 2.  cyclic: adds the segment from the last point to the first.
+        Raises ValueError for another shape, different k, or if a value is not finite, TypeError if they are not real
+        numbers.
+        """
 class Chain(Curve):
-    """Bezier segments of one degree, each with its own control points."""
-
-    def __init__(
-        self,
-        control_points: ArrayLike,  # (segments, degree + 1, 3)
-        cyclic: bool = False,  # says that the end is the start; adds no segment
-    ) -> None: ...
-
+    """
+    Bezier segments of one degree, each with its own control points, so that neighbours may be apart; t in
+    [0, segment_count].
+    """
+    def __init__(self, control_points: numpy.typing.ArrayLike, cyclic: bool = False) -> None:
+        """
+        control_points: (segments, degree + 1, 3), degree 1 to 64.  cyclic: says that the end is the start; adds no segment.
+        Raises ValueError for another shape or if a value is not finite, TypeError if they are not real numbers.
+        """
 class BSpline(Curve):
-    """Blender's NURBS spline with all weights 1, exactly, as Bezier segments."""
-
-    def __init__(
-        self,
-        points: ArrayLike,  # (k, 3), k >= 2
-        order: int = 4,  # 2 to 6
-        cyclic: bool = False,
-        use_endpoint: bool = False,
-        use_bezier: bool = False,
-    ) -> None: ...
-
+    """
+    Blender's NURBS spline with all weights 1, as Bezier segments of degree order - 1, exactly; one a knot span.
+    """
+    def __init__(self, points: numpy.typing.ArrayLike, order: int = 4, cyclic: bool = False, use_endpoint: bool = False, use_bezier: bool = False) -> None:
+        """
+        points: (k, 3), k >= 2.  order: 2 to 6.  The flags are Blender's (use_cyclic_u, use_endpoint_u, use_bezier_u) and decide
+        the knots; combinations that Blender shows as the bare control polygon give that polygon.
+        Raises ValueError for another shape or order or if a value is not finite, TypeError if they are not real numbers.
+        """
 class PolyLine(Curve):
-    """Straight segments from point to point, as Blender's poly splines."""
-
-    def __init__(
-        self,
-        points: ArrayLike,  # (k, 3), k >= 2
-        cyclic: bool = False,  # adds the segment from the last point to the first
-    ) -> None: ...
-
-# Fraction of the way at fraction u of the time, and its derivative; ease_in + ease_out <= 1.
-@overload
-def ease(u: _Number, ease_in: float, ease_out: float) -> float: ...
-@overload
-def ease(u: ArrayLike, ease_in: float, ease_out: float) -> _Array: ...
-@overload
-def ease_derivative(u: _Number, ease_in: float, ease_out: float) -> float: ...
-@overload
-def ease_derivative(u: ArrayLike, ease_in: float, ease_out: float) -> _Array: ...
-
+    """
+    Straight segments from point to point, as Blender's poly splines; t in [0, segment_count].
+    """
+    def __init__(self, points: numpy.typing.ArrayLike, cyclic: bool = False) -> None:
+        """
+        points: (k, 3), k >= 2.  cyclic: adds the segment from the last point to the first.
+        Raises ValueError for another shape or if a value is not finite, TypeError if they are not real numbers.
+        """
 class Timing:
-    """Distance as a function of time. Immutable; made by one of the static methods."""
-
+    """
+    Distance as a function of time, for follow(): seconds, and the curve's unit of length. Immutable.
+    
+    Made by Timing.eased, .constant, .pins, .speeds or .speeds_by_distance, which raise ValueError if a value is not finite
+    or outside its domain, TypeError if one is not a real number.
+    """
     @staticmethod
-    def eased(duration: float, length: float, ease_in: float = 0.0, ease_out: float = 0.0,
-              after: str = "rest") -> Timing: ...
+    def constant(speed: float) -> Timing:
+        """
+        speed * time, for all times.
+        """
     @staticmethod
-    def constant(speed: float) -> Timing: ...
+    def eased(duration: float, length: float, ease_in: float = 0.0, ease_out: float = 0.0, after: str = 'rest') -> Timing:
+        """
+        `length` in `duration` seconds (> 0) with ease() at both ends; at rest before 0.
+        
+        after: the motion after duration: 'rest'; 'go_on' with the last speed; 'repeat', lap after lap from where the last one ended.
+        Laps cost nothing, however many they are.
+        """
     @staticmethod
-    def pins(times: ArrayLike, distances: ArrayLike) -> Timing: ...  # (k,) each, times strictly increasing
+    def pins(times: numpy.typing.ArrayLike, distances: numpy.typing.ArrayLike) -> Timing:
+        """
+        Through pins: at times (k,), strictly increasing, k >= 1, at distances (k,); at rest outside.
+        
+        Monotone cubics in between (Fritsch and Carlson 1980): no overshoot, at rest between pins of equal distance.
+        """
     @staticmethod
-    def speeds(times: ArrayLike, speeds: ArrayLike) -> Timing: ...  # (k,) each, times strictly increasing
+    def speeds(times: numpy.typing.ArrayLike, speeds: numpy.typing.ArrayLike) -> Timing:
+        """
+        The exact integral of speeds (k,) given at times (k,), strictly increasing, k >= 1: linear in between, held outside; 0 at
+        time 0. A negative speed goes backwards.
+        """
     @staticmethod
-    def speeds_by_distance(distances: ArrayLike, speeds: ArrayLike) -> Timing: ...  # (k,) each, speeds > 0
-    @overload
-    def distance(self, time: _Number) -> float: ...
-    @overload
-    def distance(self, time: ArrayLike) -> _Array: ...
-    @overload
-    def speed(self, time: _Number) -> float: ...
-    @overload
-    def speed(self, time: ArrayLike) -> _Array: ...
-
-# Quaternions (m, 4), or (4,) for a number, that turn +Y to the tangent and +Z to up.
-# Options by mode: banking: speed (a number or (m,), 1.0), strength (1.0), gravity (9.81), limit (rad, 3.2), smoothing (a
-# length, 0.0); curvature: outward (False), smoothing (0.0); tilt: tilt (one value per point, rad; needed).
-def frames(
-    curve: Curve,
-    lengths: ArrayLike,  # a number or (m,)
-    mode: _Mode,
-    extend: _Extend = "clamp",
-    **options: object,
-) -> _Array: ...
-
-# Seconds that a lagging orientation remembers.
-LAG_MEMORY: float
-
-# (locations (n, 3), rotations (n, 4)) of followers at one time. Options as in frames(), without speed.
-def follow(
-    curve: Curve,
-    timing: Timing,
-    time: float,
-    offsets: ArrayLike,  # a number or (n,), along the curve
-    mode: _Mode,
-    extend: _Extend = "clamp",
-    forward: _Axis = "Y",
-    up: _Axis = "Z",
-    rotate: bool = True,
-    lag_rate: float = 0.0,
-    lag_by: Literal["acceleration", "curvature"] = "acceleration",
-    locations: _Array | None = None,  # (n, 3), C-contiguous, written into
-    rotations: _Array | None = None,  # (n, 4), C-contiguous, written into
-    line_up: bool = False,
-    **options: object,
-) -> tuple[_Array, _Array]: ...
-
-# Blender's Euler angles XYZ of quaternions: (m, 3) of (m, 4), or (3,) of (4,).
-def euler_xyz(
-    rotations: ArrayLike,
-    out: _Array | None = None,  # (m, 3) or (3,), C-contiguous, written into
-) -> _Array: ...
-
-# 4 x 4 matrices, column by column: (m, 16) float32 of (m, 3), (m, 4) and (m, 3).
-def pack_matrices(
-    locations: ArrayLike,
-    rotations: ArrayLike,
-    out: NDArray[np.float32] | None = None,  # (m, 16), C-contiguous, written into
-    scales: ArrayLike | None = None,  # None: 1
-) -> NDArray[np.float32]: ...
-
-class Reason(IntEnum):
-    """What kept the end of a chain from its target."""
-
-    REACHED = 0  # the end is on the target, within the tolerance
-    TOO_FAR = 1  # the target is farther than the chain, or softness, reaches
-    TOO_NEAR = 2  # it is nearer to the root than the chain can fold
-    LIMIT = 3  # a joint limit is in the way
-    ITERATIONS = 4  # the iterations allowed were used up
-
-class TwoBoneSolution:
-    """Of one chain values, of m chains arrays with m rows."""
-
-    @property
-    def elbow(self) -> _Array: ...  # (3,) or (m, 3)
-    @property
-    def tip(self) -> _Array: ...  # (3,) or (m, 3)
-    @property
-    def normal(self) -> _Array: ...  # (3,) or (m, 3), unit; cross(normal, target - root) points to the elbow's side
-    @property
-    def scale(self) -> Union[float, _Array]: ...  # of both bones, > 1 where they are stretched
-    @property
-    def residual(self) -> Union[float, _Array]: ...  # distance from tip to target
-    @property
-    def reason(self) -> Union[Reason, NDArray[np.int64]]: ...  # REACHED, TOO_FAR or TOO_NEAR
-
-# Points (3,) or (m, 3), numbers one or (m,); what is given once counts for all chains.
-def solve_two_bone(
-    root: ArrayLike,
-    target: ArrayLike,
-    length1: ArrayLike,  # root to elbow, >= 0
-    length2: ArrayLike,  # elbow to tip, >= 0
-    pole: ArrayLike,  # point that the elbow bends towards, seen across root-target
-    bend: ArrayLike = 1,  # 1: towards the pole; -1: away
-    softness: ArrayLike = 0.0,  # length before the full reach at which the arm begins to slow
-    stretch: ArrayLike = 0.0,  # share, 0 to 1, of what lacks that both bones lengthen by
-    plane: ArrayLike | None = None,  # normal of the plane where the pole is near the line
-) -> TwoBoneSolution: ...
-
-class ChainSolution:
-    """Where the joints of a chain stand."""
-
-    @property
-    def joints(self) -> _Array: ...  # (n + 1, 3), the root first
-    @property
-    def rotations(self) -> _Array | None: ...  # (n, 4) relative to the given pose: what the limits hold for
-    @property
-    def residual(self) -> float: ...  # distance from tip to target
-    @property
-    def iterations(self) -> int: ...
-    @property
-    def reason(self) -> Reason: ...
-
-# A chain of n bones, 1 to 255, brought to a target from a given pose.
-def solve_chain(
-    joints: ArrayLike,  # (n + 1, 3), the root first
-    target: ArrayLike,  # (3,)
-    tolerance: float = 1e-6,  # > 0, a fraction of the chain's length
-    max_iterations: int = 100,
-    pole: ArrayLike | None = None,  # (3,), point that the chain bends towards, seen across root-target
-    limits: ArrayLike | None = None,  # (n, 6), min x, y, z, max x, y, z in rad, inf: free; x, z swing, y twist
-    plane: ArrayLike | None = None,  # (3,), normal of the plane that a straight pose bends in
-    frames: ArrayLike | None = None,  # (n, 4), what the limits are about: Y along each bone of the given pose
-) -> ChainSolution: ...
-
-# Where the tip stands whose target is at a distance: slope 1 up to reach - softness, reach from reach + 2 softness on.
-@overload
-def soft_reach(distance: _Number, reach: float, softness: float) -> float: ...
-@overload
-def soft_reach(distance: ArrayLike, reach: float, softness: float) -> _Array: ...
-
-class LookAtTurns:
-    """How a gaze turns to its target; quaternions, each on top of the one before."""
-
-    @property
-    def body(self) -> _Array: ...  # (4,) or (m, 4)
-    @property
-    def head(self) -> _Array: ...  # (4,) or (m, 4)
-    @property
-    def eyes(self) -> _Array: ...  # (4,) or (m, 4)
-    @property
-    def residual(self) -> Union[float, _Array]: ...  # angle between the turned gaze and the target, rad
-    @property
-    def reason(self) -> Union[Reason, NDArray[np.int64]]: ...  # REACHED or LIMIT
-
-def look_at(
-    forward: ArrayLike,  # (3,), where the head looks before
-    targets: ArrayLike,  # (m, 3) or (3,), directions
-    chest: ArrayLike | None = None,  # (3,), where the chest faces; None: forward
-    up: ArrayLike = (0.0, 0.0, 1.0),  # of the chest
-    weight: float = 1.0,  # this and the next four in [0, 1]
-    body_weight: float = 0.3,
-    head_weight: float = 1.0,
-    eyes_weight: float = 0.0,
-    clamp: float = 0.5,  # 0 free, 0.5 90 degrees to each side, 1 no turn
-    body_limit: float = 3.141592653589793,  # rad, pi: none
-    head_limit: float = 3.141592653589793,
-    eyes_limit: float = 3.141592653589793,
-) -> LookAtTurns: ...
-
+    def speeds_by_distance(distances: numpy.typing.ArrayLike, speeds: numpy.typing.ArrayLike) -> Timing:
+        """
+        Motion that has speeds (k,), all > 0, at distances (k,), strictly increasing, k >= 1: linear in between, held outside;
+        at distance 0 at time 0.
+        """
+    def distance(self, time: numpy.typing.ArrayLike) -> typing.Any:
+        """
+        Distance at a time (a number or (m,), s): a float or (m,).
+        """
+    def speed(self, time: numpy.typing.ArrayLike) -> typing.Any:
+        """
+        Derivative of distance() at a time (a number or (m,), s): a float or (m,); at a jump the speed after it.
+        """
 class TailPlan:
-    """Bones of one rig that turn so that their tails point to places."""
-
-    def __init__(self, parents: ArrayLike, bones: ArrayLike) -> None: ...
-    def solve(
-        self, rest: _Array, poses: _Array, basis: _Array, inheritance: _Array, world: _Array, targets: _Array,
-        weights: _Array,
-    ) -> _Array: ...
-
+    """
+    Bones of one rig that turn so that their tails point to places. The hierarchy is checked once. Each bone turns about its own
+    head, after the bones above have moved that head.
+    
+    parents: (B,), index of each bone's parent, -1 for none.  bones: (n,), the bones that turn, in any order.
+    Raises ValueError or TypeError that names the argument.
+    """
+    def __init__(self, parents: numpy.typing.ArrayLike, bones: numpy.typing.ArrayLike) -> None:
+        ...
+    def solve(self, rest: numpy.typing.NDArray[numpy.float32], poses: numpy.typing.NDArray[numpy.float32], basis: numpy.typing.NDArray[numpy.float32], inheritance: numpy.typing.NDArray[numpy.int32], world: numpy.typing.NDArray[numpy.float64], targets: numpy.typing.NDArray[numpy.float64], weights: numpy.typing.NDArray[numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Rotations (n, 4), w, x, y, z, of the bones on top of their own: the identity if a tail points to its place already.
+        
+        rest, poses, basis, inheritance, world: as those of LookAtPlan.solve; of poses only the parents of the topmost bones are
+        read.  targets: (n, 3) float64, world space.  weights: (n,) float64, the share of each turn, 0 to 1.
+        Raises ValueError or TypeError that names the argument; numbers that are not finite do not raise.
+        """
+class Reason(enum.IntEnum):
+    """
+    Why the end of a chain is or is not on its target; an IntEnum, comparable with the codes in arrays.
+    
+    REACHED: the end is on the target, within the tolerance.  TOO_FAR: the target is farther than the chain reaches,
+    or than softness lets it.  TOO_NEAR: the target is nearer to the root than the chain can fold.  LIMIT: a joint limit is in the way.
+    ITERATIONS: the iterations allowed were used up.
+    """
+    ITERATIONS: typing.ClassVar[Reason]
+    LIMIT: typing.ClassVar[Reason]
+    REACHED: typing.ClassVar[Reason]
+    TOO_FAR: typing.ClassVar[Reason]
+    TOO_NEAR: typing.ClassVar[Reason]
+    _member_map_: typing.ClassVar[dict]
+    _member_names_: typing.ClassVar[list] = ['REACHED', 'TOO_FAR', 'TOO_NEAR', 'LIMIT', 'ITERATIONS']
+    _unhashable_values_: typing.ClassVar[list] = list()
+    _use_args_: typing.ClassVar[bool] = True
+    _value2member_map_: typing.ClassVar[dict]
+    _member_type_ = builtins.int
+    @staticmethod
+    def _generate_next_value_(name, start, count, last_values):
+        """
+                Generate the next value when not given.
+        
+                name: the name of the member
+                start: the initial start value or None
+                count: the number of existing members
+                last_values: the list of values assigned
+                
+        """
+    @staticmethod
+    def _new_member_(type, *args, **kwargs):
+        """
+        Create and return a new object.  See help(type) for accurate signature.
+        """
+    @classmethod
+    def __new__(cls, value):
+        ...
+    def __format__(self, format_spec):
+        ...
+    def _value_repr_(self):
+        """
+        Return repr(self).
+        """
+class TwoBoneSolution:
+    """
+    The positions of the joints of two bones, from solve_two_bone(): of one chain values, of m chains arrays with m rows.
+    """
+    @property
+    def elbow(self) -> typing.Any:
+        """
+        (3,) or (m, 3).
+        """
+    @property
+    def normal(self) -> typing.Any:
+        """
+        (3,) or (m, 3), unit: across the plane of the bend; cross(normal, target - root) points to the elbow's side.
+        """
+    @property
+    def reason(self) -> typing.Any:
+        """
+        A Reason or (m,) int64 of their codes: REACHED, if the residual is at most 1e-12 of length1 + length2 +
+        |target - root|; TOO_FAR or TOO_NEAR.
+        """
+    @property
+    def residual(self) -> typing.Any:
+        """
+        A float or (m,): distance from the tip to the target.
+        """
+    @property
+    def scale(self) -> typing.Any:
+        """
+        A float or (m,): of both bones, > 1 if they are stretched.
+        """
+    @property
+    def tip(self) -> typing.Any:
+        """
+        (3,) or (m, 3); the target itself where it is reached exactly.
+        """
+class ChainSolution:
+    """
+    The positions of a chain's joints, from solve_chain().
+    """
+    @property
+    def iterations(self) -> int:
+        """
+        Steps taken; with limits those of all starts.
+        """
+    @property
+    def joints(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (n + 1, 3), the root first.
+        """
+    @property
+    def reason(self) -> typing.Any:
+        """
+        A Reason: REACHED if the residual is within the tolerance; TOO_FAR or TOO_NEAR if no chain of these lengths
+        reaches the target; LIMIT if the limits do not let it; ITERATIONS if there were too few of them.
+        """
+    @property
+    def residual(self) -> float:
+        """
+        Distance from the tip to the target.
+        """
+    @property
+    def rotations(self) -> typing.Any:
+        """
+        (n, 4): each bone's rotation relative to the given pose, seen from the bone before it, for which the limits hold.
+        None without limits.
+        """
+class LookAtTurns:
+    """
+    How a gaze turns to its target, from look_at(): of one target values, of m targets arrays with m rows.
+    
+    body, head and eyes are quaternions (m, 4) or (4,), w, x, y, z; each comes on top of the one before: eyes * head * body.
+    """
+    @property
+    def body(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (4,) or (m, 4).
+        """
+    @property
+    def eyes(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (4,) or (m, 4).
+        """
+    @property
+    def head(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (4,) or (m, 4).
+        """
+    @property
+    def reason(self) -> typing.Any:
+        """
+        A Reason or (m,) int64 of their codes: LIMIT if the clamp or a limit keeps the gaze off; REACHED if nothing but the
+        weights does.
+        """
+    @property
+    def residual(self) -> typing.Any:
+        """
+        A float or (m,): angle between the turned gaze and the target, rad.
+        """
 class LookAtPlan:
-    """Bones of one rig that look at targets, checked once."""
-
-    SETTINGS: tuple[str, ...]
-    REPORT: tuple[str, ...]
-
-    def __init__(
-        self,
-        parents: ArrayLike,  # (B,), -1 for none
-        bodies: Sequence[ArrayLike],  # for each entry (n,) bones from the lowest up
-        heads: ArrayLike,  # (C,)
-        eyes: Sequence[ArrayLike],  # for each entry (k,)
-    ) -> None: ...
+    """
+    Bones of one rig that look at targets. The hierarchy is checked once.
+    
+    parents: (B,), index of each bone's parent, -1 for none.  bodies: for each entry (n,) bones from the lowest up, below the
+    head; may be empty.  heads: (C,) bones.  eyes: for each entry (k,) bones above the head; may be empty.
+    rows: the bones of the result's rows: body, head, eyes of each entry.  SETTINGS, REPORT: names of columns.
+    Raises ValueError or TypeError that names the argument.
+    """
+    REPORT: typing.ClassVar[tuple] = ('angle', 'reason', 'yaw', 'pitch')
+    SETTINGS: typing.ClassVar[tuple] = ('weight', 'body_weight', 'head_weight', 'eyes_weight', 'clamp', 'body_limit', 'head_limit', 'eyes_limit', 'is_on')
+    def __init__(self, parents: numpy.typing.ArrayLike, bodies: typing.Sequence[numpy.typing.ArrayLike], heads: numpy.typing.ArrayLike, eyes: typing.Sequence[numpy.typing.ArrayLike]) -> None:
+        ...
+    def solve(self, rest: numpy.typing.NDArray[numpy.float32], poses: numpy.typing.NDArray[numpy.float32], basis: numpy.typing.NDArray[numpy.float32], inheritance: numpy.typing.NDArray[numpy.int32], world: numpy.typing.NDArray[numpy.float64], settings: numpy.typing.NDArray[numpy.float64], targets: numpy.typing.NDArray[numpy.float64], head_forward: numpy.typing.NDArray[numpy.float64], eyes_forward: numpy.typing.NDArray[numpy.float64], rotations: numpy.typing.NDArray[numpy.float64] | None = None, up: numpy.typing.NDArray[numpy.float64] | None = None) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Rotations that turn body, head and eyes of each entry to its target.
+        
+        rest, poses, basis: (B, 16) float32: Bone.matrix_local, PoseBone.matrix, PoseBone.matrix_basis, column by column; of poses
+        only the parent of each entry's first bone is read.  inheritance: (B,) int32: Bone.inherit_scale | 8 use_inherit_rotation
+        | 16 use_local_location.  world: (16,), the rig's matrix_world, column by column.
+        settings: (C, 9), see SETTINGS and look_at().  targets: (C, 3), world space.  head_forward: (C, 3), eyes_forward: (E, 3) of
+        the eyes of all entries, axes of the bones that point where they look, of any length but 0.  up: (C, 3), the rig's upward
+        direction at rest, in armature space, of any length but 0; None: Z.
+        rotations: a C-contiguous float64 array (rows, 4) to write into, which shares no memory with other arguments; None: only the
+        report.  Its rows are w, x, y, z and come on top of each bone's own rotation; the identity if nothing turns.
+        Returns (C, 4), see REPORT: angle between gaze and target, rad; reason (a Reason: REACHED or LIMIT; -1 if an input is not
+        finite or a bone that looks has no size); yaw (positive to the left) and pitch (positive up) of the target, rad.
+        Raises ValueError or TypeError that names the argument; numbers that are not finite do not raise.
+        """
     @property
-    def rows(self) -> tuple[int, ...]: ...  # bones of the result's rows: body, head, eyes of each entry
-    # The report (C, 4), see REPORT.
-    def solve(
-        self,
-        rest: NDArray[np.float32],  # (B, 16), columns, as the next two
-        poses: NDArray[np.float32],
-        basis: NDArray[np.float32],
-        inheritance: NDArray[np.int32],  # (B,): inherit_scale | 8 use_inherit_rotation | 16 use_local_location
-        world: _Array,  # (16,), columns
-        settings: _Array,  # (C, 9), see SETTINGS
-        targets: _Array,  # (C, 3), world space
-        head_forward: _Array,  # (C, 3), axes of the bones
-        eyes_forward: _Array,  # (E, 3), of the eyes of all entries
-        rotations: _Array | None = None,  # (rows, 4), C-contiguous, written into
-        up: _Array | None = None,  # (C, 3), what the rig stands along at rest, armature space; None: Z
-    ) -> _Array: ...
-
+    def rows(self) -> tuple[int, ...]:
+        ...
 class LayerClip:
-    """What an action says of a rig's bones: its F-curves as plain arrays. Immutable."""
-
-    def __init__(
-        self,
-        rotations: ArrayLike,  # (B,): 0 quaternion, 1-6 Euler XYZ, XZY, YXZ, YZX, ZXY, ZYX, 7 axis and angle
-        curves: NDArray[np.int32],  # (C, 5): bone, channel 0-9, first key, how many (0: given), goes on straight
-        keys: NDArray[np.float32],  # (K, 6): frame and value of the key, its left handle, its right one
-        interpolations: NDArray[np.int32],  # (K,): 0 constant, 1 linear, 2 Bezier
-    ) -> None: ...
+    """
+    What an action says of a rig's bones: its F-curves as plain arrays. Immutable.
+    
+    rotations: (B,), rotation mode of each bone: 0 quaternion, 1-6 Euler XYZ, XZY, YXZ, YZX, ZXY, ZYX, 7 axis and angle.
+    curves: (C, 5) int32: bone; channel, 0-2 location, 3-6 the numbers of its rotation mode, 7-9 scale; index of its first key;
+    how many it has, 0 where the caller gives its value; whether it goes on beyond them as a straight line, without keys whether
+    it is an angle that goes beyond half a turn.
+    keys: (K, 6) float32: frame and value of the key, of its left handle, of its right one.  interpolations: (K,) int32: 0
+    constant, 1 linear, 2 Bezier.
+    bones: those that it animates.  channels: of each a sum of 1 location, 2 rotation, 4 scale.  spins: whether angles of any go
+    beyond half a turn, or by a whole turn from key to key.  given: how many curves have no keys.
+    Raises ValueError or TypeError that names the argument.
+    """
+    def __init__(self, rotations: numpy.typing.ArrayLike, curves: numpy.typing.NDArray[numpy.int32], keys: numpy.typing.NDArray[numpy.float32], interpolations: numpy.typing.NDArray[numpy.int32]) -> None:
+        ...
+    def numbers(self, frame: float, given: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (n, 4): what the bones' rotations are made of at a frame of the action, in their modes: a quaternion, Euler angles and a number
+        that does not count, an angle and its axis; rad.
+        
+        given: as of pose().  Raises ValueError or TypeError that names the argument.
+        """
+    def pose(self, frame: float, given: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (n, 10) of the bones at a frame of the action: location, unit quaternion w, x, y, z, scale; at rest what it says nothing of.
+        
+        given: (given,), values of the curves without keys.  Raises ValueError or TypeError that names the argument.
+        """
     @property
-    def bones(self) -> tuple[int, ...]: ...
+    def bones(self) -> tuple[int, ...]:
+        ...
     @property
-    def channels(self) -> tuple[int, ...]: ...  # of each bone a sum of 1 location, 2 rotation, 4 scale
+    def channels(self) -> tuple[int, ...]:
+        ...
     @property
-    def spins(self) -> bool: ...  # whether angles of any bone go beyond half a turn
+    def given(self) -> int:
+        ...
     @property
-    def given(self) -> int: ...  # curves without keys
-    # (n, 10): location, quaternion, scale of its bones at a frame of the action.
-    def pose(self, frame: float, given: ArrayLike | None = None) -> _Array: ...
-    # (n, 4): what their rotations are made of, in their modes.
-    def numbers(self, frame: float, given: ArrayLike | None = None) -> _Array: ...
-
+    def spins(self) -> bool:
+        ...
 class LayerStack:
-    """What the bones of one rig hang on, for layers of animation over its pose. Immutable."""
-
-    SETTINGS: tuple[str, ...]
-
-    def __init__(
-        self,
-        parents: ArrayLike,  # (B,), -1 for none
-        rest: NDArray[np.float32],  # (B, 16), columns
-        inheritance: NDArray[np.int32],  # (B,): 8 turns along with its parent
-    ) -> None: ...
-    def solve(
-        self,
-        frame: float,  # of the scene
-        basis: NDArray[np.float32],  # (B, 16), columns
-        clips: Sequence[LayerClip],  # the lowest first
-        settings: _Array,  # (L, 10), see SETTINGS
-        masks: _Array,  # (L, B), in [0, 1]
-        references: Sequence[_Array | None],  # (n, 10) of LayerClip.pose(), None for the rest pose
-        given: Sequence[ArrayLike | None],  # values of the clips' curves without keys
-        rows: ArrayLike,  # (R,) bones that are written
-        locations: _Array,  # (R, 3), written into: to be added
-        rotations: _Array,  # (R, 4), written into: after the bone's own
-        scales: _Array,  # (R, 3), written into: to multiply by
-        laid: NDArray[np.float32],  # (R, 16), columns, written into: the bones' own transforms with all layers
-        laps: list[_Array | None] | None = None,  # (n, 8): LayerClip.numbers() where it begins, and what a lap adds
-    ) -> None: ...
-
-# (B,): chosen, with a border that rises over `feather` bones.
-def layer_mask(parents: ArrayLike, chosen: ArrayLike, feather: int = 0) -> _Array: ...
-
-# (L, 2): frame of the action and weight, at a frame of the scene; settings (L, 10), see LayerStack.SETTINGS.
-def layer_moments(settings: _Array, frame: float) -> _Array: ...
-
-_Inherit = Literal["FULL", "FIX_SHEAR", "ALIGNED", "AVERAGE", "NONE", "NONE_LEGACY"]
-
+    """
+    What the bones of one rig hang on, for layers of animation over its pose. Immutable.
+    
+    parents: (B,), index of each bone's parent, -1 for none.  rest: (B, 16) float32, Bone.matrix_local, column by column.
+    inheritance: (B,) int32: 8 where the bone turns along with its parent.  SETTINGS: names of columns.
+    Raises ValueError or TypeError that names the argument.
+    """
+    SETTINGS: typing.ClassVar[tuple] = ('start', 'first', 'last', 'speed', 'after', 'blend_in', 'blend_out', 'weight', 'mode', 'in_armature')
+    def __init__(self, parents: numpy.typing.ArrayLike, rest: numpy.typing.NDArray[numpy.float32], inheritance: numpy.typing.NDArray[numpy.int32]) -> None:
+        ...
+    def solve(self, frame: float, basis: numpy.typing.NDArray[numpy.float32], clips: list, settings: numpy.typing.NDArray[numpy.float64], masks: numpy.typing.NDArray[numpy.float64], references: list, given: list, rows: numpy.typing.ArrayLike, locations: numpy.typing.NDArray[numpy.float64], rotations: numpy.typing.NDArray[numpy.float64], scales: numpy.typing.NDArray[numpy.float64], laid: numpy.typing.NDArray[numpy.float32], laps: list[numpy.typing.NDArray[numpy.float64] | None] | None = None) -> None:
+        """
+        Lays layers, the lowest first, over the bones' own transforms at a frame of the scene, and writes what comes on top of these.
+        
+        basis: (B, 16) float32, PoseBone.matrix_basis, column by column.  clips: (L) LayerClip.  settings: (L, 10), see SETTINGS: start
+        frame; first and last frame of the action; speed; after: 0 it ends, 1 it holds, 2 it repeats; blend_in and blend_out, frames
+        of the scene; weight; mode: 0 override, 1 additive; in_armature: not 0, rotations are blended as they are in the armature.
+        masks: (L, B), in [0, 1].  references: of each layer the pose() that an additive one starts from, None for the rest pose.
+        given: of each layer the values of its clip's curves without keys, or None.
+        rows: (R,) bones.  locations (R, 3), rotations (R, 4) w, x, y, z, scales (R, 3), float64: written into; location to add, rotation
+        after the bone's own, scale to multiply by.  laid: (R, 16) float32, written into: the bone's own transform with all layers.
+        laps: of each layer (n, 8), or None: numbers() of the first pose that it plays (of an additive one's reference, if that is a pose
+        of the clip), and how far numbers() come from the first pose to the last. Bones that go around, see LayerClip.spins, then do so by a
+        part of the way where the layer counts for a part; without it all rotations go the shorter way.
+        Raises ValueError or TypeError that names the argument; transforms that are not finite stay as they are.
+        """
 class IkRest:
-    """Bones at rest, of one IkPlan; made by IkPlan.rest(). Immutable."""
-
+    """
+    Bones at rest, of one IkPlan; made by IkPlan.rest(). Immutable.
+    """
 class IkBones:
-    """Bones as they are animated, of one IkPlan; made by IkPlan.bones(). Immutable."""
-
+    """
+    Bones as they are animated, of one IkPlan; made by IkPlan.bones(). Immutable.
+    """
 class IkPlan:
-    """Chains of one rig's bones, solved together from their animated (FK) pose. Immutable."""
-
-    SETTINGS: tuple[str, ...]  # columns of the settings
-    REPORT: tuple[str, ...]  # columns of the report
-
-    def __init__(
-        self,
-        parents: ArrayLike,  # (b,), -1 for none
-        chains: list[ArrayLike],  # bones from root to tip
-        effectors: ArrayLike,  # (c,), a chain's last bone or a child of it
-        guards: ArrayLike,  # (g, 2): bone, chain
-    ) -> None: ...
+    """
+    Chains of one rig's bones, solved together. Immutable.
+    
+    parents: (b,) parent of each bone, -1 for none.  chains: lists of bones from root to tip, each a child of the one before,
+    1 to 255.  effectors: (c,) the bone that each chain brings to its target: its last bone, whose tail is then the tip, or a
+    child of its last bone, whose head is then the tip.  guards: (g, 2) bone and chain: children of chain bones, outside the chain, that are not
+    stretched with it.
+    If a chain with guards has an effector outside the chain, the effector's row is in pose space; the effector may be listed as
+    a guard too.
+    Raises ValueError or TypeError that names the argument.
+    """
+    REPORT: typing.ClassVar[tuple] = ('residual', 'angle', 'reason', 'iterations', 'distance', 'reach', 'tip_x', 'tip_y', 'tip_z')
+    SETTINGS: typing.ClassVar[tuple] = ('position_weight', 'rotation_weight', 'softness', 'stretch', 'pole_angle', 'bend', 'hinge_angle', 'tolerance', 'iterations', 'use_limits', 'is_on', 'left_out')
+    def __init__(self, parents: numpy.typing.ArrayLike, chains: typing.Sequence[numpy.typing.ArrayLike], effectors: numpy.typing.ArrayLike, guards: numpy.typing.ArrayLike) -> None:
+        ...
+    def bones(self, rest: IkRest, basis: numpy.typing.NDArray[numpy.float32]) -> IkBones:
+        """
+        Reads the plan's bones as they are animated: an IkBones, valid until a bone's own transform changes.
+        
+        rest: a result of rest().  basis: (b, 16) float32, PoseBone.matrix_basis as foreach_get gives it.
+        Wrong shapes and types raise ValueError or TypeError that names the argument.
+        """
+    def match(self, bones: IkBones, poses: numpy.typing.NDArray[numpy.float32], world: numpy.typing.NDArray[numpy.float64], settings: numpy.typing.NDArray[numpy.float64]) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+        """
+        Targets and poles for which the solution is the animated pose: ((c, 16), (c, 3)), as solve() takes them.
+        
+        The targets are rigid. A chain with numbers that are not finite gets the identity and no pole (NaN).
+        """
+    def rest(self, rest: numpy.typing.NDArray[numpy.float32], lengths: numpy.typing.NDArray[numpy.float32], inheritance: numpy.typing.NDArray[numpy.int32]) -> IkRest:
+        """
+        Reads the plan's bones at rest: an IkRest, valid until the armature is edited.
+        
+        rest: (b, 16) float32, Bone.matrix_local as foreach_get gives it.  lengths: (b,) float32.  inheritance: (b,) int32, the
+        number of Bone.inherit_scale (FULL 0, FIX_SHEAR 1, ALIGNED 2, AVERAGE 3, NONE 4, NONE_LEGACY 5), + 8 if it inherits
+        rotation, + 16 if its location is local.  Wrong shapes and types raise ValueError or TypeError that names the argument.
+        """
+    def solve(self, bones: IkBones, poses: numpy.typing.NDArray[numpy.float32], world: numpy.typing.NDArray[numpy.float64], settings: numpy.typing.NDArray[numpy.float64], targets: numpy.typing.NDArray[numpy.float64], poles: numpy.typing.NDArray[numpy.float64], limits: numpy.typing.NDArray[numpy.float64] | None = None, rotations: numpy.typing.NDArray[numpy.float64] | None = None, scales: numpy.typing.NDArray[numpy.float64] | None = None) -> typing.Any:
+        """
+        Turns the chains from their animated (FK) pose to their targets.
+        
+        bones: a result of bones().  poses: (b, 16) float32, PoseBone.matrix as foreach_get gives it; only the parents of chains are read.
+        All float64 from here on.  world: (16,) the rig's matrix_world, column by column.
+        settings: (c, len(SETTINGS)).  targets: (c, 16) world matrices, column by column.  poles: (c, 3) world, NaN for none.
+        limits: (chain bones, 6) rad, least x, y, z and greatest x, y, z of swing (x, z) and twist (y), or None.
+        rotations, scales: (rows, 4) w, x, y, z and (rows, 3) to write into; C-contiguous, apart in memory.
+        Settings: position_weight, rotation_weight, stretch 0 to 1; softness a fraction of the chain's length; pole_angle,
+        hinge_angle rad; bend < 0 away from the pole; tolerance a fraction of the length; use_limits, is_on 0 or not; left_out how many of
+        the chain's first bones stay as they are animated.
+        Returns (c, len(REPORT)): residual, distance, reach and tip in the world, of the solution with position_weight 1; angle left
+        between effector and target, rad; reason a code of Reason, or -1.
+        Numbers that are not finite are allowed: such a chain's rows are neutral and its reason is -1. Wrong shapes and types
+        raise ValueError or TypeError that names the argument.
+        """
     @property
-    def rows(self) -> tuple[int, ...]: ...  # bone of each result row
+    def absolute(self) -> tuple[bool, ...]:
+        """
+        Whether each row is rotation and scale in pose space; else they come on top of the bone's own.
+        """
     @property
-    def absolute(self) -> tuple[bool, ...]: ...  # rows in pose space
-    def rest(
-        self,
-        rest: NDArray[np.float32],  # (b, 16), column by column
-        lengths: NDArray[np.float32],  # (b,)
-        inheritance: NDArray[np.int32],  # (b,): mode of inherit_scale + 8 inherits rotation + 16 has local location
-    ) -> IkRest: ...
-    def bones(self, rest: IkRest, basis: NDArray[np.float32]) -> IkBones: ...  # basis: (b, 16), column by column
-    def solve(
-        self,
-        bones: IkBones,
-        poses: NDArray[np.float32],  # (b, 16), column by column
-        world: _Array,  # (16,), column by column
-        settings: _Array,  # (c, len(SETTINGS))
-        targets: _Array,  # (c, 16), world, column by column
-        poles: _Array,  # (c, 3), world; NaN: none
-        limits: _Array | None = None,  # (chain bones, 6), rad
-        rotations: _Array | None = None,  # (rows, 4), C-contiguous, written into
-        scales: _Array | None = None,  # (rows, 3), C-contiguous, written into
-    ) -> _Array: ...  # (c, len(REPORT))
-    def match(
-        self,
-        bones: IkBones,
-        poses: NDArray[np.float32],
-        world: _Array,
-        settings: _Array,
-    ) -> tuple[_Array, _Array]: ...  # targets (c, 16), poles (c, 3)
-
-# A bone's pose in armature space from its own transform, and back, by Blender's rules; (4, 4) in rows.
-def bone_to_pose(
-    rest: ArrayLike,
-    parent_rest: ArrayLike | None,  # None without a parent, as parent_pose
-    parent_pose: ArrayLike | None,
-    basis: ArrayLike,
-    inherit_scale: _Inherit = "FULL",
-    inherit_rotation: bool = True,
-    local_location: bool = True,
-) -> _Array: ...
-def pose_to_bone(
-    rest: ArrayLike,
-    parent_rest: ArrayLike | None,
-    parent_pose: ArrayLike | None,
-    pose: ArrayLike,
-    inherit_scale: _Inherit = "FULL",
-    inherit_rotation: bool = True,
-    local_location: bool = True,
-) -> _Array: ...
-
-class Lattice:
-    MAX_PULLS: int
-    """A grid of points that deforms what is in it; points are counted with u fastest, then v, then w."""
-
-    def __init__(
-        self,
-        origin: ArrayLike,  # (3,), the first point at rest
-        axes: ArrayLike,  # (3, 3), rows: from the first to the last point along u, v, w
-        resolution: Sequence[int],  # points along u, v, w, 1 to 64
-        basis: _Basis | Sequence[_Basis] = "bspline",
-    ) -> None: ...
-    @property
-    def resolution(self) -> tuple[int, int, int]: ...
-    @property
-    def point_count(self) -> int: ...
-    def rest_points(self) -> _Array: ...  # (n, 3)
-    def weights(self, places: ArrayLike) -> _Array: ...  # (m, 3) -> (m, n)
-    def deform(
-        self,
-        positions: ArrayLike,  # (m, 3)
-        displacements: ArrayLike,  # (n, 3), from rest
-        influence: ArrayLike | None = None,  # (m,)
-        point_weights: ArrayLike | None = None,  # (n,)
-        out: NDArray[np.float32] | None = None,  # (m, 3)
-    ) -> NDArray[np.float32]: ...
-    def pull(
-        self,
-        places: ArrayLike,  # (k, 3), before they are deformed
-        displacements: ArrayLike,  # (p, 3)
-        pulls: ArrayLike | None = None,  # (k,) index of the displacement; None: one each
-        shares: ArrayLike | None = None,  # (k,)
-        influence: ArrayLike | None = None,  # (k,)
-        point_weights: ArrayLike | None = None,  # (n,)
-        outside_only: bool = False,
-        max_gain: float = 32.0,
-    ) -> tuple[_Array, _Array]: ...  # displacements of the points (n, 3), what is left (p, 3)
-
-# (center (3,), axes (3, 3) in rows, size (3,)) of a box around points (m, 3).
-def box_around(
-    points: ArrayLike, axes: ArrayLike | None = None, turn: bool = False
-) -> tuple[_Array, _Array, _Array]: ...
-
-_Distance = Literal["straight", "surface", "edges"]
-_Falloff = Literal["classic", "smooth", "sphere", "root", "linear", "sharp", "constant", "gaussian", "curve"]
-_Floats = NDArray[np.float32]
-_Indices = NDArray[np.int32]
-_Reach = tuple[_Indices, _Floats]
-
-# All edges longer than longest_edge are halved: (positions (v, 3) float32, triangles (t, 3) int32).
-def refine(
-    positions: ArrayLike, triangles: ArrayLike, longest_edge: float, most_vertices: int = 4194304
-) -> tuple[NDArray[np.float32], NDArray[np.int32]]: ...
-
+    def rows(self) -> tuple[int, ...]:
+        """
+        Bone of each result row: all chain bones, chain by chain; effectors that are no chain bones; guards.
+        """
 class Picker:
-    """A mesh to pick from, as of the last refit."""
-
-    def __init__(
-        self,
-        positions: ArrayLike,  # (v, 3) float32
-        triangles: ArrayLike | None,  # (t, 3) int32
-        edges: ArrayLike | None = None,  # (e, 2) int32; None: all sides of triangles
-    ) -> None: ...
+    """
+    A mesh to pick from: a tree over its triangles and vertices, and the neighbours of each vertex.
+    
+    It keeps a copy of the positions: answers are for the shape of the last refit. Coincident or loose vertices, triangles
+    without area and edges of any number of triangles are allowed. Threads may use it at the same time.
+    """
+    def __init__(self, positions: numpy.typing.ArrayLike, triangles: numpy.typing.ArrayLike | None, edges: numpy.typing.ArrayLike | None = None) -> None:
+        """
+        positions: (v, 3) float32.  triangles: (t, 3) int32, or None.  edges: (e, 2) int32, the mesh's own, for distances counted
+        in edges: the diagonals of polygons are no edges. None: all sides of triangles are.
+        Other real numbers are converted, which takes time. Raises ValueError or TypeError that names the argument.
+        """
+    def nearest(self, point: numpy.typing.ArrayLike) -> typing.Any:
+        """
+        Index of the vertex nearest to the point (3,), the lowest if several are as near; None if there is no vertex.
+        """
+    def pick(self, origin: numpy.typing.ArrayLike, direction: numpy.typing.ArrayLike, metric: numpy.typing.ArrayLike | None = None, hidden: numpy.typing.ArrayLike | None = None, positions: numpy.typing.ArrayLike | None = None, slack: float | None = None) -> typing.Any:
+        """
+        The first hit of a ray, and the vertex that it picks: (triangle, point (3,), vertex), or None.
+        
+        The vertex is the one nearest to the point, by |metric (p - point)|, on the surface that was hit: of the triangle, and of
+        at most 256 triangles that are connected with it by edges and seen from the same side. If triangles are thin it may belong
+        to a neighbour, but never to the far side of a wall or to a different sheet.
+        metric: as in within().  hidden: (v,) bool, vertices that are left out; if all around are hidden, the triangle's nearest
+        corner is picked.  positions, slack: as in ray().
+        """
+    def ray(self, origin: numpy.typing.ArrayLike, direction: numpy.typing.ArrayLike, positions: numpy.typing.ArrayLike | None = None, slack: float | None = None) -> typing.Any:
+        """
+        The first hit of a ray: (triangle, point (3,), distance from the origin), or None. Triangles are hit from either side.
+        The direction may have any length; with length 0 there is no hit.
+        
+        positions: (v, 3) float32, a different shape of the mesh, which the ray meets instead. slack, needed with positions: the
+        most that a vertex has moved since the last refit; triangles of a vertex that moved further may be missed. For a few rays
+        this takes far less time than a refit, if the slack is small compared with the mesh.
+        """
+    def reach(self, root: int | numpy.typing.ArrayLike, radius: float, distance: typing.Literal['straight', 'surface', 'edges'] = 'straight', metric: numpy.typing.ArrayLike | None = None) -> tuple[numpy.typing.NDArray[numpy.int32], numpy.typing.NDArray[numpy.float32]]:
+        """
+        The vertices within a radius of a root: (indices (n,) int32, ascending, distances (n,) float32).
+        
+        root: index of a vertex; for 'straight' also a point (3,).  radius: >= 0; for 'edges' a number of edges.
+        distance: 'straight'; 'surface', along triangles and loose edges; 'edges', counted.  metric: as in within().
+        The result can be given to pull() as `reach`.
+        """
+    def reaches(self, root: int | numpy.typing.ArrayLike, radius: float, distance: typing.Literal['straight', 'surface', 'edges'] = 'straight', metric: numpy.typing.ArrayLike | None = None, mirror: str = '') -> list[tuple[numpy.typing.NDArray[numpy.int32], numpy.typing.NDArray[numpy.float32]]]:
+        """
+        The results of reach() for the root and each of its mirror images, as a list for pull()'s `reach` with `mirror`. The order
+        is: the root, mirrored in x, y, xy, z, xz, yz, xyz, of which those that do not apply are left out.
+        
+        mirror: letters of 'xyz'. The image of a vertex is the vertex nearest to its mirrored position.
+        """
+    def refit(self, positions: numpy.typing.ArrayLike, moved: numpy.typing.ArrayLike | None = None) -> None:
+        """
+        Adapts the tree to new positions (v, 3). moved: indices of the vertices that have moved since the last refit, which
+        takes less time than to look at all; None: any vertex may have moved.
+        """
+    def within(self, point: numpy.typing.ArrayLike, radius: float, metric: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.int32]:
+        """
+        Indices (n,) int32, ascending, of the vertices with |metric (p - point)| <= radius.
+        
+        metric: (3, 3) in rows, such as that of an object's world matrix; None: the identity.
+        """
     @property
-    def vertex_count(self) -> int: ...
+    def triangle_count(self) -> int:
+        """
+        int
+        """
     @property
-    def triangle_count(self) -> int: ...
-    # (triangle, point (3,), distance) of the first hit.
-    def ray(
-        self,
-        origin: ArrayLike,
-        direction: ArrayLike,
-        positions: ArrayLike | None = None,  # (v, 3), another shape of the mesh
-        slack: float | None = None,  # how far it is, at most, from that of the last refit
-    ) -> tuple[int, _Array, float] | None: ...
-    # (triangle, point (3,), vertex) of the first hit: the vertex nearest to it on the surface that is seen.
-    def pick(
-        self,
-        origin: ArrayLike,
-        direction: ArrayLike,
-        metric: ArrayLike | None = None,  # (3, 3)
-        hidden: ArrayLike | None = None,  # (v,) bool: never found where others are
-        positions: ArrayLike | None = None,  # as in ray()
-        slack: float | None = None,
-    ) -> tuple[int, _Array, int] | None: ...
-    def nearest(self, point: ArrayLike) -> int | None: ...  # index of a vertex
-    def within(self, point: ArrayLike, radius: float, metric: ArrayLike | None = None) -> _Indices: ...  # ascending
-    # (indices, distances) of the vertices within the radius.
-    def reach(
-        self,
-        root: int | ArrayLike,  # a vertex, or for "straight" a point (3,)
-        radius: float,  # for "edges" a number of edges
-        distance: _Distance = "straight",
-        metric: ArrayLike | None = None,  # (3, 3)
-    ) -> _Reach: ...
-    def reaches(  # one for each mirror image
-        self,
-        root: int | ArrayLike,
-        radius: float,
-        distance: _Distance = "straight",
-        metric: ArrayLike | None = None,
-        mirror: str = "",  # letters of "xyz"
-    ) -> list[_Reach]: ...
-    def refit(self, positions: ArrayLike, moved: ArrayLike | None = None) -> None: ...  # moved: indices
-
-# Positions (v, 3) float32 pulled at a vertex: new ones, or out.
-def pull(
-    positions: ArrayLike,
-    root: int | ArrayLike,  # a vertex, or for "straight" a point (3,)
-    displacement: ArrayLike,  # (3,)
-    radius: float,  # > 0
-    falloff: _Falloff = "smooth",
-    distance: _Distance = "straight",
-    triangles: ArrayLike | None = None,  # (t, 3) int32
-    weights: ArrayLike | None = None,  # (v,), in [0, 1]
-    scale_factor: float = 0.0,  # of "classic"
-    minimum: float | None = None,
-    maximum: float | None = None,
-    *,
-    curve: ArrayLike | None = None,  # samples over t from 0 to 1
-    clamp_axis: int = 2,  # of minimum and maximum
-    mirror: str = "",  # letters of "xyz"
-    metric: ArrayLike | None = None,  # (3, 3), distances are |metric (p - root)|
-    edges: ArrayLike | None = None,  # (e, 2) int32
-    picker: Picker | None = None,
-    out: _Floats | None = None,  # (v, 3), C-contiguous, written into; positions itself may be given
-    reach: _Reach | list[_Reach] | None = None,  # of Picker.reach, or with mirror of Picker.reaches
-    shape: ArrayLike | None = None,  # (v, 3), what distances are measured on
-    copy: _Floats | None = None,  # (v, 3), C-contiguous, filled with what out is
-) -> _Floats: ...
-
-# Forces at distances, a number or (n,).
-def pull_forces(
-    distances: ArrayLike,
-    radius: float,
-    falloff: _Falloff = "smooth",
-    scale_factor: float = 0.0,
-    curve: ArrayLike | None = None,
-) -> _Floats: ...
-
-# Keeps the calling thread's Python state, until the interpreter ends; for threads that Python has not started.
-def keep_thread_state() -> bool: ...
-
-# --- Noise ---------------------------------------------------------------------------------------------------------------
-
-# In [-1, 1]. seed: 0 to 2^32 - 1. A float for one place, else (m,).
-def noise1(x: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...
-def noise2(xy: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...  # (2,) or (m, 2)
-def noise3(xyz: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...  # (3,) or (m, 3)
-
-# --- Colour --------------------------------------------------------------------------------------------------------------
-
-# picture: (rows, columns, 4), scene-linear, taken in float32. color: (3,), a green or a blue.
-def screen_color(picture: ArrayLike) -> _Array | None: ...  # (3,)
-def screen_report(picture: ArrayLike, color: ArrayLike, balance: float = 0.0, gain: float = 1.0) -> dict[str, float]: ...
-def screen_matte(picture: ArrayLike, color: ArrayLike, balance: float = 0.0, gain: float = 1.0) -> _Array: ...  # (rows, columns)
-
-# --- Snow ----------------------------------------------------------------------------------------------------------------
-
+    def vertex_count(self) -> int:
+        """
+        int
+        """
+class Lattice:
+    """
+    A grid of points that deforms positions within it (free-form deformation).
+    
+    origin: (3,), the first point at rest.  axes: (3, 3), rows: from the first to the last point along u, v and w; independent.
+    resolution: points along u, v and w, 1 to 64.  basis: one name, or one each: 'bernstein' (Sederberg and Parry's, of the
+    degree resolution - 1), or Blender's 'linear', 'cardinal', 'catmull_rom', 'bspline'.
+    Points are counted with u fastest, then v, then w. Any space, any unit of length.
+    Raises ValueError or TypeError that names the argument, as its methods do.
+    """
+    MAX_PULLS: typing.ClassVar[int] = 1000
+    def __init__(self, origin: numpy.typing.ArrayLike, axes: numpy.typing.ArrayLike, resolution: typing.Sequence[int], basis: str | typing.Sequence[str] = 'bspline') -> None:
+        ...
+    def deform(self, positions: numpy.typing.ArrayLike, displacements: numpy.typing.ArrayLike, influence: numpy.typing.ArrayLike | None = None, point_weights: numpy.typing.ArrayLike | None = None, out: numpy.typing.NDArray[numpy.float32] | None = None) -> numpy.typing.NDArray[numpy.float32]:
+        """
+        Positions deformed by displacements of the points.
+        
+        positions: (m, 3).  displacements: (n, 3), from rest.  influence: (m,) factors of the change, strength times the weight of a
+        vertex group in Blender.  point_weights: (n,), Blender's vertex group of the lattice: fades the change once more by
+        influence times their blend.  out: a float32 array (m, 3) to write into, positions itself included.
+        Returns float32 (m, 3).
+        """
+    def pull(self, places: numpy.typing.ArrayLike, displacements: numpy.typing.ArrayLike, pulls: numpy.typing.ArrayLike | None = None, shares: numpy.typing.ArrayLike | None = None, influence: numpy.typing.ArrayLike | None = None, point_weights: numpy.typing.ArrayLike | None = None, outside_only: bool = False, max_gain: float = 32.0) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+        """
+        The smallest displacements of the points that move places as wanted, or as nearly as possible (least squares).
+        
+        places: (k, 3), before they are deformed.  displacements: (p, 3), wanted; 0 holds a place.  pulls: (k,) index of the
+        displacement that each place takes part in; None: one each.  shares: (k,) with pulls, such as the barycentric coordinates
+        of a point of a triangle; None: 1.  influence: (k,), point_weights: (n,), as of deform().
+        outside_only: points inside follow those of the outside, as with Blender's Outside.
+        MAX_PULLS displacements at most, if they move more points than that: the work grows with the cube of the smaller number.
+        max_gain: > 0; bounds the points' movement to this many times what the pulls would need at full influence by themselves.
+        Returns ((n, 3), (p, 3)): displacements to be added to those of the points, and the rest of the wanted displacements that is not reached.
+        """
+    def rest_points(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Positions of the points at rest: (n, 3).
+        """
+    def weights(self, places: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        How much each point moves places: (m, n), rows add up to 1.  places: (m, 3), before they are deformed.
+        """
+    @property
+    def point_count(self) -> int:
+        ...
+    @property
+    def resolution(self) -> tuple[int, int, int]:
+        ...
 class SnowCollider:
-    """Triangles that flakes land on. Immutable, for any number of Snows."""
-
-    vertex_count: int
-    triangle_count: int
-
-    def __init__(self, collider_positions: ArrayLike, collider_triangles: ArrayLike) -> None: ...  # (v, 3), (t, 3)
-
+    """
+    Triangles that flakes land on, from either side; they stand still. Immutable: made once, for any number of Snows. A million
+    triangles take some 70 MB, and 36 MB more where flakes slide.
+    
+    collider_positions (v, 3), world space.  collider_triangles (t, 3): indices of vertices.
+    Raises ValueError or TypeError that names the argument.
+    """
+    def __init__(self, collider_positions: numpy.typing.ArrayLike, collider_triangles: numpy.typing.ArrayLike) -> None:
+        ...
+    @property
+    def triangle_count(self) -> int:
+        """
+        How many triangles it has.
+        """
+    @property
+    def vertex_count(self) -> int:
+        """
+        How many vertices it has.
+        """
 class Snow:
-    """Flakes at any time, in any order of times, without a state. Immutable."""
-
-    def __init__(
-        self,
-        *,
-        start_speed: float = 5.0,
-        lifetime: float = 2.0,
-        start_size: float = 1.0,
-        start_color: tuple[ArrayLike, ArrayLike] | None = None,  # positions (k,), colours (k, 4); None: white
-        rate: float = 5.0,
-        delay: float = 0.0,
-        duration: float = 5.0,
-        looping: bool = True,
-        burst_times: ArrayLike | None = None,  # (b,)
-        burst_counts: ArrayLike | None = None,  # (b,)
-        shape: _EmitterShape = "square",
-        surface_positions: ArrayLike | None = None,  # (v, 3)
-        surface_triangles: ArrayLike | None = None,  # (t, 3)
-        frustum_angles: ArrayLike = (0.4, 0.25),  # (2,)
-        frustum_near: float = 0.1,
-        frustum_far: float = 20.0,
-        cone_angle: float = 0.0,
-        cone_radius: float = 1.0,
-        random_speed: bool = False,
-        random_orientation: bool = False,
-        random_lifetime: bool = False,
-        random_size: bool = False,
-        random_color: bool = False,
-        snow: bool = False,
-        max_angle: float = 1.3962634015954636,  # 80 degrees
-        snow_frequency: float = 1.0,
-        snow_offsets: bool = False,
-        gravity: bool = False,
-        acceleration: ArrayLike = (0.0, 0.0, -9.81),  # (3,)
-        drag: float = 0.0,
-        wind: ArrayLike = (0.0, 0.0, 0.0),  # (3,)
-        wind_times: ArrayLike | None = None,  # (w,)
-        wind_values: ArrayLike | None = None,  # (w, 3)
-        gusts: float = 0.0,
-        gust_frequency: float = 0.3,
-        turbulence: float = 0.0,
-        turbulence_size: float = 1.0,
-        tumble: float = 0.0,
-        ground: float | None = None,
-        collider: SnowCollider | None = None,
-        collision: _Collision = "stay",
-        rest_time: float | None = None,
-        melt_time: float = 1.0,
-        friction: float = 0.5,
-        seed: int = 0,
-        emitter_times: ArrayLike | None = None,  # (k,)
-        emitter_matrices: ArrayLike | None = None,  # (k, 4, 4)
-    ) -> None: ...
-    # float32 position (m, 3), velocity (m, 3), size (m,), color (m, 4), age (m,), rotation (m, 4), int64 id (m,).
-    def evaluate(
-        self,
-        time: float,
-        fields: Sequence[_FlakeField] | None = None,  # None: those in out, or all
-        # C-contiguous, m rows or more, written into; or a function of m that gives them
-        out: dict[str, NDArray] | Callable[[int], dict[str, NDArray]] | None = None,
-        known: bool = False,  # without those of which nobody has found yet where they land
-    ) -> dict[str, NDArray]: ...
-    # Of up to `most` blocks of 256 flakes; how many blocks remain.
-    def find_landings(self, time: float, most: int) -> int: ...
-    # By time: float64 time (n,), int64 id (n,), float32 position (n, 3), int64 triangle (n,), -1 for the ground.
-    def landings(self, end: float) -> dict[str, NDArray]: ...
-
+    """
+    Flakes at any time, in any order of times, without a state or a cache. Immutable. Metres, seconds, radians, world space.
+    
+    start_speed, start_size: of each flake.  lifetime: s, >= 0.  start_color: a gradient, a pair of positions (k,), rising, and
+    colours (k, 4); None is white. Flakes have its first colour.
+    rate: flakes a second, >= 0; flake i of a steady stream is born at delay + (i + 1) / rate.  delay, duration: s, >= 0; the
+    stream ends after `duration`, unless looping.  burst_times (s after the delay), burst_counts: (b,), flakes that come all at
+    once, numbered where they are born.
+    shape: 'square', 'disc', 'box', 'sphere', 'cone' in the emitter's space, of half width or radius cone_radius, >= 0; flakes
+    leave along its +Z, of a sphere away from the middle, of a cone leaning outwards, at the edge by cone_angle, [0, pi]; or
+    'surface': surface_positions (v, 3), surface_triangles (t, 3), evenly over their area, along their normals; or
+    'frustum': what a camera at the emitter's place sees that looks along its -Z, between frustum_near, >= 0, and frustum_far, m,
+    by frustum_angles (2,), half those in X and Y, [0, pi / 2); down along the world's -Z.
+    random_speed: start_speed +-1.  random_orientation: anywhere within cone_angle of where they would leave.  random_lifetime:
+    lifetime +-1 s, at least 0.  random_size: +-10 %.  random_color: anywhere on the gradient.
+    snow: as it flies, a flake turns by up to max_angle about the world's X and Y, as noise of its age says that changes about
+    snow_frequency times a second; snow_offsets: each flake has a time of its own in the noise.
+    gravity: adds acceleration (3,).  drag: 1/s, [0, 1000], with which a flake takes on the velocity of the air, wind (3,) m/s; with
+    wind_times (w,), s, rising, and wind_values (w, 3) it goes evenly from each of these to the next, and is held before and after.
+    It varies by the fraction `gusts`, >= 0, about gust_frequency times a second.  turbulence: m/s, root
+    mean square, of air in eddies of turbulence_size m that flakes are carried along by.  tumble: rad/s up to which they spin.
+    ground: height that flakes land on from above; None: they do not.  collider: a SnowCollider or None.  A flake lands once, on
+    what it meets first after birth, of a collider rather than the ground at the same height; a way between looks counts as
+    straight, which are 1/32 s apart, or lifetime / 4096 to twice that of lives over 128 s.  collision: 'stay', where it landed and
+    as it was turned; 'slide', straight down the triangle and those beyond its edges, of a collider, as acceleration pulls it
+    (with gravity or without) and friction, >= 0, slows it, until it stops, at a loose edge, or where two lead down to one edge;
+    'melt', smaller and smaller over melt_time, s, and then gone.  rest_time: s after which a landed flake is gone; None: when its
+    lifetime ends, as it does anyway. Where flakes land is found once and kept, for 18 million of all Snows at most (1 GB).
+    seed: 0 to 2^32 - 1; random numbers belong to flake and seed.
+    emitter_times (k,), rising, emitter_matrices (k, 4, 4): the emitter's poses; a flake is born at the pose of that moment.
+    Raises ValueError or TypeError that names the argument, also where more than 1e8 flakes would live at once.
+    """
+    def __init__(self, *, start_speed: float = 5.0, lifetime: float = 2.0, start_size: float = 1.0, start_color: tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None = None, rate: float = 5.0, delay: float = 0.0, duration: float = 5.0, looping: bool = True, burst_times: numpy.typing.ArrayLike | None = None, burst_counts: numpy.typing.ArrayLike | None = None, shape: typing.Literal['square', 'disc', 'box', 'sphere', 'cone', 'surface', 'frustum'] = 'square', surface_positions: numpy.typing.ArrayLike | None = None, surface_triangles: numpy.typing.ArrayLike | None = None, frustum_angles: numpy.typing.ArrayLike = (0.4, 0.25), frustum_near: float = 0.1, frustum_far: float = 20.0, cone_angle: float = 0.0, cone_radius: float = 1.0, random_speed: bool = False, random_orientation: bool = False, random_lifetime: bool = False, random_size: bool = False, random_color: bool = False, snow: bool = False, max_angle: float = 1.3962634015954636, snow_frequency: float = 1.0, snow_offsets: bool = False, gravity: bool = False, acceleration: numpy.typing.ArrayLike = (0.0, 0.0, -9.81), drag: float = 0.0, wind: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), wind_times: numpy.typing.ArrayLike | None = None, wind_values: numpy.typing.ArrayLike | None = None, gusts: float = 0.0, gust_frequency: float = 0.3, turbulence: float = 0.0, turbulence_size: float = 1.0, tumble: float = 0.0, ground: float | None = None, collider: SnowCollider | None = None, collision: typing.Literal['stay', 'slide', 'melt'] = 'stay', rest_time: float | None = None, melt_time: float = 1.0, friction: float = 0.5, seed: int = 0, emitter_times: numpy.typing.ArrayLike | None = None, emitter_matrices: numpy.typing.ArrayLike | None = None) -> None:
+        ...
+    def evaluate(self, time: float, fields: typing.Sequence[typing.Literal['position', 'velocity', 'size', 'color', 'age', 'rotation', 'id']] | None = None, out: dict[str, numpy.typing.NDArray[typing.Any]] | typing.Callable[[int], dict[str, numpy.typing.NDArray[typing.Any]]] | None = None, known: bool = False) -> dict[str, numpy.typing.NDArray[typing.Any]]:
+        """
+        The flakes that live at `time`, s, as a dict of arrays in the order of their numbers: float32 position (m, 3), velocity
+        (m, 3), size (m,), color (m, 4), age (m,), rotation (m, 4), which turns +Z to where the flake heads, and int64 id (m,).
+        
+        fields: names of those wanted; None: those in out, or all.
+        out: a dict of C-contiguous arrays of m rows or more, written into, or a function that is called with m and gives one; the
+        result has views of their first m rows.
+        known: leave out flakes of which nobody has found yet where they land; otherwise that is found now.
+        The same bits on every machine, for any number of threads. Raises ValueError or TypeError that names the argument.
+        """
+    def find_landings(self, time: float, most: int) -> int:
+        """
+        Finds where flakes land of up to `most` blocks of 256 of those that live at `time`, s: some 3 ms a block. Returns how many
+        blocks remain. evaluate() finds it for all.
+        """
+    def landings(self, end: float) -> dict[str, numpy.typing.NDArray[typing.Any]]:
+        """
+        Where flakes land until `end`, s, by time and then number, as a dict: float64 time (n,), int64 id (n,), float32 position
+        (n, 3), int64 triangle (n,) of the collider, -1 for the ground. Looks at all flakes born until then, some 10 us each.
+        
+        Raises ValueError that names the argument, also where more than 1e7 flakes are born until then.
+        """
 class SnowCover:
-    """How deep snow lies on each vertex of its collider, at any time, in any order of times. Immutable."""
-
-    vertex_count: int
-    areas: NDArray[np.float64]  # (v,)
-
-    def __init__(
-        self,
-        snow: Snow,
-        *,
-        end: float,
-        flake_volume: float = 1e-4,
-        repose: float = 0.9,
-        smoothing: int = 4,
-    ) -> None: ...
-    def heights(self, time: float, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]: ...  # (v,)
-    def volume(self, time: float) -> float: ...
-
+    """
+    How deep snow lies on each vertex of what its flakes land on, its collider, at any time, in any order of times. Immutable.
+    
+    snow: a Snow with a collider.  end: s; flakes that land later are left out.  flake_volume: m^3 of lying snow that a flake
+    stands for, > 0: the heights times the vertices' areas add up to that of the flakes that have landed, but for those that fell
+    from the collider.  repose: angle of slopes up to which all flakes lie where they land, [0, pi / 2); the steeper the more of
+    them slide down and fall from edges to what is below; all do where the slope's tangent is 1.5 times as large.  smoothing: 0 to
+    1000 rounds in which neighbouring vertices even out their heights, not with those that are under something or too steep.
+    Takes some 11 us and 200 bytes for each flake that is born until `end` (32 bytes once it is made).
+    Raises ValueError or TypeError that names the argument, also where more than 1e7 flakes are born until then.
+    """
+    def __init__(self, snow: Snow, *, end: float, flake_volume: float = 0.0001, repose: float = 0.9, smoothing: int = 4) -> None:
+        ...
+    def heights(self, time: float, out: numpy.typing.NDArray[numpy.float32] | None = None) -> numpy.ndarray:
+        """
+        (v,) float32: how deep snow lies on each vertex of the collider at `time`, s, in m across the surface.
+        
+        out: an array of that kind to write into, which is returned.
+        """
+    def volume(self, time: float) -> float:
+        """
+        m^3 that lie on the collider at `time`, s.
+        """
+    @property
+    def areas(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (v,) float64, m^2: a third of the triangles around each vertex.
+        """
+    @property
+    def vertex_count(self) -> int:
+        """
+        How many vertices the collider has.
+        """
 class SnowLayer:
-    """The mesh of snow that lies on triangles. Immutable."""
-
-    vertex_count: int
-
-    def __init__(
-        self, layer_positions: ArrayLike, layer_triangles: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0),
-        shelter: SnowCollider | None = None, repose: float | None = None,
-    ) -> None: ...
-    # float32 position (n, 3), depth (n,); int32 triangle (m, 3), edge (e, 2), side (m, 3).
-    def mesh(
-        self, depths: ArrayLike, thinnest: float = 0.0, steepest: float | None = None
-    ) -> dict[str, NDArray]: ...
-
-# --- Walker --------------------------------------------------------------------------------------------------------------
-
-def walker_gait(  # phases (n,), duty
-    gait: _Gait, rest: ArrayLike, forward: ArrayLike = (0.0, 1.0, 0.0), up: ArrayLike = (0.0, 0.0, 1.0),
-) -> tuple[_Array, float]: ...
-
+    """
+    The mesh of snow that lies on triangles, as far off each vertex as the snow there is deep. Immutable.
+    
+    layer_positions (v, 3); layer_triangles (t, 3): indices of vertices.  up (3,): away from what pulls snow down; the layer is
+    on that side.  shelter: None, or the SnowCollider of what snow cannot fall through: between a vertex with snow and a bare one
+    that is under something, or too steep by SnowCover's repose, the layer ends where the one or the other begins.
+    Raises ValueError or TypeError that names the argument.
+    """
+    def __init__(self, layer_positions: numpy.typing.ArrayLike, layer_triangles: numpy.typing.ArrayLike, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), shelter: SnowCollider = None, repose: float | None = None) -> None:
+        ...
+    def mesh(self, depths: numpy.typing.ArrayLike, thinnest: float = 0.0, steepest: float | None = None) -> dict[str, numpy.typing.NDArray[typing.Any]]:
+        """
+        The layer, as a dict: float32 position (n, 3) and depth (n,); int32 triangle (m, 3), edge (e, 2), which are all sides of the
+        triangles, each once, and side (m, 3), the edges that leave each triangle's corners.
+        
+        depths (v,), m, across the surface.  thinnest, >= 0, m: snow that is not deeper is left out: the layer is cut along the
+        line where it is that thin.  steepest, > 0: from vertex to vertex depths differ by no more than this fraction of the way between them; what
+        would be higher has fallen off. At loose edges walls close the layer.
+        Raises ValueError or TypeError that names the argument.
+        """
+    @property
+    def vertex_count(self) -> int:
+        """
+        How many vertices the triangles have.
+        """
 class WalkerGround:
-    """What feet stand on. Immutable."""
-
-    def __init__(
-        self, positions: ArrayLike | None = None, triangles: ArrayLike | None = None, plane: ArrayLike | None = None,
-    ) -> None: ...
+    """
+    The ground that feet stand on, on either side of its surfaces; it does not move. Immutable: made once, for any number of Walkers.
+    
+    positions (v, 3), world space, of which vertices that are not finite are never met.  triangles (t, 3): indices of vertices,
+    counter-clockwise seen from outside: feet stay below a roof, a face whose normal points down into air.
+    plane (2, 3): a point of an endless plane and its normal. All may be None.
+    Raises ValueError or TypeError that names the argument.
+    """
+    def __init__(self, positions: numpy.typing.ArrayLike | None = None, triangles: numpy.typing.ArrayLike | None = None, plane: numpy.typing.ArrayLike | None = None) -> None:
+        ...
+    def with_plane(self, plane: numpy.typing.ArrayLike | None) -> WalkerGround:
+        """
+        A ground that shares these triangles, with this plane (2, 3), or None, in place of its own.
+        """
     @property
-    def vertex_count(self) -> int: ...
+    def nbytes(self) -> int:
+        """
+        Of the memory that it takes, about.
+        """
     @property
-    def triangle_count(self) -> int: ...
+    def triangle_count(self) -> int:
+        """
+        How many triangles it has.
+        """
     @property
-    def nbytes(self) -> int: ...
-    def with_plane(self, plane: ArrayLike | None) -> WalkerGround: ...
-
+    def vertex_count(self) -> int:
+        """
+        How many vertices it has.
+        """
 class Walker:
-    """The steps of legs that walk where a body goes, for a whole shot. Immutable."""
-
-    def __init__(
-        self, times: ArrayLike, poses: ArrayLike, rest: ArrayLike, ground: WalkerGround | None = None, *, phases: ArrayLike,
-        duty: float = 0.5, stride: float = 0.5, cadence: float = 1.0, clearance: float = 0.1, reach_up: float = 0.5,
-        reach_down: float = 1.0, minimum_step: float = 0.0, up: ArrayLike = (0.0, 0.0, 1.0),
-        hips: ArrayLike | None = None, lengths: ArrayLike | None = None, bodies: ArrayLike | None = None, resets: Sequence[int] | None = None,
-        jump: float | None = None, frequency: float = 2.0, damping: float = 1.0, response: float = 0.0,
-        height: float = 1.0, tilt: float = 1.0,
-    ) -> None: ...
-    # times: s, a number or (m,).
-    def feet(self, times: ArrayLike) -> _Array: ...  # (n, 3) or (m, n, 3)
-    def normals(self, times: ArrayLike) -> _Array: ...  # the same
-    def swing(self, times: ArrayLike) -> _Array: ...  # (n,) or (m, n)
-    def body(self, times: ArrayLike) -> tuple[_Array, _Array]: ...  # (3,), (4,) or (m, 3), (m, 4)
-    def phase(self, times: ArrayLike) -> float | _Array: ...
+    """
+    The steps of legs that walk under a moving body, planned for a whole shot; any time afterwards is a look-up. Immutable.
+    Metres, seconds, radians, world space; rest, hips and up are in the body's space.
+    
+    times (k,), s, strictly rising, 1 to 100,000; poses (k, 4, 4): the body's matrices, of any scale, also mirrored.
+    Between samples the body moves evenly; before the first sample it moves at its first velocity, or rests if that is slow;
+    after the last sample it rests. Sample once a frame.
+    rest (n, 3), 1 to 256 legs: where each foot stands when the body rests.  ground: a WalkerGround; None: feet stand on these
+    rest places.
+    phases (n,), duty, [0.05, 0.95]: as from walker_gait(): leg i swings while frac(phase + phases[i]) < 1 - duty.
+    stride, [1e-6, 1e6]: the most that the body moves while a foot stands.  cadence, cycles/s, [0.001, 1000]: the slowest; the
+    cadence in use is max(cadence, duty * speed / stride) with the speed of the leg whose rest place moves fastest across `up`.
+    A foothold is the ground under the foot's rest place, along `up`, at the middle of its stand; so a foot is never further than
+    half a stride from its rest place. Steps of no length are left out: feet of a body at rest end on their rest places and stay.
+    clearance: height of a foot half-way through its swing above the ground under it, less in steps below a quarter of the stride.
+    reach_up, reach_down: height and depth about a rest place within which ground is searched.  minimum_step: shorter steps are
+    left out; all of these >= 0.  up: not zero.
+    hips (n, 3), lengths (n,), >= 0, in the world, of whole legs; both or None: footholds out of reach are replaced by places nearer
+    to the hip.  bodies (k, 4, 4) or None: how the body's own animation moves the hips in the body's space at the samples, before the
+    body follows its feet.  resets: rising indices of samples to which the body jumps, at which the plan begins anew, as
+    it does if a rest place moves further than `jump`, > 0, from one sample to the next; None: 4 strides.
+    frequency, damping, response: the SecondOrder of the body's height and tilt, which follow the plane of its feet; height,
+    tilt, [0, 1]: share of each that the body follows.
+    Raises ValueError or TypeError that names the argument, also if more than 1,000,000 steps would be planned.
+    """
+    def __init__(self, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, rest: numpy.typing.ArrayLike, ground: WalkerGround | None = None, *, phases: numpy.typing.ArrayLike, duty: float = 0.5, stride: float = 0.5, cadence: float = 1.0, clearance: float = 0.1, reach_up: float = 0.5, reach_down: float = 1.0, minimum_step: float = 0.0, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), hips: numpy.typing.ArrayLike | None = None, lengths: numpy.typing.ArrayLike | None = None, bodies: numpy.typing.ArrayLike | None = None, resets: typing.Sequence[int] | None = None, jump: float | None = None, frequency: float = 2.0, damping: float = 1.0, response: float = 0.0, height: float = 1.0, tilt: float = 1.0) -> None:
+        ...
+    def body(self, times: numpy.typing.ArrayLike) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+        """
+        How the body follows its feet at times: (offsets (3,) or (m, 3), rotations (4,) or (m, 4)), w, x, y, z. In the world it is
+        turned about its own origin, then moved.
+        """
+    def feet(self, times: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Positions of the feet at times, s, a number or (m,): (n, 3) or (m, n, 3). While a foot stands its position has the same bits.
+        """
+    def normals(self, times: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Unit normals of the ground under the feet, (n, 3) or (m, n, 3); during a swing they turn from one foothold's normal to the next.
+        """
+    def phase(self, times: numpy.typing.ArrayLike) -> typing.Any:
+        """
+        Cycles since the first sample or the last jump, at times: a float or (m,).
+        """
+    def swing(self, times: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Fraction of the swing of each foot, 0 to 1, and 0 while it stands: (n,) or (m, n).
+        """
     @property
-    def leg_count(self) -> int: ...
+    def leg_count(self) -> int:
+        """
+        How many legs there are.
+        """
     @property
-    def steps(self) -> dict[str, NDArray]: ...  # leg int32; lift, touch; start, end, apex (s, 3)
+    def nbytes(self) -> int:
+        """
+        Of the memory that it takes.
+        """
     @property
-    def problems(self) -> list[tuple[int, float, float, str]]: ...  # leg, first, last, reason
+    def problems(self) -> list[tuple[int, float, float, str]]:
+        """
+        Problems with footholds, by leg, then time: tuples (leg, first, last, reason), s, with the reasons 'no_ground', where the
+        foot stands on its rest place, 'out_of_reach' of the hip, and 'no_length' of a leg.
+        """
     @property
-    def settled(self) -> float: ...
+    def settled(self) -> float:
+        """
+        When the last foot has come to rest, s.
+        """
     @property
-    def nbytes(self) -> int: ...
-
-# --- Stereo --------------------------------------------------------------------------------------------------------------
-
-# Parallax: a fraction of the image's width, positive behind the screen. A number or (m,) gives a float or (m,).
-def parallax(
-    depth: ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float,
-    mode: _StereoMode = "off_axis",
-) -> float | _Array: ...
-def solve_depth_budget(  # (interaxial, convergence)
-    near: float, far: float, near_parallax: float, far_parallax: float, focal_length: float, sensor_width: float,
-) -> tuple[float, float]: ...
-def depth_budget(  # (near, far)
-    near_parallax: float, far_parallax: float, interaxial: float, focal_length: float, sensor_width: float,
-    convergence: float, mode: _StereoMode = "off_axis",
-) -> tuple[float, float]: ...
-def stereo_points(  # (m, 2, 2) of (m, 3): left and right eye, x and y
-    points: ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float,
-    mode: _StereoMode = "off_axis",
-) -> _Array: ...
-def vertical_parallax(
-    depth: float, aspect: float, interaxial: float, focal_length: float, sensor_width: float, convergence: float,
-    mode: _StereoMode = "toe_in",
-) -> float: ...
-def seen_distance(
-    parallax: ArrayLike, width: float, viewing_distance: float, eye_separation: float = 0.065,
-) -> float | _Array: ...
-def divergence_limit(width: float, eye_separation: float = 0.065) -> float: ...
-def comfortable_parallax(  # (near, far), magnitudes
-    width: float, viewing_distance: float, eye_separation: float = 0.065, angle: float = 0.017453292519943295,
-) -> tuple[float, float]: ...
-def roundness(
-    depth: ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float, width: float,
-    viewing_distance: float, eye_separation: float = 0.065, mode: _StereoMode = "off_axis",
-) -> float | _Array: ...
-def depth_range(depths: ArrayLike, low: float = 0.01, high: float = 0.99) -> tuple[float, float] | None: ...
-def window_violations(  # (left, right), magnitudes
-    x: ArrayLike, depths: ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float,
-    tolerance: float = 0.0, mode: _StereoMode = "off_axis",
-) -> tuple[float, float]: ...
-def smooth_ahead(values: ArrayLike, ahead: int, side: Literal["either", "below", "above"] = "either") -> _Array: ...
-
-# --- Dynamics -----------------------------------------------------------------------------------------------------------
-
-# times: a number or (m,), s. Results (2,) or (m, 2): angle, angular velocity.
-def single_pendulum(
-    times: ArrayLike, theta: float, omega: float = 0.0, length: float = 1.0, gravity: float = 9.81, damping: float = 0.0,
-    pivot_step: float = 0.0, pivot_accelerations: ArrayLike | None = None,
-) -> _Array: ...
-def pendulum_angle(
-    time: float, theta: float, omega: float = 0.0, length: float = 1.0, gravity: float = 9.81, damping: float = 0.0,
-) -> float: ...
-def pendulum_period(theta: float, omega: float = 0.0, length: float = 1.0, gravity: float = 9.81) -> float: ...
-def pivot_accelerations(step: float, positions: ArrayLike) -> _Array: ...  # (k, 2) of (k, 2)
-
-# Results (4,) or (m, 4): theta1, theta2, omega1, omega2.
-def double_pendulum(
-    times: ArrayLike, theta1: float, theta2: float, omega1: float = 0.0, omega2: float = 0.0, mass1: float = 1.0,
-    mass2: float = 1.0, length1: float = 1.0, length2: float = 1.0, gravity: float = 9.81, damping: float = 0.0,
-    most_acceleration: float | None = None, most_velocity: float | None = None, pivot_step: float = 0.0,
-    pivot_accelerations: ArrayLike | None = None,
-) -> _Array: ...
-def double_pendulum_value(  # which: 0 to 3, a column of double_pendulum()
-    time: float, which: int, theta1: float, theta2: float, omega1: float = 0.0, omega2: float = 0.0, mass1: float = 1.0,
-    mass2: float = 1.0, length1: float = 1.0, length2: float = 1.0, gravity: float = 9.81, damping: float = 0.0,
-) -> float: ...
-def double_pendulums(  # starts (n, 4) -> (n, 4)
-    time: float, starts: ArrayLike, mass1: float = 1.0, mass2: float = 1.0, length1: float = 1.0, length2: float = 1.0,
-    gravity: float = 9.81, damping: float = 0.0, most_acceleration: float | None = None,
-    most_velocity: float | None = None, pivot_step: float = 0.0, pivot_accelerations: ArrayLike | None = None,
-) -> _Array: ...
-def double_pendulum_longest_time(
-    theta1: float, theta2: float, omega1: float = 0.0, omega2: float = 0.0, mass1: float = 1.0, mass2: float = 1.0,
-    length1: float = 1.0, length2: float = 1.0, gravity: float = 9.81,
-) -> float: ...
-
+    def steps(self) -> dict[str, numpy.typing.NDArray[typing.Any]]:
+        """
+        All steps by leg, then time, as a dict of arrays: leg (s,) int32; lift, touch (s,), s; start, end (s, 3); apex (s, 3), where the
+        foot is half-way. If lift equals touch the foot is put there at once: at the first sample and at jumps.
+        """
 class SecondOrder:
-    """How an output follows an input: y + k1 y' + k2 y'' = x + k3 x'. Immutable."""
-
-    def __init__(self, frequency: float, damping: float, response: float) -> None: ...
+    """
+    How an output y follows an input x: y + k1 y' + k2 y'' = x + k3 x'. Immutable; times in seconds.
+    
+    frequency f: Hz, > 0.  damping zeta: >= 0; 0 rings for ever, 1 is critical.  response r: 0 starts slowly, up to 1 responds
+    at once, above 1 overshoots, below 0 anticipates.  k1 = zeta / (pi f), k2 = 1 / (2 pi f)^2, k3 = r zeta / (2 pi f).
+    Raises ValueError if a value is not finite or outside its domain.
+    """
     @staticmethod
-    def from_coefficients(k1: float, k2: float, k3: float) -> SecondOrder: ...
+    def from_coefficients(k1: float, k2: float, k3: float) -> SecondOrder:
+        """
+        The filter with these coefficients: k1 >= 0 in s, k2 > 0 in s^2, any k3 in s.
+        """
     @staticmethod
-    def from_mass_spring(mass: float, stiffness: float, resistance: float) -> SecondOrder: ...
+    def from_mass_spring(mass: float, stiffness: float, resistance: float) -> SecondOrder:
+        """
+        A mass (kg, > 0) on a spring (N/m, > 0) and a damper (N s/m, >= 0): y + (b/k) y' + (m/k) y'' = x + (b/k) x'.
+        """
     @staticmethod
-    def from_overshoot(
-        overshoot: float, settling: float, response: float = 0.0, tolerance: float = 0.02,
-    ) -> SecondOrder: ...
+    def from_overshoot(overshoot: float, settling: float, response: float = 0.0, tolerance: float = 0.02) -> SecondOrder:
+        """
+        The filter whose step response overshoots by a fraction of the step (between 0 and 1) and stays within `tolerance` of its
+        end after `settling` seconds (> 0). Raises ValueError too if no damping gives that overshoot with this response.
+        """
+    def __init__(self, frequency: float, damping: float, response: float) -> None:
+        ...
+    def settling_time(self, tolerance: float = 0.02) -> float:
+        """
+        Last time, s, at which the step response is further than `tolerance` (> 0) from its final value; infinity without damping.
+        """
     @property
-    def frequency(self) -> float: ...
+    def coefficients(self) -> tuple[float, float, float]:
+        ...
     @property
-    def damping(self) -> float: ...
+    def damping(self) -> float:
+        ...
     @property
-    def response(self) -> float: ...
+    def frequency(self) -> float:
+        ...
     @property
-    def coefficients(self) -> tuple[float, float, float]: ...  # k1, k2, k3
+    def overshoot(self) -> float:
+        ...
     @property
-    def overshoot(self) -> float: ...  # of the step response, a fraction of the step
-    def settling_time(self, tolerance: float = 0.02) -> float: ...
-
-def step_response(times: ArrayLike, frequency: float, damping: float, response: float) -> float | _Array: ...
-def second_order(  # of the shape of inputs: (m,) or (m, d)
-    times: ArrayLike, inputs: ArrayLike, frequency: float, damping: float, response: float,
-) -> _Array: ...
-
+    def response(self) -> float:
+        ...
 class Track:
-    """The output of a SecondOrder at any time. Immutable."""
-
-    def __init__(
-        self, filter: SecondOrder, times: ArrayLike, inputs: ArrayLike, resets: Sequence[int] | None = None,
-        loop: bool = False,
-    ) -> None: ...
-    def evaluate(self, times: ArrayLike) -> _Array: ...
-    def value(self, time: float) -> float: ...
-    def offsets(self, times: ArrayLike) -> _Array: ...
+    """
+    An output at any time, in any order, of a SecondOrder and an input over time. Immutable.
+    
+    times: (m,), s, strictly rising.  inputs: (m,) or (m, d), linear between samples.  resets: rising indices of samples to
+    which the input jumps: until then it keeps its value, and at the jump the output starts anew.  loop: the samples are one
+    cycle, whose last sample is the first of the next cycle; the output closes without a seam, and each cycle is offset by the
+    difference between the last sample and the first.  Raises ValueError if shapes differ, times do not rise, a value is not finite, a loop has resets,
+    or its length is a whole number of periods without damping.
+    """
+    def __init__(self, filter: SecondOrder, times: numpy.typing.ArrayLike, inputs: numpy.typing.ArrayLike, resets: typing.Sequence[int] | None = None, loop: bool = False) -> None:
+        ...
+    def evaluate(self, times: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Outputs at times, s, a number or (m,): of the shape of the times, followed by the inputs' d if they have one.
+        """
+    def offsets(self, times: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Outputs less inputs at times, in the shape of evaluate(): exactly 0 if the input has never moved.
+        """
+    def value(self, time: typing.SupportsFloat | typing.SupportsIndex) -> float:
+        """
+        The output of inputs (m,) at one time, s, as a float, without the cost of arrays.
+        """
     @property
-    def nbytes(self) -> int: ...
-
+    def nbytes(self) -> int:
+        """
+        Of the memory that it takes.
+        """
 class RotationTrack:
-    """The same for rotations, (m, 4). Immutable."""
-
-    def __init__(
-        self, filter: SecondOrder, times: ArrayLike, inputs: ArrayLike, resets: Sequence[int] | None = None,
-        loop: bool = False,
-    ) -> None: ...
-    def evaluate(self, times: ArrayLike) -> _Array: ...
-    def offsets(self, times: ArrayLike) -> _Array: ...
+    """
+    A Track of rotations: inputs (m, 4), unit quaternions w, x, y, z, each taken by the shorter way from the one before. The
+    output is the input turned by a rotation vector that is filtered in its tangent space: about one fixed axis this is the filter
+    of the angle. With `loop` the last input has to equal the first.
+    """
+    def __init__(self, filter: SecondOrder, times: numpy.typing.ArrayLike, inputs: numpy.typing.ArrayLike, resets: typing.Sequence[int] | None = None, loop: bool = False) -> None:
+        ...
+    def evaluate(self, times: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Rotations at times, s, a number or (m,): (4,) or (m, 4).
+        """
+    def offsets(self, times: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Turns from the inputs to the outputs at times, in the inputs' own frames, in the shape of evaluate(): exactly the identity if the
+        input has never moved.
+        """
     @property
-    def nbytes(self) -> int: ...
+    def nbytes(self) -> int:
+        """
+        Of the memory that it takes.
+        """
+def bone_to_pose(rest: numpy.typing.ArrayLike, parent_rest: numpy.typing.ArrayLike | None, parent_pose: numpy.typing.ArrayLike | None, basis: numpy.typing.ArrayLike, inherit_scale: typing.Literal['FULL', 'FIX_SHEAR', 'ALIGNED', 'AVERAGE', 'NONE', 'NONE_LEGACY'] = 'FULL', inherit_rotation: bool = True, local_location: bool = True) -> typing.Any:
+    """
+    A bone's pose in armature space, as Blender makes it from the bone's own transform (Bone.convert_local_to_pose).
+    
+    rest, basis, parent_rest, parent_pose: (4, 4) in rows; the last two None without a parent.
+    inherit_scale: 'FULL', 'FIX_SHEAR', 'ALIGNED', 'AVERAGE', 'NONE' or 'NONE_LEGACY'.  Returns (4, 4).
+    """
+def box_around(points: numpy.typing.ArrayLike, axes: numpy.typing.ArrayLike | None = None, turn: bool = False) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+    """
+    A box around points.
+    
+    points: (m, 3).  axes: (3, 3), rows are its axes, at right angles and of length 1; None: x, y, z.  turn: look for a smaller
+    box of a different orientation, its axes ordered and signed to be near the given ones.
+    Returns (center (3,), axes (3, 3) in rows, size (3,)); all 0 but the axes if there are no points.
+    Raises ValueError or TypeError that names the argument.
+    """
+def comfortable_parallax(width: float, viewing_distance: float, eye_separation: float = 0.065, angle: float = 0.017453292519943295) -> tuple[float, float]:
+    """
+    Parallax that differs from the screen's own vergence by an angle (rad, 0 to 1.5), not beyond divergence.
+    
+    Returns (near_parallax, far_parallax), magnitudes, fractions of the screen's width.
+    """
+def depth_budget(near_parallax: float, far_parallax: float, interaxial: float, focal_length: float, sensor_width: float, convergence: float, mode: typing.Literal['off_axis', 'parallel', 'toe_in'] = 'off_axis') -> tuple[float, float]:
+    """
+    The inverse of solve_depth_budget(): the depths between which parallax stays within two magnitudes >= 0; other arguments as
+    for parallax().
+    Returns (near, far); far is math.inf if no depth is too far.
+    """
+def depth_range(depths: numpy.typing.ArrayLike, low: float = 0.01, high: float = 0.99) -> typing.Any:
+    """
+    Near and far depth of a scene: the depths below which the fractions low and high (0 to 1, low < high) of the samples lie.
+    
+    depths: (m,); depths not above 0 do not count.  Returns (near, far), or None without samples.
+    """
+def divergence_limit(width: float, eye_separation: float = 0.065) -> float:
+    """
+    Parallax, a fraction of a screen's width (m, > 0), above which the eyes would have to turn apart.
+    """
+def double_pendulum(times: numpy.typing.ArrayLike, theta1: float, theta2: float, omega1: float = 0.0, omega2: float = 0.0, mass1: float = 1.0, mass2: float = 1.0, length1: float = 1.0, length2: float = 1.0, gravity: float = 9.81, damping: float = 0.0, most_acceleration: float | None = None, most_velocity: float | None = None, pivot_step: float = 0.0, pivot_accelerations: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    theta1, theta2 (rad from the downward vertical, with all turns), omega1, omega2 (rad/s) of a double pendulum at times.
+    
+    times: s, a number or (m,), of any sign and order; each row depends on its own time alone.  theta1, theta2, omega1, omega2:
+    the state at time 0.  mass1, length1: of the upper bob and rod, kg and m, > 0.  gravity: m/s^2, >= 0.  damping: 1/s, >= 0,
+    taken as damping * omega from both angular accelerations.  most_acceleration, most_velocity: None, or limits (> 0) on the
+    sizes of angular accelerations and velocities, which no real pendulum has.  pivot_step, pivot_accelerations: see
+    single_pendulum().
+    Returns (4,) or (m, 4). By Gauss's method of order 16; the energy stays within some 1e-11 of its range. The same bits on
+    every machine.  Raises ValueError if a value is not finite or outside its domain, and for times beyond
+    double_pendulum_longest_time().
+    """
+def double_pendulum_longest_time(theta1: float, theta2: float, omega1: float = 0.0, omega2: float = 0.0, mass1: float = 1.0, mass2: float = 1.0, length1: float = 1.0, length2: float = 1.0, gravity: float = 9.81) -> float:
+    """
+    Farthest time, s, before or after 0, for which double_pendulum() gives the state.  Arguments and errors as there.
+    """
+def double_pendulum_value(time: typing.SupportsFloat | typing.SupportsIndex, which: typing.SupportsInt | typing.SupportsIndex, theta1: typing.SupportsFloat | typing.SupportsIndex, theta2: typing.SupportsFloat | typing.SupportsIndex, omega1: typing.SupportsFloat | typing.SupportsIndex = 0.0, omega2: typing.SupportsFloat | typing.SupportsIndex = 0.0, mass1: typing.SupportsFloat | typing.SupportsIndex = 1.0, mass2: typing.SupportsFloat | typing.SupportsIndex = 1.0, length1: typing.SupportsFloat | typing.SupportsIndex = 1.0, length2: typing.SupportsFloat | typing.SupportsIndex = 1.0, gravity: typing.SupportsFloat | typing.SupportsIndex = 9.81, damping: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> float:
+    """
+    The number that double_pendulum() gives for one time in its column `which` (0 to 3), as a float, without the cost of arrays.
+    Arguments and errors as for double_pendulum(); ValueError for another `which`.
+    """
+def double_pendulums(time: float, starts: numpy.typing.ArrayLike, mass1: float = 1.0, mass2: float = 1.0, length1: float = 1.0, length2: float = 1.0, gravity: float = 9.81, damping: float = 0.0, most_acceleration: float | None = None, most_velocity: float | None = None, pivot_step: float = 0.0, pivot_accelerations: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    States (n, 4) of many equal double pendulums at one time, s, from states `starts` (n, 4) at time 0. The same numbers as
+    double_pendulum() gives one by one, in less time.  Other arguments and errors as for double_pendulum(); also ValueError
+    if the time is so far, or the starts are so many, that their cached states would need more than 448 MB.
+    """
+def ease(u: numpy.typing.ArrayLike, ease_in: float, ease_out: float) -> typing.Any:
+    """
+    Fraction of the path at the fraction u of the time: constant acceleration, constant speed, constant deceleration.
+    
+    u: a number or (m,), clamped to [0, 1].  ease_in, ease_out: fractions of the time, each in [0, 1], their sum <= 1.
+    Returns a float or (m,); 0 at u = 0, 1 at u = 1, with a continuous derivative if ease_in and ease_out are above 0.
+    Raises ValueError if a value is not finite or outside its domain.
+    """
+def ease_derivative(u: numpy.typing.ArrayLike, ease_in: float, ease_out: float) -> typing.Any:
+    """
+    Derivative of ease() with respect to u: a float or (m,); 0 outside [0, 1].  Arguments and errors as ease().
+    """
+def euler_xyz(rotations: numpy.typing.ArrayLike, out: numpy.typing.NDArray[numpy.float64] | None = None) -> typing.Any:
+    """
+    Euler angles of quaternions in Blender's order XYZ, as mathutils' Quaternion.to_euler('XYZ') gives them.
+    
+    rotations: (m, 4) or (4,), w, x, y, z, of any length but 0.  out: a C-contiguous float64 array (m, 3) or (3,) to write
+    into.  Returns (m, 3) or (3,), rad.  Raises ValueError or TypeError that names the argument.
+    """
+def follow(curve: Curve, timing: Timing, time: float, offsets: numpy.typing.ArrayLike, mode: typing.Literal['world_up', 'minimal', 'banking', 'curvature', 'tilt'], extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp', forward: typing.Literal['X', 'Y', 'Z', '-X', '-Y', '-Z'] = 'Y', up: typing.Literal['X', 'Y', 'Z', '-X', '-Y', '-Z'] = 'Z', rotate: bool = True, lag_rate: float = 0.0, lag_by: str = 'acceleration', locations: numpy.typing.NDArray[numpy.float64] | None = None, rotations: numpy.typing.NDArray[numpy.float64] | None = None, line_up: bool = False, **kwargs) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+    """
+    Poses of followers on a curve at one time. A function of its arguments alone: times may come in any order.
+    
+    timing: a Timing.  time: s.  offsets: a number or (n,), how far each follower is ahead (+) or behind (-) along the curve.
+    mode and its options: as in frames(), without speed, which the timing gives.
+    extend: the path beyond its ends: 'clamp'; 'extrapolate' straight on along the tangent with the end's frame; 'loop';
+    'ping_pong'.  forward, up: the follower's own axes that go along the curve and up: 'X', '-X', 'Y', '-Y', 'Z', '-Z', across
+    each other.  rotate: False leaves every rotation the identity.
+    lag_rate: > 0 lets the orientation trail its target at lag_rate times the bend of the curve per second, from time 0 on
+    and with LAG_MEMORY = 120 s of memory, in at most 2300 steps: 1/120 s each for the last 10 s, and up to 1/300 of their age before. The
+    error is 1e-4 rad; 0.01 rad after a jump of the target, 0.3 rad if the target ran more than half a turn ahead.  lag_by: the bend is |C''(t)| ('acceleration') or the curvature ('curvature').
+    line_up: the first follower stops at the ends, and the others keep their distance from it; with extend='extrapolate' they
+    stand in line before the start.
+    locations, rotations: C-contiguous float64 arrays (n, 3) and (n, 4) to write into, which share no memory with each other
+    or offsets; new ones if None.
+    Returns (locations, rotations): (n, 3) and (n, 4) quaternions w, x, y, z.
+    Raises ValueError or TypeError that names the argument.
+    """
+def frames(curve: Curve, lengths: numpy.typing.ArrayLike, mode: typing.Literal['world_up', 'minimal', 'banking', 'curvature', 'tilt'], extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp', **kwargs) -> typing.Any:
+    """
+    Orientations at distances along a curve: quaternions w, x, y, z that turn +Y to the tangent and +Z to up.
+    
+    lengths: a number or (m,), unit of the curve.  extend: the meaning of a length outside [0, length]: 'clamp', 'extrapolate'
+    (both: the end's frame), 'loop', 'ping_pong'.
+    mode, and the options that only this mode reads:
+    'world_up'   the world's Z across the tangent; through places where the tangent nears the vertical (11.5 degrees) it
+                 goes on smoothly, without a flip.
+    'minimal'    rotation-minimising from world up at the start (double reflection: Wang et al. 2008); without a seam on
+                 cyclic curves.
+    'banking'    up along g z + k a, a = speed^2 * curvature towards the centre of the bend.  speed: a number or (m,), unit
+                 of length / s (1).  strength: k (1).  gravity: g > 0 (9.81).  limit: largest roll away from world up, rad,
+                 >= 0, pi and more: none (3.2).  smoothing: width along the curve of the zero-lag filter of the curvature,
+                 >= 0 (0).
+    'curvature'  up towards the centre of the bend, carried on through inflexions without a flip.  outward: bool (False).
+                 smoothing: as above.
+    'tilt'       'world_up' turned about the tangent by tilt: (k,) rad, one per point of the curve, linear in t between.
+    Returns (m, 4), or (4,) for a number. Continuous along the curve wherever its tangent is; the identity on a curve of zero
+    length.  Raises TypeError for an option that the mode does not read, ValueError for values outside these domains.
+    """
+def keep_thread_state() -> bool:
+    """
+    Keeps the calling thread's Python state, until the interpreter ends.
+    
+    Otherwise a thread that Python has not started gets a new state for each call into Python, without cached memory: for a
+    short function this costs some 100 us a call. A second call does nothing. A thread that ends leaves its state behind, so
+    states of at most 64 threads are kept.
+    Returns whether the thread's state is kept.
+    """
+def layer_mask(parents: numpy.typing.ArrayLike, chosen: numpy.typing.ArrayLike, feather: int = 0) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    Weights of a mask with a soft border: (B,).
+    
+    parents: (B,), index of each bone's parent, -1 for none.  chosen: (B,), in [0, 1]; 0 is outside.  feather: over how many
+    bones from the border on, >= 0, the weight rises: at the first one it is chosen / (feather + 1).
+    Raises ValueError or TypeError that names the argument.
+    """
+def layer_moments(settings: numpy.typing.NDArray[numpy.float64], frame: float) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    When layers play what: (L, 2), frame of the action and weight, at a frame of the scene.
+    
+    settings: (L, 10), see LayerStack.SETTINGS.  Raises ValueError or TypeError that names the argument.
+    """
+def look_at(forward: numpy.typing.ArrayLike, targets: numpy.typing.ArrayLike, chest: numpy.typing.ArrayLike | None = None, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), weight: float = 1.0, body_weight: float = 0.3, head_weight: float = 1.0, eyes_weight: float = 0.0, clamp: float = 0.5, body_limit: float = 3.141592653589793, head_limit: float = 3.141592653589793, eyes_limit: float = 3.141592653589793) -> LookAtTurns:
+    """
+    How body, head and eyes share the turn of a gaze to a target far away.
+    
+    forward: (3,), direction in which the head looks before the turn.  targets: (m, 3) or (3,), directions to look in.  chest: (3,), direction of the
+    chest; forward if None.  up: (3,), the chest's up; its part across chest counts.  All in one space, of any length but 0.
+    weight: of the whole turn.  body_weight: share of the turn.  head_weight: share of what the body leaves.  eyes_weight:
+    share of what the head leaves.  clamp: 0 free, 0.5 90 degrees to each side, 1 no turn.  All in [0, 1].
+    body_limit, head_limit, eyes_limit: greatest turn of the gaze by each, rad, >= 0; from pi on none.
+    A turn adds no roll if both gazes lie within 37 degrees of the horizon (and, unless clamp is 0 and head_limit pi, within
+    73 degrees of chest).  With a clamp >= 0.5, or limits for all that turn, the result is a continuous function of the target;
+    else it changes sides if the target passes straight behind the chest.
+    Returns a LookAtTurns.
+    Raises ValueError or TypeError that names the argument.
+    """
+def noise1(x: numpy.typing.ArrayLike, seed: int = 0) -> typing.Any:
+    """
+    Smooth noise of one variable, in [-1, 1]: two continuous derivatives, no period, most of its power below one wave a unit.
+    
+    x: a float, taken in double precision, or (m,), taken in float32.  seed: a whole number from 0 to 2^32 - 1; different
+    seeds give independent noises.
+    Returns a float or (m,) float32; beyond 2^30 the noise is constant. The same bits on every machine.
+    Raises ValueError if a value is not finite, also as float32, or a shape is wrong.
+    """
+def noise2(xy: numpy.typing.ArrayLike, seed: int = 0) -> typing.Any:
+    """
+    Smooth noise of two variables, as noise1().  xy: (2,) or (m, 2), taken in float32.  Returns a float or (m,) float32.
+    """
+def noise3(xyz: numpy.typing.ArrayLike, seed: int = 0) -> typing.Any:
+    """
+    Smooth noise of three variables, as noise1().  xyz: (3,) or (m, 3), taken in float32.  Returns a float or (m,) float32.
+    """
+def pack_matrices(locations: numpy.typing.ArrayLike, rotations: numpy.typing.ArrayLike, out: numpy.typing.NDArray[numpy.float32] | None = None, scales: numpy.typing.ArrayLike | None = None) -> typing.Any:
+    """
+    Locations, rotations and scales as 4 x 4 matrices, column by column, as Blender's FLOAT4X4 attributes take them.
+    
+    locations: (m, 3).  rotations: (m, 4), w, x, y, z.  out: a C-contiguous float32 array (m, 16) to write into, which shares
+    no memory with locations and scales.  scales: (m, 3) along the rotated axes; None: 1.
+    Returns (m, 16) float32.  Raises ValueError or TypeError that names the argument.
+    """
+def parallax(depth: numpy.typing.ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float, mode: typing.Literal['off_axis', 'parallel', 'toe_in'] = 'off_axis') -> typing.Any:
+    """
+    Parallax of a point: by how much the right eye sees it further right than the left eye, as a fraction of the image's width,
+    positive behind the screen. (t f / s) (1 / convergence - 1 / depth) for eyes that look the same way.
+    
+    depth: > 0, a number or (m,), along the camera's axis; unit of interaxial (>= 0) and of convergence (> 0, may be math.inf).
+    focal_length, sensor_width: > 0, in the same unit; the width of the sensor's part that the image shows.
+    mode: "off_axis"; "parallel", whose convergence is infinite; "toe_in", whose parallax holds at the middle of the image.
+    Returns a float or (m,).  Raises ValueError if a number is outside its domain.
+    """
+def pendulum_angle(time: typing.SupportsFloat | typing.SupportsIndex, theta: typing.SupportsFloat | typing.SupportsIndex, omega: typing.SupportsFloat | typing.SupportsIndex = 0.0, length: typing.SupportsFloat | typing.SupportsIndex = 1.0, gravity: typing.SupportsFloat | typing.SupportsIndex = 9.81, damping: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> float:
+    """
+    The angle that single_pendulum() gives for one time, as a float, without the cost of arrays.  Arguments and errors as for single_pendulum().
+    """
+def pendulum_period(theta: float, omega: float = 0.0, length: float = 1.0, gravity: float = 9.81) -> float:
+    """
+    Seconds after which an undamped pendulum repeats itself, a full turn being a repetition; infinity if it never does.
+    Arguments and errors as single_pendulum().
+    """
+def pivot_accelerations(step: float, positions: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    Accelerations (k, 2) of a pivot that passes through positions (k, 2), m, `step` seconds (> 0) apart: those of the natural
+    cubic spline, for the pivot_accelerations of pendulum functions.  Raises ValueError if a value is not finite.
+    """
+def pose_to_bone(rest: numpy.typing.ArrayLike, parent_rest: numpy.typing.ArrayLike | None, parent_pose: numpy.typing.ArrayLike | None, pose: numpy.typing.ArrayLike, inherit_scale: typing.Literal['FULL', 'FIX_SHEAR', 'ALIGNED', 'AVERAGE', 'NONE', 'NONE_LEGACY'] = 'FULL', inherit_rotation: bool = True, local_location: bool = True) -> typing.Any:
+    """
+    The inverse of bone_to_pose(): a bone's own transform from its pose. Arguments as there.
+    """
+def pull(positions: numpy.typing.ArrayLike, root: int | numpy.typing.ArrayLike, displacement: numpy.typing.ArrayLike, radius: float, falloff: typing.Literal['classic', 'smooth', 'sphere', 'root', 'linear', 'sharp', 'constant', 'gaussian', 'curve'] = 'smooth', distance: typing.Literal['straight', 'surface', 'edges'] = 'straight', triangles: numpy.typing.ArrayLike | None = None, weights: numpy.typing.ArrayLike | None = None, scale_factor: float = 0.0, minimum: float | None = None, maximum: float | None = None, *, curve: numpy.typing.ArrayLike | None = None, clamp_axis: int = 2, mirror: str = '', metric: numpy.typing.ArrayLike | None = None, edges: numpy.typing.ArrayLike | None = None, picker: Picker | None = None, out: numpy.typing.NDArray[numpy.float32] | None = None, reach: tuple[numpy.typing.NDArray[numpy.int32], numpy.typing.NDArray[numpy.float32]] | list[tuple[numpy.typing.NDArray[numpy.int32], numpy.typing.NDArray[numpy.float32]]] | None = None, shape: numpy.typing.ArrayLike | None = None, copy: numpy.typing.NDArray[numpy.float32] | None = None) -> numpy.typing.NDArray[numpy.float32]:
+    """
+    Pulls a mesh at a vertex, the root: vertices near the root follow by force * weight * displacement.
+    
+    positions: (v, 3) float32 (other real numbers are converted, which takes time).
+    root: index of a vertex; for the distance 'straight' also a point (3,).  displacement: (3,), in the positions' space.
+    radius: > 0, where the force ends sharply: at and beyond it nothing moves. For 'edges' a number of edges.
+    falloff, over t = 1 - d / radius: 'smooth' 3t^2 - 2t^3, 'sphere' sqrt(2t - t^2), 'root' sqrt(t), 'linear' t, 'sharp' t^2,
+    'constant' 1, 'gaussian' (e^(-4.5 d^2 / radius^2) - e^-4.5) / (1 - e^-4.5), 'curve' (samples), 'classic'
+    (1 - d^2 / (radius + 1))^(1 + |scale_factor|) for d^2 < radius. Errors of a force <= 1e-6 if |scale_factor| <= 10.
+    distance: 'straight'; 'surface', along triangles and loose edges; 'edges', counted. The last two need triangles or picker.
+    triangles: (t, 3) int32.  edges: (e, 2) int32, the mesh's own (None: all sides of triangles).
+    weights: (v,) in [0, 1]; 0 leaves a vertex alone.  curve: 2 to 65536 samples at equal steps of t from 0 to 1.
+    minimum, maximum: vertices that move are clamped to them on clamp_axis (0 x, 1 y, 2 z).
+    mirror: letters of 'xyz': the pull also acts mirrored about these planes through the origin; where images meet, their mean acts.
+    metric: (3, 3) in rows: distances are |metric (p - root)|, such as by an object's world matrix; None: the identity.
+    picker: a Picker of the mesh; its tree, refitted to positions, finds the vertices, and its neighbours are used.
+    reach: a result of Picker.reach(), for instance of the begin of a stroke; with mirror, of Picker.reaches(). Then root,
+    distance and metric are not read.
+    shape: (v, 3) float32, positions on which distances, also the root's place, are measured instead: with it all dabs of a stroke
+    can act on the shape that the mesh had when the stroke began. A picker has to be of that shape.
+    out: (v, 3) float32, C-contiguous, written into; positions itself may be given.
+    copy: a float32 array as out, which gets the same values in the same pass; this takes less time than to copy out later.
+    Returns out, or a new array. Raises ValueError or TypeError that names the argument, before anything is written. With picker
+    or reach only positions and weights of vertices in reach are read.
+    """
+def pull_forces(distances: numpy.typing.ArrayLike, radius: float, falloff: typing.Literal['classic', 'smooth', 'sphere', 'root', 'linear', 'sharp', 'constant', 'gaussian', 'curve'] = 'smooth', scale_factor: float = 0.0, curve: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float32]:
+    """
+    Forces of a falloff at distances >= 0, a number or (n,): float32 of that shape. Arguments and errors as pull().
+    """
+def refine(positions: numpy.typing.ArrayLike, triangles: numpy.typing.ArrayLike, longest_edge: float, most_vertices: int = 4194304) -> tuple[numpy.typing.NDArray[numpy.float32], numpy.typing.NDArray[numpy.int32]]:
+    """
+    The mesh with all edges longer than longest_edge, > 0, halved again and again: (positions (v, 3) float32, triangles (t, 3)
+    int32), on the same surface and without new gaps. The given vertices come first.
+    
+    Raises ValueError or TypeError that names the argument, also if there would be more than most_vertices.
+    """
+def roundness(depth: numpy.typing.ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float, width: float, viewing_distance: float, eye_separation: float = 0.065, mode: typing.Literal['off_axis', 'parallel', 'toe_in'] = 'off_axis') -> typing.Any:
+    """
+    How deep a small ball at a depth seems, as a part of how wide it seems: 1 is round, less is flat, more is long.
+    
+    Arguments as for parallax() and seen_distance(). On the screen V t / (e convergence).
+    Returns a float or (m,), math.inf if the eyes would have to turn apart.
+    """
+def screen_color(picture: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64] | None:
+    """
+    Colour of the green or blue screen in a picture, or None if there is none on at least a fiftieth of it.
+    
+    The median of the most frequent saturated hue; pixels near the picture's border count most, transparent ones not at all.
+    picture: (rows, columns, 4), red, green, blue and alpha, scene-linear, taken in float32.
+    Returns (3,) float64, scene-linear. Raises ValueError if a value is not finite, or there is no pixel.
+    """
+def screen_matte(picture: numpy.typing.ArrayLike, color: numpy.typing.ArrayLike, balance: float = 0.0, gain: float = 1.0) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    Alpha of each pixel by its colour difference: 1 - gain m(pixel) / m(color), clamped to [0, 1]. m is the screen's channel less a mixture of
+    the others: balance times the smaller plus (1 - balance) times the larger.
+    
+    picture, color: as for screen_report().  balance: in [0, 1].  gain: not below 0.  Returns (rows, columns) float64.
+    """
+def screen_report(picture: numpy.typing.ArrayLike, color: numpy.typing.ArrayLike, balance: float = 0.0, gain: float = 1.0) -> dict[str, float]:
+    """
+    How well a picture can be keyed by a colour.
+    
+    picture: as for screen_color().  color: (3,), a green or a blue.  balance, gain: as for screen_matte().
+    Returns a dict of floats. share: fraction of the pixels that show the screen.  luminance_spread: from the 5th to the 95th percentile of
+    the screen's luminance, over its median.  chroma_spread: 95th percentile of the distance from the screen's median
+    chromaticity, whose parts sum to 1.  spill: mean excess of the screen's channel on the subject, 1 for as much as on the screen.
+    black, white: levels of screen_matte() at which the screen is clear and the subject opaque; 0 <= black < white <= 1.
+    """
+def second_order(times: numpy.typing.ArrayLike, inputs: numpy.typing.ArrayLike, frequency: float, damping: float, response: float) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    Outputs of a SecondOrder at the samples of its input, at rest on the first.
+    
+    times: (m,), s, strictly rising.  inputs: (m,) or (m, d), linear between samples; there the step is exact, whatever its
+    length.  Returns an array of the shape of inputs.  Raises ValueError if shapes differ, times do not rise, or a value is
+    not finite; other arguments and errors as SecondOrder().
+    """
+def seen_distance(parallax: numpy.typing.ArrayLike, width: float, viewing_distance: float, eye_separation: float = 0.065) -> typing.Any:
+    """
+    Perceived distance from the audience, m, of a point with a parallax (a fraction of the width; a number or (m,)).
+    
+    width, viewing_distance, eye_separation: of the screen, m, > 0.
+    Returns a float or (m,), math.inf if the eyes are parallel or would have to turn apart.
+    """
+def single_pendulum(times: numpy.typing.ArrayLike, theta: float, omega: float = 0.0, length: float = 1.0, gravity: float = 9.81, damping: float = 0.0, pivot_step: float = 0.0, pivot_accelerations: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    Angle (rad from the downward vertical, with all turns) and angular velocity (rad/s) of a pendulum at times.
+    
+    theta'' = -(gravity / length) sin(theta) - damping theta'
+    
+    times: s, a number or (m,), of any sign and order.  theta, omega: the state at time 0.  length: m, > 0.  gravity: m/s^2,
+    >= 0.  damping: 1/s, >= 0.  pivot_accelerations: (k, 2), m/s^2, of a moving pivot in the plane of the swing (to the side
+    of positive angles, and up), every pivot_step seconds from time 0 on, linear in between, none after the last; times must
+    then be >= 0.
+    Returns (2,) or (m, 2). Undamped on a fixed pivot in closed form (Jacobi's elliptic functions), else integrated.
+    Raises ValueError if a value is not finite or outside its domain, or a time is out of the integration's reach.
+    """
+def smooth_ahead(values: numpy.typing.ArrayLike, ahead: int, side: str = 'either') -> typing.Any:
+    """
+    Values at equal times, smoothed without lag by the values up to `ahead` (a whole number, 0 to 10000) before and behind.
+    
+    side: "either"; "below" or "above": the side of all the values on which the curve stays; then values twice as far count.
+    Returns (m,).
+    """
+def soft_reach(distance: numpy.typing.ArrayLike, reach: float, softness: numpy.typing.ArrayLike) -> typing.Any:
+    """
+    Distance from the root at which the tip of a chain stands whose target is at `distance`.
+    
+    distance: a number or (m,), >= 0.  reach: length of the straight chain, >= 0.  softness: >= 0; one above reach counts as
+    that.
+    Returns a float or (m,): distance up to reach - softness, from there with a slope that falls from 1 to 0, and reach from
+    reach + 2 * softness on.  Raises ValueError or TypeError that names the argument.
+    """
+def solve_chain(joints: numpy.typing.ArrayLike, target: numpy.typing.ArrayLike, tolerance: float = 1e-06, max_iterations: int = 100, pole: numpy.typing.ArrayLike | None = None, limits: numpy.typing.ArrayLike | None = None, plane: numpy.typing.ArrayLike | None = None, frames: numpy.typing.ArrayLike | None = None) -> ChainSolution:
+    """
+    Brings the last joint of a chain of 1 to 255 bones to a target. Any space, any unit of length; coordinates up to 1e300.
+    
+    joints: (n + 1, 3), the pose to start from, the root first. Root and lengths are kept, and the
+    shape of the pose and the plane that it bends in as far as possible. Straight and folded poses and bones without length are fine.
+    target: (3,).  tolerance: residual that counts as reached, > 0, a fraction of the chain's length.
+    max_iterations: >= 0; with limits those of one start of several.
+    pole: (3,), a point that the chain bends towards, seen across the line from root to target, or None. Fades out if it
+    lies within 6 degrees of that line. With limits it only leads the start.
+    plane: (3,), normal of the plane to bend in if the pose is straight, or None for a fixed one; the bend is then on the
+    side of cross(plane, target - root).
+    limits: (n, 6), rows of min x, y, z, max x, y, z in rad, -inf and inf for free: how far each bone may turn from the given
+    pose, seen from the bone before it. The turn is split into a twist about the bone (y) and a swing about x and z within
+    the ellipse that the four limits span; an interval that does not contain 0 bounds its axis by itself.
+    frames: (n, 4), each bone's frame in the given pose, whose Y is along the bone and whose X and Z are the axes of the limits; read
+    with limits only. None: the first is +Y turned to the first bone by the smallest rotation, each of the others is the frame before it
+    turned by the smallest rotation from bone to bone; half a turn about X if bones are opposite.
+    A target out of reach gives, without limits, the chain straight or folded on the line to it, else the nearest place that
+    several starts find.
+    Returns a ChainSolution.  Raises ValueError or TypeError that names the argument.
+    """
+def solve_depth_budget(near: float, far: float, near_parallax: float, far_parallax: float, focal_length: float, sensor_width: float) -> tuple[float, float]:
+    """
+    Interaxial distance and convergence of off-axis eyes by which a range of depths takes exactly a range of parallax.
+    
+    near, far: depths, 0 < near < far; far may be math.inf.  near_parallax, far_parallax: magnitudes >= 0 in front of and behind
+    the screen, fractions of the image's width, not both 0.  focal_length, sensor_width: as parallax() has them.
+    Returns (interaxial, convergence), unit of the depths.  Raises ValueError if a number is outside its domain.
+    """
+def solve_two_bone(root: numpy.typing.ArrayLike, target: numpy.typing.ArrayLike, length1: numpy.typing.ArrayLike, length2: numpy.typing.ArrayLike, pole: numpy.typing.ArrayLike, bend: numpy.typing.ArrayLike = 1, softness: numpy.typing.ArrayLike = 0.0, stretch: numpy.typing.ArrayLike = 0.0, plane: numpy.typing.ArrayLike | None = None) -> TwoBoneSolution:
+    """
+    Elbow and tip of two bones whose tip goes to a target, in closed form. Any space, any unit of length.
+    
+    root, target: (3,) or (m, 3).  length1, length2: root to elbow and elbow to tip, >= 0.
+    pole: (3,) or (m, 3), a point that the elbow bends towards, seen across the line from root to target (bend = 1), or
+    away from (bend = -1).
+    softness: the length, >= 0, before the full reach at which the arm begins to slow: see soft_reach(); one above
+    length1 + length2 counts as that.  stretch: the share, 0 to 1, of the missing length that both bones stretch by.
+    plane: (3,) or (m, 3), normal of the plane to bend in if the pole lies within 6 degrees of the line from root to
+    target, blended in without a jump; the elbow is then on the side of cross(plane, target - root). None: the pole
+    decides, except within 0.06 degrees of the line, where a fixed normal does.
+    Numbers may be (m,) arrays too; an argument that is given once counts for all chains.
+    A target out of reach gives the chain straight (too far) or folded (too near) on the line to it. Zero lengths and points
+    that coincide are fine: with the target on the root, the elbow is towards the pole.
+    Returns a TwoBoneSolution.  Raises ValueError or TypeError that names the argument.
+    """
+def step_response(times: numpy.typing.ArrayLike, frequency: float, damping: float, response: float) -> typing.Any:
+    """
+    Response of a SecondOrder to an input that jumps from 0 to 1 at time 0.
+    
+    times: s, a number or (m,).  Returns a float or (m,).  Other arguments and errors as SecondOrder().
+    """
+def stereo_points(points: numpy.typing.ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float, mode: typing.Literal['off_axis', 'parallel', 'toe_in'] = 'off_axis') -> typing.Any:
+    """
+    Image positions at which both eyes see points.
+    
+    points: (m, 3), right, up and forward of the middle between the eyes, in front of both.  Other arguments as for parallax().
+    Returns (m, 2, 2): of each point left and right eye, of these x and y from the image's middle, fractions of its width.
+    Raises ValueError for a point that is not in front of both eyes.
+    """
+def vertical_parallax(depth: numpy.typing.ArrayLike, aspect: float, interaxial: float, focal_length: float, sensor_width: float, convergence: float, mode: typing.Literal['off_axis', 'parallel', 'toe_in'] = 'toe_in') -> float:
+    """
+    Largest vertical parallax at a depth, in a corner of the image: a fraction of the image's width, 0 except for "toe_in".
+    
+    aspect: the image's width / its height, > 0.  Other arguments as for parallax().  Returns a float.
+    """
+def walker_gait(gait: typing.Literal['tripod', 'tetrapod', 'ripple', 'wave', 'trot', 'pace'], rest: numpy.typing.ArrayLike, forward: numpy.typing.ArrayLike = (0.0, 1.0, 0.0), up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0)) -> tuple[numpy.typing.NDArray[numpy.float64], float]:
+    """
+    When the legs of a gait swing: (phases (n,), [0, 1), duty): leg i swings while frac(phase + phases[i]) < 1 - duty.
+    
+    gait: 'tripod', neighbours alternate; 'tetrapod', neighbours alternate, and all stand for a moment in between: L1 R2 L3 R4 | R1 L2 R3 L4; 'ripple',
+    on each side from the back to the front, the sides about half a cycle apart; 'wave', one after the other; 'trot', the front
+    half of a side with the rear half of the other; 'pace', all left legs, then all right legs.
+    rest (n, 3), 1 to 256 legs in any order: where feet stand when the body rests, in the space of forward and up (3,).
+    Raises ValueError or TypeError that names the argument.
+    """
+def window_violations(x: numpy.typing.ArrayLike, depths: numpy.typing.ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float, tolerance: float = 0.0, mode: typing.Literal['off_axis', 'parallel', 'toe_in'] = 'off_axis') -> tuple[float, float]:
+    """
+    Largest parallax by which something in front of the screen is cut off in one eye's image alone, at each edge.
+    
+    x: (m,), position at which the middle between the eyes sees each sample, fractions of the width from the image's middle.
+    depths: (m,); depths not above 0 do not count.  tolerance: parallax too small to be noticed, >= 0.
+    Returns (left, right), magnitudes, 0 if nothing is cut off.
+    """
+LAG_MEMORY: float = 120.0
+__version__: str = '0.1.0'

@@ -5,7 +5,7 @@
 
 namespace motus::test {
 
-/// Of this thread. allocations_left: until one fails; below 0 none does.
+/// Allocations of this thread. allocations_left: number of allocations until one fails; below 0 none fails.
 extern thread_local int allocations_left;
 extern thread_local std::size_t allocated_bytes;
 
@@ -23,7 +23,7 @@ bool with_allocations(int count, Work&& work) {
     return enough;
 }
 
-/// Bytes that `work` allocates in this thread, what it frees again included.
+/// Bytes that `work` allocates in this thread, including those that it frees again.
 template <class Work>
 [[nodiscard]] std::size_t bytes_allocated_by(Work&& work) {
     const std::size_t before = allocated_bytes;

@@ -7,7 +7,7 @@
 
 namespace motus::test {
 
-/// Of the turn from one unit quaternion to the other, rad, 0 to pi.
+/// Angle of the turn from one unit quaternion to another, rad, 0 to pi.
 inline double angle_between(const glm::dquat& a, const glm::dquat& b) {
     const glm::dquat d = glm::conjugate(a) * b;
     return 2.0 * std::atan2(glm::length(glm::dvec3(d.x, d.y, d.z)), std::abs(d.w));

@@ -24,7 +24,8 @@ using namespace motus::sculpt::checks;
 
 namespace {
 
-/// As hosts set it: what is too small for a full mantissa is written and read as 0 (FTZ and DAZ).
+/// The mode that some host programs set: numbers too small for a full mantissa are written and read as 0 (FTZ
+/// and DAZ).
 class Flushing {
   public:
     Flushing() { _mm_setcsr(was_ | 0x8040U); }

@@ -40,8 +40,8 @@ class Random {
     int whole(int low, int high) {
         return low + static_cast<int>(below(static_cast<std::size_t>(high - low) + 1));
     }
-    /// Of mean 0 and deviation 1, nearly normal: the sum of twelve numbers, which needs no logarithm. At
-    /// most 6.
+    /// A number of mean 0 and deviation 1, nearly normal: the sum of twelve numbers, which needs no
+    /// logarithm. At most 6.
     double normal() {
         double sum = -6.0;
         for (int i = 0; i < 12; ++i) sum += between(0.0, 1.0);
@@ -67,14 +67,14 @@ class Random {
             if (square > 0.01 && square <= 1.0) return point / std::sqrt(square);
         }
     }
-    /// So far away in any direction.
+    /// A place at a distance from `low` to `high` in any direction.
     glm::dvec3 at_distance(double low, double high) {
         const double distance = between(low, high);
         return distance * direction();
     }
-    /// By this angle about any axis.
+    /// A rotation by this angle about any axis.
     glm::dquat turn(double angle) { return glm::angleAxis(angle, direction()); }
-    /// By an angle of up to `largest` about any axis.
+    /// A rotation by an angle of up to `largest` about any axis.
     glm::dquat rotation(double largest) {
         const double angle = between(-largest, largest);
         return turn(angle);

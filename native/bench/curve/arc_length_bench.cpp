@@ -1,4 +1,4 @@
-// What a look-up by arc length costs and how far it is off, next to the two plain ways of doing it.
+// Time and error of a look-up by arc length, compared with two simpler methods.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

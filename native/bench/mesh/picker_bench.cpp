@@ -50,7 +50,7 @@ Mesh landscape() {
     return mesh;
 }
 
-/// The same with its vertices and triangles in no order.
+/// The mesh with its vertices and triangles in random order.
 Mesh shuffled(const Mesh& mesh) {
     test::Random random(3);
     std::vector<std::size_t> places(mesh.positions.size());

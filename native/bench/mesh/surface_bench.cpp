@@ -1,4 +1,4 @@
-// What distances along a surface cost and how far they are off, next to the plain way: Dijkstra along edges.
+// Time and error of distances along a surface, compared with Dijkstra's algorithm along edges.
 #include <chrono>
 #include <cstdio>
 #include <functional>

@@ -1,4 +1,4 @@
-// Frames and followers: what one costs, beside the plain way of doing the same.
+// Frames and followers: time for each, compared with a simple implementation.
 #include <cstddef>
 #include <cstdio>
 #include <glm/geometric.hpp>
@@ -33,7 +33,7 @@ curve::Curve winding_spline() {
 }
 
 /// The plain way: per follower a search along a table of chords from its start, as the usual scripts do, then
-/// the coordinated turn where it is.
+/// the coordinated turn if it is.
 class PlainFollower {
   public:
     explicit PlainFollower(const curve::Curve& curve) : curve_(curve) {

@@ -1,4 +1,4 @@
-// One dab on a million vertices, beside what NumPy's way and a plain loop take for the same.
+// One dab on a million vertices, compared with NumPy's array by array way and with a simple loop.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -97,7 +97,7 @@ void array_by_array(std::vector<glm::vec3>& points, const Dab& dab) {
     points.swap(moved);
 }
 
-/// What one would write at once.
+/// The pull as a simple loop.
 void plain_loop(std::vector<glm::vec3>& points, const Dab& dab) {
     for (glm::vec3& p : points) {
         const float distance = glm::distance(p, dab.root);

@@ -9,6 +9,7 @@
 #include "areas.hpp"
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
+#include "core/typed.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -18,7 +19,7 @@ using namespace pybind11::literals;
 constexpr double euler_cost = 60.0;  // ns, rough
 constexpr double matrix_cost = 20.0;
 
-py::object euler_rows(const py::object& rotations, const py::object& out) {
+py::object euler_rows(const ArrayLike& rotations, const OptionalFloat64Array& out) {
     const Rotations in(rotations, "rotations");
     const std::span<const glm::dquat> quaternions = in.values();
     std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(quaternions.size()), 3};
@@ -32,8 +33,8 @@ py::object euler_rows(const py::object& rotations, const py::object& out) {
     return rows;
 }
 
-py::object matrix_rows(const py::object& locations, const py::object& rotations, const py::object& out,
-                       const py::object& scales) {
+py::object matrix_rows(const ArrayLike& locations, const ArrayLike& rotations,
+                       const OptionalFloat32Array& out, const OptionalArrayLike& scales) {
     const Points points(locations, "locations");
     const Rotations quaternions(rotations, "rotations");
     const std::size_t count = points.values().size();

@@ -1,5 +1,5 @@
-// A rig's arrays as Blender's foreach_get fills them, taken as they are: what runs at every frame neither
-// copies nor looks through them. Shape, type and layout are checked; values are not.
+// A rig's arrays as Blender's foreach_get fills them, taken as they are: functions that run at every
+// frame neither copy nor check all values. Shape, type and layout are checked; values are not.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/arrays.hpp"
+#include "core/typed.hpp"
 #include "motus/bones/rig.hpp"
 
 namespace motus::bindings {
@@ -54,7 +55,7 @@ template <class T>
     return matrix;
 }
 
-/// All bones of a rig with those parents, without what not every solver reads: poses, basis, lengths.
+/// All bones of a rig with these parents, without poses, basis and lengths, which not every solver reads.
 [[nodiscard]] inline bones::RigView rig_at_rest(std::span<const int> parents, py::handle rest,
                                                 py::handle inheritance) {
     const std::size_t count = parents.size();
@@ -66,11 +67,11 @@ template <class T>
 }
 
 /// A copy of all that a solver reads of a rig but its lengths: another thread may write into the arrays while
-/// the interpreter's lock is given away, and what was found finite is read again.
+/// the interpreter's lock is given away, and values that were found finite are read again.
 class CopiedRig {
   public:
-    CopiedRig(std::span<const int> parents, const py::object& rest, const py::object& poses,
-              const py::object& basis, const py::object& inheritance) {
+    CopiedRig(std::span<const int> parents, const Float32Array& rest, const py::object& poses,
+              const py::object& basis, const Int32Array& inheritance) {
         const bones::RigView given = rig_at_rest(parents, rest, inheritance);
         rest_ = copied(given.rest);
         poses_ = copied(elements<float>(poses, "poses", {parents.size(), 16}));
@@ -93,7 +94,7 @@ class CopiedRig {
 };
 
 /// (n,) whole numbers of any integer type, such as indices of bones: copied. TypeError for others, ValueError
-/// where one is no int.
+/// if one is no int.
 [[nodiscard]] inline std::vector<int> whole_numbers(py::handle object, std::string_view name) {
     const py::array array = py::array::ensure(object);
     if (!array) value_error(name, "must be an array of whole numbers");

@@ -10,6 +10,7 @@
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
+#include "core/typed.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -18,10 +19,10 @@ using namespace pybind11::literals;
 
 constexpr double bone_cost = 300.0;  // ns, rough
 
-[[nodiscard]] DoubleArray solve_tails(const bones::TailPlan& plan, const py::object& rest,
-                                      const py::object& poses, const py::object& basis,
-                                      const py::object& inheritance, const py::object& world,
-                                      const py::object& targets, const py::object& weights) {
+[[nodiscard]] DoubleArray solve_tails(const bones::TailPlan& plan, const Float32Array& rest,
+                                      const Float32Array& poses, const Float32Array& basis,
+                                      const Int32Array& inheritance, const Float64Array& world,
+                                      const Float64Array& targets, const Float64Array& weights) {
     const std::size_t count = plan.size();
     const CopiedRig rig(plan.parents(), rest, poses, basis, inheritance);
     const glm::dmat4 to_world = matrix_of_columns(world, "world");
@@ -45,18 +46,18 @@ constexpr double bone_cost = 300.0;  // ns, rough
 
 void bind_tails(py::module_& m) {
     py::class_<bones::TailPlan>(m, "TailPlan", py::module_local(), R"(
-Bones of one rig that turn so that their tails point to places, checked once. Each turns about its own head, which the
-bones above it have moved by then.
+Bones of one rig that turn so that their tails point to places. The hierarchy is checked once. Each bone turns about its own
+head, after the bones above have moved that head.
 
-parents: (B,), index of each bone's parent, -1 for none.  bones: (n,), those that turn, in any order.
+parents: (B,), index of each bone's parent, -1 for none.  bones: (n,), the bones that turn, in any order.
 Raises ValueError or TypeError that names the argument.)")
-        .def(py::init([](const py::object& parents, const py::object& bones) {
+        .def(py::init([](const ArrayLike& parents, const ArrayLike& bones) {
                  return bones::TailPlan(whole_numbers(parents, "parents"), whole_numbers(bones, "bones"));
              }),
              "parents"_a, "bones"_a)
         .def("solve", &solve_tails, "rest"_a, "poses"_a, "basis"_a, "inheritance"_a, "world"_a, "targets"_a,
              "weights"_a, R"(
-Rotations (n, 4), w, x, y, z, of the bones on top of their own: the identity where a tail points to its place already.
+Rotations (n, 4), w, x, y, z, of the bones on top of their own: the identity if a tail points to its place already.
 
 rest, poses, basis, inheritance, world: as those of LookAtPlan.solve; of poses only the parents of the topmost bones are
 read.  targets: (n, 3) float64, world space.  weights: (n,) float64, the share of each turn, 0 to 1.

@@ -14,6 +14,7 @@
 #include "areas.hpp"
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
+#include "core/typed.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -25,7 +26,7 @@ constexpr double pixel_cost = 40.0;  // ns, rough
 
 /// A copy of a picture in single precision, checked.
 struct Pixels {
-    explicit Pixels(const py::object& object) {
+    explicit Pixels(const ArrayLike& object) {
         const py::array given = py::array::ensure(object);
         if (!given) value_error("picture", "must be an array of numbers, all rows of one length");
         const char kind = given.dtype().kind();
@@ -52,7 +53,7 @@ struct Pixels {
     std::size_t width = 1;
 };
 
-[[nodiscard]] glm::dvec3 key_color(const py::object& object) {
+[[nodiscard]] glm::dvec3 key_color(const ArrayLike& object) {
     const glm::dvec3 color = vector(object, "color");
     if (!colour::is_screen_color(color))
         value_error(
@@ -61,14 +62,14 @@ struct Pixels {
     return color;
 }
 
-[[nodiscard]] colour::Difference difference_of(const py::object& balance, const py::object& gain) {
+[[nodiscard]] colour::Difference difference_of(const Number& balance, const Number& gain) {
     const colour::Difference found{.balance = number(balance, "balance"), .gain = number(gain, "gain")};
     if (!(found.balance >= 0.0 && found.balance <= 1.0)) value_error("balance", "must be from 0 to 1");
     if (!(found.gain >= 0.0)) value_error("gain", "must not be below 0");
     return found;
 }
 
-[[nodiscard]] py::object color_of_screen(const py::object& picture) {
+[[nodiscard]] Typed<"numpy.typing.NDArray[numpy.float64] | None"> color_of_screen(const ArrayLike& picture) {
     const Pixels pixels(picture);
     std::optional<glm::dvec3> found;
     {
@@ -79,8 +80,8 @@ struct Pixels {
     return to_array(*found);
 }
 
-[[nodiscard]] py::dict report_on_screen(const py::object& picture, const py::object& color,
-                                        const py::object& balance, const py::object& gain) {
+[[nodiscard]] Typed<"dict[str, float]"> report_on_screen(const ArrayLike& picture, const ArrayLike& color,
+                                                         const Number& balance, const Number& gain) {
     const Pixels pixels(picture);
     const glm::dvec3 screen = key_color(color);
     const colour::Difference difference = difference_of(balance, gain);
@@ -94,8 +95,8 @@ struct Pixels {
                     "black"_a = report.black, "white"_a = report.white);
 }
 
-[[nodiscard]] DoubleArray matte_of(const py::object& picture, const py::object& color,
-                                   const py::object& balance, const py::object& gain) {
+[[nodiscard]] DoubleArray matte_of(const ArrayLike& picture, const ArrayLike& color, const Number& balance,
+                                   const Number& gain) {
     const Pixels pixels(picture);
     const glm::dvec3 screen = key_color(color);
     const colour::Difference difference = difference_of(balance, gain);
@@ -117,12 +118,12 @@ Colour of the green or blue screen in a picture, or None if there is none on at 
 
 The median of the most frequent saturated hue; pixels near the picture's border count most, transparent ones not at all.
 picture: (rows, columns, 4), red, green, blue and alpha, scene-linear, taken in float32.
-Returns (3,) float64, scene-linear. Raises ValueError where a value is not finite, or there is no pixel.)");
+Returns (3,) float64, scene-linear. Raises ValueError if a value is not finite, or there is no pixel.)");
     m.def("screen_report", &report_on_screen, "picture"_a, "color"_a, "balance"_a = 0.0, "gain"_a = 1.0, R"(
 How well a picture can be keyed by a colour.
 
 picture: as for screen_color().  color: (3,), a green or a blue.  balance, gain: as for screen_matte().
-Returns a dict of floats. share: of the pixels that are of the screen.  luminance_spread: from the 5th to the 95th percentile of
+Returns a dict of floats. share: fraction of the pixels that show the screen.  luminance_spread: from the 5th to the 95th percentile of
 the screen's luminance, over its median.  chroma_spread: 95th percentile of the distance from the screen's median
 chromaticity, whose parts sum to 1.  spill: mean excess of the screen's channel on the subject, 1 for as much as on the screen.
 black, white: levels of screen_matte() at which the screen is clear and the subject opaque; 0 <= black < white <= 1.)");

@@ -23,7 +23,7 @@ namespace motus::bindings {
 
 [[noreturn]] inline void wrong_type(py::handle given, std::string_view name, std::string_view wanted) {
     std::string_view type = type_name(given);
-    type.remove_prefix(type.rfind('.') + 1);  // its module's name; nothing where there is none
+    type.remove_prefix(type.rfind('.') + 1);  // its module's name; nothing if there is none
     type_error(name, "must be " + std::string(wanted) + ", not " + std::string(type));
 }
 
@@ -66,7 +66,7 @@ namespace motus::bindings {
     return result;
 }
 
-/// Of random numbers.
+/// The seed of random numbers.
 [[nodiscard]] inline std::uint32_t seed_of(py::handle object) {
     const double given = number(object, "seed");
     if (!(given >= 0.0 && given < 0x1p32) || given != std::floor(given))
@@ -81,8 +81,8 @@ template <class Bound>
     return object.cast<const Bound&>();
 }
 
-/// The value that a name stands for; TypeError where it is no string, ValueError with the list of names where
-/// it is none of them.
+/// The value that a name stands for; TypeError if it is no string, ValueError with the list of names if
+/// no value has that name.
 template <class Value>
 [[nodiscard]] Value choice(py::handle object, std::string_view name,
                            std::initializer_list<std::pair<std::string_view, Value>> choices) {

@@ -49,7 +49,7 @@ using DoubleArray = py::array_t<double, py::array::c_style>;
 }
 
 /// A copy of the object as contiguous float64. Integers and other floats are converted; TypeError for
-/// anything else (complex, bool, strings, objects), ValueError where the values are ragged or one of them is
+/// anything else (complex, bool, strings, objects), ValueError if the values are ragged or one of them is
 /// not finite. A copy, since another thread may write into the caller's array after the values have been
 /// looked at.
 [[nodiscard]] inline DoubleArray doubles(py::handle object, std::string_view name) {
@@ -69,15 +69,15 @@ using DoubleArray = py::array_t<double, py::array::c_style>;
     return result;
 }
 
-/// The memory that doubles() copies from, where that is an array's own; of other objects nothing.
+/// The memory that doubles() copies from, if that is an array's own; of other objects nothing.
 [[nodiscard]] inline std::span<const double> memory_of(py::handle object) {
     if (!py::isinstance<DoubleArray>(object)) return {};
     const auto array = py::reinterpret_borrow<DoubleArray>(object);
     return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
-/// Of an int or float of Python's, without the cost of an array; nothing of other objects, and of integers
-/// that no float64 holds. ValueError where it is not finite.
+/// The value of a Python int or float, without the cost of an array; nothing for other objects and for
+/// integers that no float64 holds. ValueError if it is not finite.
 [[nodiscard]] inline std::optional<double> plain_number(py::handle object, std::string_view name) {
     if (PyFloat_Check(object.ptr()) != 0) {
         const double value = PyFloat_AS_DOUBLE(object.ptr());
@@ -93,7 +93,7 @@ using DoubleArray = py::array_t<double, py::array::c_style>;
     return value;
 }
 
-/// A number: int, float or an array of no dimension. TypeError for others, ValueError where it is not finite.
+/// A number: int, float or an array of no dimension. TypeError for others, ValueError if it is not finite.
 [[nodiscard]] inline double number(py::handle object, std::string_view name) {
     if (const std::optional<double> plain = plain_number(object, name)) return *plain;
     const DoubleArray array = doubles(object, name);
@@ -101,7 +101,7 @@ using DoubleArray = py::array_t<double, py::array::c_style>;
     return *array.data();
 }
 
-/// A number or a (m,) array of them, as a span.
+/// A number or a (m,) array of numbers, as a span.
 class Numbers {
   public:
     Numbers(py::handle object, std::string_view name) {
@@ -190,7 +190,7 @@ class Points {
     return {array.mutable_data(), static_cast<std::size_t>(array.size())};
 }
 
-/// The same of an array whose last axis has length 3.
+/// The values of an array whose last axis has length 3, as vectors.
 [[nodiscard]] inline std::span<glm::dvec3> points_of(DoubleArray& array) {
     return {reinterpret_cast<glm::dvec3*>(array.mutable_data()), static_cast<std::size_t>(array.size()) / 3};
 }

@@ -15,7 +15,7 @@ namespace motus::bindings {
 
 static_assert(sizeof(glm::dquat) == 4 * sizeof(double), "rows of w, x, y, z are written in place");
 
-/// An array of T to be filled: the one given, of which nothing may need converting, or where there is none a
+/// An array of T to be filled: the one given, of which nothing may need converting, or if there is none a
 /// new one of that shape. ValueError for another shape, TypeError for another type, layout or a read-only
 /// array.
 template <class T>
@@ -36,7 +36,7 @@ template <class T>
     return array;
 }
 
-/// ValueError where two arrays overlap in memory: one would be overwritten before it is read.
+/// ValueError if two arrays overlap in memory: one would be overwritten before it is read.
 template <class A, class B>
 void require_apart(std::span<A> a, std::string_view a_name, std::span<B> b, std::string_view b_name) {
     const std::less<> before;  // a total order of all pointers
@@ -76,7 +76,8 @@ class Rotations {
         const double* row = array.data();
         values_.reserve(static_cast<std::size_t>(array.size()) / 4);
         for (py::ssize_t i = 0; i < array.size(); i += 4) {
-            // By the largest part first: its square would over- or underflow where it is huge or tiny.
+            // Divide by the largest part first, since the square of a huge or tiny part would over- or
+            // underflow.
             const double largest = std::max(
                 {std::abs(row[i]), std::abs(row[i + 1]), std::abs(row[i + 2]), std::abs(row[i + 3])});
             if (largest == 0.0) value_error(name, "a quaternion must not be zero");

@@ -1,4 +1,4 @@
-// What Python keeps of the threads that call it.
+// The states that Python has of the threads that call it.
 #include <pybind11/pybind11.h>
 
 #include "areas.hpp"
@@ -25,9 +25,9 @@ void bind_thread_state(pybind11::module_& m) {
     m.def("keep_thread_state", &keep_thread_state, R"(
 Keeps the calling thread's Python state, until the interpreter ends.
 
-A thread that Python has not started gets a new one for each call into Python otherwise, with no memory at hand: for a short
-function some 100 us a call. To call it again does nothing. A thread that ends leaves its state behind, so it is done for 64
-threads at most.
+Otherwise a thread that Python has not started gets a new state for each call into Python, without cached memory: for a
+short function this costs some 100 us a call. A second call does nothing. A thread that ends leaves its state behind, so
+states of at most 64 threads are kept.
 Returns whether the thread's state is kept.)");
 }
 

@@ -31,7 +31,7 @@ class BoundCurve {
         return path_;
     }
 
-    /// The same, ready for distances: their inverse is built once, too, without the interpreter's lock.
+    /// The arc length tables with their inverse, which is built once without the interpreter's lock.
     [[nodiscard]] const curve::ArcLength& path_by_length() const {
         const curve::ArcLength& path = *this->path();
         if (!has_inverse_) {

@@ -11,6 +11,7 @@
 
 #include "areas.hpp"
 #include "core/arrays.hpp"
+#include "core/typed.hpp"
 #include "motus/dynamics/double_pendulum.hpp"
 
 namespace motus::bindings {
@@ -39,7 +40,7 @@ static_assert(sizeof(DoublePendulumState) == 4 * sizeof(double), "states are row
 /// The two arguments that move a pivot.
 class Pivot {
   public:
-    Pivot(const py::object& step, const py::object& accelerations) : step_(number(step, "pivot_step")) {
+    Pivot(const Number& step, const OptionalArrayLike& accelerations) : step_(number(step, "pivot_step")) {
         if (!accelerations.is_none()) accelerations_.emplace(pairs(accelerations, "pivot_accelerations"));
         if (accelerations_ && !(step_ > 0.0)) value_error("pivot_step", "must be greater than 0");
     }
@@ -53,7 +54,7 @@ class Pivot {
 
 /// solve(times, rows) for a number or an array of times: (size,) or (m, size).
 template <class State, class Solve>
-[[nodiscard]] DoubleArray states_at(const py::object& times, const Solve& solve) {
+[[nodiscard]] DoubleArray states_at(const ArrayLike& times, const Solve& solve) {
     const Numbers at(times, "times");
     constexpr std::size_t size = sizeof(State) / sizeof(double);
     DoubleArray result = at.is_single() ? new_array({size}) : new_array({at.values().size(), size});
@@ -65,17 +66,17 @@ template <class State, class Solve>
     return result;
 }
 
-[[nodiscard]] double limit(const py::object& object, const char* name) {
+[[nodiscard]] double limit(const OptionalNumber& object, const char* name) {
     constexpr double none = std::numeric_limits<double>::infinity();
     if (object.is_none()) return none;
     return number(object, name);
 }
 
-[[nodiscard]] DoublePendulum double_pendulum_of(const py::object& mass1, const py::object& mass2,
-                                                const py::object& length1, const py::object& length2,
-                                                const py::object& gravity, const py::object& damping,
-                                                const py::object& most_acceleration,
-                                                const py::object& most_velocity) {
+[[nodiscard]] DoublePendulum double_pendulum_of(const Number& mass1, const Number& mass2,
+                                                const Number& length1, const Number& length2,
+                                                const Number& gravity, const Number& damping,
+                                                const OptionalNumber& most_acceleration,
+                                                const OptionalNumber& most_velocity) {
     return {number(mass1, "mass1"),
             number(mass2, "mass2"),
             number(length1, "length1"),
@@ -89,9 +90,9 @@ template <class State, class Solve>
 void bind_single(py::module_& m) {
     m.def(
         "single_pendulum",
-        [](const py::object& times, const py::object& theta, const py::object& omega,
-           const py::object& length, const py::object& gravity, const py::object& damping,
-           const py::object& pivot_step, const py::object& pivot_accelerations) {
+        [](const ArrayLike& times, const Number& theta, const Number& omega, const Number& length,
+           const Number& gravity, const Number& damping, const Number& pivot_step,
+           const OptionalArrayLike& pivot_accelerations) {
             const Pendulum pendulum{number(length, "length"), number(gravity, "gravity"),
                                     number(damping, "damping")};
             const PendulumState start{number(theta, "theta"), number(omega, "omega")};
@@ -111,11 +112,11 @@ Angle (rad from the downward vertical, with all turns) and angular velocity (rad
 theta'' = -(gravity / length) sin(theta) - damping theta'
 
 times: s, a number or (m,), of any sign and order.  theta, omega: the state at time 0.  length: m, > 0.  gravity: m/s^2,
->= 0.  damping: 1/s, >= 0.  pivot_accelerations: (k, 2), m/s^2, of a moved pivot in the plane of the swing (to the side
+>= 0.  damping: 1/s, >= 0.  pivot_accelerations: (k, 2), m/s^2, of a moving pivot in the plane of the swing (to the side
 of positive angles, and up), every pivot_step seconds from time 0 on, linear in between, none after the last; times must
 then be >= 0.
 Returns (2,) or (m, 2). Undamped on a fixed pivot in closed form (Jacobi's elliptic functions), else integrated.
-Raises ValueError where a value is not finite or outside its domain, or a time is out of the integration's reach.)");
+Raises ValueError if a value is not finite or outside its domain, or a time is out of the integration's reach.)");
     m.def(
         "pendulum_angle",
         [](double time, double theta, double omega, double length, double gravity, double damping) {
@@ -124,20 +125,19 @@ Raises ValueError where a value is not finite or outside its domain, or a time i
             return state.angle;
         },
         "time"_a, "theta"_a, "omega"_a = 0.0, "length"_a = 1.0, "gravity"_a = 9.81, "damping"_a = 0.0, R"(
-The angle that single_pendulum() gives for one time, as a float, without the cost of arrays.  Arguments and errors as there.)");
+The angle that single_pendulum() gives for one time, as a float, without the cost of arrays.  Arguments and errors as for single_pendulum().)");
     m.def(
         "pendulum_period",
-        [](const py::object& theta, const py::object& omega, const py::object& length,
-           const py::object& gravity) {
+        [](const Number& theta, const Number& omega, const Number& length, const Number& gravity) {
             return pendulum_period({number(length, "length"), number(gravity, "gravity"), 0.0},
                                    {number(theta, "theta"), number(omega, "omega")});
         },
         "theta"_a, "omega"_a = 0.0, "length"_a = 1.0, "gravity"_a = 9.81, R"(
-Seconds after which an undamped pendulum repeats itself, a full turn being a repetition; infinity where it never does.
+Seconds after which an undamped pendulum repeats itself, a full turn being a repetition; infinity if it never does.
 Arguments and errors as single_pendulum().)");
     m.def(
         "pivot_accelerations",
-        [](const py::object& step, const py::object& positions) {
+        [](const Number& step, const ArrayLike& positions) {
             const DoubleArray given = pairs(positions, "positions");
             DoubleArray result = new_array({static_cast<std::size_t>(given.shape(0)), 2});
             pivot_accelerations(number(step, "step"), numbers_in(given), values_of(result));
@@ -145,18 +145,17 @@ Arguments and errors as single_pendulum().)");
         },
         "step"_a, "positions"_a, R"(
 Accelerations (k, 2) of a pivot that passes through positions (k, 2), m, `step` seconds (> 0) apart: those of the natural
-cubic spline, for pivot_accelerations of the pendulums.  Raises ValueError where a value is not finite.)");
+cubic spline, for the pivot_accelerations of pendulum functions.  Raises ValueError if a value is not finite.)");
 }
 
 void bind_double(py::module_& m) {
     m.def(
         "double_pendulum",
-        [](const py::object& times, const py::object& theta1, const py::object& theta2,
-           const py::object& omega1, const py::object& omega2, const py::object& mass1,
-           const py::object& mass2, const py::object& length1, const py::object& length2,
-           const py::object& gravity, const py::object& damping, const py::object& most_acceleration,
-           const py::object& most_velocity, const py::object& pivot_step,
-           const py::object& pivot_accelerations) {
+        [](const ArrayLike& times, const Number& theta1, const Number& theta2, const Number& omega1,
+           const Number& omega2, const Number& mass1, const Number& mass2, const Number& length1,
+           const Number& length2, const Number& gravity, const Number& damping,
+           const OptionalNumber& most_acceleration, const OptionalNumber& most_velocity,
+           const Number& pivot_step, const OptionalArrayLike& pivot_accelerations) {
             const DoublePendulum pendulum = double_pendulum_of(mass1, mass2, length1, length2, gravity,
                                                                damping, most_acceleration, most_velocity);
             const DoublePendulumState start{number(theta1, "theta1"), number(theta2, "theta2"),
@@ -182,7 +181,7 @@ taken as damping * omega from both angular accelerations.  most_acceleration, mo
 sizes of angular accelerations and velocities, which no real pendulum has.  pivot_step, pivot_accelerations: see
 single_pendulum().
 Returns (4,) or (m, 4). By Gauss's method of order 16; the energy stays within some 1e-11 of its range. The same bits on
-every machine.  Raises ValueError where a value is not finite or outside its domain, and for times beyond
+every machine.  Raises ValueError if a value is not finite or outside its domain, and for times beyond
 double_pendulum_longest_time().)");
     m.def(
         "double_pendulum_value",
@@ -197,13 +196,13 @@ double_pendulum_longest_time().)");
         "time"_a, "which"_a, "theta1"_a, "theta2"_a, "omega1"_a = 0.0, "omega2"_a = 0.0, "mass1"_a = 1.0,
         "mass2"_a = 1.0, "length1"_a = 1.0, "length2"_a = 1.0, "gravity"_a = 9.81, "damping"_a = 0.0, R"(
 The number that double_pendulum() gives for one time in its column `which` (0 to 3), as a float, without the cost of arrays.
-Arguments and errors as there; ValueError for another `which`.)");
+Arguments and errors as for double_pendulum(); ValueError for another `which`.)");
     m.def(
         "double_pendulums",
-        [](const py::object& time, const py::object& starts, const py::object& mass1, const py::object& mass2,
-           const py::object& length1, const py::object& length2, const py::object& gravity,
-           const py::object& damping, const py::object& most_acceleration, const py::object& most_velocity,
-           const py::object& pivot_step, const py::object& pivot_accelerations) {
+        [](const Number& time, const ArrayLike& starts, const Number& mass1, const Number& mass2,
+           const Number& length1, const Number& length2, const Number& gravity, const Number& damping,
+           const OptionalNumber& most_acceleration, const OptionalNumber& most_velocity,
+           const Number& pivot_step, const OptionalArrayLike& pivot_accelerations) {
             const DoublePendulum pendulum = double_pendulum_of(mass1, mass2, length1, length2, gravity,
                                                                damping, most_acceleration, most_velocity);
             const Pivot pivot(pivot_step, pivot_accelerations);
@@ -228,13 +227,13 @@ Arguments and errors as there; ValueError for another `which`.)");
         "gravity"_a = 9.81, "damping"_a = 0.0, "most_acceleration"_a = py::none(),
         "most_velocity"_a = py::none(), "pivot_step"_a = 0.0, "pivot_accelerations"_a = py::none(), R"(
 States (n, 4) of many equal double pendulums at one time, s, from states `starts` (n, 4) at time 0. The same numbers as
-double_pendulum() gives one by one, sooner.  Other arguments and errors as double_pendulum(); ValueError too where the time is
-so far, or starts so many, that what is kept of all would need more than 448 MB.)");
+double_pendulum() gives one by one, in less time.  Other arguments and errors as for double_pendulum(); also ValueError
+if the time is so far, or the starts are so many, that their cached states would need more than 448 MB.)");
     m.def(
         "double_pendulum_longest_time",
-        [](const py::object& theta1, const py::object& theta2, const py::object& omega1,
-           const py::object& omega2, const py::object& mass1, const py::object& mass2,
-           const py::object& length1, const py::object& length2, const py::object& gravity) {
+        [](const Number& theta1, const Number& theta2, const Number& omega1, const Number& omega2,
+           const Number& mass1, const Number& mass2, const Number& length1, const Number& length2,
+           const Number& gravity) {
             return longest_time({number(mass1, "mass1"), number(mass2, "mass2"), number(length1, "length1"),
                                  number(length2, "length2"), number(gravity, "gravity")},
                                 {number(theta1, "theta1"), number(theta2, "theta2"), number(omega1, "omega1"),
@@ -242,7 +241,7 @@ so far, or starts so many, that what is kept of all would need more than 448 MB.
         },
         "theta1"_a, "theta2"_a, "omega1"_a = 0.0, "omega2"_a = 0.0, "mass1"_a = 1.0, "mass2"_a = 1.0,
         "length1"_a = 1.0, "length2"_a = 1.0, "gravity"_a = 9.81, R"(
-Farthest time, s, to either side of 0, at which double_pendulum() knows the state.  Arguments and errors as there.)");
+Farthest time, s, before or after 0, for which double_pendulum() gives the state.  Arguments and errors as there.)");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Second-order filters and what they make of inputs over time.
+// Second-order filters and their outputs over time.
 #include "motus/dynamics/second_order.hpp"
 
 #include <pybind11/pybind11.h>
@@ -11,6 +11,7 @@
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
+#include "core/typed.hpp"
 #include "motus/dynamics/track.hpp"
 
 namespace motus::bindings {
@@ -24,7 +25,7 @@ constexpr double sample_cost = 10.0;
 
 /// Times, and a row of numbers for each: (m,) or (m, d).
 struct Samples {
-    Samples(const py::object& given_times, const py::object& given_inputs)
+    Samples(const ArrayLike& given_times, const ArrayLike& given_inputs)
         : times(doubles(given_times, "times")), inputs(doubles(given_inputs, "inputs")) {
         if (times.ndim() != 1) value_error("times", "must have the shape (m,), not " + shape_of(times));
         if (inputs.ndim() < 1 || inputs.ndim() > 2 || inputs.shape(0) != times.shape(0))
@@ -44,12 +45,11 @@ struct Samples {
     std::size_t dimensions = 1;
 };
 
-[[nodiscard]] SecondOrder filter_of(const py::object& frequency, const py::object& damping,
-                                    const py::object& response) {
+[[nodiscard]] SecondOrder filter_of(const Number& frequency, const Number& damping, const Number& response) {
     return {number(frequency, "frequency"), number(damping, "damping"), number(response, "response")};
 }
 
-/// Bound as Track: whether its inputs were rows or plain numbers decides what it gives back.
+/// Bound as Track: whether its inputs were rows or plain numbers decides the shape of its results.
 struct BoundTrack {
     Track track;
     bool is_plain;
@@ -61,18 +61,18 @@ How an output y follows an input x: y + k1 y' + k2 y'' = x + k3 x'. Immutable; t
 
 frequency f: Hz, > 0.  damping zeta: >= 0; 0 rings for ever, 1 is critical.  response r: 0 starts slowly, up to 1 responds
 at once, above 1 overshoots, below 0 anticipates.  k1 = zeta / (pi f), k2 = 1 / (2 pi f)^2, k3 = r zeta / (2 pi f).
-Raises ValueError where a value is not finite or outside its domain.)")
+Raises ValueError if a value is not finite or outside its domain.)")
         .def(py::init(&filter_of), "frequency"_a, "damping"_a, "response"_a)
         .def_static(
             "from_coefficients",
-            [](const py::object& k1, const py::object& k2, const py::object& k3) {
+            [](const Number& k1, const Number& k2, const Number& k3) {
                 return SecondOrder::from_coefficients({number(k1, "k1"), number(k2, "k2"), number(k3, "k3")});
             },
             "k1"_a, "k2"_a, "k3"_a, R"(
-k1 >= 0, k2 > 0, any k3; s, s^2, s.)")
+The filter with these coefficients: k1 >= 0 in s, k2 > 0 in s^2, any k3 in s.)")
         .def_static(
             "from_mass_spring",
-            [](const py::object& mass, const py::object& stiffness, const py::object& resistance) {
+            [](const Number& mass, const Number& stiffness, const Number& resistance) {
                 return SecondOrder::from_mass_spring(number(mass, "mass"), number(stiffness, "stiffness"),
                                                      number(resistance, "resistance"));
             },
@@ -80,15 +80,15 @@ k1 >= 0, k2 > 0, any k3; s, s^2, s.)")
 A mass (kg, > 0) on a spring (N/m, > 0) and a damper (N s/m, >= 0): y + (b/k) y' + (m/k) y'' = x + (b/k) x'.)")
         .def_static(
             "from_overshoot",
-            [](const py::object& overshoot, const py::object& settling, const py::object& response,
-               const py::object& tolerance) {
+            [](const Number& overshoot, const Number& settling, const Number& response,
+               const Number& tolerance) {
                 return SecondOrder::from_overshoot(number(overshoot, "overshoot"),
                                                    number(settling, "settling"), number(response, "response"),
                                                    number(tolerance, "tolerance"));
             },
             "overshoot"_a, "settling"_a, "response"_a = 0.0, "tolerance"_a = 0.02, R"(
 The filter whose step response overshoots by a fraction of the step (between 0 and 1) and stays within `tolerance` of its
-end after `settling` seconds (> 0). Raises ValueError too where no damping gives that overshoot with this response.)")
+end after `settling` seconds (> 0). Raises ValueError too if no damping gives that overshoot with this response.)")
         .def_property_readonly("frequency", &SecondOrder::frequency)
         .def_property_readonly("damping", &SecondOrder::damping)
         .def_property_readonly("response", &SecondOrder::response)
@@ -100,15 +100,14 @@ end after `settling` seconds (> 0). Raises ValueError too where no damping gives
         .def_property_readonly("overshoot", [](const SecondOrder& self) { return overshoot(self); })
         .def(
             "settling_time",
-            [](const SecondOrder& self, const py::object& tolerance) {
+            [](const SecondOrder& self, const Number& tolerance) {
                 return settling_time(self, number(tolerance, "tolerance"));
             },
             "tolerance"_a = 0.02, R"(
-Last time, s, at which the step response is further than `tolerance` (> 0) from its end; infinity without damping.)");
+Last time, s, at which the step response is further than `tolerance` (> 0) from its final value; infinity without damping.)");
     m.def(
         "step_response",
-        [](const py::object& times, const py::object& frequency, const py::object& damping,
-           const py::object& response) {
+        [](const ArrayLike& times, const Number& frequency, const Number& damping, const Number& response) {
             const SecondOrder filter = filter_of(frequency, damping, response);
             return map_numbers(Numbers(times, "times"), step_cost,
                                [&](double time) { return step_response(filter, time).value; });
@@ -119,8 +118,8 @@ Response of a SecondOrder to an input that jumps from 0 to 1 at time 0.
 times: s, a number or (m,).  Returns a float or (m,).  Other arguments and errors as SecondOrder().)");
     m.def(
         "second_order",
-        [](const py::object& times, const py::object& inputs, const py::object& frequency,
-           const py::object& damping, const py::object& response) {
+        [](const ArrayLike& times, const ArrayLike& inputs, const Number& frequency, const Number& damping,
+           const Number& response) {
             const SecondOrder filter = filter_of(frequency, damping, response);
             const Samples samples(times, inputs);
             DoubleArray result(std::vector<py::ssize_t>(samples.inputs.shape(),
@@ -136,13 +135,13 @@ times: s, a number or (m,).  Returns a float or (m,).  Other arguments and error
 Outputs of a SecondOrder at the samples of its input, at rest on the first.
 
 times: (m,), s, strictly rising.  inputs: (m,) or (m, d), linear between samples; there the step is exact, whatever its
-length.  Returns an array of the shape of inputs.  Raises ValueError where shapes differ, times do not rise, or a value is
+length.  Returns an array of the shape of inputs.  Raises ValueError if shapes differ, times do not rise, or a value is
 not finite; other arguments and errors as SecondOrder().)");
 }
 
-/// What write(time, row) makes of each time.
+/// An array with a row for each time, which write(time, row) fills.
 template <class Write>
-[[nodiscard]] DoubleArray rows_at(const BoundTrack& bound, const py::object& times, const Write& write) {
+[[nodiscard]] DoubleArray rows_at(const BoundTrack& bound, const ArrayLike& times, const Write& write) {
     const Numbers at(times, "times");
     const std::size_t size = bound.track.dimensions();
     const std::size_t count = at.values().size();
@@ -160,7 +159,7 @@ template <class Write>
 
 /// The rotation that rotation_at(time) gives for each time.
 template <class RotationAt>
-[[nodiscard]] DoubleArray rotations_at(const py::object& times, const RotationAt& rotation_at) {
+[[nodiscard]] DoubleArray rotations_at(const ArrayLike& times, const RotationAt& rotation_at) {
     const Numbers at(times, "times");
     const std::size_t count = at.values().size();
     DoubleArray result = at.is_single() ? new_array({4}) : new_array({count, 4});
@@ -178,12 +177,12 @@ void bind_tracks(py::module_& m) {
 An output at any time, in any order, of a SecondOrder and an input over time. Immutable.
 
 times: (m,), s, strictly rising.  inputs: (m,) or (m, d), linear between samples.  resets: rising indices of samples to
-which the input jumps: until then it stays where it was, and there the output starts anew.  loop: the samples are one
-cycle, the last one where the next cycle begins; the output closes without a seam, and goes on by what the last sample
-differs from the first.  Raises ValueError where shapes differ, times do not rise, a value is not finite, a loop has resets,
+which the input jumps: until then it keeps its value, and at the jump the output starts anew.  loop: the samples are one
+cycle, whose last sample is the first of the next cycle; the output closes without a seam, and each cycle is offset by the
+difference between the last sample and the first.  Raises ValueError if shapes differ, times do not rise, a value is not finite, a loop has resets,
 or its length is a whole number of periods without damping.)")
-        .def(py::init([](const SecondOrder& filter, const py::object& times, const py::object& inputs,
-                         const py::object& resets, bool loop) {
+        .def(py::init([](const SecondOrder& filter, const ArrayLike& times, const ArrayLike& inputs,
+                         const OptionalWholeNumbers& resets, bool loop) {
                  const Samples samples(times, inputs);
                  const std::vector<std::size_t> jumps = indices(resets, "resets");
                  return BoundTrack{Track(filter, samples.times_span(), samples.inputs_span(),
@@ -193,12 +192,12 @@ or its length is a whole number of periods without damping.)")
              "filter"_a, "times"_a, "inputs"_a, "resets"_a = py::none(), "loop"_a = false)
         .def(
             "evaluate",
-            [](const BoundTrack& self, const py::object& times) {
+            [](const BoundTrack& self, const ArrayLike& times) {
                 return rows_at(self, times,
                                [&](double time, std::span<double> row) { self.track.evaluate(time, row); });
             },
             "times"_a, R"(
-Outputs at times, s, a number or (m,): of the shape of the times, with the inputs' d at its end where they had one.)")
+Outputs at times, s, a number or (m,): of the shape of the times, followed by the inputs' d if they have one.)")
         .def(
             "value",
             [](const BoundTrack& self, double time) {
@@ -214,18 +213,18 @@ The output of inputs (m,) at one time, s, as a float, without the cost of arrays
             "Of the memory that it takes.")
         .def(
             "offsets",
-            [](const BoundTrack& self, const py::object& times) {
+            [](const BoundTrack& self, const ArrayLike& times) {
                 return rows_at(self, times,
                                [&](double time, std::span<double> row) { self.track.offset(time, row); });
             },
             "times"_a, R"(
-What the outputs differ from the inputs by at times, in the same shape: exactly 0 where the input has never moved.)");
+Outputs less inputs at times, in the shape of evaluate(): exactly 0 if the input has never moved.)");
     py::class_<RotationTrack>(m, "RotationTrack", py::module_local(), R"(
-The same for rotations: inputs (m, 4), unit quaternions w, x, y, z, each taken the shorter way from the one before. The
-output is the input turned by a rotation vector that is filtered in its tangent space: about one axis that is the filter of
-the angle. With `loop` the last input has to be the first one again.)")
-        .def(py::init([](const SecondOrder& filter, const py::object& times, const py::object& inputs,
-                         const py::object& resets, bool loop) {
+A Track of rotations: inputs (m, 4), unit quaternions w, x, y, z, each taken by the shorter way from the one before. The
+output is the input turned by a rotation vector that is filtered in its tangent space: about one fixed axis this is the filter
+of the angle. With `loop` the last input has to equal the first.)")
+        .def(py::init([](const SecondOrder& filter, const ArrayLike& times, const ArrayLike& inputs,
+                         const OptionalWholeNumbers& resets, bool loop) {
                  const Samples samples(times, inputs);
                  if (samples.inputs.ndim() != 2 || samples.dimensions != 4)
                      value_error("inputs", "must have the shape (m, 4), not " + shape_of(samples.inputs));
@@ -241,19 +240,19 @@ the angle. With `loop` the last input has to be the first one again.)")
              "filter"_a, "times"_a, "inputs"_a, "resets"_a = py::none(), "loop"_a = false)
         .def(
             "evaluate",
-            [](const RotationTrack& self, const py::object& times) {
+            [](const RotationTrack& self, const ArrayLike& times) {
                 return rotations_at(times, [&](double time) { return self.evaluate(time); });
             },
             "times"_a, R"(
 Rotations at times, s, a number or (m,): (4,) or (m, 4).)")
         .def(
             "offsets",
-            [](const RotationTrack& self, const py::object& times) {
+            [](const RotationTrack& self, const ArrayLike& times) {
                 return rotations_at(times, [&](double time) { return self.offset(time); });
             },
             "times"_a, R"(
-Turns from the inputs to the outputs at times, in the inputs' own frames, in the same shape: exactly none where the input
-has never moved.)")
+Turns from the inputs to the outputs at times, in the inputs' own frames, in the shape of evaluate(): exactly the identity if the
+input has never moved.)")
         .def_property_readonly("nbytes", &RotationTrack::bytes, "Of the memory that it takes.");
 }
 

@@ -1,4 +1,4 @@
-// Lattices: deforming by them, pulling them by what they deform, and the boxes they are fitted to.
+// Lattices: deformation, pulls at deformed points, and boxes that lattices are fitted to.
 #include "motus/lattice/lattice.hpp"
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
+#include "core/typed.hpp"
 #include "mesh/arrays.hpp"
 
 namespace motus::bindings {
@@ -34,7 +35,7 @@ constexpr double box_cost = 200.0;    // ns a point, rough
     return rows;
 }
 
-/// (count,) numbers, copied, or none where the object is None.
+/// (count,) numbers, copied, or none if the object is None.
 class OneEach {
   public:
     OneEach(const py::object& object, const char* name, std::size_t count) {
@@ -82,8 +83,9 @@ class OneEach {
     return result;
 }
 
-[[nodiscard]] lattice::Lattice make_lattice(const py::object& origin, const py::object& axes,
-                                            const py::object& resolution, const py::object& basis) {
+[[nodiscard]] lattice::Lattice make_lattice(const ArrayLike& origin, const ArrayLike& axes,
+                                            const WholeNumbers& resolution,
+                                            const Typed<"str | typing.Sequence[str]">& basis) {
     lattice::Lattice lattice;
     lattice.origin = vector(origin, "origin");
     lattice.axes = three_vectors(axes, "axes");
@@ -109,7 +111,7 @@ class OneEach {
 
 // --- Lattice ---------------------------------------------------------------------------------------------
 
-[[nodiscard]] DoubleArray weights_at(const lattice::Lattice& lattice, const py::object& places) {
+[[nodiscard]] DoubleArray weights_at(const lattice::Lattice& lattice, const ArrayLike& places) {
     const Points points(places, "places");
     const std::size_t count = point_count(lattice);
     DoubleArray result = new_array({points.values().size(), count});
@@ -123,9 +125,9 @@ class OneEach {
     return result;
 }
 
-[[nodiscard]] FloatArray deformed(const lattice::Lattice& lattice, const py::object& positions,
-                                  const py::object& displacements, const py::object& influence,
-                                  const py::object& point_weights, const py::object& out) {
+[[nodiscard]] FloatArray deformed(const lattice::Lattice& lattice, const ArrayLike& positions,
+                                  const ArrayLike& displacements, const OptionalArrayLike& influence,
+                                  const OptionalArrayLike& point_weights, const OptionalFloat32Array& out) {
     const Positions position_rows(positions, "positions"), move_rows(displacements, "displacements");
     const std::vector<glm::vec3> from = finite_rows(position_rows, "positions");
     const std::vector<glm::vec3> moves = finite_rows(move_rows, "displacements");
@@ -146,11 +148,10 @@ class OneEach {
     return result;
 }
 
-[[nodiscard]] py::tuple pulled(const lattice::Lattice& lattice, const py::object& places,
-                               const py::object& displacements, const py::object& pulls,
-                               const py::object& shares, const py::object& influence,
-                               const py::object& point_weights, const py::object& outside_only,
-                               const py::object& max_gain) {
+[[nodiscard]] Typed<"tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"> pulled(
+    const lattice::Lattice& lattice, const ArrayLike& places, const ArrayLike& displacements,
+    const OptionalArrayLike& pulls, const OptionalArrayLike& shares, const OptionalArrayLike& influence,
+    const OptionalArrayLike& point_weights, const Flag& outside_only, const Number& max_gain) {
     const Points place_rows(places, "places"), wanted_rows(displacements, "displacements");
     const std::span<const glm::dvec3> at = place_rows.values(), wanted = wanted_rows.values();
     const OneEach part_shares(shares, "shares", at.size()), influences(influence, "influence", at.size());
@@ -189,7 +190,10 @@ class OneEach {
 
 // --- Boxes -----------------------------------------------------------------------------------------------
 
-[[nodiscard]] py::tuple box(const py::object& points, const py::object& axes, const py::object& turn) {
+[[nodiscard]] Typed<
+    "tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64], "
+    "numpy.typing.NDArray[numpy.float64]]">
+box(const ArrayLike& points, const OptionalArrayLike& axes, const Flag& turn) {
     const std::vector<glm::vec3> around = finite_rows(Positions(points, "points"), "points");
     glm::dmat3 frame(1.0);
     if (!axes.is_none()) {
@@ -217,7 +221,7 @@ class OneEach {
 
 void bind_lattice(py::module_& m) {
     py::class_<lattice::Lattice> lattice(m, "Lattice", py::module_local(), R"(
-A grid of points that deforms what is in it (free-form deformation).
+A grid of points that deforms positions within it (free-form deformation).
 
 origin: (3,), the first point at rest.  axes: (3, 3), rows: from the first to the last point along u, v and w; independent.
 resolution: points along u, v and w, 1 to 64.  basis: one name, or one each: 'bernstein' (Sederberg and Parry's, of the
@@ -233,7 +237,7 @@ Raises ValueError or TypeError that names the argument, as its methods do.)");
                                   [](const lattice::Lattice& self) { return point_count(self); });
     lattice.def(
         "rest_points", [](const lattice::Lattice& self) { return to_array(rest_points(self)); },
-        "Where the points are at rest: (n, 3).");
+        "Positions of the points at rest: (n, 3).");
     lattice.def("weights", &weights_at, "places"_a, R"(
 How much each point moves places: (m, n), rows add up to 1.  places: (m, 3), before they are deformed.)");
     lattice.def("deform", &deformed, "positions"_a, "displacements"_a, "influence"_a = py::none(),
@@ -247,22 +251,22 @@ Returns float32 (m, 3).)");
     lattice.def("pull", &pulled, "places"_a, "displacements"_a, "pulls"_a = py::none(),
                 "shares"_a = py::none(), "influence"_a = py::none(), "point_weights"_a = py::none(),
                 "outside_only"_a = false, "max_gain"_a = lattice::PullOptions{}.max_gain, R"(
-The smallest displacements of the points that move places as wanted, or as nearly as can be (least squares).
+The smallest displacements of the points that move places as wanted, or as nearly as possible (least squares).
 
 places: (k, 3), before they are deformed.  displacements: (p, 3), wanted; 0 holds a place.  pulls: (k,) index of the
 displacement that each place takes part in; None: one each.  shares: (k,) with pulls, such as the barycentric coordinates
 of a point of a triangle; None: 1.  influence: (k,), point_weights: (n,), as of deform().
 outside_only: points inside follow those of the outside, as with Blender's Outside.
-MAX_PULLS displacements at most, where they move more points than that: the work grows with the cube of the smaller number.
-max_gain: > 0; bounds the points' movement to so many times what the pulls would need at full influence by themselves.
-Returns ((n, 3), (p, 3)): displacements to be added to those of the points, and what is left of those wanted.)");
+MAX_PULLS displacements at most, if they move more points than that: the work grows with the cube of the smaller number.
+max_gain: > 0; bounds the points' movement to this many times what the pulls would need at full influence by themselves.
+Returns ((n, 3), (p, 3)): displacements to be added to those of the points, and the rest of the wanted displacements that is not reached.)");
 
     m.def("box_around", &box, "points"_a, "axes"_a = py::none(), "turn"_a = false, R"(
 A box around points.
 
 points: (m, 3).  axes: (3, 3), rows are its axes, at right angles and of length 1; None: x, y, z.  turn: look for a smaller
-box of another orientation, its axes named and signed to be near those given.
-Returns (center (3,), axes (3, 3) in rows, size (3,)); all 0 but the axes where there are no points.
+box of a different orientation, its axes ordered and signed to be near the given ones.
+Returns (center (3,), axes (3, 3) in rows, size (3,)); all 0 but the axes if there are no points.
 Raises ValueError or TypeError that names the argument.)");
 }
 

@@ -43,7 +43,7 @@ using IntArray = py::array_t<int, py::array::c_style>;
 }
 
 /// The object as contiguous int32: itself, if it is that; a copy of other whole numbers. TypeError for
-/// anything else, ValueError where one is no int32.
+/// anything else, ValueError if one is no int32.
 [[nodiscard]] inline IntArray ints(py::handle object, std::string_view name) {
     py::array array = py::array::ensure(object);
     if (!array) value_error(name, "must be an array of whole numbers, all rows of one length");

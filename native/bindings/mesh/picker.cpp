@@ -10,10 +10,16 @@
 #include "areas.hpp"
 #include "arrays.hpp"
 #include "core/arguments.hpp"
+#include "core/typed.hpp"
 #include "reach_arrays.hpp"
 
 namespace motus::bindings {
 namespace {
+
+/// A mesh::Reach as Python sees it, and a list of several.
+using ReachPair = Typed<"tuple[numpy.typing.NDArray[numpy.int32], numpy.typing.NDArray[numpy.float32]]">;
+using ReachPairs =
+    Typed<"list[tuple[numpy.typing.NDArray[numpy.int32], numpy.typing.NDArray[numpy.float32]]]">;
 
 using namespace pybind11::literals;
 
@@ -46,8 +52,8 @@ void check_indices(std::span<const glm::ivec2> edges, std::size_t count) {
     }
 }
 
-[[nodiscard]] std::unique_ptr<PickedMesh> make(const py::object& positions, const py::object& triangles,
-                                               const py::object& edges) {
+[[nodiscard]] std::unique_ptr<PickedMesh> make(const ArrayLike& positions, const OptionalArrayLike& triangles,
+                                               const OptionalArrayLike& edges) {
     const Positions points(positions, "positions");
     const IndexRows<glm::ivec3> faces(triangles, "triangles");
     const IndexRows<glm::ivec2> lines(edges, "edges");
@@ -65,8 +71,8 @@ void check_indices(std::span<const glm::ivec2> edges, std::size_t count) {
     }
 }
 
-[[nodiscard]] py::object ray(const PickedMesh& mesh, const py::object& origin, const py::object& direction,
-                             const py::object& positions, const py::object& slack) {
+[[nodiscard]] py::object ray(const PickedMesh& mesh, const ArrayLike& origin, const ArrayLike& direction,
+                             const OptionalArrayLike& positions, const OptionalNumber& slack) {
     const glm::dvec3 from = vector(origin, "origin"), along = vector(direction, "direction");
     std::optional<mesh::Hit> hit;
     if (positions.is_none()) {
@@ -91,9 +97,9 @@ void check_indices(std::span<const glm::ivec2> edges, std::size_t count) {
     return {reinterpret_cast<const std::uint8_t*>(array.data()), count};
 }
 
-[[nodiscard]] py::object pick(const PickedMesh& mesh, const py::object& origin, const py::object& direction,
-                              const py::object& metric, const py::object& hidden, const py::object& positions,
-                              const py::object& slack) {
+[[nodiscard]] py::object pick(const PickedMesh& mesh, const ArrayLike& origin, const ArrayLike& direction,
+                              const OptionalArrayLike& metric, const OptionalArrayLike& hidden,
+                              const OptionalArrayLike& positions, const OptionalNumber& slack) {
     const glm::dvec3 from = vector(origin, "origin"), along = vector(direction, "direction");
     const glm::mat3 measure = metric_argument(metric, "metric");
     const std::span<const std::uint8_t> flags = hidden_argument(hidden, mesh.vertex_count());
@@ -109,13 +115,13 @@ void check_indices(std::span<const glm::ivec2> edges, std::size_t count) {
     return py::make_tuple(found->hit.triangle, to_array(found->hit.point), found->vertex);
 }
 
-[[nodiscard]] py::object nearest(const PickedMesh& mesh, const py::object& point) {
+[[nodiscard]] py::object nearest(const PickedMesh& mesh, const ArrayLike& point) {
     const std::optional<std::uint32_t> vertex = mesh.nearest(float_vector(point, "point"));
     return vertex ? py::object(py::int_(*vertex)) : py::object(py::none());
 }
 
-[[nodiscard]] IntArray within(const PickedMesh& mesh, const py::object& point, const py::object& radius,
-                              const py::object& metric) {
+[[nodiscard]] IntArray within(const PickedMesh& mesh, const ArrayLike& point, const Number& radius,
+                              const OptionalArrayLike& metric) {
     const glm::vec3 centre = float_vector(point, "point");
     const float most = float_number(radius, "radius");
     if (most < 0.0f) value_error("radius", "must be >= 0");
@@ -128,9 +134,9 @@ void check_indices(std::span<const glm::ivec2> edges, std::size_t count) {
     return index_array(vertices);
 }
 
-[[nodiscard]] std::vector<mesh::Reach> measure(const PickedMesh& mesh, const py::object& root,
-                                               const py::object& radius, const py::object& distance,
-                                               const py::object& metric, const py::object& mirror) {
+[[nodiscard]] std::vector<mesh::Reach> measure(const PickedMesh& mesh, const IndexOrArrayLike& root,
+                                               const Number& radius, const DistanceName& distance,
+                                               const OptionalArrayLike& metric, const Text& mirror) {
     sculpt::Dab dab;
     const Distance way = distance_argument(distance);
     Root from = root_argument(root, mesh.vertex_count());
@@ -146,7 +152,7 @@ void check_indices(std::span<const glm::ivec2> edges, std::size_t count) {
     return mesh.reaches(dab, from, way);
 }
 
-void refit(PickedMesh& mesh, const py::object& positions, const py::object& moved) {
+void refit(PickedMesh& mesh, const ArrayLike& positions, const OptionalArrayLike& moved) {
     const Positions points(positions, "positions");
     const std::size_t count = mesh.vertex_count();
     if (points.values().size() != count)
@@ -171,10 +177,10 @@ void refit(PickedMesh& mesh, const py::object& positions, const py::object& move
 
 void bind_picker(py::module_& m) {
     py::class_<PickedMesh>(m, "Picker", py::module_local(), R"(
-A mesh to pick from: a tree over its triangles and vertices, and who neighbours whom.
+A mesh to pick from: a tree over its triangles and vertices, and the neighbours of each vertex.
 
 It keeps a copy of the positions: answers are for the shape of the last refit. Coincident or loose vertices, triangles
-without area and edges of any number of triangles will do. Threads may use it at the same time.)")
+without area and edges of any number of triangles are allowed. Threads may use it at the same time.)")
         .def(py::init(&make), "positions"_a, "triangles"_a, "edges"_a = py::none(), R"(
 positions: (v, 3) float32.  triangles: (t, 3) int32, or None.  edges: (e, 2) int32, the mesh's own, for distances counted
 in edges: the diagonals of polygons are no edges. None: all sides of triangles are.
@@ -182,56 +188,57 @@ Other real numbers are converted, which takes time. Raises ValueError or TypeErr
         .def_property_readonly("vertex_count", &PickedMesh::vertex_count, "int")
         .def_property_readonly("triangle_count", &PickedMesh::triangle_count, "int")
         .def("ray", &ray, "origin"_a, "direction"_a, "positions"_a = py::none(), "slack"_a = py::none(), R"(
-What a ray meets first: (triangle, point (3,), distance from the origin), or None. From either side; the direction may
-have any length but 0, of which nothing comes.
+The first hit of a ray: (triangle, point (3,), distance from the origin), or None. Triangles are hit from either side.
+The direction may have any length; with length 0 there is no hit.
 
-positions: (v, 3) float32, another shape of the mesh, which is met instead. slack, with it: no vertex lies further from where
-it was at the last refit; triangles with one that does may be missed. For a few rays that takes far less time than a refit,
-where the slack is small beside the mesh.)")
+positions: (v, 3) float32, a different shape of the mesh, which the ray meets instead. slack, needed with positions: the
+most that a vertex has moved since the last refit; triangles of a vertex that moved further may be missed. For a few rays
+this takes far less time than a refit, if the slack is small compared with the mesh.)")
         .def("pick", &pick, "origin"_a, "direction"_a, "metric"_a = py::none(), "hidden"_a = py::none(),
              "positions"_a = py::none(), "slack"_a = py::none(), R"(
-What a ray meets first, and the vertex that is meant by it: (triangle, point (3,), vertex), or None.
+The first hit of a ray, and the vertex that it picks: (triangle, point (3,), vertex), or None.
 
-The vertex is the one nearest to the point, by |metric (p - point)|, on the surface that was hit: of its triangle, and of
-those that hang together with it by edges, as far as they are seen from the same side, 256 of them at most. So it may belong
-to another triangle, where they are thin, but never to the far side of a wall or to another sheet.
-metric: as in within().  hidden: (v,) bool; those are left out, unless all around are: then it is the triangle's nearest
-corner.  positions, slack: as in ray().)")
+The vertex is the one nearest to the point, by |metric (p - point)|, on the surface that was hit: of the triangle, and of
+at most 256 triangles that are connected with it by edges and seen from the same side. If triangles are thin it may belong
+to a neighbour, but never to the far side of a wall or to a different sheet.
+metric: as in within().  hidden: (v,) bool, vertices that are left out; if all around are hidden, the triangle's nearest
+corner is picked.  positions, slack: as in ray().)")
         .def("nearest", &nearest, "point"_a, R"(
-Index of the vertex nearest to the point (3,), the lowest where several are; None where there is no vertex.)")
+Index of the vertex nearest to the point (3,), the lowest if several are as near; None if there is no vertex.)")
         .def("within", &within, "point"_a, "radius"_a, "metric"_a = py::none(), R"(
 Indices (n,) int32, ascending, of the vertices with |metric (p - point)| <= radius.
 
 metric: (3, 3) in rows, such as that of an object's world matrix; None: the identity.)")
         .def(
             "reach",
-            [](const PickedMesh& mesh, const py::object& root, const py::object& radius,
-               const py::object& distance, const py::object& metric) {
+            [](const PickedMesh& mesh, const IndexOrArrayLike& root, const Number& radius,
+               const DistanceName& distance, const OptionalArrayLike& metric) -> ReachPair {
                 return to_pair(measure(mesh, root, radius, distance, metric, py::str("")).front());
             },
             "root"_a, "radius"_a, "distance"_a = "straight", "metric"_a = py::none(), R"(
-How far the vertices around a root are: (indices (n,) int32, ascending, distances (n,) float32) of those within the radius.
+The vertices within a radius of a root: (indices (n,) int32, ascending, distances (n,) float32).
 
 root: index of a vertex; for 'straight' also a point (3,).  radius: >= 0; for 'edges' a number of edges.
 distance: 'straight'; 'surface', along triangles and loose edges; 'edges', counted.  metric: as in within().
-What it gives is what pull() takes as `reach`.)")
+The result can be given to pull() as `reach`.)")
         .def(
             "reaches",
-            [](const PickedMesh& mesh, const py::object& root, const py::object& radius,
-               const py::object& distance, const py::object& metric, const py::object& mirror) {
+            [](const PickedMesh& mesh, const IndexOrArrayLike& root, const Number& radius,
+               const DistanceName& distance, const OptionalArrayLike& metric,
+               const Text& mirror) -> ReachPairs {
                 py::list pairs;
                 for (const mesh::Reach& reach : measure(mesh, root, radius, distance, metric, mirror))
                     pairs.append(to_pair(reach));
                 return pairs;
             },
             "root"_a, "radius"_a, "distance"_a = "straight", "metric"_a = py::none(), "mirror"_a = "", R"(
-The same for each mirror image of the root, as a list of pairs: what pull() takes as `reach` where it mirrors. Those that
-apply of: itself, mirrored in x, y, xy, z, xz, yz, xyz.
+The results of reach() for the root and each of its mirror images, as a list for pull()'s `reach` with `mirror`. The order
+is: the root, mirrored in x, y, xy, z, xz, yz, xyz, of which those that do not apply are left out.
 
-mirror: letters of 'xyz'. Images of a vertex are the vertices nearest to where it is mirrored.)")
+mirror: letters of 'xyz'. The image of a vertex is the vertex nearest to its mirrored position.)")
         .def("refit", &refit, "positions"_a, "moved"_a = py::none(), R"(
-Follows the mesh to new positions (v, 3). moved: indices of the vertices that have others than at the last refit, which
-takes less time than all; None: any may.)");
+Adapts the tree to new positions (v, 3). moved: indices of the vertices that have moved since the last refit, which
+takes less time than to look at all; None: any vertex may have moved.)");
 }
 
 }  // namespace motus::bindings

@@ -19,7 +19,7 @@
 
 namespace motus::bindings {
 
-/// What a ray meets, and the vertex that is meant by it.
+/// The triangle that a ray meets, and the vertex that it picks.
 struct Pick {
     mesh::Hit hit;
     std::uint32_t vertex = 0;
@@ -54,7 +54,7 @@ class PickedMesh {
     [[nodiscard]] std::optional<mesh::Hit> ray(const glm::dvec3& origin, const glm::dvec3& direction) const;
     [[nodiscard]] std::optional<mesh::Hit> ray(const glm::dvec3& origin, const glm::dvec3& direction,
                                                std::span<const glm::vec3> positions, float slack) const;
-    /// The hit and its nearest vertex that is seen; of another shape where there is a slack.
+    /// The hit and its nearest vertex that is seen; of another shape if there is a slack.
     [[nodiscard]] std::optional<Pick> pick(const glm::dvec3& origin, const glm::dvec3& direction,
                                            std::span<const std::uint8_t> hidden, const glm::mat3& metric,
                                            std::span<const glm::vec3> positions,
@@ -64,7 +64,7 @@ class PickedMesh {
                                                     const glm::mat3& metric) const;
     [[nodiscard]] glm::vec3 position(std::uint32_t vertex) const;
     /// One for each of the dab's images, on the shape of the last refit; its radius counts, inclusively.
-    /// Images of a vertex are the vertices nearest to where it is mirrored.
+    /// The image of a vertex is the vertex nearest to its mirrored position.
     [[nodiscard]] std::vector<mesh::Reach> reaches(const sculpt::Dab& dab, const Root& root,
                                                    Distance distance) const;
 
@@ -74,7 +74,7 @@ class PickedMesh {
     /// Built when asked for first.
     [[nodiscard]] const mesh::Neighbours& neighbours() const;
     /// The largest side of the box around all vertices, measured by the metric. Never too small; too large
-    /// where parts of the mesh were refitted.
+    /// if parts of the mesh were refitted.
     [[nodiscard]] float extent(const glm::mat3& metric) const;
 
   private:

@@ -8,14 +8,16 @@
 #include "areas.hpp"
 #include "arrays.hpp"
 #include "core/arguments.hpp"
+#include "core/typed.hpp"
 
 namespace motus::bindings {
 namespace {
 
 using namespace pybind11::literals;
 
-[[nodiscard]] py::tuple refined(const py::object& given_positions, const py::object& given_triangles,
-                                const py::object& longest_edge, const py::object& most_vertices) {
+[[nodiscard]] Typed<"tuple[numpy.typing.NDArray[numpy.float32], numpy.typing.NDArray[numpy.int32]]"> refined(
+    const ArrayLike& given_positions, const ArrayLike& given_triangles, const Number& longest_edge,
+    const WholeNumber& most_vertices) {
     const Positions positions(given_positions, "positions");
     const IndexRows<glm::ivec3> triangles(given_triangles, "triangles");
     const double longest = number(longest_edge, "longest_edge");
@@ -35,9 +37,9 @@ using namespace pybind11::literals;
 void bind_refine(py::module_& m) {
     m.def("refine", &refined, "positions"_a, "triangles"_a, "longest_edge"_a, "most_vertices"_a = 1 << 22, R"(
 The mesh with all edges longer than longest_edge, > 0, halved again and again: (positions (v, 3) float32, triangles (t, 3)
-int32), on the same surface and without gaps that it did not have. The vertices that were given come first.
+int32), on the same surface and without new gaps. The given vertices come first.
 
-Raises ValueError or TypeError that names the argument, also where there would be more than most_vertices.)");
+Raises ValueError or TypeError that names the argument, also if there would be more than most_vertices.)");
 }
 
 }  // namespace motus::bindings

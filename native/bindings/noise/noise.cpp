@@ -16,6 +16,7 @@
 
 #include "areas.hpp"
 #include "core/arguments.hpp"
+#include "core/typed.hpp"
 #include "mesh/arrays.hpp"
 
 namespace motus::bindings {
@@ -26,7 +27,7 @@ using namespace pybind11::literals;
 constexpr double noise_cost = 5.0;  // ns, rough
 
 /// A copy of places as rows of float32, in an array of the shape of the result: `rows` without the last axis
-/// where a place has several coordinates.
+/// if a place has several coordinates.
 struct Places {
     Places(const py::object& object, const char* name, py::ssize_t coordinates) {
         const FloatArray given = floats(object, name);
@@ -62,7 +63,7 @@ template <>
 constexpr py::ssize_t coordinates_of<float> = 1;
 
 template <class Place>
-[[nodiscard]] py::object values_at(const py::object& places, const char* name, const py::object& seed) {
+[[nodiscard]] py::object values_at(const py::object& places, const char* name, const WholeNumber& seed) {
     const std::uint32_t from = seed_of(seed);
     const Places at(places, name, coordinates_of<Place>);
     FloatArray result(static_cast<py::ssize_t>(at.count));
@@ -80,7 +81,7 @@ template <class Place>
 void bind_noise(py::module_& m) {
     m.def(
         "noise1",
-        [](const py::object& x, const py::object& seed) -> py::object {
+        [](const ArrayLike& x, const WholeNumber& seed) -> py::object {
             // A single number keeps its precision: seconds times a speed grow large.
             if (PyFloat_Check(x.ptr()) != 0) return py::float_(noise::value(number(x, "x"), seed_of(seed)));
             return values_at<float>(x, "x", seed);
@@ -88,20 +89,20 @@ void bind_noise(py::module_& m) {
         "x"_a, "seed"_a = 0, R"(
 Smooth noise of one variable, in [-1, 1]: two continuous derivatives, no period, most of its power below one wave a unit.
 
-x: a float, taken in double precision, or (m,), taken in float32.  seed: a whole number from 0 to 2^32 - 1; different ones
-give noises that have nothing to do with each other.
+x: a float, taken in double precision, or (m,), taken in float32.  seed: a whole number from 0 to 2^32 - 1; different
+seeds give independent noises.
 Returns a float or (m,) float32; beyond 2^30 the noise is constant. The same bits on every machine.
-Raises ValueError where a value is not finite, in float32 too, or a shape is another.)");
+Raises ValueError if a value is not finite, also as float32, or a shape is wrong.)");
     m.def(
         "noise2",
-        [](const py::object& xy, const py::object& seed) { return values_at<glm::vec2>(xy, "xy", seed); },
+        [](const ArrayLike& xy, const WholeNumber& seed) { return values_at<glm::vec2>(xy, "xy", seed); },
         "xy"_a, "seed"_a = 0, R"(
-The same of two variables.  xy: (2,) or (m, 2), taken in float32.  Returns a float or (m,) float32.)");
+Smooth noise of two variables, as noise1().  xy: (2,) or (m, 2), taken in float32.  Returns a float or (m,) float32.)");
     m.def(
         "noise3",
-        [](const py::object& xyz, const py::object& seed) { return values_at<glm::vec3>(xyz, "xyz", seed); },
+        [](const ArrayLike& xyz, const WholeNumber& seed) { return values_at<glm::vec3>(xyz, "xyz", seed); },
         "xyz"_a, "seed"_a = 0, R"(
-The same of three variables.  xyz: (3,) or (m, 3), taken in float32.  Returns a float or (m,) float32.)");
+Smooth noise of three variables, as noise1().  xyz: (3,) or (m, 3), taken in float32.  Returns a float or (m,) float32.)");
 }
 
 }  // namespace motus::bindings

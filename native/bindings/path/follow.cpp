@@ -9,6 +9,7 @@
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
+#include "core/typed.hpp"
 #include "curve/curve.hpp"
 #include "options.hpp"
 
@@ -29,17 +30,18 @@ constexpr double follower_cost = 300.0;  // ns, rough
                                {"-Z", {0, 0, -1}}});
 }
 
-[[nodiscard]] path::LagBy lag_option(const py::object& lag_by) {
+[[nodiscard]] path::LagBy lag_option(const Text& lag_by) {
     return choice<path::LagBy>(
         lag_by, "lag_by",
         {{"acceleration", path::LagBy::acceleration}, {"curvature", path::LagBy::curvature}});
 }
 
-py::tuple follow_curve(const py::object& curve, const py::object& timing, const py::object& time,
-                       const py::object& offsets, const py::object& mode, const py::object& extend,
-                       const py::object& forward, const py::object& up, const py::object& rotate,
-                       const py::object& lag_rate, const py::object& lag_by, const py::object& locations,
-                       const py::object& rotations, const py::object& line_up, const py::kwargs& options) {
+Typed<"tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"> follow_curve(
+    const Typed<"motus_native.Curve">& curve, const Typed<"motus_native.Timing">& timing, const Number& time,
+    const ArrayLike& offsets, const FrameModeName& mode, const ExtendName& extend, const AxisName& forward,
+    const AxisName& up, const Flag& rotate, const Number& lag_rate, const Text& lag_by,
+    const OptionalFloat64Array& locations, const OptionalFloat64Array& rotations, const Flag& line_up,
+    const py::kwargs& options) {
     const BoundCurve& path = curve_argument(curve);
     const path::Timing& motion = instance<path::Timing>(timing, "timing", "a Timing");
     const Numbers along(offsets, "offsets");
@@ -83,17 +85,17 @@ void bind_follow(py::module_& m) {
 Poses of followers on a curve at one time. A function of its arguments alone: times may come in any order.
 
 timing: a Timing.  time: s.  offsets: a number or (n,), how far each follower is ahead (+) or behind (-) along the curve.
-mode and its options: as in frames(), but for speed, which is the timing's.
-extend: what lies beyond the ends: 'clamp'; 'extrapolate' straight on along the tangent with the end's frame; 'loop';
+mode and its options: as in frames(), without speed, which the timing gives.
+extend: the path beyond its ends: 'clamp'; 'extrapolate' straight on along the tangent with the end's frame; 'loop';
 'ping_pong'.  forward, up: the follower's own axes that go along the curve and up: 'X', '-X', 'Y', '-Y', 'Z', '-Z', across
 each other.  rotate: False leaves every rotation the identity.
 lag_rate: > 0 lets the orientation trail its target at lag_rate times the bend of the curve per second, from time 0 on
-and with LAG_MEMORY = 120 s of memory, in at most 2300 steps: 1/120 s each for the last 10 s, and up to 1/300 of their age before. That
-costs 1e-4 rad; 0.01 rad after a jump of the target, 0.3 rad where it ran more than half a turn ahead.  lag_by: the bend is |C''(t)| ('acceleration') or the curvature ('curvature').
+and with LAG_MEMORY = 120 s of memory, in at most 2300 steps: 1/120 s each for the last 10 s, and up to 1/300 of their age before. The
+error is 1e-4 rad; 0.01 rad after a jump of the target, 0.3 rad if the target ran more than half a turn ahead.  lag_by: the bend is |C''(t)| ('acceleration') or the curvature ('curvature').
 line_up: the first follower stops at the ends, and the others keep their distance from it; with extend='extrapolate' they
 stand in line before the start.
 locations, rotations: C-contiguous float64 arrays (n, 3) and (n, 4) to write into, which share no memory with each other
-or offsets; new ones where None.
+or offsets; new ones if None.
 Returns (locations, rotations): (n, 3) and (n, 4) quaternions w, x, y, z.
 Raises ValueError or TypeError that names the argument.)");
 }

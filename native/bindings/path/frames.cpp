@@ -12,6 +12,7 @@
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
+#include "core/typed.hpp"
 #include "curve/curve.hpp"
 #include "options.hpp"
 
@@ -23,7 +24,7 @@ using namespace pybind11::literals;
 constexpr double frame_cost = 300.0;  // ns, rough
 constexpr double default_speed = 1.0;
 
-/// Takes one option; false where the mode does not read it.
+/// Takes one option; false if the mode does not read it.
 bool set_option(path::FrameSettings& settings, std::string_view name, py::handle value) {
     const bool banking = settings.mode == path::FrameMode::banking;
     const bool curvature = settings.mode == path::FrameMode::curvature;
@@ -47,8 +48,8 @@ bool set_option(path::FrameSettings& settings, std::string_view name, py::handle
     return true;
 }
 
-py::object frames_of(const py::object& curve, const py::object& lengths, const py::object& mode,
-                     const py::object& extend, const py::kwargs& options) {
+py::object frames_of(const Typed<"motus_native.Curve">& curve, const ArrayLike& lengths,
+                     const FrameModeName& mode, const ExtendName& extend, const py::kwargs& options) {
     const BoundCurve& along = curve_argument(curve);
     const Numbers at(lengths, "lengths");
     const curve::Extend how = extend_option(extend);
@@ -77,7 +78,7 @@ py::object frames_of(const py::object& curve, const py::object& lengths, const p
 
 }  // namespace
 
-path::FrameSettings frame_settings(const py::object& mode, const py::kwargs& options, bool reads_speed) {
+path::FrameSettings frame_settings(const FrameModeName& mode, const py::kwargs& options, bool reads_speed) {
     path::FrameSettings settings;
     settings.mode = choice<path::FrameMode>(mode, "mode",
                                             {{"world_up", path::FrameMode::world_up},
@@ -106,9 +107,9 @@ void bind_frames(py::module_& m) {
     m.def("frames", &frames_of, "curve"_a, "lengths"_a, "mode"_a, "extend"_a = "clamp", R"(
 Orientations at distances along a curve: quaternions w, x, y, z that turn +Y to the tangent and +Z to up.
 
-lengths: a number or (m,), unit of the curve.  extend: what a length outside [0, length] means: 'clamp', 'extrapolate'
+lengths: a number or (m,), unit of the curve.  extend: the meaning of a length outside [0, length]: 'clamp', 'extrapolate'
 (both: the end's frame), 'loop', 'ping_pong'.
-mode, and the options that it alone reads:
+mode, and the options that only this mode reads:
 'world_up'   the world's Z across the tangent; through places where the tangent nears the vertical (11.5 degrees) it
              goes on smoothly, without a flip.
 'minimal'    rotation-minimising from world up at the start (double reflection: Wang et al. 2008); without a seam on

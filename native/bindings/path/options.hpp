@@ -3,13 +3,14 @@
 #include <pybind11/pybind11.h>
 
 #include "core/arguments.hpp"
+#include "core/typed.hpp"
 #include "curve/curve.hpp"
 #include "motus/curve/extend.hpp"
 #include "motus/path/frames.hpp"
 
 namespace motus::bindings {
 
-[[nodiscard]] inline curve::Extend extend_option(const py::object& extend) {
+[[nodiscard]] inline curve::Extend extend_option(const ExtendName& extend) {
     return choice<curve::Extend>(extend, "extend",
                                  {{"clamp", curve::Extend::clamp},
                                   {"extrapolate", curve::Extend::extrapolate},
@@ -22,8 +23,8 @@ namespace motus::bindings {
 }
 
 /// Settings of a mode by its name and its options; TypeError for an option that the mode does not read.
-/// `speed` is left to the caller where `reads_speed`.
-[[nodiscard]] path::FrameSettings frame_settings(const py::object& mode, const py::kwargs& options,
+/// `speed` is left to the caller if `reads_speed`.
+[[nodiscard]] path::FrameSettings frame_settings(const FrameModeName& mode, const py::kwargs& options,
                                                  bool reads_speed);
 
 /// Frames of a curve, from the cache or built, without the interpreter's lock meanwhile.

@@ -6,6 +6,7 @@
 #include "areas.hpp"
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
+#include "core/typed.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -14,14 +15,14 @@ using namespace pybind11::literals;
 
 constexpr double timing_cost = 10.0;  // ns, rough
 
-[[nodiscard]] path::AfterEase after_option(const py::object& after) {
+[[nodiscard]] path::AfterEase after_option(const Text& after) {
     return choice<path::AfterEase>(after, "after",
                                    {{"rest", path::AfterEase::rest},
                                     {"go_on", path::AfterEase::go_on},
                                     {"repeat", path::AfterEase::repeat}});
 }
 
-/// The two columns of a profile; the library looks at what is in them.
+/// The two columns of a profile; the library checks their values.
 template <class Make>
 [[nodiscard]] path::Timing profile(const py::object& keys, const char* keys_name, const py::object& values,
                                    const char* values_name, Make make) {
@@ -33,21 +34,21 @@ template <class Make>
 void bind_ease(py::module_& m) {
     m.def(
         "ease",
-        [](const py::object& u, const py::object& ease_in, const py::object& ease_out) {
+        [](const ArrayLike& u, const Number& ease_in, const Number& ease_out) {
             const double in = number(ease_in, "ease_in");
             const double out = number(ease_out, "ease_out");
             return map_numbers(Numbers(u, "u"), timing_cost,
                                [&](double at) { return path::ease(at, in, out); });
         },
         "u"_a, "ease_in"_a, "ease_out"_a, R"(
-Fraction of the way at the fraction u of the time: constant acceleration, constant speed, constant deceleration.
+Fraction of the path at the fraction u of the time: constant acceleration, constant speed, constant deceleration.
 
 u: a number or (m,), clamped to [0, 1].  ease_in, ease_out: fractions of the time, each in [0, 1], their sum <= 1.
-Returns a float or (m,); 0 at u = 0, 1 at u = 1, with a continuous derivative where there is ease.
-Raises ValueError where a value is not finite or outside its domain.)");
+Returns a float or (m,); 0 at u = 0, 1 at u = 1, with a continuous derivative if ease_in and ease_out are above 0.
+Raises ValueError if a value is not finite or outside its domain.)");
     m.def(
         "ease_derivative",
-        [](const py::object& u, const py::object& ease_in, const py::object& ease_out) {
+        [](const ArrayLike& u, const Number& ease_in, const Number& ease_out) {
             const double in = number(ease_in, "ease_in");
             const double out = number(ease_out, "ease_out");
             return map_numbers(Numbers(u, "u"), timing_cost,
@@ -64,12 +65,12 @@ void bind_timing(py::module_& m) {
     py::class_<path::Timing>(m, "Timing", py::module_local(), R"(
 Distance as a function of time, for follow(): seconds, and the curve's unit of length. Immutable.
 
-Made by Timing.eased, .constant, .pins, .speeds or .speeds_by_distance, which raise ValueError where a value is not finite
-or outside its domain, TypeError where one is not a real number.)")
+Made by Timing.eased, .constant, .pins, .speeds or .speeds_by_distance, which raise ValueError if a value is not finite
+or outside its domain, TypeError if one is not a real number.)")
         .def_static(
             "eased",
-            [](const py::object& duration, const py::object& length, const py::object& ease_in,
-               const py::object& ease_out, const py::object& after) {
+            [](const Number& duration, const Number& length, const Number& ease_in, const Number& ease_out,
+               const Text& after) {
                 return path::Timing::eased(number(duration, "duration"), number(length, "length"),
                                            number(ease_in, "ease_in"), number(ease_out, "ease_out"),
                                            after_option(after));
@@ -77,16 +78,16 @@ or outside its domain, TypeError where one is not a real number.)")
             "duration"_a, "length"_a, "ease_in"_a = 0.0, "ease_out"_a = 0.0, "after"_a = "rest", R"(
 `length` in `duration` seconds (> 0) with ease() at both ends; at rest before 0.
 
-after: what comes after duration: 'rest'; 'go_on' with the last speed; 'repeat', lap after lap from where the last one ended.
+after: the motion after duration: 'rest'; 'go_on' with the last speed; 'repeat', lap after lap from where the last one ended.
 Laps cost nothing, however many they are.)")
         .def_static(
-            "constant",
-            [](const py::object& speed) { return path::Timing::constant(number(speed, "speed")); }, "speed"_a,
+            "constant", [](const Number& speed) { return path::Timing::constant(number(speed, "speed")); },
+            "speed"_a,
             R"(
 speed * time, for all times.)")
         .def_static(
             "pins",
-            [](const py::object& times, const py::object& distances) {
+            [](const ArrayLike& times, const ArrayLike& distances) {
                 return profile(times, "times", distances, "distances", &path::Timing::pins);
             },
             "times"_a, "distances"_a, R"(
@@ -95,7 +96,7 @@ Through pins: at times (k,), strictly increasing, k >= 1, at distances (k,); at 
 Monotone cubics in between (Fritsch and Carlson 1980): no overshoot, at rest between pins of equal distance.)")
         .def_static(
             "speeds",
-            [](const py::object& times, const py::object& speeds) {
+            [](const ArrayLike& times, const ArrayLike& speeds) {
                 return profile(times, "times", speeds, "speeds", &path::Timing::speeds);
             },
             "times"_a, "speeds"_a, R"(
@@ -103,7 +104,7 @@ The exact integral of speeds (k,) given at times (k,), strictly increasing, k >=
 time 0. A negative speed goes backwards.)")
         .def_static(
             "speeds_by_distance",
-            [](const py::object& distances, const py::object& speeds) {
+            [](const ArrayLike& distances, const ArrayLike& speeds) {
                 return profile(distances, "distances", speeds, "speeds", &path::Timing::speeds_by_distance);
             },
             "distances"_a, "speeds"_a, R"(
@@ -111,7 +112,7 @@ Motion that has speeds (k,), all > 0, at distances (k,), strictly increasing, k 
 at distance 0 at time 0.)")
         .def(
             "distance",
-            [](const path::Timing& self, const py::object& time) {
+            [](const path::Timing& self, const ArrayLike& time) {
                 return map_numbers(Numbers(time, "time"), timing_cost,
                                    [&](double t) { return self.distance(t); });
             },
@@ -119,12 +120,12 @@ at distance 0 at time 0.)")
 Distance at a time (a number or (m,), s): a float or (m,).)")
         .def(
             "speed",
-            [](const path::Timing& self, const py::object& time) {
+            [](const path::Timing& self, const ArrayLike& time) {
                 return map_numbers(Numbers(time, "time"), timing_cost,
                                    [&](double t) { return self.speed(t); });
             },
             "time"_a, R"(
-Derivative of distance() at a time (a number or (m,), s): a float or (m,); at a jump the speed that follows.)");
+Derivative of distance() at a time (a number or (m,), s): a float or (m,); at a jump the speed after it.)");
 }
 
 }  // namespace motus::bindings

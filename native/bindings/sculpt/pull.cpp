@@ -13,6 +13,7 @@
 #include "areas.hpp"
 #include "core/arguments.hpp"
 #include "core/rotations.hpp"
+#include "core/typed.hpp"
 #include "mesh/arrays.hpp"
 #include "mesh/picker.hpp"
 #include "mesh/reach_arrays.hpp"
@@ -20,9 +21,14 @@
 namespace motus::bindings {
 namespace {
 
+/// A result of Picker.reach() or Picker.reaches().
+using OptionalReaches = Typed<
+    "tuple[numpy.typing.NDArray[numpy.int32], numpy.typing.NDArray[numpy.float32]] | "
+    "list[tuple[numpy.typing.NDArray[numpy.int32], numpy.typing.NDArray[numpy.float32]]] | None">;
+
 using namespace pybind11::literals;
 
-constexpr double vertex_cost = 0.5;     // ns, rough, where all are looked at
+constexpr double vertex_cost = 0.5;     // ns, rough, if all are looked at
 constexpr double surface_cost = 300.0;  // ns, rough, neighbours and distances
 
 // Beyond this share of the mesh's extent, and below this number of vertices, it takes less time to look at
@@ -30,10 +36,10 @@ constexpr double surface_cost = 300.0;  // ns, rough, neighbours and distances
 constexpr float tree_share = 0.12f;
 constexpr std::size_t tree_count = 20000;
 
-// What rounding may put between a distance as the tree takes it and as pull() does.
+// Greatest ratio, by rounding, of a distance as the tree and as pull() compute it.
 constexpr float rounding = 1.0f + 1e-5f;
 
-[[nodiscard]] sculpt::Falloff falloff_argument(const py::object& falloff) {
+[[nodiscard]] sculpt::Falloff falloff_argument(const FalloffName& falloff) {
     return choice<sculpt::Falloff>(falloff, "falloff",
                                    {{"classic", sculpt::Falloff::classic},
                                     {"smooth", sculpt::Falloff::smooth},
@@ -51,7 +57,7 @@ struct ProfileArgument {
     sculpt::Profile profile;
     std::vector<float> samples;
 
-    ProfileArgument(const py::object& falloff, const py::object& scale_factor, const py::object& curve) {
+    ProfileArgument(const FalloffName& falloff, const Number& scale_factor, const OptionalArrayLike& curve) {
         profile.falloff = falloff_argument(falloff);
         profile.scale_factor = float_number(scale_factor, "scale_factor");
         if (curve.is_none()) {
@@ -71,7 +77,7 @@ struct ProfileArgument {
     ~ProfileArgument() = default;
 };
 
-[[nodiscard]] float positive_radius(const py::object& radius) {
+[[nodiscard]] float positive_radius(const Number& radius) {
     const float result = float_number(radius, "radius");
     if (result <= 0.0f) value_error("radius", "must be > 0");
     return result;
@@ -96,7 +102,7 @@ class Weights {
 };
 
 /// Reaches measured earlier: a tuple (indices, distances), or a list with one such for each image.
-[[nodiscard]] std::vector<mesh::Reach> reaches_argument(const py::object& reach, std::size_t images,
+[[nodiscard]] std::vector<mesh::Reach> reaches_argument(const OptionalReaches& reach, std::size_t images,
                                                         std::size_t count) {
     std::vector<mesh::Reach> result;
     const auto add = [&](const py::handle& pair) {
@@ -115,7 +121,7 @@ class Weights {
 
 /// A mesh and how it is connected, for one call of pull().
 struct PulledMesh {
-    std::span<const glm::vec3> positions;  ///< those that distances are measured on
+    std::span<const glm::vec3> positions;  ///< positions that distances are measured on
     std::span<const glm::ivec3> triangles;
     std::span<const glm::ivec2> edges;
     bool has_edges;
@@ -132,7 +138,7 @@ struct PulledMesh {
     }
 }
 
-/// The lowest of those that are nearest.
+/// The lowest index of the nearest vertices.
 [[nodiscard]] std::uint32_t nearest(const PulledMesh& mesh, const glm::vec3& point) {
     if (mesh.picker != nullptr) {
         if (const auto found = mesh.picker->nearest(point)) return *found;
@@ -166,7 +172,7 @@ struct PulledMesh {
     return result;
 }
 
-/// By straight distance, with the tree where that takes less time.
+/// Pulls by straight distance, with the tree if that takes less time.
 void pull_straight(const PulledMesh& mesh, std::span<const glm::vec3> positions, const sculpt::Dab& dab,
                    std::span<const float> weights, std::span<glm::vec3> out, std::span<glm::vec3> copy) {
     const float reach = reach_of(dab.profile, dab.radius) * rounding;
@@ -190,10 +196,10 @@ void pull_straight(const PulledMesh& mesh, std::span<const glm::vec3> positions,
     std::copy_n(out.begin(), copy.size(), copy.begin());
 }
 
-[[nodiscard]] sculpt::Dab dab_argument(const sculpt::Profile& profile, const py::object& displacement,
-                                       const py::object& radius, const py::object& minimum,
-                                       const py::object& maximum, const py::object& clamp_axis,
-                                       const py::object& mirror, const py::object& metric) {
+[[nodiscard]] sculpt::Dab dab_argument(const sculpt::Profile& profile, const ArrayLike& displacement,
+                                       const Number& radius, const OptionalNumber& minimum,
+                                       const OptionalNumber& maximum, const WholeNumber& clamp_axis,
+                                       const Text& mirror, const OptionalArrayLike& metric) {
     sculpt::Dab dab;
     dab.profile = profile;
     dab.displacement = float_vector(displacement, "displacement");
@@ -208,7 +214,8 @@ void pull_straight(const PulledMesh& mesh, std::span<const glm::vec3> positions,
     return dab;
 }
 
-[[nodiscard]] const PickedMesh* picker_argument(const py::object& picker, std::size_t count) {
+[[nodiscard]] const PickedMesh* picker_argument(const Typed<"motus_native.Picker | None">& picker,
+                                                std::size_t count) {
     if (picker.is_none()) return nullptr;
     const PickedMesh& mesh = instance<PickedMesh>(picker, "picker", "a Picker");
     if (mesh.vertex_count() != count)
@@ -218,24 +225,27 @@ void pull_straight(const PulledMesh& mesh, std::span<const glm::vec3> positions,
 }
 
 /// (v, 3) to be filled, or nothing.
-[[nodiscard]] std::span<glm::vec3> copy_argument(const py::object& copy, std::size_t count) {
+[[nodiscard]] std::span<glm::vec3> copy_argument(const OptionalFloat32Array& copy, std::size_t count) {
     if (copy.is_none()) return {};
     FloatArray array = output<float>(copy, "copy", {static_cast<py::ssize_t>(count), 3});
     return {reinterpret_cast<glm::vec3*>(array.mutable_data()), count};
 }
 
-FloatArray pull_positions(const py::object& positions, const py::object& root, const py::object& displacement,
-                          const py::object& radius, const py::object& falloff, const py::object& distance,
-                          const py::object& triangles, const py::object& weights,
-                          const py::object& scale_factor, const py::object& minimum,
-                          const py::object& maximum, const py::object& curve, const py::object& clamp_axis,
-                          const py::object& mirror, const py::object& metric, const py::object& edges,
-                          const py::object& picker, const py::object& out, const py::object& reach,
-                          const py::object& shape, const py::object& copy) {
+FloatArray pull_positions(const ArrayLike& positions, const IndexOrArrayLike& root,
+                          const ArrayLike& displacement, const Number& radius, const FalloffName& falloff,
+                          const DistanceName& distance, const OptionalArrayLike& triangles,
+                          const OptionalArrayLike& weights, const Number& scale_factor,
+                          const OptionalNumber& minimum, const OptionalNumber& maximum,
+                          const OptionalArrayLike& curve, const WholeNumber& clamp_axis, const Text& mirror,
+                          const OptionalArrayLike& metric, const OptionalArrayLike& edges,
+                          const Typed<"motus_native.Picker | None">& picker, const OptionalFloat32Array& out,
+                          const OptionalReaches& reach, const OptionalArrayLike& shape,
+                          const OptionalFloat32Array& copy) {
     const Positions points(positions, "positions");
     const std::span<const glm::vec3> from = points.values();
     const std::size_t count = from.size();
-    const Positions other(shape.is_none() ? positions : shape, "shape");
+    const py::object& measured_on = shape.is_none() ? static_cast<const py::object&>(positions) : shape;
+    const Positions other(measured_on, "shape");
     const std::span<const glm::vec3> measured = shape.is_none() ? from : other.values();
     if (measured.size() != count)
         value_error("shape", "must be of " + std::to_string(count) + " vertices, as positions is");
@@ -259,7 +269,8 @@ FloatArray pull_positions(const py::object& positions, const py::object& root, c
     if (has_to_measure && mesh.picker == nullptr && triangles.is_none())
         value_error("triangles", "must be given for the distances 'surface' and 'edges', or a picker");
 
-    // What is walked along must stay as it was checked; pull() takes any numbers without harm to memory.
+    // A copy of the positions to walk along, which must stay as they were checked; pull() itself is safe for
+    // any numbers.
     std::vector<glm::vec3> steady_positions;
     std::vector<glm::ivec3> steady_faces;
     std::vector<glm::ivec2> steady_lines;
@@ -293,9 +304,9 @@ FloatArray pull_positions(const py::object& positions, const py::object& root, c
     return result;
 }
 
-[[nodiscard]] FloatArray forces_at(const py::object& distances, const py::object& radius,
-                                   const py::object& falloff, const py::object& scale_factor,
-                                   const py::object& curve) {
+[[nodiscard]] FloatArray forces_at(const ArrayLike& distances, const Number& radius,
+                                   const FalloffName& falloff, const Number& scale_factor,
+                                   const OptionalArrayLike& curve) {
     const ProfileArgument profile(falloff, scale_factor, curve);
     const float most = positive_radius(radius);
     const FloatArray at = floats(distances, "distances");
@@ -317,29 +328,29 @@ void bind_pull(py::module_& m) {
           "maximum"_a = py::none(), py::kw_only(), "curve"_a = py::none(), "clamp_axis"_a = 2,
           "mirror"_a = "", "metric"_a = py::none(), "edges"_a = py::none(), "picker"_a = py::none(),
           "out"_a = py::none(), "reach"_a = py::none(), "shape"_a = py::none(), "copy"_a = py::none(), R"(
-Pulls a mesh at a vertex: what is near the root follows it by force * weight * displacement.
+Pulls a mesh at a vertex, the root: vertices near the root follow by force * weight * displacement.
 
 positions: (v, 3) float32 (other real numbers are converted, which takes time).
 root: index of a vertex; for the distance 'straight' also a point (3,).  displacement: (3,), in the positions' space.
 radius: > 0, where the force ends sharply: at and beyond it nothing moves. For 'edges' a number of edges.
 falloff, over t = 1 - d / radius: 'smooth' 3t^2 - 2t^3, 'sphere' sqrt(2t - t^2), 'root' sqrt(t), 'linear' t, 'sharp' t^2,
 'constant' 1, 'gaussian' (e^(-4.5 d^2 / radius^2) - e^-4.5) / (1 - e^-4.5), 'curve' (samples), 'classic'
-(1 - d^2 / (radius + 1))^(1 + |scale_factor|) for d^2 < radius. Errors of a force <= 1e-6 where |scale_factor| <= 10.
+(1 - d^2 / (radius + 1))^(1 + |scale_factor|) for d^2 < radius. Errors of a force <= 1e-6 if |scale_factor| <= 10.
 distance: 'straight'; 'surface', along triangles and loose edges; 'edges', counted. The last two need triangles or picker.
 triangles: (t, 3) int32.  edges: (e, 2) int32, the mesh's own (None: all sides of triangles).
 weights: (v,) in [0, 1]; 0 leaves a vertex alone.  curve: 2 to 65536 samples at equal steps of t from 0 to 1.
 minimum, maximum: vertices that move are clamped to them on clamp_axis (0 x, 1 y, 2 z).
-mirror: letters of 'xyz': it acts also mirrored about those planes through the origin; where images meet, their mean acts.
+mirror: letters of 'xyz': the pull also acts mirrored about these planes through the origin; where images meet, their mean acts.
 metric: (3, 3) in rows: distances are |metric (p - root)|, such as by an object's world matrix; None: the identity.
 picker: a Picker of the mesh; its tree, refitted to positions, finds the vertices, and its neighbours are used.
-reach: what Picker.reach() gave, for instance when a stroke began; with mirror, what Picker.reaches() gave. Then root,
-distance and metric play no part.
-shape: (v, 3) float32, what distances are measured on, the root's place included, in place of positions: the dabs of a stroke
-may all act on the shape with which it began. A picker is of that shape then.
+reach: a result of Picker.reach(), for instance of the begin of a stroke; with mirror, of Picker.reaches(). Then root,
+distance and metric are not read.
+shape: (v, 3) float32, positions on which distances, also the root's place, are measured instead: with it all dabs of a stroke
+can act on the shape that the mesh had when the stroke began. A picker has to be of that shape.
 out: (v, 3) float32, C-contiguous, written into; positions itself may be given.
-copy: the same, filled with what out is in the same pass, which takes less time than to copy it later.
+copy: a float32 array as out, which gets the same values in the same pass; this takes less time than to copy out later.
 Returns out, or a new array. Raises ValueError or TypeError that names the argument, before anything is written. With picker
-or reach only positions and weights of vertices in reach are looked at.)");
+or reach only positions and weights of vertices in reach are read.)");
     m.def("pull_forces", &forces_at, "distances"_a, "radius"_a, "falloff"_a = "smooth",
           "scale_factor"_a = 0.0, "curve"_a = py::none(), R"(
 Forces of a falloff at distances >= 0, a number or (n,): float32 of that shape. Arguments and errors as pull().)");

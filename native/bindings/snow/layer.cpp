@@ -10,6 +10,7 @@
 
 #include "areas.hpp"
 #include "core/arguments.hpp"
+#include "core/typed.hpp"
 #include "mesh/arrays.hpp"
 #include "motus/snow/cover.hpp"
 
@@ -19,8 +20,8 @@ namespace {
 using namespace pybind11::literals;
 using snow::Layer;
 
-[[nodiscard]] Layer layer_of(const py::object& positions, const py::object& triangles, const py::object& up,
-                             const std::shared_ptr<snow::Collider>& shelter, const py::object& repose) {
+[[nodiscard]] Layer layer_of(const ArrayLike& positions, const ArrayLike& triangles, const ArrayLike& up,
+                             const std::shared_ptr<snow::Collider>& shelter, const OptionalNumber& repose) {
     const auto places = copied(Positions(positions, "layer_positions").values());
     const auto corners = copied(IndexRows<glm::ivec3>(triangles, "layer_triangles").values());
     const glm::dvec3 upwards = vector(up, "up");
@@ -36,8 +37,10 @@ using snow::Layer;
     return {places, corners, upwards, shelter.get(), hold};
 }
 
-[[nodiscard]] py::dict mesh(const Layer& self, const py::object& given_depths, const py::object& thinnest,
-                            const py::object& steepest) {
+[[nodiscard]] Typed<"dict[str, numpy.typing.NDArray[typing.Any]]"> mesh(const Layer& self,
+                                                                        const ArrayLike& given_depths,
+                                                                        const Number& thinnest,
+                                                                        const OptionalNumber& steepest) {
     const FloatArray array = floats(given_depths, "depths");
     if (array.ndim() != 1) value_error("depths", "must have the shape (v,), not " + shape_of(array));
     const std::vector<float> depths(array.data(), array.data() + array.size());

@@ -19,11 +19,20 @@
 #include "areas.hpp"
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
+#include "core/typed.hpp"
 #include "mesh/arrays.hpp"
 #include "motus/snow/cover.hpp"
 
 namespace motus::bindings {
 namespace {
+
+using OptionalFieldNames = Typed<
+    "typing.Sequence[typing.Literal['position', 'velocity', 'size', 'color', 'age', 'rotation', 'id']] | "
+    "None">;
+/// Arrays by the names of their fields, or a function of the number of flakes that gives them.
+using FieldArrays = Typed<
+    "dict[str, numpy.typing.NDArray[typing.Any]] | typing.Callable[[int], dict[str, "
+    "numpy.typing.NDArray[typing.Any]]] | None">;
 
 using namespace pybind11::literals;
 using snow::Collider;
@@ -72,7 +81,7 @@ constexpr double flake_cost = 10.0;  // ns, rough
     return stops;
 }
 
-[[nodiscard]] std::vector<snow::Burst> bursts(const py::object& given_times, const py::object& given_counts) {
+[[nodiscard]] std::vector<snow::Burst> bursts(const ArrayLike& given_times, const py::object& given_counts) {
     const DoubleArray times = row(given_times, "burst_times"), counts = row(given_counts, "burst_counts");
     if (times.size() != counts.size()) value_error("burst_counts", "must be as many as burst_times");
     std::vector<snow::Burst> result;
@@ -100,13 +109,13 @@ void set_surface(const py::object& positions, const py::object& triangles, SnowS
     }
 }
 
-void set_emitter(const py::object& times, const py::object& poses, SnowSettings& settings) {
+void set_emitter(const ArrayLike& times, const py::object& poses, SnowSettings& settings) {
     const DoubleArray at = row(times, "emitter_times");
     settings.emitter_times.assign(at.data(), at.data() + at.size());
     if (!poses.is_none()) settings.emitter_matrices = matrices(poses, "emitter_matrices");
 }
 
-void set_frustum(const py::object& angles, const py::object& least, const py::object& most,
+void set_frustum(const py::object& angles, const py::object& least, const WholeNumber& most,
                  SnowSettings& settings) {
     const DoubleArray both = row(angles, "frustum_angles");
     if (both.size() != 2) value_error("frustum_angles", "must have the shape (2,), not " + shape_of(both));
@@ -115,7 +124,7 @@ void set_frustum(const py::object& angles, const py::object& least, const py::ob
     settings.frustum_far = number(most, "frustum_far");
 }
 
-void set_wind(const py::object& wind, const py::object& times, const py::object& values,
+void set_wind(const ArrayLike& wind, const ArrayLike& times, const py::object& values,
               SnowSettings& settings) {
     settings.wind = vector(wind, "wind");
     const DoubleArray at = row(times, "wind_times");
@@ -125,8 +134,7 @@ void set_wind(const py::object& wind, const py::object& times, const py::object&
     settings.wind_values = copied(winds.values());
 }
 
-[[nodiscard]] std::shared_ptr<Collider> collider_of(const py::object& positions,
-                                                    const py::object& triangles) {
+[[nodiscard]] std::shared_ptr<Collider> collider_of(const ArrayLike& positions, const ArrayLike& triangles) {
     const Positions given_points(positions, "collider_positions");
     const IndexRows<glm::ivec3> given_corners(triangles, "collider_triangles");
     const std::vector<glm::vec3> points = copied(given_points.values());
@@ -135,8 +143,8 @@ void set_wind(const py::object& wind, const py::object& times, const py::object&
     return std::make_shared<Collider>(points, corners);
 }
 
-void set_collisions(const py::object& ground, const py::object& collider, const py::object& collision,
-                    const py::object& rest_time, const py::object& melt_time, const py::object& friction,
+void set_collisions(const OptionalNumber& ground, const py::object& collider, const CollisionName& collision,
+                    const OptionalNumber& rest_time, const Number& melt_time, const Number& friction,
                     SnowSettings& settings) {
     if (!ground.is_none()) settings.ground = number(ground, "ground");
     if (!collider.is_none()) {
@@ -152,22 +160,22 @@ void set_collisions(const py::object& ground, const py::object& collider, const 
 }
 
 [[nodiscard]] Snow snow_of(
-    const py::object& start_speed, const py::object& lifetime, const py::object& start_size,
-    const py::object& start_color, const py::object& rate, const py::object& delay,
-    const py::object& duration, const py::object& looping, const py::object& burst_times,
-    const py::object& burst_counts, const py::object& shape, const py::object& surface_positions,
-    const py::object& surface_triangles, const py::object& frustum_angles, const py::object& frustum_near,
-    const py::object& frustum_far, const py::object& cone_angle, const py::object& cone_radius,
-    const py::object& random_speed, const py::object& random_orientation, const py::object& random_lifetime,
-    const py::object& random_size, const py::object& random_color, const py::object& snow,
-    const py::object& max_angle, const py::object& snow_frequency, const py::object& snow_offsets,
-    const py::object& gravity, const py::object& acceleration, const py::object& drag, const py::object& wind,
-    const py::object& wind_times, const py::object& wind_values, const py::object& gusts,
-    const py::object& gust_frequency, const py::object& turbulence, const py::object& turbulence_size,
-    const py::object& tumble, const py::object& ground, const py::object& collider,
-    const py::object& collision, const py::object& rest_time, const py::object& melt_time,
-    const py::object& friction, const py::object& seed, const py::object& emitter_times,
-    const py::object& emitter_matrices) {
+    const Number& start_speed, const Number& lifetime, const Number& start_size,
+    const Typed<"tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None">& start_color,
+    const Number& rate, const Number& delay, const Number& duration, const Flag& looping,
+    const OptionalArrayLike& burst_times, const OptionalArrayLike& burst_counts,
+    const EmitterShapeName& shape, const OptionalArrayLike& surface_positions,
+    const OptionalArrayLike& surface_triangles, const ArrayLike& frustum_angles, const Number& frustum_near,
+    const Number& frustum_far, const Number& cone_angle, const Number& cone_radius, const Flag& random_speed,
+    const Flag& random_orientation, const Flag& random_lifetime, const Flag& random_size,
+    const Flag& random_color, const Flag& snow, const Number& max_angle, const Number& snow_frequency,
+    const Flag& snow_offsets, const Flag& gravity, const ArrayLike& acceleration, const Number& drag,
+    const ArrayLike& wind, const OptionalArrayLike& wind_times, const OptionalArrayLike& wind_values,
+    const Number& gusts, const Number& gust_frequency, const Number& turbulence,
+    const Number& turbulence_size, const Number& tumble, const OptionalNumber& ground,
+    const Typed<"motus_native.SnowCollider | None">& collider, const CollisionName& collision,
+    const OptionalNumber& rest_time, const Number& melt_time, const Number& friction, const WholeNumber& seed,
+    const OptionalArrayLike& emitter_times, const OptionalArrayLike& emitter_matrices) {
     SnowSettings settings;
     settings.start_speed = number(start_speed, "start_speed");
     settings.lifetime = number(lifetime, "lifetime");
@@ -207,7 +215,8 @@ void set_collisions(const py::object& ground, const py::object& collider, const 
     return Snow(settings);
 }
 
-[[nodiscard]] py::dict landings(const Snow& self, const py::object& given_end) {
+[[nodiscard]] Typed<"dict[str, numpy.typing.NDArray[typing.Any]]"> landings(const Snow& self,
+                                                                            const Number& given_end) {
     const double end = number(given_end, "end");
     const std::vector<snow::Touchdown> downs = [&] {
         const py::gil_scoped_release released;
@@ -228,9 +237,8 @@ void set_collisions(const py::object& ground, const py::object& collider, const 
     return py::dict("time"_a = times, "id"_a = ids, "position"_a = positions, "triangle"_a = triangles);
 }
 
-[[nodiscard]] Cover cover_of(const py::object& given_snow, const py::object& end,
-                             const py::object& flake_volume, const py::object& repose,
-                             const py::object& smoothing) {
+[[nodiscard]] Cover cover_of(const Typed<"motus_native.Snow">& given_snow, const Number& end,
+                             const Number& flake_volume, const Number& repose, const WholeNumber& smoothing) {
     const Snow& snow = instance<Snow>(given_snow, "snow", "a Snow");
     const CoverSettings settings{number(end, "end"), number(flake_volume, "flake_volume"),
                                  number(repose, "repose"), whole_number(smoothing, "smoothing")};
@@ -238,7 +246,8 @@ void set_collisions(const py::object& ground, const py::object& collider, const 
     return {snow, settings};
 }
 
-[[nodiscard]] py::array heights(const Cover& self, const py::object& given_time, const py::object& out) {
+[[nodiscard]] py::array heights(const Cover& self, const Number& given_time,
+                                const OptionalFloat32Array& out) {
     const double time = number(given_time, "time");
     const auto count = static_cast<py::ssize_t>(self.vertex_count());
     py::array array = py::array_t<float>(count);
@@ -333,15 +342,19 @@ void set_field(std::string_view name, py::array& array, snow::Fields& fields) {
     return result;
 }
 
-[[nodiscard]] py::dict evaluate(const Snow& self, const py::object& given_time, const py::object& fields,
-                                const py::object& given_out, bool known) {
+[[nodiscard]] Typed<"dict[str, numpy.typing.NDArray[typing.Any]]"> evaluate(const Snow& self,
+                                                                            const Number& given_time,
+                                                                            const OptionalFieldNames& fields,
+                                                                            const FieldArrays& given_out,
+                                                                            bool known) {
     const double time = number(given_time, "time");
     const snow::Living living = [&] {
         const py::gil_scoped_release released;
         return known ? self.known(time) : self.living(time);
     }();
     const auto count = static_cast<py::ssize_t>(living.count());
-    const py::object out = PyCallable_Check(given_out.ptr()) != 0 ? given_out(count) : given_out;
+    py::object out = given_out;
+    if (PyCallable_Check(given_out.ptr()) != 0) out = given_out(count);
     if (!out.is_none() && !py::isinstance<py::dict>(out)) wrong_type(out, "out", "a dict of arrays");
     const std::vector<Field> names = wanted(fields, out);
     py::dict result;
@@ -360,8 +373,8 @@ void set_field(std::string_view name, py::array& array, snow::Fields& fields) {
     return result;
 }
 
-[[nodiscard]] std::size_t find_landings(const Snow& self, const py::object& given_time,
-                                        const py::object& given_most) {
+[[nodiscard]] std::size_t find_landings(const Snow& self, const Number& given_time,
+                                        const WholeNumber& given_most) {
     const double time = number(given_time, "time");
     const int most = whole_number(given_most, "most");
     if (most < 0) value_error("most", "must be at least 0");
@@ -476,8 +489,7 @@ Raises ValueError or TypeError that names the argument, also where more than 1e7
 
 out: an array of that kind to write into, which is returned.)")
         .def(
-            "volume",
-            [](const Cover& self, const py::object& time) { return self.volume(number(time, "time")); },
+            "volume", [](const Cover& self, const Number& time) { return self.volume(number(time, "time")); },
             "time"_a, "m^3 that lie on the collider at `time`, s.");
 }
 

@@ -1,4 +1,4 @@
-// Stereo: parallax, depth budgets, screens, and what samples of depth tell.
+// Stereo: parallax, depth budgets, screens, and statistics of depth samples.
 #include <pybind11/pybind11.h>
 
 #include <cmath>
@@ -11,6 +11,7 @@
 #include "areas.hpp"
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
+#include "core/typed.hpp"
 #include "motus/stereo/eyes.hpp"
 #include "motus/stereo/scene_depth.hpp"
 #include "motus/stereo/screen.hpp"
@@ -30,14 +31,13 @@ constexpr double point_cost = 20.0;  // ns, rough
     return number(object, name);
 }
 
-[[nodiscard]] Mode mode_of(const py::object& mode) {
+[[nodiscard]] Mode mode_of(const StereoModeName& mode) {
     return choice<Mode>(
         mode, "mode", {{"off_axis", Mode::off_axis}, {"parallel", Mode::parallel}, {"toe_in", Mode::toe_in}});
 }
 
-[[nodiscard]] Eyes eyes_of(const py::object& interaxial, const py::object& focal_length,
-                           const py::object& sensor_width, const py::object& convergence,
-                           const py::object& mode) {
+[[nodiscard]] Eyes eyes_of(const Number& interaxial, const Number& focal_length, const Number& sensor_width,
+                           const Number& convergence, const StereoModeName& mode) {
     const Eyes eyes{number(interaxial, "interaxial"), number(focal_length, "focal_length"),
                     number(sensor_width, "sensor_width"), distance(convergence, "convergence"),
                     mode_of(mode)};
@@ -45,19 +45,19 @@ constexpr double point_cost = 20.0;  // ns, rough
     return eyes;
 }
 
-[[nodiscard]] Screen screen_of(const py::object& width, const py::object& viewing_distance,
-                               const py::object& eye_separation) {
+[[nodiscard]] Screen screen_of(const Number& width, const Number& viewing_distance,
+                               const Number& eye_separation) {
     const Screen screen{number(width, "width"), number(viewing_distance, "viewing_distance"),
                         number(eye_separation, "eye_separation")};
     check(screen);
     return screen;
 }
 
-[[nodiscard]] Limits limits_of(const py::object& near, const py::object& far) {
+[[nodiscard]] Limits limits_of(const Number& near, const Number& far) {
     return {number(near, "near_parallax"), number(far, "far_parallax")};
 }
 
-[[nodiscard]] py::object points_seen(const py::object& points, const Eyes& eyes) {
+[[nodiscard]] py::object points_seen(const ArrayLike& points, const Eyes& eyes) {
     const Points given(points, "points");
     const std::span<const glm::dvec3> in = given.values();
     DoubleArray result = new_array({in.size(), 2, 2});
@@ -75,8 +75,8 @@ constexpr double point_cost = 20.0;  // ns, rough
     return result;
 }
 
-[[nodiscard]] py::tuple violations(const py::object& x, const py::object& depths, const Eyes& eyes,
-                                   double tolerance) {
+[[nodiscard]] Typed<"tuple[float, float]"> violations(const ArrayLike& x, const ArrayLike& depths,
+                                                      const Eyes& eyes, double tolerance) {
     const Numbers places(x, "x"), given(depths, "depths");
     if (places.values().size() != given.values().size()) value_error("depths", "must be as many as x");
     std::vector<Sample> samples(given.values().size());
@@ -85,7 +85,7 @@ constexpr double point_cost = 20.0;  // ns, rough
     return py::make_tuple(found.left, found.right);
 }
 
-[[nodiscard]] py::object smoothed(const py::object& values, const py::object& ahead, const py::object& side) {
+[[nodiscard]] py::object smoothed(const ArrayLike& values, const WholeNumber& ahead, const Text& side) {
     const DoubleArray given = doubles(values, "values");
     if (given.ndim() != 1) value_error("values", "must have the shape (m,), not " + shape_of(given));
     const int count = whole_number(ahead, "ahead");
@@ -105,25 +105,25 @@ constexpr double point_cost = 20.0;  // ns, rough
 void bind_eyes(py::module_& m) {
     m.def(
         "parallax",
-        [](const py::object& depth, const py::object& interaxial, const py::object& focal_length,
-           const py::object& sensor_width, const py::object& convergence, const py::object& mode) {
+        [](const ArrayLike& depth, const Number& interaxial, const Number& focal_length,
+           const Number& sensor_width, const Number& convergence, const StereoModeName& mode) {
             const Eyes eyes = eyes_of(interaxial, focal_length, sensor_width, convergence, mode);
             return map_numbers(Numbers(depth, "depth"), point_cost,
                                [&](double one) { return parallax(eyes, one); });
         },
         "depth"_a, "interaxial"_a, "focal_length"_a, "sensor_width"_a, "convergence"_a, "mode"_a = "off_axis",
         R"(
-By how much the right eye sees a point further right than the left one: a fraction of the image's width, positive behind
-the screen. (t f / s) (1 / convergence - 1 / depth) for eyes that look the same way.
+Parallax of a point: by how much the right eye sees it further right than the left eye, as a fraction of the image's width,
+positive behind the screen. (t f / s) (1 / convergence - 1 / depth) for eyes that look the same way.
 
 depth: > 0, a number or (m,), along the camera's axis; unit of interaxial (>= 0) and of convergence (> 0, may be math.inf).
-focal_length, sensor_width: > 0, of one unit; the sensor's part that the image's width is seen through.
+focal_length, sensor_width: > 0, in the same unit; the width of the sensor's part that the image shows.
 mode: "off_axis"; "parallel", whose convergence is infinite; "toe_in", whose parallax holds at the middle of the image.
-Returns a float or (m,).  Raises ValueError where a number is outside its domain.)");
+Returns a float or (m,).  Raises ValueError if a number is outside its domain.)");
     m.def(
         "solve_depth_budget",
-        [](const py::object& near, const py::object& far, const py::object& near_parallax,
-           const py::object& far_parallax, const py::object& focal_length, const py::object& sensor_width) {
+        [](const Number& near, const Number& far, const Number& near_parallax, const Number& far_parallax,
+           const Number& focal_length, const Number& sensor_width) {
             Eyes lens;
             lens.focal_length = number(focal_length, "focal_length");
             lens.sensor_width = number(sensor_width, "sensor_width");
@@ -137,12 +137,12 @@ Interaxial distance and convergence of off-axis eyes by which a range of depths 
 
 near, far: depths, 0 < near < far; far may be math.inf.  near_parallax, far_parallax: magnitudes >= 0 in front of and behind
 the screen, fractions of the image's width, not both 0.  focal_length, sensor_width: as parallax() has them.
-Returns (interaxial, convergence), unit of the depths.  Raises ValueError where a number is outside its domain.)");
+Returns (interaxial, convergence), unit of the depths.  Raises ValueError if a number is outside its domain.)");
     m.def(
         "depth_budget",
-        [](const py::object& near_parallax, const py::object& far_parallax, const py::object& interaxial,
-           const py::object& focal_length, const py::object& sensor_width, const py::object& convergence,
-           const py::object& mode) {
+        [](const Number& near_parallax, const Number& far_parallax, const Number& interaxial,
+           const Number& focal_length, const Number& sensor_width, const Number& convergence,
+           const StereoModeName& mode) {
             const Range range =
                 depths_within(eyes_of(interaxial, focal_length, sensor_width, convergence, mode),
                               limits_of(near_parallax, far_parallax));
@@ -150,53 +150,53 @@ Returns (interaxial, convergence), unit of the depths.  Raises ValueError where 
         },
         "near_parallax"_a, "far_parallax"_a, "interaxial"_a, "focal_length"_a, "sensor_width"_a,
         "convergence"_a, "mode"_a = "off_axis", R"(
-The other way: the depths between which parallax stays within two magnitudes >= 0; the rest as parallax() has it.
-Returns (near, far); far is math.inf where nothing is too far.)");
+The inverse of solve_depth_budget(): the depths between which parallax stays within two magnitudes >= 0; other arguments as
+for parallax().
+Returns (near, far); far is math.inf if no depth is too far.)");
     m.def(
         "stereo_points",
-        [](const py::object& points, const py::object& interaxial, const py::object& focal_length,
-           const py::object& sensor_width, const py::object& convergence, const py::object& mode) {
+        [](const ArrayLike& points, const Number& interaxial, const Number& focal_length,
+           const Number& sensor_width, const Number& convergence, const StereoModeName& mode) {
             return points_seen(points, eyes_of(interaxial, focal_length, sensor_width, convergence, mode));
         },
         "points"_a, "interaxial"_a, "focal_length"_a, "sensor_width"_a, "convergence"_a,
         "mode"_a = "off_axis", R"(
-Where both eyes see points.
+Image positions at which both eyes see points.
 
-points: (m, 3), right, up and forward of the middle between the eyes, in front of both.  The rest as parallax() has it.
+points: (m, 3), right, up and forward of the middle between the eyes, in front of both.  Other arguments as for parallax().
 Returns (m, 2, 2): of each point left and right eye, of these x and y from the image's middle, fractions of its width.
 Raises ValueError for a point that is not in front of both eyes.)");
     m.def(
         "vertical_parallax",
-        [](const py::object& depth, const py::object& aspect, const py::object& interaxial,
-           const py::object& focal_length, const py::object& sensor_width, const py::object& convergence,
-           const py::object& mode) {
+        [](const ArrayLike& depth, const Number& aspect, const Number& interaxial, const Number& focal_length,
+           const Number& sensor_width, const Number& convergence, const StereoModeName& mode) {
             return vertical_parallax(eyes_of(interaxial, focal_length, sensor_width, convergence, mode),
                                      number(depth, "depth"), number(aspect, "aspect"));
         },
         "depth"_a, "aspect"_a, "interaxial"_a, "focal_length"_a, "sensor_width"_a, "convergence"_a,
         "mode"_a = "toe_in", R"(
-Largest vertical parallax at a depth, in a corner of the image: a fraction of its width, 0 but for "toe_in".
+Largest vertical parallax at a depth, in a corner of the image: a fraction of the image's width, 0 except for "toe_in".
 
-aspect: the image's width / its height, > 0.  The rest as parallax() has it.  Returns a float.)");
+aspect: the image's width / its height, > 0.  Other arguments as for parallax().  Returns a float.)");
 }
 
 void bind_screen(py::module_& m) {
     m.def(
         "seen_distance",
-        [](const py::object& parallax, const py::object& width, const py::object& viewing_distance,
-           const py::object& eye_separation) {
+        [](const ArrayLike& parallax, const Number& width, const Number& viewing_distance,
+           const Number& eye_separation) {
             const Screen screen = screen_of(width, viewing_distance, eye_separation);
             return map_numbers(Numbers(parallax, "parallax"), point_cost,
                                [&](double one) { return seen_distance(screen, one); });
         },
         "parallax"_a, "width"_a, "viewing_distance"_a, "eye_separation"_a = 0.065, R"(
-How far from the audience a point with a parallax (a fraction of the width; a number or (m,)) seems to be, m.
+Perceived distance from the audience, m, of a point with a parallax (a fraction of the width; a number or (m,)).
 
 width, viewing_distance, eye_separation: of the screen, m, > 0.
-Returns a float or (m,), math.inf where the eyes are parallel or would have to turn apart.)");
+Returns a float or (m,), math.inf if the eyes are parallel or would have to turn apart.)");
     m.def(
         "divergence_limit",
-        [](const py::object& width, const py::object& eye_separation) {
+        [](const Number& width, const Number& eye_separation) {
             Screen screen;
             screen.width = number(width, "width");
             screen.eye_separation = number(eye_separation, "eye_separation");
@@ -206,8 +206,8 @@ Returns a float or (m,), math.inf where the eyes are parallel or would have to t
 Parallax, a fraction of a screen's width (m, > 0), above which the eyes would have to turn apart.)");
     m.def(
         "comfortable_parallax",
-        [](const py::object& width, const py::object& viewing_distance, const py::object& eye_separation,
-           const py::object& angle) {
+        [](const Number& width, const Number& viewing_distance, const Number& eye_separation,
+           const Number& angle) {
             const Limits limits =
                 comfortable(screen_of(width, viewing_distance, eye_separation), number(angle, "angle"));
             return py::make_tuple(limits.near, limits.far);
@@ -218,9 +218,9 @@ Parallax that differs from the screen's own vergence by an angle (rad, 0 to 1.5)
 Returns (near_parallax, far_parallax), magnitudes, fractions of the screen's width.)");
     m.def(
         "roundness",
-        [](const py::object& depth, const py::object& interaxial, const py::object& focal_length,
-           const py::object& sensor_width, const py::object& convergence, const py::object& width,
-           const py::object& viewing_distance, const py::object& eye_separation, const py::object& mode) {
+        [](const ArrayLike& depth, const Number& interaxial, const Number& focal_length,
+           const Number& sensor_width, const Number& convergence, const Number& width,
+           const Number& viewing_distance, const Number& eye_separation, const StereoModeName& mode) {
             const Eyes eyes = eyes_of(interaxial, focal_length, sensor_width, convergence, mode);
             const Screen screen = screen_of(width, viewing_distance, eye_separation);
             return map_numbers(Numbers(depth, "depth"), point_cost,
@@ -230,14 +230,14 @@ Returns (near_parallax, far_parallax), magnitudes, fractions of the screen's wid
         "viewing_distance"_a, "eye_separation"_a = 0.065, "mode"_a = "off_axis", R"(
 How deep a small ball at a depth seems, as a part of how wide it seems: 1 is round, less is flat, more is long.
 
-As parallax() and seen_distance() have their numbers. On the screen V t / (e convergence).
-Returns a float or (m,), math.inf where the eyes would have to turn apart.)");
+Arguments as for parallax() and seen_distance(). On the screen V t / (e convergence).
+Returns a float or (m,), math.inf if the eyes would have to turn apart.)");
 }
 
 void bind_scene(py::module_& m) {
     m.def(
         "depth_range",
-        [](const py::object& depths, const py::object& low, const py::object& high) -> py::object {
+        [](const ArrayLike& depths, const Number& low, const Number& high) -> py::object {
             const Numbers given(depths, "depths");
             const double from = number(low, "low"), to = number(high, "high");
             std::optional<Range> found;
@@ -249,14 +249,14 @@ void bind_scene(py::module_& m) {
             return py::make_tuple(found->near, found->far);
         },
         "depths"_a, "low"_a = 0.01, "high"_a = 0.99, R"(
-Near and far of a scene: depths of which shares low and high (0 to 1, low < high) of the samples are nearer.
+Near and far depth of a scene: the depths below which the fractions low and high (0 to 1, low < high) of the samples lie.
 
-depths: (m,); those that are not above 0 do not count.  Returns (near, far), or None without samples.)");
+depths: (m,); depths not above 0 do not count.  Returns (near, far), or None without samples.)");
     m.def(
         "window_violations",
-        [](const py::object& x, const py::object& depths, const py::object& interaxial,
-           const py::object& focal_length, const py::object& sensor_width, const py::object& convergence,
-           const py::object& tolerance, const py::object& mode) {
+        [](const ArrayLike& x, const ArrayLike& depths, const Number& interaxial, const Number& focal_length,
+           const Number& sensor_width, const Number& convergence, const Number& tolerance,
+           const StereoModeName& mode) {
             return violations(x, depths, eyes_of(interaxial, focal_length, sensor_width, convergence, mode),
                               number(tolerance, "tolerance"));
         },
@@ -264,13 +264,13 @@ depths: (m,); those that are not above 0 do not count.  Returns (near, far), or 
         "tolerance"_a = 0.0, "mode"_a = "off_axis", R"(
 Largest parallax by which something in front of the screen is cut off in one eye's image alone, at each edge.
 
-x: (m,), where the middle between the eyes sees each sample, fractions of the width from the image's middle.
-depths: (m,); those that are not above 0 do not count.  tolerance: parallax that nobody sees, >= 0.
-Returns (left, right), magnitudes, 0 where nothing is cut off.)");
+x: (m,), position at which the middle between the eyes sees each sample, fractions of the width from the image's middle.
+depths: (m,); depths not above 0 do not count.  tolerance: parallax too small to be noticed, >= 0.
+Returns (left, right), magnitudes, 0 if nothing is cut off.)");
     m.def("smooth_ahead", &smoothed, "values"_a, "ahead"_a, "side"_a = "either", R"(
-Values at equal times, smoothed without lag by those up to `ahead` (a whole number, 0 to 10000) before and behind.
+Values at equal times, smoothed without lag by the values up to `ahead` (a whole number, 0 to 10000) before and behind.
 
-side: "either"; "below" or "above": on which side of all the values the curve stays; then values twice as far count.
+side: "either"; "below" or "above": the side of all the values on which the curve stays; then values twice as far count.
 Returns (m,).)");
 }
 

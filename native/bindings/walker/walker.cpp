@@ -17,6 +17,7 @@
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
+#include "core/typed.hpp"
 #include "mesh/arrays.hpp"
 
 namespace motus::bindings {
@@ -40,8 +41,10 @@ constexpr double foot_cost = 60.0, body_cost = 200.0, phase_cost = 30.0;  // ns,
     return copied(Points(object, name).values());
 }
 
-[[nodiscard]] py::tuple gait(const py::object& name, const py::object& rest, const py::object& forward,
-                             const py::object& up) {
+[[nodiscard]] Typed<"tuple[numpy.typing.NDArray[numpy.float64], float]"> gait(const GaitName& name,
+                                                                              const ArrayLike& rest,
+                                                                              const ArrayLike& forward,
+                                                                              const ArrayLike& up) {
     const Gait wanted = choice<Gait>(name, "gait",
                                      {{"tripod", Gait::tripod},
                                       {"tetrapod", Gait::tetrapod},
@@ -61,9 +64,9 @@ constexpr double foot_cost = 60.0, body_cost = 200.0, phase_cost = 30.0;  // ns,
     return walker::Plane{rows.values()[0], rows.values()[1]};
 }
 
-[[nodiscard]] std::shared_ptr<Ground> ground_of(const py::object& given_positions,
-                                                const py::object& given_triangles,
-                                                const py::object& given_plane) {
+[[nodiscard]] std::shared_ptr<Ground> ground_of(const OptionalArrayLike& given_positions,
+                                                const OptionalArrayLike& given_triangles,
+                                                const OptionalArrayLike& given_plane) {
     std::vector<glm::vec3> positions;
     if (!given_positions.is_none()) positions = copied(Positions(given_positions, "positions").values());
     const std::vector<glm::ivec3> triangles =
@@ -92,15 +95,15 @@ struct WayArguments {
     return way;
 }
 
-[[nodiscard]] Walker walker_of(const py::object& times, const py::object& poses, const py::object& rest,
-                               const py::object& ground, const py::object& phases, const py::object& duty,
-                               const py::object& stride, const py::object& cadence,
-                               const py::object& clearance, const py::object& reach_up,
-                               const py::object& reach_down, const py::object& minimum_step,
-                               const py::object& up, const py::object& hips, const py::object& lengths,
-                               const py::object& bodies, const py::object& resets, const py::object& jump,
-                               const py::object& frequency, const py::object& damping,
-                               const py::object& response, const py::object& height, const py::object& tilt) {
+[[nodiscard]] Walker walker_of(const ArrayLike& times, const ArrayLike& poses, const ArrayLike& rest,
+                               const Typed<"motus_native.WalkerGround | None">& ground,
+                               const ArrayLike& phases, const Number& duty, const Number& stride,
+                               const Number& cadence, const Number& clearance, const Number& reach_up,
+                               const Number& reach_down, const Number& minimum_step, const ArrayLike& up,
+                               const OptionalArrayLike& hips, const OptionalArrayLike& lengths,
+                               const OptionalArrayLike& bodies, const OptionalWholeNumbers& resets,
+                               const OptionalNumber& jump, const Number& frequency, const Number& damping,
+                               const Number& response, const Number& height, const Number& tilt) {
     walker::Way way = way_of({times, poses, rest, phases, duty, stride, cadence, up, resets, jump});
     walker::WalkSettings settings;
     settings.clearance = number(clearance, "clearance");
@@ -123,7 +126,7 @@ struct WayArguments {
 /// Each time's feet: (n, ...) of a number, (m, n, ...) of more. write(foot, row): `width` numbers, 0 for one
 /// that is no row.
 template <class Write>
-[[nodiscard]] DoubleArray feet_at(const Walker& self, const py::object& times, py::ssize_t width,
+[[nodiscard]] DoubleArray feet_at(const Walker& self, const ArrayLike& times, py::ssize_t width,
                                   const Write& write) {
     const Numbers at(times, "times");
     const std::size_t legs = self.leg_count(), count = at.values().size();
@@ -145,14 +148,15 @@ template <class Write>
     return result;
 }
 
-[[nodiscard]] DoubleArray vectors_at(const Walker& self, const py::object& times,
+[[nodiscard]] DoubleArray vectors_at(const Walker& self, const ArrayLike& times,
                                      glm::dvec3 walker::Foot::*part) {
     return feet_at(self, times, 3, [&](const walker::Foot& foot, double* row) {
         for (int axis = 0; axis < 3; ++axis) row[axis] = (foot.*part)[axis];
     });
 }
 
-[[nodiscard]] py::tuple body(const Walker& self, const py::object& times) {
+[[nodiscard]] Typed<"tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"> body(
+    const Walker& self, const ArrayLike& times) {
     const Numbers at(times, "times");
     const std::size_t count = at.values().size();
     DoubleArray offsets = at.is_single() ? new_array({3}) : new_array({count, 3});
@@ -171,7 +175,7 @@ template <class Write>
     return py::make_tuple(offsets, rotations);
 }
 
-[[nodiscard]] py::dict steps(const Walker& self) {
+[[nodiscard]] Typed<"dict[str, numpy.typing.NDArray[typing.Any]]"> steps(const Walker& self) {
     std::vector<int> legs;
     std::vector<double> lifts, touches;
     std::vector<glm::dvec3> starts, ends, apexes;
@@ -201,7 +205,7 @@ template <class Write>
     return "";
 }
 
-[[nodiscard]] py::list problems(const Walker& self) {
+[[nodiscard]] Typed<"list[tuple[int, float, float, str]]"> problems(const Walker& self) {
     py::list result;
     for (const walker::Problem& problem : self.problems())
         result.append(py::make_tuple(problem.leg, problem.first, problem.last, name_of(problem.trouble)));
@@ -210,28 +214,29 @@ template <class Write>
 
 void bind_plan(py::module_& m) {
     py::class_<Walker>(m, "Walker", py::module_local(), R"(
-The steps of legs that walk where a body goes, planned for a whole shot; any time afterwards is a look-up. Immutable.
+The steps of legs that walk under a moving body, planned for a whole shot; any time afterwards is a look-up. Immutable.
 Metres, seconds, radians, world space; rest, hips and up are in the body's space.
 
-times (k,), s, strictly rising, 1 to 100,000; poses (k, 4, 4): the body's matrices, of any scale, mirrored too. Between
-samples it goes evenly; before the first one it comes as it goes on, unless that is at the slowest cadence; after the last
-one it rests: sample once a frame.
-rest (n, 3), 1 to 256 legs: where each foot stands when the body rests.  ground: a WalkerGround; None: feet stand there.
+times (k,), s, strictly rising, 1 to 100,000; poses (k, 4, 4): the body's matrices, of any scale, also mirrored.
+Between samples the body moves evenly; before the first sample it moves at its first velocity, or rests if that is slow;
+after the last sample it rests. Sample once a frame.
+rest (n, 3), 1 to 256 legs: where each foot stands when the body rests.  ground: a WalkerGround; None: feet stand on these
+rest places.
 phases (n,), duty, [0.05, 0.95]: as from walker_gait(): leg i swings while frac(phase + phases[i]) < 1 - duty.
-stride, [1e-6, 1e6]: how far the body goes at most while a foot stands.  cadence, cycles/s, [0.001, 1000]: the slowest; it is
-max(cadence, duty * speed / stride) with the speed of the leg whose rest place goes fastest across `up`. A foot is to stand
-where its rest place is, along `up` on the ground, when its stand is half over; so it is never further than half a stride from
-it. Steps that lead nowhere are left out: feet of a body at rest end on their rest places and stay.
-clearance: of a foot half-way through its swing, above the ground under its way, less in steps below a quarter of the stride.
-reach_up, reach_down: how far above and below a rest place ground is looked for.  minimum_step: shorter ones are left out; all
-of these >= 0.  up: not zero.
-hips (n, 3), lengths (n,), >= 0, in the world, of whole legs; both or None: footholds out of reach are looked for nearer to
-the hip.  bodies (k, 4, 4) or None: how the body's own animation moves the hips in the body's space at the samples, before the
-body follows its feet.  resets: rising indices of samples to which the body jumps, where the plan begins anew; so it does where a rest place
-goes further than `jump`, > 0, from one sample to the next; None: 4 strides.
-frequency, damping, response: the SecondOrder of the body's height and tilt, of the plane that its feet stand on; height,
-tilt, [0, 1]: how much of each.
-Raises ValueError or TypeError that names the argument, also where more than 1,000,000 steps would be planned.)")
+stride, [1e-6, 1e6]: the most that the body moves while a foot stands.  cadence, cycles/s, [0.001, 1000]: the slowest; the
+cadence in use is max(cadence, duty * speed / stride) with the speed of the leg whose rest place moves fastest across `up`.
+A foothold is the ground under the foot's rest place, along `up`, at the middle of its stand; so a foot is never further than
+half a stride from its rest place. Steps of no length are left out: feet of a body at rest end on their rest places and stay.
+clearance: height of a foot half-way through its swing above the ground under it, less in steps below a quarter of the stride.
+reach_up, reach_down: height and depth about a rest place within which ground is searched.  minimum_step: shorter steps are
+left out; all of these >= 0.  up: not zero.
+hips (n, 3), lengths (n,), >= 0, in the world, of whole legs; both or None: footholds out of reach are replaced by places nearer
+to the hip.  bodies (k, 4, 4) or None: how the body's own animation moves the hips in the body's space at the samples, before the
+body follows its feet.  resets: rising indices of samples to which the body jumps, at which the plan begins anew, as
+it does if a rest place moves further than `jump`, > 0, from one sample to the next; None: 4 strides.
+frequency, damping, response: the SecondOrder of the body's height and tilt, which follow the plane of its feet; height,
+tilt, [0, 1]: share of each that the body follows.
+Raises ValueError or TypeError that names the argument, also if more than 1,000,000 steps would be planned.)")
         .def(py::init(&walker_of), "times"_a, "poses"_a, "rest"_a, "ground"_a = py::none(), py::kw_only(),
              "phases"_a, "duty"_a = 0.5, "stride"_a = 0.5, "cadence"_a = 1.0, "clearance"_a = 0.1,
              "reach_up"_a = 0.5, "reach_down"_a = 1.0, "minimum_step"_a = 0.0,
@@ -240,32 +245,32 @@ Raises ValueError or TypeError that names the argument, also where more than 1,0
              "damping"_a = 1.0, "response"_a = 0.0, "height"_a = 1.0, "tilt"_a = 1.0)
         .def(
             "feet",
-            [](const Walker& self, const py::object& times) {
+            [](const Walker& self, const ArrayLike& times) {
                 return vectors_at(self, times, &walker::Foot::position);
             },
             "times"_a, R"(
-Where feet are at times, s, a number or (m,): (n, 3) or (m, n, 3). While a foot stands these are the same bits.)")
+Positions of the feet at times, s, a number or (m,): (n, 3) or (m, n, 3). While a foot stands its position has the same bits.)")
         .def(
             "normals",
-            [](const Walker& self, const py::object& times) {
+            [](const Walker& self, const ArrayLike& times) {
                 return vectors_at(self, times, &walker::Foot::normal);
             },
             "times"_a, R"(
-Unit normals of the ground under the feet, (n, 3) or (m, n, 3); in a swing from one foothold's to the next one's.)")
+Unit normals of the ground under the feet, (n, 3) or (m, n, 3); during a swing they turn from one foothold's normal to the next.)")
         .def(
             "swing",
-            [](const Walker& self, const py::object& times) {
+            [](const Walker& self, const ArrayLike& times) {
                 return feet_at(self, times, 0,
                                [](const walker::Foot& foot, double* row) { *row = foot.swing; });
             },
             "times"_a, R"(
-How far feet are through their swings, 0 to 1, and 0 while they stand: (n,) or (m, n).)")
+Fraction of the swing of each foot, 0 to 1, and 0 while it stands: (n,) or (m, n).)")
         .def("body", &body, "times"_a, R"(
 How the body follows its feet at times: (offsets (3,) or (m, 3), rotations (4,) or (m, 4)), w, x, y, z. In the world it is
 turned about its own origin, then moved.)")
         .def(
             "phase",
-            [](const Walker& self, const py::object& times) {
+            [](const Walker& self, const ArrayLike& times) {
                 return map_numbers(Numbers(times, "times"), phase_cost,
                                    [&](double time) { return self.phase(time); });
             },
@@ -274,9 +279,9 @@ Cycles since the first sample or the last jump, at times: a float or (m,).)")
         .def_property_readonly("leg_count", &Walker::leg_count, "How many legs there are.")
         .def_property_readonly("steps", &steps, R"(
 All steps by leg, then time, as a dict of arrays: leg (s,) int32; lift, touch (s,), s; start, end (s, 3); apex (s, 3), where the
-foot is half-way. Where lift is touch the foot is put: at the first sample and at jumps.)")
+foot is half-way. If lift equals touch the foot is put there at once: at the first sample and at jumps.)")
         .def_property_readonly("problems", &problems, R"(
-What is wrong with footholds, by leg, then time: tuples (leg, first, last, reason), s, with the reasons 'no_ground', where the
+Problems with footholds, by leg, then time: tuples (leg, first, last, reason), s, with the reasons 'no_ground', where the
 foot stands on its rest place, 'out_of_reach' of the hip, and 'no_length' of a leg.)")
         .def_property_readonly("settled", &Walker::settled, "When the last foot has come to rest, s.")
         .def_property_readonly("nbytes", &Walker::bytes, "Of the memory that it takes.");
@@ -289,27 +294,27 @@ void bind_walker(py::module_& m) {
           "up"_a = py::make_tuple(0.0, 0.0, 1.0), R"(
 When the legs of a gait swing: (phases (n,), [0, 1), duty): leg i swings while frac(phase + phases[i]) < 1 - duty.
 
-gait: 'tripod', neighbours alternate; 'tetrapod', the same, and all stand for a moment: L1 R2 L3 R4 | R1 L2 R3 L4; 'ripple',
+gait: 'tripod', neighbours alternate; 'tetrapod', neighbours alternate, and all stand for a moment in between: L1 R2 L3 R4 | R1 L2 R3 L4; 'ripple',
 on each side from the back to the front, the sides about half a cycle apart; 'wave', one after the other; 'trot', the front
-half of a side with the rear half of the other; 'pace', all left ones, all right ones.
+half of a side with the rear half of the other; 'pace', all left legs, then all right legs.
 rest (n, 3), 1 to 256 legs in any order: where feet stand when the body rests, in the space of forward and up (3,).
 Raises ValueError or TypeError that names the argument.)");
     py::class_<Ground, std::shared_ptr<Ground>>(m, "WalkerGround", py::module_local(), R"(
-What feet stand on, from either side; it stands still. Immutable: made once, for any number of Walkers.
+The ground that feet stand on, on either side of its surfaces; it does not move. Immutable: made once, for any number of Walkers.
 
-positions (v, 3), world space, of which those that are not finite are never met.  triangles (t, 3): indices of vertices,
-counter-clockwise seen from outside: below a face that looks down on air, a roof, feet stay below it.
+positions (v, 3), world space, of which vertices that are not finite are never met.  triangles (t, 3): indices of vertices,
+counter-clockwise seen from outside: feet stay below a roof, a face whose normal points down into air.
 plane (2, 3): a point of an endless plane and its normal. All may be None.
 Raises ValueError or TypeError that names the argument.)")
         .def(py::init(&ground_of), "positions"_a = py::none(), "triangles"_a = py::none(),
              "plane"_a = py::none())
         .def(
             "with_plane",
-            [](const Ground& self, const py::object& plane) {
+            [](const Ground& self, const OptionalArrayLike& plane) {
                 return std::make_shared<Ground>(self.with_plane(plane_argument(plane)));
             },
             "plane"_a, R"(
-The same triangles, which both share, with this plane (2, 3), or None, in the place of its own.)")
+A ground that shares these triangles, with this plane (2, 3), or None, in place of its own.)")
         .def_property_readonly("vertex_count", &Ground::vertex_count, "How many vertices it has.")
         .def_property_readonly("triangle_count", &Ground::triangle_count, "How many triangles it has.")
         .def_property_readonly("nbytes", &Ground::bytes, "Of the memory that it takes, about.");

@@ -49,8 +49,8 @@ glm::dmat3 normalized(glm::dmat3 axes) {
     return axes;
 }
 
-/// What a bone that turns with its parent turns and scales with: the parent's axes, less what the mode
-/// refuses.
+/// The parent space of a bone that inherits rotation: the
+/// parent's axes without the scale that the mode leaves out.
 LinearSpace turning_parent(InheritScale mode, const glm::dmat3& pose) {
     switch (mode) {
         case InheritScale::none:
@@ -69,7 +69,8 @@ LinearSpace turning_parent(InheritScale mode, const glm::dmat3& pose) {
     return {pose};
 }
 
-/// The same for one that does not: the parent's axes at rest, with what the mode takes of its scale.
+/// The parent space of a bone that does not inherit rotation: the parent's axes at rest, with the scale that
+/// the mode inherits.
 LinearSpace still_parent(InheritScale mode, const glm::dmat3& rest, const glm::dmat3& pose) {
     switch (mode) {
         case InheritScale::full:
@@ -186,7 +187,7 @@ ParentSpace parent_space(const Rest& bone, const glm::dmat4& parent_pose) {
     ParentSpace space;
     space.post_scale = linear.post_scale;
     const glm::dvec3 head = bone.has_parent ? transform(parent_pose, offset.head) : offset.head;
-    // Blender's own matrix has another origin where the bone does not inherit all: nothing reads it.
+    // Blender's own matrix has another origin if the bone does not inherit all: nothing reads it.
     space.rotation_scale = affine(linear.axes, head);
     if (!bone.has_parent)
         space.location = affine(bone.local_location ? offset.turn : glm::dmat3(1.0), head);

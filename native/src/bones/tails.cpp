@@ -32,7 +32,7 @@ struct OwnTurn {
     return {scaled(axes, 1.0 / scale), scale};
 }
 
-/// The turn, on top of the own one, that points the tail of a bone along `way`; none where nothing says how.
+/// The turn, on top of the own one, that points the tail of a bone along `way`; none if nothing says how.
 [[nodiscard]] std::optional<glm::dquat> turn_along(const ParentSpace& space, const OwnTurn& own,
                                                    const glm::dvec3& way, double weight) {
     const glm::dmat3 axes = glm::dmat3(space.rotation_scale) * own.rotation;

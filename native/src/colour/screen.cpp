@@ -44,7 +44,7 @@ struct Hsv {
     return 0.2126 * color.x + 0.7152 * color.y + 0.0722 * color.z;  // Rec. 709
 }
 
-/// By how much the screen's channel, 1 or 2, is above a mixture of the others.
+/// The amount by which the screen's channel, 1 or 2, is above a mixture of the others.
 [[nodiscard]] double excess(const glm::dvec3& color, glm::length_t channel, double balance) {
     const double one = color.x, other = color[3 - channel];
     return color[channel] - (balance * std::min(one, other) + (1.0 - balance) * std::max(one, other));
@@ -65,7 +65,7 @@ struct Hsv {
     return 0.25 + 0.75 * smooth_step((farthest - 0.4) / 0.5);
 }
 
-/// A value that counts as often as its weight says.
+/// A value with a weight: how often it counts.
 struct Weighted {
     double value = 0.0;
     double weight = 1.0;
@@ -121,7 +121,7 @@ constexpr double degrees_a_bin = 360.0 / bins;
     return hsv.saturation > least_saturation && hsv.value > least_value && is_green_or_blue(hsv);
 }
 
-/// What a pixel of a judged picture is of.
+/// What a pixel of a judged picture shows.
 enum class Kind : std::uint8_t { screen, subject };
 
 [[nodiscard]] Kind kind_of(const glm::dvec3& pixel, const glm::dvec3& screen) {
@@ -164,7 +164,7 @@ void smooth_line(std::span<glm::dvec3> colors, std::size_t step, std::size_t cou
     }
 }
 
-/// Of which kind each pixel is, by the mean colour around it: noise does not change it.
+/// The kind of each pixel, by the mean colour around it, which noise does not change.
 [[nodiscard]] std::vector<Kind> kinds_of(const Picture& picture, const glm::dvec3& color, std::size_t reach) {
     const std::size_t height = picture.pixels.size() / picture.width;
     std::vector<glm::dvec3> smoothed(picture.pixels.begin(), picture.pixels.end());
@@ -178,7 +178,7 @@ void smooth_line(std::span<glm::dvec3> colors, std::size_t step, std::size_t cou
     return kinds;
 }
 
-/// Which pixels are of the screen or of the subject for sure: a soft edge between them is neither.
+/// The pixels that certainly show the screen or the subject: a soft edge between them is neither.
 class Inside {
   public:
     Inside(const Picture& picture, const glm::dvec3& color)
@@ -260,7 +260,7 @@ std::optional<glm::dvec3> screen_color(const Picture& picture) {
         const double weight = border_weight(i, picture);
         whole += weight;
         const Hsv hsv = hsv_of(glm::dvec3(picture.pixels[i]));
-        // What is transparent already is no screen.
+        // Pixels that are already transparent do not count as screen.
         if (picture.pixels[i].w < 0.5F || !is_candidate(hsv)) continue;
         hues.push_back({hsv.hue, weight * hsv.saturation});
         places.push_back(i);
@@ -314,7 +314,7 @@ ScreenQuality judge_screen(const Picture& picture, const glm::dvec3& color, cons
             spill += std::max(0.0, excess(pixel, channel, 0.0));
         }
         if (!inside.is_screen(i)) continue;
-        // Of light that there is: colours beyond the screen's gamut have parts below 0.
+        // Only positive light counts: colours beyond the gamut have parts below 0.
         const glm::dvec3 light = glm::max(pixel, glm::dvec3(0.0));
         const double sum = light.x + light.y + light.z;
         screen.luminances.push_back(luminance(pixel));

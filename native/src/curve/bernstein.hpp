@@ -87,7 +87,7 @@ inline void split(Segment segment, double t, std::span<glm::dvec3> left, std::sp
     }
 }
 
-/// Largest distance of a control point from the first; 0 where it is no more than rounding of the
+/// Largest distance of a control point from the first; 0 if it is no more than rounding of the
 /// coordinates.
 [[nodiscard]] inline double extent(Segment segment) {
     double farthest = 0.0;

@@ -52,7 +52,8 @@ void include_extremes(std::span<const double> p, Range& range) {
     include(a / q);
 }
 
-/// The same for any degree: halves the polynomial where its coefficients, which bound it, still promise more.
+/// Includes the extremes of a polynomial of any degree: halves it as long as its coefficients, which bound
+/// it, lie outside.
 void include_extremes_by_halving(Coefficients p, std::size_t size, double tolerance, int depth,
                                  Range& range) {
     const auto [low, high] = std::minmax_element(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(size));
@@ -62,7 +63,7 @@ void include_extremes_by_halving(Coefficients p, std::size_t size, double tolera
         left[level] = p[0];
         for (std::size_t i = 0; i + 1 < size - level; ++i) p[i] = 0.5 * (p[i] + p[i + 1]);
     }
-    // What is left in p is the right half, its coefficients from the last level to the first.
+    // p now has the coefficients of the right half, from the last level to the first.
     range.include(p[0]);
     include_extremes_by_halving(left, size, tolerance, depth - 1, range);
     include_extremes_by_halving(p, size, tolerance, depth - 1, range);

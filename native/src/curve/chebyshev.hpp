@@ -18,7 +18,7 @@ template <std::size_t degree>
     static const auto points = [] {
         std::array<double, degree + 1> x{};
         for (std::size_t j = 0; j <= degree; ++j) {
-            // By the sine, which is odd: the points come out symmetric.
+            // Computed by the sine, which is odd, so that the points are exactly symmetric.
             const double from_middle = static_cast<double>(degree) - 2.0 * static_cast<double>(j);
             x[j] = std::sin(0.5 * std::numbers::pi * from_middle / static_cast<double>(degree));
         }

@@ -17,7 +17,7 @@ namespace {
 
 // A first derivative below this fraction of the segment's extent is rounding: the tangent is then a limit.
 constexpr double vanishing = 1e-12;
-// The tangent where there is none.
+// The tangent if there is none.
 constexpr glm::dvec3 no_direction(0.0, 1.0, 0.0);
 
 void require_finite(std::span<const glm::dvec3> points, const char* name) {
@@ -34,7 +34,7 @@ void require_finite(std::span<const glm::dvec3> points, const char* name) {
     return static_cast<double>(curve.segment_count());
 }
 
-/// Unit vector of v, which is not zero; safe where the square of its length would under- or overflow. Rounds
+/// Unit vector of v, which is not zero; safe if the square of its length would under- or overflow. Rounds
 /// differently from unit_vector(): the last digits of all tangents depend on it.
 [[nodiscard]] glm::dvec3 unit(const glm::dvec3& v) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -79,7 +79,7 @@ void require_finite(std::span<const glm::dvec3> points, const char* name) {
     }
     for (std::size_t i = index; i-- > 0;) {
         const double size = bernstein::extent(curve.segment(i));
-        // There is a value: a point half its extent away from its end, at the least.
+        // The result has a value, since some point is at least half the extent away from the end.
         if (size > 0.0) return arriving(curve.segment(i), vanishing * size).value();
     }
     return no_direction;

@@ -54,7 +54,7 @@ struct Stretch {
     return x;
 }
 
-/// x at the distances `s` of a stretch: Newton's method for all at once, and one by one where that does not
+/// x at the distances `s` of a stretch: Newton's method for all at once, and one by one if that does not
 /// settle.
 [[nodiscard]] Inner solve(const Stretch& part, const Inner& s, double residual) {
     constexpr int most_steps = 4;

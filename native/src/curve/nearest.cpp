@@ -49,7 +49,7 @@ struct Candidate {
 }
 
 /// Least distance from the origin to anywhere on a segment, by the squared distance written as a Bézier
-/// polynomial, which lies above its least coefficient. Where all of the segment is nearly as far away, as an
+/// polynomial, which lies above its least coefficient. If all of the segment is nearly as far away, as an
 /// arc is from its centre, this is far closer than what the chord says; near the segment the chord says more.
 class SquaredDistance {
   public:
@@ -119,7 +119,8 @@ class Search {
     /// Looks through the part a to b, whose control points these are.
     void descend(bernstein::Segment part, double a, double b, int depth) {
         ++parts_;
-        // The curve and its chord, written with as many control points, are no farther apart than those are.
+        // The curve and its chord are no farther apart than their control points, if the chord is written
+        // with as many.
         const auto n = static_cast<double>(part.size() - 1);
         double deviation = 0.0;
         for (std::size_t k = 1; k + 1 < part.size(); ++k) {
@@ -160,7 +161,8 @@ class Search {
         if (!(slope > 0.0)) break;
         const double t = std::clamp(best.t - glm::dot(here.position, here.d1) / slope, 0.0, 1.0);
         const double distance = glm::length(bernstein::position(segment, t));
-        // One rounding more is let pass: t may still gain where the distance has no digits left to show it.
+        // An increase by one rounding is allowed: t may still gain where the distance has no digits left to
+        // show it.
         if (distance > best.distance * (1.0 + 4.0 * std::numeric_limits<double>::epsilon())) break;
         best.t = t;
         best.distance = distance;

@@ -51,7 +51,7 @@ void require_valid(std::span<const double> times) {
     return {sine1 * cosine2 - cosine1 * sine2, cosine1 * cosine2 + sine1 * sine2};
 }
 
-/// Between states and what the systems hold.
+/// Conversion between states and the systems' scaled variables.
 class Scale {
   public:
     explicit Scale(const DoublePendulum& pendulum)
@@ -98,7 +98,7 @@ class Scale {
 
   private:
     [[nodiscard]] DoubleSystem free_system(const DoublePendulum& pendulum) const {
-        // By their ratio: the sum of the largest masses is no number.
+        // Uses the ratio of the masses, since the sum of the largest ones is not finite.
         const double ratio = pendulum.mass2 / pendulum.mass1;
         const double inverse = pendulum.mass1 / pendulum.mass2;
         DoubleSystem system;
@@ -131,7 +131,7 @@ void integrate(const DoublePendulum& pendulum, const DoublePendulumState& start,
     MotionSettings<System> settings = scale.settings(pendulum, start, System{});
     if (pivot != nullptr) drive(settings, *pivot, scale.unit(), pendulum.length1);
     Motion<System> motion(std::move(settings));
-    // Nothing is written before all is known: each time may lie where there is no state.
+    // Nothing is written before all states are known, since any of the times may have none.
     std::vector<DoublePendulumState> states;
     states.reserve(times.size());
     for (const double time : times)

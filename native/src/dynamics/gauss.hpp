@@ -26,7 +26,7 @@ struct Derivatives {
     bool are_known = false;
 };
 
-/// A step to be made. On return `state` is that at its end where `converged`, else as it was.
+/// A step to be made. On return `state` is that at its end if `converged`, else as it was.
 template <class System>
 struct GaussStep {
     const System* system = nullptr;
@@ -93,7 +93,7 @@ class GaussStages {
         judge(largest_of(change), largest_of(largest));
     }
 
-    /// Writes what the step came to.
+    /// Writes the state at the end of the step.
     void finish() {
         step_.converged = converged_;
         step_.tail = 0.0;
@@ -156,7 +156,7 @@ class GaussStages {
         return largest;
     }
 
-    /// By largest differences: unlike sums they are the same whatever the number of lanes.
+    /// Judges by largest differences, which, unlike sums, do not depend on the number of lanes.
     void judge(double change, double largest) {
         constexpr double rounding = 1e-15;
         constexpr int most = 24;

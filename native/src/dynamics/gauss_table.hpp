@@ -9,14 +9,14 @@ namespace motus::dynamics {
 
 inline constexpr int stages = 8;
 
-/// Of a step from 0 to 1.
+/// Nodes and weights of a step from 0 to 1.
 struct GaussTable {
     std::array<double, stages> nodes{};
     std::array<double, stages> weights{};
     std::array<std::array<double, stages>, stages> integrals{};  ///< [j][i]: of stage j's part, up to node i
     std::array<std::array<double, stages>, stages> next{};  ///< [j][i]: that part at node i of the next step
-    std::array<double, stages> tail{};  ///< what stage j gives to the coefficient of the last Legendre
-                                        ///< polynomial
+    std::array<double, stages> tail{};                      ///< weight of stage j in the coefficient of
+                                                            ///< the last Legendre polynomial
 };
 
 inline constexpr GaussTable gauss{

@@ -102,7 +102,7 @@ struct StepKernel {
 };
 [[nodiscard]] std::span<const StepKernel> step_kernels();
 
-/// By small steps of Runge and Kutta's method, within the limits after each. They always converge.
+/// Makes small steps of Runge and Kutta's method, each brought within the limits. They always converge.
 void make_limited_steps(std::span<GaussStep<LimitedSystem>> steps);
 
 template <class System>

@@ -66,7 +66,7 @@ class Motion {
     /// settings: forwards.
     explicit Motion(MotionSettings<System> settings) : settings_(std::move(settings)) {}
 
-    /// Of the table that a time is in, with its key, at most. Throws as at().
+    /// Greatest size of the table that a time is in, with its key. Throws as at().
     [[nodiscard]] std::size_t bytes_until(double time) {
         return table(time < 0.0).bytes_until(time) + bytes_of(settings_.accelerations);
     }

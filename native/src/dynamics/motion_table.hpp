@@ -27,19 +27,19 @@ struct MotionSettings {
     System system;
     std::array<double, System::size> start{};
     double interval = 0.0;  ///< between nodes; below 0: backwards in time
-    /// Of the pivot, x and z in turn, at every `intervals_per_sample` nodes; linear between.
+    /// Accelerations of the pivot, x and z in turn, at every `intervals_per_sample` nodes; linear between.
     std::vector<double> accelerations;
     int intervals_per_sample = 1;
 };
 
-/// Thread-safe. What it answers is a function of the settings and the time, however far it has grown.
+/// Thread-safe. Answers are a function of the settings and the time, however far the table has grown.
 template <class System>
 class MotionTable {
     using State = std::array<double, System::size>;
 
   public:
     static constexpr std::size_t most_nodes = std::size_t{1} << 18U;
-    /// Of a stiff motion, whose intervals take many steps each; some seconds' work.
+    /// Limit for stiff motions, whose intervals take many steps each; some seconds' work.
     static constexpr std::size_t most_steps = 8 * most_nodes;
 
     explicit MotionTable(MotionSettings<System> settings)
@@ -80,7 +80,7 @@ class MotionTable {
         return sizeof *this + states_.capacity() * node_bytes + bytes_of(settings_.accelerations);
     }
 
-    /// What the table of a motion takes at most that has grown up to a time. Throws as at().
+    /// Greatest size of a motion's table that has grown up to a time. Throws as at().
     [[nodiscard]] std::size_t bytes_until(double time) const {
         const std::size_t nodes = place_of(time).last() + 1;
         return sizeof *this + (nodes + nodes / spare + least_room) * node_bytes +
@@ -92,8 +92,8 @@ class MotionTable {
         std::size_t node = 0;
         double rest = 0.0;  ///< from the node on
 
-        /// The node that has to be there: beyond the time, since how the interval was made counts for all
-        /// within.
+        /// The node that the table must have: the one after the time, since
+        /// a state depends on how its whole interval was made.
         [[nodiscard]] std::size_t last() const { return rest == 0.0 ? node : node + 1; }
     };
 
@@ -104,8 +104,8 @@ class MotionTable {
                                    [](double angle) { return std::abs(angle) <= sine_limit; });
     }
 
-    /// Of a step; one of half the length has a 256th of it. An error of the momenta becomes one of the
-    /// velocities that is larger the smaller `inertia` is.
+    /// Bound of a step's tail; a step of half the length has a 256th of it. An error of the momenta becomes
+    /// one of the velocities that is larger the smaller `inertia` is.
     static constexpr double largest_tail = 1e-5;
     static constexpr double needless = 1.0 / 1024.0;  ///< of the largest: half as many steps would do
     static constexpr int highest_level = 12;
@@ -207,7 +207,7 @@ class MotionTable {
         double largest_ = 0.0;
     };
 
-    /// At most steps_at_once of them.
+    /// Runs at most steps_at_once growths.
     static void run(std::span<Growth> growths) {
         const MakeSteps<System> make = fastest_steps<System>();
         std::array<GaussStep<System>, steps_at_once> steps;
@@ -249,7 +249,7 @@ class MotionTable {
         if (place.rest == 0.0) return state;
         const double share = place.rest / settings_.interval;
         Derivatives<System::size> derivatives;
-        // As many equal steps as are at least as short as the table's.
+        // Take as many equal steps as make them at least as short as the table's.
         for (;; ++level) {
             const int count = static_cast<int>(std::ceil(std::scalbn(share, level)));
             State trial = state;
@@ -268,7 +268,7 @@ class MotionTable {
         }
     }
 
-    /// Of the pivot between two fractions of the interval that begins at a node.
+    /// The pivot's drive between two fractions of the interval that begins at a node.
     [[nodiscard]] Drive drive(std::size_t node, double from, double to) const {
         Drive drive;
         const std::size_t samples = settings_.accelerations.size() / 2;

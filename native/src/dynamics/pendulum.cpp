@@ -25,7 +25,7 @@ void require_valid(const Pendulum& pendulum, const PendulumState& start, std::sp
     require(times.size() == out.size(), "out must have a state for each time");
 }
 
-/// What is the same with and without a moved pivot.
+/// Settings of the motion that are the same with and without a moving pivot.
 [[nodiscard]] MotionSettings<SingleSystem> settings_of(const Pendulum& pendulum, const PendulumState& start,
                                                        const TimeUnit& unit) {
     require(is_angle(start.angle), "angle must be 1e9 at most with damping or a moved pivot");
@@ -36,7 +36,7 @@ void require_valid(const Pendulum& pendulum, const PendulumState& start, std::sp
     return settings;
 }
 
-/// The state that `state_at` gives for each time; nothing where one of them throws.
+/// The state that `state_at` gives for each time; writes nothing if any of the calls throws.
 template <class StateAt>
 void write(std::span<const double> times, std::span<PendulumState> out, const StateAt& state_at) {
     std::vector<PendulumState> states;

@@ -29,7 +29,7 @@ namespace {
 constexpr std::size_t size = 6;  // of a state: two vectors
 using Row = std::array<double, size + 1>;
 
-/// Solves the rows' equations, the last number of each being the right side; false where they have no one
+/// Solves the rows' equations, the last number of each being the right side; false if they have no one
 /// solution.
 [[nodiscard]] bool solve(std::array<Row, size>& rows) {
     constexpr double lost = 1e-12;
@@ -97,7 +97,7 @@ void RotationTrack::run() {
 }
 
 void RotationTrack::close_loop() {
-    constexpr double same = 1e-6;  // rad, about; what inputs in single precision differ by
+    constexpr double same = 1e-6;  // rad, about the rounding of inputs in single precision
     require(glm::length(rotation_vector(glm::conjugate(inputs_.front()) * inputs_.back())) < same,
             "inputs must end with the first one in a loop");
     // One cycle takes a state s to  M (x) Q s + b,  with the matrix M of the filter, the rotation Q by which

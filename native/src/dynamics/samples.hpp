@@ -1,4 +1,4 @@
-// What the tracks of numbers and of rotations share. Private to the library.
+// Functions that tracks of numbers and of rotations share. Private to the library.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -83,7 +83,7 @@ struct Place {
     double cycles = 0.0;
 };
 
-/// The last sample whose time is not after the given one, and the first where there is none. Samples mostly
+/// The last sample whose time is not after the given one, and the first if there is none. Samples mostly
 /// come evenly: they are looked at first where they then would be, since a search has to wait for memory at
 /// each step.
 [[nodiscard]] inline std::size_t sample_before(double time, std::span<const double> times) {

@@ -42,7 +42,7 @@ struct Waves {
     return step_response(filter, time).value - 1.0;
 }
 
-/// First time > 0 at which the step response turns back from a maximum; infinity where it does not.
+/// First time > 0 at which the step response turns back from a maximum; infinity if it does not.
 [[nodiscard]] double first_maximum(const SecondOrder& filter) {
     // The derivative is exp(-a t) (v0 c + q s), with the waves c and s.
     const double w = filter.rate();

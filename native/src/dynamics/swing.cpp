@@ -28,7 +28,7 @@ Swing::Swing(const Pendulum& pendulum, const PendulumState& start) : start_(star
     const double cosine = std::abs(std::cos(half));
     // sin(theta / 2) and this are the sides of the right triangle whose hypotenuse is k.
     const double speed = 0.5 * std::abs(start.velocity) / small_rate;
-    constexpr double fastest = 1e100;  // what gravity does to it has no digit in its velocity
+    constexpr double fastest = 1e100;  // gravity changes no digit of a larger velocity
     if (speed > fastest) return;
     const double k = std::hypot(sine, speed);
     const double below_top = (cosine - speed) * (cosine + speed);  // 1 - k^2

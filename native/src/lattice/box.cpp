@@ -96,7 +96,7 @@ void drop_inside(Plane& points) {
     return result;
 }
 
-/// Direction of a side of the smallest rectangle around the points; (1, 0) is kept where nothing is smaller.
+/// Direction of a side of the smallest rectangle around the points; (1, 0) is kept if nothing is smaller.
 [[nodiscard]] glm::dvec2 rectangle_side(const Plane& corners) {
     const auto area_along = [&](const glm::dvec2& x) {
         const glm::dvec2 y(-x.y, x.x);
@@ -143,14 +143,14 @@ void drop_inside(Plane& points) {
     return result;
 }
 
-/// Smaller is better: the volume, and where that is nothing, the larger faces.
+/// Smaller is better: the volume, and if that is nothing, the larger faces.
 [[nodiscard]] double measure(const OrientedBox& box) {
     const glm::dvec3 s = box.size;
     const double longest = std::max({s.x, s.y, s.z});
     return s.x * s.y * s.z + 1e-3 * longest * (s.x * s.y + s.y * s.z + s.z * s.x);
 }
 
-/// The points that lie farthest in some direction or other; all of them where they are few.
+/// The points that lie farthest in some direction or other; all of them if they are few.
 [[nodiscard]] std::vector<glm::vec3> extremes(std::span<const glm::vec3> points) {
     constexpr std::size_t few = 256, directions = 64;
     if (points.size() <= few) return {points.begin(), points.end()};
@@ -239,7 +239,7 @@ void add_reaching(std::span<const glm::vec3> points, const glm::dmat3& axes, std
     return box;
 }
 
-/// The same axes in the order and with the signs that are nearest to the given ones.
+/// The axes in the order and with the signs that are nearest to the given ones.
 [[nodiscard]] glm::dmat3 named_like(const glm::dmat3& axes, const glm::dmat3& model) {
     glm::dmat3 best(1.0);
     double most = -std::numeric_limits<double>::infinity();

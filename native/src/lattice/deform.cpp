@@ -50,7 +50,7 @@ struct Rows {
                                     static_cast<std::size_t>(grid.resolution()[1])) {}
 };
 
-/// Sum over the lattice points of weight * value. Taps: how many along u, where the compiler is to know; else
+/// Sum over the lattice points of weight * value. Taps: how many along u, if the compiler is to know; else
 /// 0.
 template <std::size_t Taps>
 [[nodiscard]] Four blend(const Rows& rows, std::span<const Four> values) {

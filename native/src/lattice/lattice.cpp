@@ -111,7 +111,7 @@ Weights weights_at(const Lattice& lattice, const glm::dvec3& place) {
     const Grid grid(lattice);
     require(is_finite(place), "place: must be finite");
     const glm::dvec3 at = grid.coordinates(place);
-    // By axis each point once: those beyond the ends are the last one.
+    // Add up the weights by axis for each point: points beyond the ends are the last point.
     std::array<std::array<double, max_resolution>, 3> sums{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const Taps taps = grid.taps(axis, at[static_cast<int>(axis)]);

@@ -16,7 +16,7 @@
 namespace motus::lattice {
 namespace {
 
-// Of all pulls together; with the two numbers of each, 200 MB.
+// Greatest number of weights of all pulls together; with two numbers each, 200 MB.
 constexpr std::size_t most_weights = std::size_t{1} << 24;
 
 /// How the lattice points move the point of one pull: a row of Hsu's matrix B, without its zeros.
@@ -52,7 +52,7 @@ struct Between {
 };
 
 /// Calls with_inner(point, opposite) for each point inside: opposite are the three pairs in line with it.
-/// Where the inside follows the outside, it stands in the mean of its places between them, as in Blender.
+/// If the inside follows the outside, it stands in the mean of its places between them, as in Blender.
 template <class WithInner>
 void for_inside(const Lattice& lattice, WithInner&& with_inner) {
     const std::array<int, 3> count = lattice.resolution;
@@ -103,7 +103,7 @@ void follow_outside(const Lattice& lattice, std::span<glm::dvec3> displacements)
 
 struct Rows {
     std::vector<Row> influenced;
-    /// Least square of a pull at full influence, by itself; infinity where nothing moves any.
+    /// Least square of a pull at full influence, by itself; infinity if nothing moves any.
     double weakest = std::numeric_limits<double>::infinity();
 };
 

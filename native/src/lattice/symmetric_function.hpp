@@ -7,7 +7,7 @@
 
 namespace motus::lattice {
 
-/// Q function(L) Q^T columns, where Q L Q^T is the matrix with its eigenvalues L: columns.size() rows of as
+/// Q function(L) Q^T columns, if Q L Q^T is the matrix with its eigenvalues L: columns.size() rows of as
 /// many numbers, symmetric. By Householder's reflections to tridiagonal form and the implicit QL method,
 /// whose rotations turn the columns instead of a matrix of eigenvectors: 4/3 size^3 multiplications, and room
 /// for three numbers a rotation, some size^2 of them. Eigenvalues are right to 1e-14 of the largest.

@@ -1,4 +1,4 @@
-// What lattice points along one axis weigh at a place. Private to the library.
+// Weights of the lattice points along one axis at a place. Private to the library.
 #pragma once
 #include <algorithm>
 #include <array>

@@ -176,7 +176,7 @@ void Picker::refit(std::span<const glm::vec3> positions, std::span<const std::ui
         tree_->all_finite = tree_->all_finite && is_somewhere(point);
     }
     if (!were_finite) {
-        // Which leaves to change, nothing tells.
+        // Nothing says which leaves have changed.
         tree_->refit();
         return;
     }

@@ -16,8 +16,8 @@ constexpr std::size_t fan_out = 8;
 
 using Lanes = std::array<float, fan_out>;
 
-/// The bounding boxes of up to eight leaves or nodes. Those that are not there or have nothing finite are
-/// empty: from infinity to -infinity.
+/// The bounding boxes of up to eight leaves or nodes. Boxes of missing children, or without finite
+/// positions, are empty: from infinity to -infinity.
 struct alignas(64) PickerNode {
     std::array<Lanes, 3> low;   ///< by axis
     std::array<Lanes, 3> high;  ///< by axis
@@ -47,7 +47,7 @@ template <class Vector>
     return a < b ? a : b;
 }
 
-/// A vertex and 0. NaN in all four, where one coordinate is not finite.
+/// A vertex and 0. NaN in all four, if one coordinate is not finite.
 using PickerPoint = FourFloats;
 
 /// A bounding box; it grows by comparisons that are false for NaN.
@@ -94,7 +94,7 @@ class PickerBoxes {
         return box;
     }
 
-    /// All boxes, from those of the leaves.
+    /// Computes all boxes, beginning with those of the leaves.
     template <class LeafBox>
     void refit(const LeafBox& leaf_box, std::size_t threads) {
         constexpr std::size_t grain = 64;
@@ -108,7 +108,7 @@ class PickerBoxes {
         }
     }
 
-    /// Those of the leaves that touch `region`, and the boxes above them.
+    /// Updates the boxes of the leaves that touch `region`, and the boxes above them.
     template <class LeafBox>
     void refit_touching(const PickerBox& region, const LeafBox& leaf_box) {
         if (!empty()) refit_below(region, leaf_box, top(), 0);

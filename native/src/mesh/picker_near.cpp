@@ -20,7 +20,7 @@ struct Distances {
     Lanes most;
 };
 
-/// Of a difference between low and high, the least and the most it can be squared.
+/// The least square of a difference between low and high.
 inline FourFloats least_square(const FourFloats& low, const FourFloats& high) noexcept {
     const FourFloats gap = larger(larger(low, -high), FourFloats{});
     return gap * gap;

@@ -30,7 +30,7 @@ constexpr unsigned turned(unsigned bits, unsigned by) {
     return (bits << by | bits >> (3 - by)) & 7u;
 }
 
-/// One level: the state is 3 * entry corner + direction, the cell has one bit an axis.
+/// The step of one level: the state is 3 * entry corner + direction, the cell has one bit an axis.
 constexpr Step half_step(unsigned state, unsigned cell) {
     const unsigned entry = state / 3, direction = state % 3;
     const unsigned gray = turned(cell ^ entry, (2 - direction) % 3);
@@ -74,7 +74,7 @@ struct Bounds {
     glm::vec3 high{-std::numeric_limits<float>::infinity()};
 };
 
-/// Of the points that are finite.
+/// Bounds of the finite points.
 Bounds bounds_of(std::span<const glm::vec3> points, std::size_t threads) {
     Bounds all;
     std::mutex merging;
@@ -107,7 +107,7 @@ void* allocate_pages(std::size_t bytes) {
     if (bytes < few_pages) return ::operator new(bytes, small_alignment);
     void* memory = ::operator new(bytes, large_alignment);
 #ifdef __linux__
-    // A wish: where the system does not grant it, the memory is as good.
+    // A wish: if the system does not grant it, the memory is as good.
     static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));
 #endif
     return memory;
@@ -168,13 +168,13 @@ Array<std::uint32_t> hilbert_order(std::span<const glm::vec3> points, std::size_
     const double longest = std::max({size.x, size.y, size.z});
     constexpr double last_cell = (1u << hilbert_bits) - 1;
     const double cells_a_unit = longest > 0.0 ? last_cell / longest : 0.0;
-    // What is NaN, or infinite, ends in a cell too.
+    // NaN and infinity also get a cell.
     const auto cell = [&](float coordinate, double from) {
         const double at = (static_cast<double>(coordinate) - from) * cells_a_unit;
         return at > 0.0 ? static_cast<std::uint32_t>(std::min(at, last_cell)) : 0u;
     };
     constexpr std::size_t grain = 4096;
-    // Sorted by what tells nearly all of them apart, and the few alike by the rest.
+    // Sorted by the leading bits, which tell nearly all keys apart, and the few equal ones by the rest.
     constexpr int coarse_bits = 30;
     Array<std::uint64_t> keys(points.size());
     Array<Keyed> keyed(points.size());

@@ -11,7 +11,7 @@
 
 namespace motus::mesh {
 
-/// Memory for large arrays in large pages, where the system has them: an array that is read here and there
+/// Memory for large arrays in large pages, if the system has them: an array that is read here and there
 /// takes half the time, and a new one is made of a few hundred times fewer pages.
 [[nodiscard]] void* allocate_pages(std::size_t bytes);
 void free_pages(void* memory, std::size_t bytes) noexcept;
@@ -48,7 +48,7 @@ constexpr int hilbert_bits = 20;
 /// Where on the curve through all cells the cell (x, y, z) lies: those that follow each other share a side.
 [[nodiscard]] std::uint64_t hilbert_place(std::uint32_t x, std::uint32_t y, std::uint32_t z) noexcept;
 
-/// A number by which to sort, in the upper 32 bits, and what it belongs to in the lower ones.
+/// A sort key in the upper 32 bits, and the index that it belongs to in the lower ones.
 using Keyed = std::uint64_t;
 
 /// Sorts by the lowest `bits` of the key, others being 0; equal keys stay in order.

@@ -1,4 +1,4 @@
-// What a ray meets.
+// Ray hits.
 // Triangles: Woop, Benthin, Wald, "Watertight ray/triangle intersection" (2013), in double precision: the
 // sides of a ray that two triangles find of the edge they share are the same numbers, so that it passes
 // between them nowhere.
@@ -33,7 +33,7 @@ class Ray {
         shear_ = {direction[x_] / direction[z_], direction[y_] / direction[z_], 1.0 / direction[z_]};
     }
 
-    /// The distance to a triangle, and the corners' weights that give the point; infinity where it is not
+    /// The distance to a triangle, and the corners' weights that give the point; infinity if it is not
     /// met.
     [[nodiscard]] double meet(const std::array<glm::dvec3, 3>& triangle, glm::dvec3& weights) const {
         const glm::dvec3 a = sheared(triangle[0]), b = sheared(triangle[1]), c = sheared(triangle[2]);
@@ -42,7 +42,7 @@ class Ray {
         const double sum = u + v + w;
         const double distance = (u * a.z + v * b.z + w * c.z) / sum;
         if (!(distance >= 0.0 && distance < infinity)) return infinity;
-        // What has no area may have a sum other than 0 by rounding.
+        // A triangle without area may have a sum other than 0 by rounding.
         if (glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]) == glm::dvec3(0.0))
             return infinity;
         weights = glm::dvec3(u, v, w) / sum;
@@ -78,7 +78,7 @@ class Slabs {
         }
     }
 
-    /// Distances at which the lanes' boxes are entered; infinity where they are not within `most`.
+    /// Distances at which the lanes' boxes are entered; infinity if they are not within `most`.
     [[nodiscard]] std::array<double, fan_out> entries(const PickerNode& node, double most) const {
         std::array<double, fan_out> found{};
         for (std::size_t lanes = 0; lanes < fan_out; lanes += 2) {

@@ -1,4 +1,4 @@
-// Which vertex is nearest to a hit, along the surface that was hit.
+// The vertex nearest to a hit, along the surface that was hit.
 //
 // A walk from triangle to triangle over the edges that are nearest to the hit: no edge further away than the
 // nearest vertex so far leads to a nearer one. Who is beside an edge the tree tells, by its boxes.
@@ -76,7 +76,7 @@ class Walk {
         return metric_ * (points_(vertex) - centre_);
     }
 
-    /// > 0 where a triangle is seen from the side from which its corners go round to one hand.
+    /// > 0 if a triangle is seen from the side from which its corners go round to one hand.
     [[nodiscard]] double facing(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
         const glm::dvec3 at_a = away(a);
         return glm::dot(glm::cross(away(b) - at_a, away(c) - at_a), direction_);

@@ -1,4 +1,4 @@
-// What a Picker is made of. Private to the library.
+// The tree of a Picker. Private to the library.
 //
 // The vertices lie along a Hilbert curve. Each eight that follow each other are a leaf; leaves and nodes have
 // their parents by their number alone, and the vertices below a node follow each other. A triangle belongs to
@@ -32,7 +32,7 @@ struct Picker::Tree {
     Array<std::uint32_t> names;   ///< of the triangles, by leaf
     Array<Corners> corners;       ///< beside them
     PickerBoxes around_vertices;
-    PickerBoxes around_triangles;  ///< none where there are no triangles
+    PickerBoxes around_triangles;  ///< none if there are no triangles
 
     void sort_in(std::span<const glm::ivec3> triangles);
     /// All boxes, for the points as they are.

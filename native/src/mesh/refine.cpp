@@ -45,14 +45,14 @@ class Round {
 
   private:
     [[nodiscard]] double length(int a, int b) const {
-        // The same whichever of its ends is named first.
+        // The length of an edge does not depend on which of its ends is named first.
         const auto [low, high] = std::minmax(a, b);
         return length_of(glm::dvec3(mesh_.positions[static_cast<std::size_t>(high)]) -
                          glm::dvec3(mesh_.positions[static_cast<std::size_t>(low)]));
     }
     [[nodiscard]] bool is_long(int a, int b) const { return length(a, b) > longest_; }
 
-    /// Vertex in the middle of an edge; `none` where it is not halved.
+    /// Vertex in the middle of an edge; `none` if it is not halved.
     [[nodiscard]] int middle(int a, int b) const {
         const auto at = std::ranges::lower_bound(halved_, key_of(a, b));
         if (at == halved_.end() || *at != key_of(a, b)) return none;
@@ -69,7 +69,7 @@ class Round {
             middles.at(static_cast<std::size_t>(side)) = found;
             if (found != none) ++count;
         }
-        // Begin where the side before the first is whole, if one is, and the first is halved, if one is.
+        // Begin at a whole side that follows a halved one, if there is such a side.
         std::size_t start = 0;
         while (count > 0 && count < 3 && (middles.at(start) == none || middles.at((start + 2) % 3) != none))
             ++start;

@@ -15,7 +15,7 @@
 namespace motus::mesh {
 namespace {
 
-/// A triangle at the vertex that is being settled, with what its neighbours are.
+/// A triangle at the vertex that is being settled, with its neighbours.
 struct Spoke {
     SurfacePlace* a;
     SurfacePlace* b;
@@ -188,7 +188,7 @@ class Search {
             area += spoke.area;
         }
         if (from.settled > 0) return;
-        // What is missing from a full turn; at an edge of the surface, a spike or a crease that is no
+        // The angle missing from a full turn; at an edge of the surface, a spike or a crease that is no
         // curvature.
         const double missing = cosine > 0.0 ? -sine / std::sqrt(cosine * cosine + sine * sine) : 0.0;
         const double trust = 1.0 - missing * missing / (0.3 * 0.3);

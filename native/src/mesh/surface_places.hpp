@@ -1,4 +1,4 @@
-// What a search along a surface knows of the vertices that it has reached.
+// The vertices that a search along a surface has reached, and their distances.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -13,8 +13,8 @@ namespace motus::mesh {
 /// A vertex and the shortest way to it so far. Lengths are the metric's.
 struct SurfacePlace {
     glm::vec3 position{0.0f};                                 ///< from the root
-    float straight = -1.0f;                                   ///< |position|; < 0 where position is not set
-    float distance = std::numeric_limits<float>::infinity();  ///< -infinity where there can be no way
+    float straight = -1.0f;                                   ///< |position|; < 0 if position is not set
+    float distance = std::numeric_limits<float>::infinity();  ///< -infinity if there can be no way
     float spread = 1.0f;  ///< distance / radius of the wave that has come by: 1 on a flat surface, less on a
                           ///< dome, below 0 past a dome's focus, more on a saddle
     float curvature = 0.0f;     ///< the surface's, 1 / length^2; set when the place is settled

@@ -33,7 +33,7 @@ struct Corner {
     return by_a.distance <= by_b.distance ? by_a : by_b;
 }
 
-/// The spread of the wave midway between a and b. Where it shrinks at both, its centre is the mean of theirs:
+/// The spread of the wave midway between a and b. If it shrinks at both, its centre is the mean of theirs:
 /// near a focus spreads differ too much from vertex to vertex to be averaged.
 [[nodiscard]] inline double spread_between(const SurfacePlace& a, const SurfacePlace& b, double mean) {
     if (!(a.spread < 0.0f && b.spread < 0.0f && mean > 0.0))
@@ -46,7 +46,7 @@ struct Corner {
 /// The shortest way to c across the side between a and b. The triangle is unfolded into a plane in which the
 /// wave is a circle: about the one point that has the distances of a and b, on a flat surface, else about one
 /// nearer or farther by so much as the surface's curvature has bent the wave on its way here. Past a dome's
-/// focus the circle's centre lies ahead. Where the ray to c passes by the side, the way bends around its end.
+/// focus the circle's centre lies ahead. If the ray to c passes by the side, the way bends around its end.
 [[nodiscard]] inline Way way_across(const Corner& corner, const SurfacePlace& a, const SurfacePlace& b) {
     if (!(corner.area > 0.0)) return way_by_sides(corner, a, b);
     const double side2 = corner.side2;
@@ -86,7 +86,7 @@ struct Corner {
     const double curvature = 0.5 * (static_cast<double>(a.curvature) + b.curvature);
     if ((spread == 1.0 && curvature == 0.0) || !(distance > 0.0)) return {distance, 1.0};
     // Jacobi's equation for the radius r of the wave, r'' = -K r, over the part of the ray beyond the side.
-    // Where the circle shrinks it starts from the radius drawn: near a focus the distance tells nothing of
+    // If the circle shrinks it starts from the radius drawn: near a focus the distance tells nothing of
     // it.
     const double part = ray * corner.area / height;
     const double before = towards < 0.0 ? ray + part : distance - part;

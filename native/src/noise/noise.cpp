@@ -17,7 +17,7 @@
 namespace motus::noise {
 namespace {
 
-/// The other sign where this bit of the hash is set.
+/// The other sign if this bit of the hash is set.
 [[nodiscard]] float turned(std::uint32_t hash, int bit, float number) noexcept {
     return ((hash >> bit) & 1U) != 0 ? -number : number;
 }

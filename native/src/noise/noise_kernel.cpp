@@ -8,7 +8,7 @@
 #include "motus/core/instruction_sets.hpp"
 #include "shape.hpp"
 
-// By this the file is compiled once for each of Highway's targets, and what is not of one of them at the end.
+// This include compiles the file once for each of Highway's targets; code for no target stands at the end.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "noise_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -32,7 +32,7 @@ HWY_INLINE Words mix(Words bits) {
     return bits ^ hn::ShiftRight<16>(bits);
 }
 
-/// The other sign where this bit is set.
+/// The other sign if this bit is set.
 HWY_INLINE Floats turn_where(Words bits, int bit, Floats all) {
     const Words signs = hn::ShiftLeftSame(bits, 31 - bit) & words(0x80000000U);
     return hn::BitCast(as_floats, hn::BitCast(as_words, all) ^ signs);
@@ -42,14 +42,14 @@ HWY_INLINE Floats within_reach(Floats number) {
     return hn::Clamp(number, floats(-farthest), floats(farthest));
 }
 
-/// Of whole numbers.
+/// Bits of whole numbers.
 HWY_INLINE Words words_of(Floats whole) {
     return hn::BitCast(as_words, hn::ConvertTo(as_integers, whole));
 }
 
 // --- Along a line: what it adds up, and in which order, is what noise.cpp does -----------------------------
 
-/// Of a bump whose middle is no further away than 1.
+/// Adds a bump whose middle is at most 1 away.
 HWY_INLINE void add_bump(Words hash, Floats from, Floats& sum) {
     const Floats rest = floats(1.0F) - from * from;
     const Floats upper = hn::ConvertTo(as_floats, hn::BitCast(as_integers, hn::ShiftRight<16>(hash)));
@@ -57,7 +57,8 @@ HWY_INLINE void add_bump(Words hash, Floats from, Floats& sum) {
     sum = sum + rest * rest * rest * (height + floats(line::steepness) * turn_where(hash, sign_bit, from));
 }
 
-/// Of the bumps on both sides; the lower one's name times name_step, and how far the place is from it.
+/// Adds the bumps on both sides. lower: name_step times the name of the lower one; within: the distance from
+/// it.
 HWY_INLINE void add_both(Words start, Words lower, Floats within, Floats& sum) {
     add_bump(mix(start + lower), within, sum);
     add_bump(mix(start + lower + words(2 * name_step)), within - floats(1.0F), sum);
@@ -88,8 +89,8 @@ struct Axis {
     Words lower_name, upper_name;
 };
 
-/// Of the sum along the axes so far: by the heights, and by each coordinate of the slopes, where these are of
-/// variance 1.
+/// Variance of the sum along the axes so far: by the heights, and by each coordinate of the slopes, if these
+/// are of variance 1.
 struct Variance {
     Floats heights, slopes;
 };

@@ -17,7 +17,7 @@ struct NoiseKernel {
     std::array<void (*)(const float* places, std::uint32_t seed, float* out), 3> fill;
 };
 
-/// Those that this processor can run, the fastest last.
+/// The kernels that this processor can run, the fastest last.
 [[nodiscard]] std::span<const NoiseKernel> noise_kernels();
 
 }  // namespace motus::noise

@@ -11,7 +11,7 @@ inline constexpr float farthest = 0x1p30F;
 inline constexpr std::uint32_t first_mixer = 0x7feb352dU;
 inline constexpr std::uint32_t second_mixer = 0x846ca68bU;
 
-/// What the name of a lattice point is multiplied by, on each axis, before it is mixed.
+/// Factor of a lattice point's coordinate on each axis before the hash.
 inline constexpr std::uint32_t name_step = 0x9e3779b9U;
 
 /// A bijection of 32 bits in which each bit of the result depends on each bit given. Mueller, "Hash Function

@@ -15,7 +15,7 @@ constexpr double ramp_share =
     0.1;  // of a stretch: the ramp at each end that leads over a jump of the curvature
 constexpr double shortest_cell =
     1e-6;  // of the length: what curves more tightly than the cells above it, is a cusp
-constexpr double narrowest = 1e-12;  // of the length: what a filter is at the least, far below a cell's width
+constexpr double narrowest = 1e-12;  // of the length: least width of a filter, far below a cell's width
 constexpr double widest = 1e9;    // of the length: any wider filter gives the mean, to its last digit but one
 constexpr double headroom = 2.0;  // of the curvature over the mean of the cell it lies in
 
@@ -103,7 +103,7 @@ void BendField::join_stretches() {
     }
 }
 
-/// Both sides meet half-way.
+/// Both sides turn until they meet half-way.
 void BendField::join(Stretch& left, const Place& last, Stretch& right, const Place& first,
                      Across last_to_first) {
     const Across jump = exact(first) - exact(last) * last_to_first;

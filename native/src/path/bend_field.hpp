@@ -22,7 +22,7 @@ class BendField {
     [[nodiscard]] Across at(const Place& place) const;
     /// Turning of the whole path over its length.
     [[nodiscard]] double mean() const noexcept { return mean_; }
-    /// What it takes, the frames not included.
+    /// Size in memory, without the frames.
     [[nodiscard]] std::size_t bytes() const noexcept {
         return bytes_of(turning_) + bytes_of(stretches_) + bytes_of(stretch_of_) + bytes_of(before_) +
                bytes_of(behind_);
@@ -58,7 +58,8 @@ class BendField {
     std::vector<Stretch> stretches_;
     std::vector<std::uint32_t> stretch_of_;  // per station
     double width_ = 0.0;                     // of the filter; 0 without smoothing
-    std::vector<Memory> before_, behind_;    // per station: what lies towards the start, towards the end
+    std::vector<Memory> before_,
+        behind_;  // per station: memory of the path towards the start, towards the end
 };
 
 }  // namespace motus::path

@@ -34,7 +34,7 @@ double reach_of(double slope, double width) {
 
 }  // namespace
 
-/// What the field shows at the table's stations, and more closely where it is weak.
+/// The field's values at the table's stations, and at more places where the field is weak.
 class DirectionTrack::Survey {
   public:
     Survey(const ParallelFrames& frames, const DirectionField& field) : frames_(frames), field_(field) {

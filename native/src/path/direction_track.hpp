@@ -17,7 +17,7 @@ struct DirectionField {
 
 /// The field's direction where it is long enough, and through the gaps between an angle against the parallel
 /// frames that goes smoothly (C1) the shortest way from one side to the other; held in gaps at the ends of
-/// the path. On a cyclic path it closes; where an axis comes back the other way round, half a turn is spread
+/// the path. On a cyclic path it closes; if an axis comes back the other way round, half a turn is spread
 /// over the whole path.
 class DirectionTrack {
   public:
@@ -37,7 +37,7 @@ class DirectionTrack {
         [[nodiscard]] Across at(double s) const;
     };
     struct Edges {
-        std::optional<Place> before, behind;  // the places on both sides where the direction is meant
+        std::optional<Place> before, behind;  // the places on both sides if the direction is meant
     };
     class Survey;
 

@@ -46,7 +46,7 @@ struct LagStep {
 };
 
 /// Orientation that trails its target, by steps on a fixed grid of time, whose width grows with their age;
-/// the last one, and the first where the memory begins between two grid points, are shorter. A step of
+/// the last one, and the first if the memory begins between two grid points, are shorter. A step of
 /// several grid widths begins at a multiple of them, so that steps stay where they are as time goes on, until
 /// two become one.
 class Lag {
@@ -65,7 +65,7 @@ class Lag {
         double total = 0.0;
         double width = 1.0;
         double next_age = exact_memory;
-        // Counted, since one less is the same number where the time is very large.
+        // Counted, since one less is the same number if the time is very large.
         for (double count = 0.0; begin > oldest && total < forgotten;) {
             const double end = begin;
             if (time - end >= next_age) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double upright_threshold =
     0.2;  // sine of the angle to the vertical (11.5 degrees) that shows world up
-constexpr double bend_threshold = 0.02;  // of the mean curvature: what shows the direction of the bend
+constexpr double bend_threshold = 0.02;  // of the mean curvature: from here on the bend defines a direction
 constexpr double least_turning = 1e-6;   // rad over the whole length: below, the curve is straight
 constexpr std::size_t cached_tables = 64;
 constexpr std::size_t cached_bytes = std::size_t{320} << 20;  // of these and their paths; see arc_length.cpp

@@ -1,4 +1,4 @@
-// What is tabulated of a path for its frames; the same for all speeds and bank settings.
+// The tables of a path for its frames, which do not depend on speed and banking.
 #pragma once
 #include <memory>
 #include <optional>
@@ -29,7 +29,7 @@ class FrameTables {
     }
     /// Unit vector along a rotation-minimising up that closes on a cyclic curve.
     [[nodiscard]] Across minimal(const Place& place) const;
-    /// What they take, the path included.
+    /// Size in memory, the path included.
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:

@@ -45,7 +45,7 @@ FrameSettings checked(FrameSettings settings, const curve::ArcLength* path) {
 }
 
 /// A roll (rad, -pi to pi) kept below `limit`: unchanged up to four fifths of it, and back to 0 upside down,
-/// where it could not tell left from right.
+/// if it could not tell left from right.
 double limited(double roll, double limit) {
     const double size = std::abs(roll);
     const double free = 0.8 * limit;
@@ -56,7 +56,7 @@ double limited(double roll, double limit) {
 }
 
 /// Unit vector along `apparent`, the apparent gravity across the tangent in units of g. Near weightlessness
-/// it is led past 0: along `upright` where nothing is left, and where it comes out upside down (the crest of
+/// it is led past 0: along `upright` if nothing is left, and if it comes out upside down (the crest of
 /// a hill taken too fast) over one side, so that the follower rolls.
 Across apparent_up(Across apparent, Across upright) {
     const double closeness = 1.0 - std::norm(apparent) / (weightless * weightless);

@@ -34,7 +34,7 @@ glm::dvec3 made_across(const glm::dvec3& v, const glm::dvec3& tangent) {
     return glm::normalize(v - glm::dot(v, tangent) * tangent);
 }
 
-/// Up after the least rotation that takes one tangent to the other. Where they are opposite there is no such
+/// Up after the least rotation that takes one tangent to the other. If they are opposite there is no such
 /// one: up stays, and the tangent turns about it.
 glm::dvec3 carried_round_corner(const Station& from, const glm::dvec3& tangent) {
     const glm::dvec3 sum = from.tangent + tangent;

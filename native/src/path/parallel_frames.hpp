@@ -24,7 +24,8 @@ using Across = std::complex<double>;
     return std::sqrt(std::norm(v));
 }
 
-/// What a table keeps of a place: the rest follows from it. A path of 10,000 segments has some million.
+/// The part of a place that a table keeps; the rest is computed from it. A path of 10,000 segments has some
+/// million.
 struct Station {
     double t = 0.0;
     glm::dvec3 position{0.0};
@@ -48,7 +49,7 @@ struct Place {
     [[nodiscard]] Across across(const glm::dvec3& v) const;
 };
 
-/// What lies between a station and the next one.
+/// The kind of path between a station and the next one.
 enum class Cell {
     smooth,  ///< a piece of the curve that turns by a few degrees at most
     joint,   ///< zero length: one segment ends, the next one begins along the same tangent
@@ -75,12 +76,12 @@ class ParallelFrames {
 
     /// Whether the end of the path is its start, so that it can be ridden round and round.
     [[nodiscard]] bool cyclic() const noexcept { return cyclic_; }
-    /// What lies between the last station and the first (cyclic only).
+    /// The kind of path between the last station and the first (cyclic only).
     [[nodiscard]] Cell seam() const noexcept { return seam_; }
     /// Factor that takes coordinates in the last station's frame to those of the same vector in the first's
     /// (cyclic only; its argument is the angle by which the frames fail to close).
     [[nodiscard]] Across closing() const noexcept { return closing_; }
-    /// What they take, the path included.
+    /// Size in memory, the path included.
     [[nodiscard]] std::size_t bytes() const noexcept {
         return sizeof *this + path_->bytes() + bytes_of(stations_) + bytes_of(distances_) + bytes_of(cells_);
     }

@@ -50,7 +50,7 @@ void check_finite(std::span<const double> values, const char* name) {
     if (!are_finite(values)) throw std::invalid_argument(std::string(name) + " must be finite");
 }
 
-/// Both columns of a profile: of one size, at least one row, finite, the first strictly increasing.
+/// Checks both columns of a profile: of one size, at least one row, finite, the first strictly increasing.
 void check_profile(std::span<const double> keys, const char* keys_name, std::span<const double> values,
                    const char* values_name) {
     const std::string names = std::string(keys_name) + " and " + values_name;

@@ -29,7 +29,7 @@ constexpr std::size_t part = pull_block / 2;
     return {positions.data(), shape.data()};
 }
 
-/// Has the processor fetch what is to be written soon: of several arrays at once it foresees only some.
+/// Prefetches memory that is written soon: the processor foresees only some of several arrays by itself.
 void ask_for(std::span<const glm::vec3> positions) {
     constexpr std::size_t cache_line = 64;
     const std::span<const std::byte> bytes = std::as_bytes(positions);

@@ -11,7 +11,7 @@
 
 #include "motus/core/instruction_sets.hpp"
 
-// By this the file is compiled once for each of Highway's targets, and what is not of one of them at the end.
+// This include compiles the file once for each of Highway's targets; code for no target stands at the end.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "pull_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -39,7 +39,7 @@ HWY_INLINE std::array<float, lanes> filled_up(const float* numbers, std::size_t 
     return all;
 }
 
-/// Those that fill up are the last vertex again.
+/// Lanes beyond the last vertex repeat that vertex.
 HWY_INLINE std::array<float, 3 * lanes> vertices_filled_up(const float* positions, std::size_t count) {
     std::array<float, 3 * lanes> all{};
     for (std::size_t vertex = 0; vertex < lanes; ++vertex)
@@ -151,7 +151,7 @@ HWY_INLINE auto with_squares(const glm::mat3* metric, const glm::vec3& root, con
     return metric != nullptr ? work(MetricSquare{root, *metric}) : work(StraightSquare{root});
 }
 
-/// Distances of `lanes` vertices, or their squares where that is what the force is of.
+/// Distances of `lanes` vertices, or their squares if the force is a function of these.
 template <bool of_squares, class Squared>
 HWY_INLINE Floats measured_at(const float* positions, const Squared& squared) {
     const Floats squares = squared(vectors_at(positions));
@@ -227,7 +227,7 @@ struct FreeMove {
     }
 };
 
-/// The same, between limits.
+/// A move between limits.
 struct ClampedMove {
     FreeMove free;
     Thirds lowest, highest;

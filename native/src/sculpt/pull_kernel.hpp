@@ -11,7 +11,7 @@
 
 namespace motus::sculpt {
 
-/// Vertices worked on at once: what is kept for them between the loops stays in the fastest cache.
+/// Number of vertices per block: their intermediate values stay in the fastest cache.
 inline constexpr std::size_t pull_block = 512;
 
 /// Something of each vertex of a block.
@@ -40,7 +40,7 @@ struct MoveTerms {
     int clamp_axis = 2;
 };
 
-/// What several images do to a block, summed up from clear() on.
+/// The effect of several images on a block, summed up from clear() on.
 struct Shares {
     PerVertex<float> x, y, z;
     PerVertex<float> total;    ///< of the forces' sizes
@@ -60,17 +60,17 @@ struct PullKernel {
     /// Whether all lie in [0, 1].
     bool (*are_weights)(const float* weights, std::size_t count);
     /// Distances from `root`, or their squares, as `force` takes them. metric: distances are
-    /// |metric (p - root)|; null for straight ones. False where no vertex is within reach.
+    /// |metric (p - root)|; null for straight ones. False if no vertex is within reach.
     bool (*measure)(const ForceTerms& force, const glm::mat3* metric, const glm::vec3& root,
                     const float* positions, std::size_t count, float* values);
-    /// Forces in place of what was measured.
+    /// Replaces distances by forces.
     void (*force)(const ForceTerms& terms, float* values, std::size_t count);
     /// Multiplies forces by weights.
     void (*weigh)(const float* weights, std::size_t count, float* forces);
     /// Moves by one image.
     void (*move)(const MoveTerms& terms, const float* forces, std::size_t count, float* positions);
-    /// All of these of any number of vertices, by one image without limits. measured: other positions that
-    /// distances are those of, or null. weights: one for each vertex, or null.
+    /// Pulls any number of vertices by one image without limits. measured: different positions on which
+    /// distances are measured, or null. weights: one for each vertex, or null.
     void (*pull)(const ForceTerms& force, const MoveTerms& move, const glm::vec3& root,
                  const glm::mat3* metric, std::size_t count, const float* measured, const float* weights,
                  float* positions);
@@ -79,7 +79,7 @@ struct PullKernel {
     void (*move_by)(const MoveTerms& terms, const Shares& shares, std::size_t count, float* positions);
 };
 
-/// Those that this processor can run, the fastest last.
+/// The kernels that this processor can run, the fastest last.
 [[nodiscard]] std::span<const PullKernel> pull_kernels();
 
 }  // namespace motus::sculpt

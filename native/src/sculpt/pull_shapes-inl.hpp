@@ -97,7 +97,7 @@ struct NearnessShape {
     }
 };
 
-/// Of q = d^2 / R^2: the root of 1 - q, which is that of 2t - t^2.
+/// The sphere's force by q = d^2 / R^2: sqrt(1 - q), which is sqrt(2t - t^2).
 struct SphereShape {
     static constexpr bool of_squares = true;
     float scale;
@@ -113,8 +113,8 @@ struct ConstantShape {
     HWY_INLINE Floats operator()(Floats /*squares*/) const { return floats(1.0f); }
 };
 
-/// Of q = d^2 / R^2: e^(-1.125 q), q in [0, 1], to the fourth: the polynomial (a minimax one, error 4e-8) is
-/// 1 at 0.
+/// The gaussian's force by q = d^2 / R^2: e^(-1.125 q), q in [0, 1], to the fourth: the polynomial (a minimax
+/// one, error 4e-8) is 1 at 0.
 struct GaussianShape {
     static constexpr bool of_squares = true;
     float scale;
@@ -157,7 +157,7 @@ struct CurveShape {
 };
 
 /// work(shape), where shape(values) is forces by distances, or by their squares where it is of_squares; right
-/// where these are below the limit.
+/// if these are below the limit.
 template <class Work>
 HWY_INLINE void with_shape(const ForceTerms& terms, const Work& work) {
     switch (terms.falloff) {

@@ -47,7 +47,7 @@ constexpr float out_of_reach = infinity;
 /// Vertices from all over the mesh, next to each other.
 struct Puller::Gathered {
     PerVertex<glm::vec3> positions;
-    PerVertex<glm::vec3> measured;  ///< where that is another shape
+    PerVertex<glm::vec3> measured;  ///< if that is another shape
     PerVertex<float> weights;
 };
 
@@ -73,14 +73,14 @@ Puller::Puller(const Dab& dab, std::size_t vertex_count, std::size_t weight_coun
     straight_ = force_;
     if (size > 0.0) {
         const auto share = static_cast<float>(force_.of_squares ? size * size : size);
-        // As with radii so small that their squares vanish: the root stays within reach, and 0 * scale is 0.
+        // Also for radii so small that their squares vanish: the root stays within reach, and 0 * scale is 0.
         straight_.limit = std::max(force_.limit / share, std::numeric_limits<float>::denorm_min());
         straight_.scale = std::min(force_.scale * share, std::numeric_limits<float>::max());
         is_plain_ = true;
     }
 }
 
-/// measured: null where that is the positions.
+/// measured: null if that is the positions.
 void Puller::check(const glm::vec3* positions, const glm::vec3* measured, const float* weights,
                    std::size_t count) const {
     const bool are_positions = kernel_.are_finite(numbers(positions), 3 * count) &&
@@ -114,8 +114,8 @@ bool Puller::measure(const PullImage& image, const glm::vec3* positions, std::si
     return kernel_.measure(straight_, metric(), image.root, numbers(positions), count, distances);
 }
 
-/// distances(image, values) fills in the distances to the image with that number; false where all are out of
-/// reach. False where nothing moves: then `out` is as it was.
+/// distances(image, values) fills in the distances to the image with that number; false if all are out of
+/// reach. False if nothing moves: then `out` is as it was.
 template <class Distances>
 bool Puller::act(const ForceTerms& force, const glm::vec3* positions, const float* weights, std::size_t count,
                  Distances&& distances, glm::vec3* out) const {
@@ -203,7 +203,7 @@ void Puller::act_along(const glm::vec3* positions, const float* weights,
                        glm::vec3* out) const {
     if (vertices.empty()) return;
     Gathered block;
-    std::array<std::size_t, 8> next{};  // of each Reach, what comes after the vertices done
+    std::array<std::size_t, 8> next{};  // of each Reach, index of the first vertex that is not done
     for (std::size_t image = 0; image < reaches.size(); ++image) {
         const auto& all = reaches[image].vertices;
         next[image] = static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), vertices.front()) -

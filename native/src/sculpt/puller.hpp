@@ -13,7 +13,7 @@ namespace motus::sculpt {
 
 static_assert(sizeof(glm::vec3) == 3 * sizeof(float), "positions are read as x, y, z after each other");
 
-/// What is moved, and what distances are measured on, which may be the same.
+/// The positions that are moved, and those that distances are measured on, which may be the same.
 struct Shapes {
     const glm::vec3* positions;
     const glm::vec3* measured;
@@ -21,16 +21,16 @@ struct Shapes {
     [[nodiscard]] bool is_one() const noexcept { return positions == measured; }
 };
 
-/// Several threads may call the const members at once. What act_... are given has been checked.
+/// Several threads may call the const members at once. Arguments of act_...() have to be checked before.
 class Puller {
   public:
-    /// Throws std::invalid_argument where a number is outside its domain, or sizes differ.
+    /// Throws std::invalid_argument if a number is outside its domain, or sizes differ.
     Puller(const Dab& dab, std::size_t vertex_count, std::size_t weight_count, std::size_t out_count,
            const PullKernel& kernel = pull_kernels().back());
 
     [[nodiscard]] std::span<const PullImage> images() const noexcept { return images_; }
 
-    /// Throw std::invalid_argument where a position is not finite, or a weight lies outside [0, 1]: of all
+    /// Throw std::invalid_argument if a position is not finite, or a weight lies outside [0, 1]: of all
     /// vertices in [first, last), or of those that are named. weights: one for each vertex, or null.
     void check_whole(const Shapes& shapes, const float* weights, std::size_t first, std::size_t last) const;
     void check_among(const Shapes& shapes, const float* weights,
@@ -42,7 +42,7 @@ class Puller {
     /// Some vertices, by straight distance. `out` holds their positions already.
     void act_among(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
                    glm::vec3* out) const;
-    /// The same by the distances of one Reach an image; `vertices` is a part of their union, ascending.
+    /// Pulls vertices by the distances of one Reach an image; `vertices` is a part of their union, ascending.
     void act_along(const glm::vec3* positions, const float* weights, std::span<const std::uint32_t> vertices,
                    std::span<const mesh::Reach> reaches, glm::vec3* out) const;
 
@@ -61,9 +61,8 @@ class Puller {
     [[nodiscard]] bool act(const ForceTerms& force, const glm::vec3* positions, const float* weights,
                            std::size_t count, Distances&& distances, glm::vec3* out) const;
 
-    ForceTerms force_;  ///< of distances in the metric's unit
-    ForceTerms
-        straight_;  ///< of those that are measured here: with the metric's scale in it, where it has one
+    ForceTerms force_;     ///< of distances in the metric's unit
+    ForceTerms straight_;  ///< terms for straight distances, with the metric's scale if it has one
     MoveTerms move_;
     glm::mat3 metric_;
     bool is_plain_;  ///< the metric need not be looked at any more

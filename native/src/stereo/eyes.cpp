@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
     return eyes.interaxial * eyes.focal_length / eyes.sensor_width;
 }
 
-/// 1 / the depth of what lies on the screen.
+/// 1 / the depth of points on the screen.
 [[nodiscard]] double screen_nearness(const Eyes& eyes) {
     return eyes.mode == Mode::parallel ? 0.0 : 1.0 / eyes.convergence;
 }
@@ -46,7 +46,8 @@ double parallax(const Eyes& eyes, double depth) {
     check(eyes);
     require(depth > 0.0, "depth must be greater than 0");
     if (eyes.mode == Mode::toe_in && std::isfinite(eyes.convergence)) {
-        // tan(a - b), a the angle of the turned axis and b that of the point: both images are off by as much.
+        // tan(a - b), where a is the angle of the turned axis and b that of the point: the offset of both
+        // images.
         const double half = 0.5 * eyes.interaxial;
         const double tangent = half / eyes.convergence, other = half / depth;
         return 2.0 * eyes.focal_length / eyes.sensor_width * (tangent - other) / (1.0 + tangent * other);
@@ -76,7 +77,7 @@ double vertical_parallax(const Eyes& eyes, double depth, double aspect) {
     require(aspect > 0.0 && std::isfinite(aspect), "aspect must be greater than 0 and finite");
     check(eyes);
     if (eyes.mode != Mode::toe_in) return 0.0;
-    // It grows towards the corners, which are alike.
+    // Vertical parallax grows towards the corners, which are all alike.
     const double to_edge = 0.5 * eyes.sensor_width / eyes.focal_length * depth;
     const Pair corner = project(eyes, {to_edge, to_edge / aspect, depth});
     return std::abs(corner.right.y - corner.left.y);

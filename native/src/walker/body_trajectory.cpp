@@ -66,7 +66,7 @@ void check(const Way& way) {
                                                                             : glm::dvec3(0.0, 0.0, 1.0);
 }
 
-/// `v` across a unit vector, unit; a fixed choice where there is nothing of it.
+/// The part of `v` across a unit vector, unit; a fixed choice if v has no such part.
 [[nodiscard]] glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& up) {
     const glm::dvec3 otherwise = unit_vector(glm::cross(axis_across(up), up));
     return direction_or(v - up * glm::dot(v, up), otherwise);

@@ -112,7 +112,7 @@ class Profile {
 
     [[nodiscard]] double length() const { return length_; }
 
-    /// m, at a fraction of the way: below 0 under the line, and where there is none -length().
+    /// m, at a fraction of the way: below 0 under the line, and if there is none -length().
     [[nodiscard]] double height(double share) const {
         const glm::dvec3 place = start_ + way_ * share;
         const auto from = [&](double room) {
@@ -187,7 +187,7 @@ struct Look {
 }  // namespace
 
 std::optional<Contact> footing(const Ground& ground, const Search& search, const Reach& reach) {
-    // As much lower as what is above the hip has it.
+    // Lowered by as much as an obstacle above the hip requires.
     const double level = reach.up + glm::dot(search.rest - search.hip, search.up);
     const double lower = level > 0.0 ? level - room_above(ground, search.hip, search.up, level) : 0.0;
     const double over_rest = room_above(ground, search.rest, search.up, reach.up);
@@ -221,7 +221,7 @@ Clearing clearing(const Ground& ground, const glm::dvec3& start, const glm::dvec
     }
     Clearing best{rise_over(hurdles.all(), 0.0, 0.0)};
     if (!has_edges) return best;
-    // Of a foot that is close to an edge: rather some haste along the way than a high rise.
+    // A foot close to an edge moves faster along its way rather than rising high.
     constexpr std::array parts{0.0, 0.125, 0.25, 0.375};
     const auto effort = [&](const Clearing& one) {
         return one.rise + 0.5 * profile.length() * (1.0 / (1.0 - one.upwards - one.downwards) - 1.0);

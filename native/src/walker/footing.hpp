@@ -30,7 +30,7 @@ struct Reach {
 [[nodiscard]] std::optional<Contact> footing_around_edge(const Ground& ground, const Search& search,
                                                          const Reach& reach);
 
-/// What lets a swing pass over the ground.
+/// The rise, and the straight parts at both ends, with which a swing clears the ground.
 struct Clearing {
     double rise = 0.0;                      ///< m, >= 0, half-way, above the line from start to end
     double upwards = 0.0, downwards = 0.0;  ///< as of Step

@@ -37,7 +37,7 @@ template <class Point, class Weight>
         xz += w * d.x * d.z;
         yz += w * d.y * d.z;
     }
-    // So little that it is not seen, but decides where the points leave a slope open.
+    // Too small to be seen, but decides a slope that the points leave undetermined.
     const double ridge = 1e-9 * (xx + yy);
     xx += ridge;
     yy += ridge;

@@ -16,7 +16,7 @@ namespace {
 constexpr double no_step = 1e-5;
 /// Shorter steps, in strides, rise less than the clearance, as much as they are shorter.
 constexpr double full_step = 0.25;
-/// So much a foot counts for the body's height and tilt half-way through its swing; standing it counts 1.
+/// Weight of a foot half-way through its swing for the body's height and tilt; a standing foot has 1.
 constexpr double least_weight = 0.01;
 /// Parts of the way from a rest place to below the hip at which ground is looked for, one after the other.
 constexpr std::array nearer{0.25, 0.5, 0.75};
@@ -28,7 +28,7 @@ constexpr std::array nearer{0.25, 0.5, 0.75};
 }
 
 [[nodiscard]] double expected_steps(const BodyTrajectory& trajectory) {
-    // At both ends of a stretch there may be one more than there are cycles, and one is where the foot is
+    // At both ends of a stretch there may be one more than there are cycles, and one is if the foot is
     // put.
     constexpr double at_ends = 3.0;
     double cycles = 0.0;
@@ -91,7 +91,7 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
     const double begin = way.times[trajectory_.first_sample(stretch)];
     const bool is_slow = trajectory_.starts_slowly(stretch);
     // The stretch begins in cycle 0, maybe in its swing: of this the foot has so much before it. A body that
-    // sets off has all feet on the ground: such swings begin then, or are over where little is left of them.
+    // sets off has all feet on the ground: such swings begin then, or are over if little is left of them.
     const double before = (swing - own) / swing;
     constexpr double little = 0.5;
     const bool stands = before <= 0.0 || (is_slow && before < little);
@@ -300,7 +300,8 @@ Plan Planner::plan() {
     dynamics::Track leans = leans_of(all_steps(false));
     correct(leans);
     if (ground_ != nullptr && !settings_.lengths.empty()) {
-        // What the hips reach is known once the body follows the feet; then it follows them anew.
+        // The reach of the hips is known after the body has followed the feet; then the body follows them
+        // again.
         std::vector<char> has_moved(hips_.size(), 0);
         for_legs([&](std::size_t leg) {
             for (std::size_t stretch = 0; has_reach(leg) && stretch < stretches; ++stretch)

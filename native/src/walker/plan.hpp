@@ -18,7 +18,7 @@ struct Plan {
 /// How the body follows its feet, of a pose of its own: as much of height and tilt as `settings` say.
 [[nodiscard]] Correction corrected(const WalkSettings& settings, const glm::dvec3& lean, const Axes& axes);
 
-/// Throws std::invalid_argument, naming the argument, where more than most_steps would be planned.
+/// Throws std::invalid_argument, naming the argument, if more than most_steps would be planned.
 class Planner {
   public:
     Planner(const WalkSettings& settings, const BodyTrajectory& trajectory, const Ground* ground,
@@ -35,7 +35,7 @@ class Planner {
         Contact place;
         bool is_grounded = true;
     };
-    /// Of a leg on one stretch; at the first one the foot is put.
+    /// Footfalls of a leg on one stretch; at the first one the foot is put.
     using Footfalls = std::vector<Footfall>;
 
     /// Calls work(leg) for all legs.
@@ -72,7 +72,7 @@ class Planner {
 
     const WalkSettings& settings_;
     const BodyTrajectory& trajectory_;
-    const Ground* ground_;  ///< none where it is empty
+    const Ground* ground_;  ///< none if it is empty
     Reach reach_;
     std::size_t threads_;
     std::vector<glm::dvec3> hips_;           ///< the settings', or the middle of all feet for each leg

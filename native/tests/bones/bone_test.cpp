@@ -111,7 +111,7 @@ TEST_CASE("what each mode takes of a scale along the axes", "[bone]") {
         CHECK(is(InheritScale::none, {1, 1, 1}));
         CHECK(is(InheritScale::none_legacy, {1, 1, 1}));
     }
-    // Across its parent a bone takes the scale along its own axes, or along the parent's where it is aligned.
+    // Across its parent a bone takes the scale along its own axes, or along the parent's if it is aligned.
     bone.inherit_rotation = true;
     bone.matrix = glm::rotate(glm::dmat4(1.0), 1.5707963267948966, glm::dvec3(0, 0, 1));
     CHECK(is(InheritScale::full, {3, 2, 4}));
@@ -211,7 +211,7 @@ TEST_CASE("parents flattened to a plane, a line or a point leave everything fini
             }
         }
     }
-    // The axis without scale is taken as it is: what lies along the others comes back.
+    // The axis without scale is taken as it is: the parts along the other axes are restored.
     ParentSpace flat;
     flat.rotation_scale = glm::scale(glm::dmat4(1.0), glm::dvec3(2.0, 0.0, 4.0));
     const glm::dmat3 back(to_basis(flat, glm::dmat4(1.0)));

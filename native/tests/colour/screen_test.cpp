@@ -145,7 +145,7 @@ TEST_CASE("the report tells an even screen from an uneven one", "[colour]") {
 }
 
 TEST_CASE("levels are those of the balance", "[colour]") {
-    // Of a screen whose red varies from 0.01 to 0.13 the larger other channel goes up to 0.13, their mean to
+    // In a screen whose red varies from 0.01 to 0.13 the larger other channel goes up to 0.13, their mean to
     // 0.105.
     Footage varied({0.07, 0.42, 0.08}, {0.5, 0.33, 0.25}, 0.0, 0.0);
     for (std::size_t i = 0; i < varied.pixels.size(); ++i)

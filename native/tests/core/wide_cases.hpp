@@ -1,4 +1,5 @@
-// That each lane of several is computed as it would be alone: cases for files of different instruction sets.
+// Cases, for files of different instruction sets, that check that each of several lanes has the result it
+// would have alone.
 #pragma once
 #include <array>
 #include <bit>

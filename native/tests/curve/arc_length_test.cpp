@@ -73,7 +73,7 @@ TEST_CASE("known lengths", "[arc_length]") {
     // (t^2, t^3): (13^1.5 - 8) / 27, with a cusp at the start.
     CHECK(length({{0, 0, 0}, {0, 0, 0}, {1.0 / 3, 0, 0}, {1, 1, 0}}) ==
           Approx((13.0 * std::sqrt(13.0) - 8.0) / 27.0).epsilon(1e-14));
-    // The same through its cusp: t from -1 to 1.
+    // The curve through its cusp: t from -1 to 1.
     CHECK(length({{1, -1, 0}, {-1.0 / 3, 1, 0}, {-1.0 / 3, -1, 0}, {1, 1, 0}}) ==
           Approx(2.0 * (13.0 * std::sqrt(13.0) - 8.0) / 27.0).epsilon(1e-13));
     // Out to x = 4/9 at t = 2/3, back to 0: x = 3 t^2 (1 - t).
@@ -273,7 +273,7 @@ TEST_CASE("building takes a bounded number of evaluations and intervals", "[arc_
     CHECK(line.interval_count() == 1);
 }
 
-TEST_CASE("building is bounded where the speed is mostly rounding", "[arc_length]") {
+TEST_CASE("building is bounded if the speed is mostly rounding", "[arc_length]") {
     RandomCurves random(36);
     // The control points of a Chebyshev polynomial: the curve is smaller than they are by twelve digits and
     // more.

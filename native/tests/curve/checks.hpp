@@ -127,7 +127,7 @@ inline void check_derivatives(const Curve& curve) {
     }
 }
 
-/// Both curves go through the same points at the same parameters.
+/// Checks that both curves go through the same points at the same parameters.
 inline void check_same(const Curve& one, const Curve& other, double tolerance) {
     REQUIRE(one.segment_count() == other.segment_count());
     for (const double t : parameters(one, 101))

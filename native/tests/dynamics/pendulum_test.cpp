@@ -69,7 +69,7 @@ TEST_CASE("periods of the single pendulum are those of the reference", "[pendulu
         CHECK(std::abs(at({}, start, 0.25 * seconds).angle) < 1e-12);
         CHECK(at({}, start, 0.5 * seconds).angle == Approx(-start.angle).epsilon(1e-12));
     }
-    // As small as it may be: the harmonic one.
+    // For the smallest angles the motion is harmonic.
     const double w = std::sqrt(9.81);
     CHECK(at({}, {1e-9, 0.0}, 1.3).angle == Approx(1e-9 * std::cos(1.3 * w)).epsilon(1e-12));
 }

@@ -92,7 +92,7 @@ TEST_CASE("a track solves the equation", "[track]") {
 }
 
 TEST_CASE("frames between samples change nothing", "[track]") {
-    // The same broken line with more samples on it: what a higher frame rate makes of linear motion.
+    // A broken line, and the same line with more samples, as a higher frame rate samples linear motion.
     Random random(4);
     for (const SecondOrder& filter : filters) {
         const Input coarse = random_input(random, 30, 1);
@@ -205,7 +205,7 @@ TEST_CASE("a loop has no seam, and goes on for ever", "[track]") {
         CHECK(std::abs(later[0] - here[0]) < 1e-6);
         CHECK(std::abs(later_velocity[0] - here_velocity[0]) < 1e-4);
         if (filter.damping() == 0.0) continue;
-        // It is what an endless run-up comes to.
+        // The loop is the limit of an endless run-up.
         Input many;
         for (int n = 0; n < 60; ++n) {
             for (std::size_t k = 0; k + 1 < input.times.size(); ++k) {

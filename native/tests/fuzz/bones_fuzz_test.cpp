@@ -184,7 +184,7 @@ TEST_CASE("chains with limits of any numbers are refused or finite", "[fuzz]") {
     }
 }
 
-TEST_CASE("poses of any numbers are finite where these are", "[fuzz]") {
+TEST_CASE("poses of any numbers are finite if these are", "[fuzz]") {
     Dice dice(15, 0.3);
     for (int round = 0; round < 1000; ++round) {
         const glm::dmat4 pose = dice.matrix();

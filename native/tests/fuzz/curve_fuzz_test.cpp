@@ -31,7 +31,7 @@ constexpr std::array all_extends{curve::Extend::clamp, curve::Extend::extrapolat
     return curve::Curve::chain(3, points, dice.chance(0.5));
 }
 
-/// A curve of extremes, where they make one.
+/// A curve of extremes, if they make one.
 [[nodiscard]] std::optional<curve::Curve> any_curve(Dice& dice) {
     std::optional<curve::Curve> made;
     const int degree = dice.whole(1, 5);
@@ -65,8 +65,8 @@ TEST_CASE("sine and cosine stay within 1 for every finite angle", "[fuzz]") {
             CHECK(std::isnan(lane(found.sine, 0)));
             continue;
         }
-        // By the system's functions, which reduce by all digits of pi; what the angle itself is rounded by is
-        // let pass.
+        // Compared with the system's functions, which reduce by all digits
+        // of pi; the rounding of the angle itself is allowed for.
         const double rounding = 1e-15 + 2e-16 * std::abs(angle);
         CHECK(std::abs(lane(found.sine, 0)) <= 1.0 + 1e-15);
         CHECK(std::abs(lane(found.cosine, 1)) <= 1.0 + 1e-15);

@@ -47,7 +47,7 @@ TEST_CASE("pendulums of any numbers are refused or finite", "[fuzz]") {
     for (int round = 0; round < 150; ++round) {
         std::vector<double> times = dice.numbers(2, 0.0, 0.5);
         const DoublePendulumState start{dice.number(), dice.number(), dice.number(), dice.number()};
-        // What takes long is left out: many steps of a motion that is fast.
+        // Cases that take long, many steps of a fast motion, are left out.
         for (double& time : times)
             if (std::isfinite(time) && std::abs(time) > 1.0 && std::abs(time) < 1e15) time = 1.0;
         const DoublePendulum pendulum = pendulum_of(dice);

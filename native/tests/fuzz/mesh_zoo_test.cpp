@@ -189,7 +189,7 @@ TEST_CASE("snow on a zoo of meshes has a finite height", "[zoo]") {
                     CHECK((std::isfinite(heights[i]) && heights[i] >= 0.0F));
                     volume += static_cast<double>(heights[i]) * cover.areas()[i];
                 }
-                // Of meshes so large that their heights vanish in single precision nothing is seen.
+                // Meshes so large that their heights vanish in single precision are not hit.
                 if (size_of(mesh) < 1e9)
                     CHECK(volume == Approx(cover.volume(5.0)).epsilon(1e-4).margin(1e-30));
                 const snow::Layer layer(mesh.positions, mesh.triangles, {0.0, 0.0, 1.0});

@@ -13,7 +13,7 @@ namespace {
 
 const glm::dvec3 down(0.0, 0.0, -1.0);
 
-/// Of a ray straight down at x, y.
+/// The vertex picked by a ray straight down at x, y.
 std::uint32_t picked(const Picker& picker, double x, double y, std::span<const std::uint8_t> hidden = {},
                      const glm::mat3& metric = glm::mat3(1.0f)) {
     const auto hit = picker.ray({x, y, 50.0}, down);
@@ -107,7 +107,7 @@ TEST_CASE("no hit finds what is behind it or on another sheet", "[picker]") {
             const float x = dice.between(0.01f, 4.99f);
             CHECK(picked(around, x, dice.between(0.01f, 4.99f)) < 36);
         }
-        // Which way round the corners are counts for nothing.
+        // The order of the corners does not matter.
         if (!is_flipped)
             for (glm::ivec3& t : dented.triangles) t = {t.y, t.x, t.z};
     }
@@ -116,7 +116,7 @@ TEST_CASE("no hit finds what is behind it or on another sheet", "[picker]") {
     CHECK(Picker(thin.positions, thin.triangles).nearest_seen(*from_below, -down) == 36 + 7);
 }
 
-TEST_CASE("hidden vertices are not found where others are", "[picker]") {
+TEST_CASE("hidden vertices are not found if others are", "[picker]") {
     const Mesh mesh = sheet(9);
     const Picker picker(mesh.positions, mesh.triangles);
     std::vector<std::uint8_t> hidden(mesh.positions.size(), 0);

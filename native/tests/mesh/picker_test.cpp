@@ -313,7 +313,7 @@ TEST_CASE("a refit of what moved is a refit of all", "[picker]") {
             }
             const glm::vec3 way = dice.in_cube(static_cast<float>(1 + pull) * size);
             for (const std::uint32_t vertex : moved) bent.positions[vertex] += way;
-            // What is not named is not read.
+            // Positions of vertices that are not named are not read.
             std::vector<glm::vec3> given(bent.positions.size(), glm::vec3(1e30f));
             for (const std::uint32_t vertex : moved) given[vertex] = bent.positions[vertex];
             picker.refit(given, moved);
@@ -356,7 +356,7 @@ TEST_CASE("a vertex may lose its place and have it back", "[picker]") {
     picker.refit(mesh.positions, moved);
     check_same(mesh, picker, picker_of(mesh), 100);
     CHECK(picker.within(glm::vec3(0.0f), 1e9f).size() == before.size() - moved.size());
-    // Elsewhere, where no box was that it could be in.
+    // The vertices move to places outside all boxes.
     for (const std::uint32_t vertex : moved) mesh.positions[vertex] = before[vertex] + glm::vec3(30.0f);
     picker.refit(mesh.positions, moved);
     for (const std::uint32_t vertex : moved) {

@@ -156,7 +156,7 @@ enum class Cut {
         }
     if (cut != Cut::random) return made;
 
-    // Sides turned at random where the two triangles make a convex quadrilateral.
+    // Sides turned at random if the two triangles make a convex quadrilateral.
     const auto area = [&](int a, int b, int c) {
         const glm::dvec2 ab = glm::dvec2(made.positions[b]) - glm::dvec2(made.positions[a]);
         const glm::dvec2 ac = glm::dvec2(made.positions[c]) - glm::dvec2(made.positions[a]);
@@ -201,7 +201,7 @@ enum class Cut {
     return flat;
 }
 
-/// The same mesh with its vertices in another order; `place` says where each has gone.
+/// The mesh with its vertices in a different order; `place` has the new index of each.
 [[nodiscard]] inline Surface shuffled(const Surface& surface, std::vector<std::uint32_t>& place,
                                       unsigned seed) {
     place.resize(surface.positions.size());

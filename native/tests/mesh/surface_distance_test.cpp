@@ -37,7 +37,7 @@ struct Errors {
     double above = 0.0;
 };
 
-/// Of all vertices but the root itself, of `within` of the exact distance; all have to be reached.
+/// Errors of all vertices but the root within `within` of the exact distance; all of them have to be reached.
 [[nodiscard]] Errors errors(const Surface& surface, const std::vector<std::uint32_t>& roots,
                             const Exact& exact, double within = everything) {
     const Neighbours neighbours = neighbours_of(surface);
@@ -68,7 +68,7 @@ struct Errors {
     };
 }
 
-/// What the surface was before it was folded has straight distances.
+/// Distances on the flat sheet, before it was folded, are straight.
 [[nodiscard]] Exact on_sheet(const Surface& flat) {
     return [&flat](std::uint32_t root, std::uint32_t vertex) {
         return glm::distance(glm::dvec3(flat.positions[root]), glm::dvec3(flat.positions[vertex]));
@@ -110,7 +110,7 @@ TEST_CASE("distances on a coarse sphere are within two hundredths to far behind 
 }
 
 TEST_CASE("distances on a coarse sphere are within two hundredths up to the point opposite", "[surface]") {
-    // Of spheres with some hundred vertices the flat triangles alone take 1 %.
+    // On spheres with some hundred vertices the flat triangles alone make an error of 1 %.
     for (const Surface& surface : {uv_sphere(24, 12), uv_sphere(32, 16), uv_sphere(64, 16), icosphere(2),
                                    icosphere(3), cube_sphere(6), cube_sphere(8)}) {
         const Errors found = errors(surface, some_roots(surface, 40, 3), on_sphere(surface));

@@ -62,7 +62,7 @@ template <class Draw>
     return found;
 }
 
-/// Of the samples, times a window that falls to 0 at both ends.
+/// Power of the samples, times a window that falls to 0 at both ends.
 [[nodiscard]] double power_at(const std::vector<double>& samples, double step, double frequency) {
     std::complex<double> sum = 0.0;
     const auto count = static_cast<double>(samples.size());

@@ -242,7 +242,7 @@ TEST_CASE("a slow lag takes few steps, and goes where steps of 1/120 s go", "[fo
                 Pose found;
                 const std::size_t bytes = test::bytes_allocated_by(
                     [&] { found = follow_one(frames, timing, time, 0.25, settings); });
-                CHECK(bytes <= 140'000);  // 520 kB where all steps are 1/120 s
+                CHECK(bytes <= 140'000);  // 520 kB if all steps are 1/120 s
                 // Itself by steps of 1/120 s.
                 const auto at = [&](double when) {
                     return extended(way.speed * when + 0.25, way.path->length(), way.extend).value;

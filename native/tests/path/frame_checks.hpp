@@ -1,4 +1,4 @@
-// What the tests of frames look at.
+// Checks that several tests of frames share.
 #pragma once
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>

@@ -167,7 +167,7 @@ TEST_CASE("frames don't depend on the unit of length", "[frames]") {
     }
 }
 
-TEST_CASE("a curve ridden backwards has the same up where up is no matter of history", "[frames]") {
+TEST_CASE("a curve ridden backwards has the same up if up is no matter of history", "[frames]") {
     const samples::Path path = samples::helix(4.0, 3.0, 1.0);
     std::vector<glm::dvec3> reversed(path->curve().control_points().rbegin(),
                                      path->curve().control_points().rend());
@@ -210,7 +210,7 @@ TEST_CASE("the table is bounded", "[frames]") {
     CHECK(Frames(samples::path(Curve::bezier(cusp)), {}).station_count() < 1000);
 }
 
-TEST_CASE("settings outside their domain throw where the mode reads them", "[frames]") {
+TEST_CASE("settings outside their domain throw if the mode reads them", "[frames]") {
     const samples::Path path = samples::s_curve();
     FrameSettings settings = mode(FrameMode::banking);
     settings.gravity = 0.0;

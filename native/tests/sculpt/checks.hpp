@@ -56,7 +56,7 @@ namespace motus::sculpt::checks {
     return distance;
 }
 
-/// One vertex, by the rules of pull.hpp.
+/// The new position of one vertex, by the rules of pull.hpp.
 [[nodiscard]] inline glm::dvec3 by_the_rules(const glm::vec3& p, const Dab& dab, float weight = 1.0f) {
     glm::dvec3 sum(0.0);
     double total = 0.0;

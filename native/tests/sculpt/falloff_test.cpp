@@ -61,7 +61,7 @@ float force(const Profile& profile, float radius, float distance) {
     return result;
 }
 
-/// What one step of rounding of d / R can do to a force: that of roots rises without bound at the edge.
+/// The change of a force by one rounding of d / R, which grows without bound at the edge for roots.
 double allowance(const Profile& profile, double radius, double distance) {
     const double step = 1.2e-7 * std::max(distance, 1e-3 * radius);
     const double near = by_definition(profile, radius, std::max(0.0, distance - step));
@@ -185,6 +185,6 @@ TEST_CASE("forces refuse what is outside their domain", "[falloff]") {
     refuses({Falloff::curve, 0, one}, 1.0f);
     refuses({Falloff::curve, 0, strange}, 1.0f);
     CHECK_THROWS_AS(forces({}, 1.0f, values, fewer), std::invalid_argument);
-    // What a falloff doesn't use is not looked at.
+    // Parameters that a falloff does not use are not checked.
     CHECK_NOTHROW(forces({Falloff::smooth, not_a_number, one}, 1.0f, values, values));
 }

@@ -40,7 +40,7 @@ TEST_CASE("only depths in front of the camera count", "[stereo]") {
     CHECK_THROWS_AS(depth_range(depths, -0.1, 0.5), std::invalid_argument);
 }
 
-TEST_CASE("the window is violated where one eye alone sees something in front of the screen", "[stereo]") {
+TEST_CASE("the window is violated if one eye alone sees something in front of the screen", "[stereo]") {
     const Eyes eyes{0.1, 50.0, 36.0, 4.0};
     const double near = -parallax(eyes, 2.0);
     const auto at = [&](double x, double depth) {

@@ -74,7 +74,8 @@ TEST_CASE("poses are the samples', and go evenly between them", "[trajectory]") 
         CHECK(glm::length(half[axis]) ==
               Approx(0.5 * (glm::length(way.poses[3][axis]) + glm::length(way.poses[4][axis]))));
     CHECK(glm::length(half[3] - 0.5 * (way.poses[3][3] + way.poses[4][3])) < 1e-12);
-    // It comes as it goes on, unless that is slowly, and rests at the end.
+    // Before the first sample the body moves at its first velocity, unless that is slow, and it rests at the
+    // end.
     const glm::dvec3 step(way.poses[1][3] - way.poses[0][3]);
     CHECK(glm::length(glm::dvec3(trajectory.pose(0, -1.0)[3] - way.poses[0][3]) + 24.0 * step) < 1e-9);
     CHECK(trajectory.pose(0, 100.0) == way.poses.back());
@@ -113,7 +114,7 @@ TEST_CASE("jumps begin a stretch anew", "[trajectory]") {
     CHECK(found.stretch_at(-9.0) == 0);
     CHECK(found.stretch_at(9.0) == 1);
     CHECK(found.phase(1, 2.0) == 0.0);
-    // Until then it stays where it was.
+    // Until the jump the body keeps its place.
     CHECK(found.pose(0, 1.99) == way.poses[47]);
     way.jump = 100.0;
     CHECK(BodyTrajectory(way).stretch_count() == 1);

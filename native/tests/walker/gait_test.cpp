@@ -26,7 +26,7 @@ std::vector<glm::dvec3> pairs(int rows) {
     return rest;
 }
 
-/// Which of the legs swing at a phase.
+/// The legs that swing at a phase.
 std::vector<int> swinging(const Pattern& pattern, double phase) {
     std::vector<int> legs;
     for (std::size_t leg = 0; leg < pattern.phases.size(); ++leg) {

@@ -126,7 +126,7 @@ TEST_CASE("below a roof a foot stands on what is below it", "[footing]") {
         CHECK(height({-0.5, 0.1, z}, {0.0, 0.0, 0.2}) == Approx(0.0).margin(1e-6));
         CHECK(height({0.25, 0.1, z}, {0.0, 0.0, 0.2}) == Approx(0.12));
         CHECK(height({0.4, 0.1, z}, {0.0, 0.0, 0.2}) == Approx(0.16));
-        // One of the two is not below it.
+        // One of the two surfaces is not below the place.
         CHECK(height({-1.3, 0.1, z}, {-0.8, 0.0, 0.2}) == Approx(0.0).margin(1e-6));
         CHECK(height({-0.8, 0.1, z}, {-1.3, 0.0, 0.2}) == Approx(0.0).margin(1e-6));
     }

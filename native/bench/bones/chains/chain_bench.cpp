@@ -1,4 +1,4 @@
-// Chains of many bones: what one takes, beside FABRIK and CCD as the textbooks have them.
+// Chains of many bones: time of a solve, compared with textbook FABRIK and CCD.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -148,7 +148,7 @@ void free_chains() {
     };
     for (const std::size_t bones : {5, 20, 100, 255}) {
         for (const double reach : {0.0, 0.999, 1.0, 1.2}) {
-            // Few, where the others take long.
+            // Few, if the others take long.
             const std::vector<Task> tasks = make_tasks(bones, reach, bones >= 100 ? 4 : 40);
             const Result own = measure(make_tasks(bones, reach, 400), motus);
             const Result by_fabrik = measure(tasks, fabrik);
@@ -185,7 +185,8 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// What is left of the given pose, and how far a chain would jump where one solver handed over to the other.
+/// How well each solver keeps the given pose, and how far a chain would jump if one solver handed over to the
+/// other.
 void kept_shapes() {
     std::printf(
         "\nTargets within reach: by how much the joint that changes most does, and how far apart the\n");

@@ -1,4 +1,4 @@
-// Two bones: what a solve costs and how far the bones are from fitting, next to the textbook's formula.
+// Two bones: time and error of a solve, compared with the textbook's formula.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Inverse kinematics of one rig: what a chain costs.
+// Inverse kinematics of one rig: time per chain.
 #include <cmath>
 #include <cstddef>
 #include <cstdio>

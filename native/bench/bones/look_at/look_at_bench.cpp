@@ -1,4 +1,4 @@
-// Look-at: what one head costs.
+// Look-at: time per head.
 #include <array>
 #include <cmath>
 #include <cstdio>

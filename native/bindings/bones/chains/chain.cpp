@@ -12,6 +12,7 @@
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
+#include "core/typed.hpp"
 #include "motus/bones/chains/limited.hpp"
 
 namespace motus::bindings {
@@ -32,7 +33,7 @@ void check_size(std::span<const glm::dvec3> points, std::string_view name) {
             if (std::abs(point[axis]) > largest_coordinate) value_error(name, "must be 1e300 at most");
 }
 
-/// What Python gets.
+/// The result as Python sees it.
 struct Solution {
     DoubleArray joints;
     py::object rotations;
@@ -41,8 +42,8 @@ struct Solution {
     py::object reason;
 };
 
-chains::SolverSettings settings_of(const py::object& tolerance, const py::object& max_iterations,
-                                   const py::object& pole, const py::object& plane) {
+chains::SolverSettings settings_of(const Number& tolerance, const WholeNumber& max_iterations,
+                                   const OptionalArrayLike& pole, const OptionalArrayLike& plane) {
     chains::SolverSettings settings;
     settings.tolerance = number(tolerance, "tolerance");
     if (!(settings.tolerance > 0.0)) value_error("tolerance", "must be > 0");
@@ -54,7 +55,7 @@ chains::SolverSettings settings_of(const py::object& tolerance, const py::object
 }
 
 /// (n, 6): min x, y, z, max x, y, z; -inf and inf say free.
-std::vector<chains::JointLimits> limits_argument(const py::object& object, std::size_t bones) {
+std::vector<chains::JointLimits> limits_argument(const OptionalArrayLike& object, std::size_t bones) {
     const std::string_view name = "limits";
     const py::array given = py::array::ensure(object);
     if (!given) value_error(name, "must be an array of numbers, all rows of one length");
@@ -81,7 +82,7 @@ std::vector<chains::JointLimits> limits_argument(const py::object& object, std::
     return limits;
 }
 
-std::vector<glm::dquat> frames_argument(const py::object& object, std::span<const glm::dvec3> joints) {
+std::vector<glm::dquat> frames_argument(const OptionalArrayLike& object, std::span<const glm::dvec3> joints) {
     if (object.is_none()) {
         std::vector<glm::dquat> frames(joints.size() - 1);
         chains::bone_frames(joints, frames);
@@ -114,9 +115,10 @@ struct LimitedInput {
     }
 };
 
-Solution solve(const py::object& reason_type, const py::object& joints, const py::object& target,
-               const py::object& tolerance, const py::object& max_iterations, const py::object& pole,
-               const py::object& limits, const py::object& plane, const py::object& frames) {
+Solution solve(const py::object& reason_type, const ArrayLike& joints, const ArrayLike& target,
+               const Number& tolerance, const WholeNumber& max_iterations, const OptionalArrayLike& pole,
+               const OptionalArrayLike& limits, const OptionalArrayLike& plane,
+               const OptionalArrayLike& frames) {
     const Points given(joints, "joints");
     const std::span<const glm::dvec3> pose = given.values();
     if (pose.size() < 2 || pose.size() > chains::most_bones + 1)
@@ -153,16 +155,16 @@ Solution solve(const py::object& reason_type, const py::object& joints, const py
 
 void bind_solution(py::module_& m) {
     py::class_<Solution>(m, "ChainSolution", py::module_local(), R"(
-Where the joints of a chain stand, from solve_chain().)")
+The positions of a chain's joints, from solve_chain().)")
         .def_readonly("joints", &Solution::joints, "(n + 1, 3), the root first.")
         .def_readonly("rotations", &Solution::rotations, R"(
-(n, 4): each bone's rotation relative to the given pose, seen from the bone before it: what the limits hold for.
+(n, 4): each bone's rotation relative to the given pose, seen from the bone before it, for which the limits hold.
 None without limits.)")
         .def_readonly("residual", &Solution::residual, "Distance from the tip to the target.")
         .def_readonly("iterations", &Solution::iterations, "Steps taken; with limits those of all starts.")
         .def_readonly("reason", &Solution::reason, R"(
-A Reason: REACHED where the residual is within the tolerance; TOO_FAR or TOO_NEAR where no chain of these lengths
-reaches the target; LIMIT where the limits do not let it; ITERATIONS where there were too few of them.)");
+A Reason: REACHED if the residual is within the tolerance; TOO_FAR or TOO_NEAR if no chain of these lengths
+reaches the target; LIMIT if the limits do not let it; ITERATIONS if there were too few of them.)");
 }
 
 }  // namespace
@@ -172,29 +174,30 @@ void bind_chain(py::module_& m) {
     bind_solution(m);
     m.def(
         "solve_chain",
-        [reason_type](const py::object& joints, const py::object& target, const py::object& tolerance,
-                      const py::object& max_iterations, const py::object& pole, const py::object& limits,
-                      const py::object& plane, const py::object& frames) {
+        [reason_type](const ArrayLike& joints, const ArrayLike& target, const Number& tolerance,
+                      const WholeNumber& max_iterations, const OptionalArrayLike& pole,
+                      const OptionalArrayLike& limits, const OptionalArrayLike& plane,
+                      const OptionalArrayLike& frames) {
             return solve(reason_type, joints, target, tolerance, max_iterations, pole, limits, plane, frames);
         },
         "joints"_a, "target"_a, "tolerance"_a = 1e-6, "max_iterations"_a = 100, "pole"_a = py::none(),
         "limits"_a = py::none(), "plane"_a = py::none(), "frames"_a = py::none(), R"(
 Brings the last joint of a chain of 1 to 255 bones to a target. Any space, any unit of length; coordinates up to 1e300.
 
-joints: (n + 1, 3), the pose to start from, the root first. Root and lengths are kept, and of the pose as much of its
-shape and of the plane it bends in as can be. Straight and folded poses and bones without length are fine.
+joints: (n + 1, 3), the pose to start from, the root first. Root and lengths are kept, and the
+shape of the pose and the plane that it bends in as far as possible. Straight and folded poses and bones without length are fine.
 target: (3,).  tolerance: residual that counts as reached, > 0, a fraction of the chain's length.
 max_iterations: >= 0; with limits those of one start of several.
-pole: (3,), a point that the chain bends towards, seen across the line from root to target, or None. Fades out where it
+pole: (3,), a point that the chain bends towards, seen across the line from root to target, or None. Fades out if it
 lies within 6 degrees of that line. With limits it only leads the start.
-plane: (3,), normal of the plane to bend in where the pose is straight, or None for a fixed one; the bend is then on the
+plane: (3,), normal of the plane to bend in if the pose is straight, or None for a fixed one; the bend is then on the
 side of cross(plane, target - root).
 limits: (n, 6), rows of min x, y, z, max x, y, z in rad, -inf and inf for free: how far each bone may turn from the given
 pose, seen from the bone before it. The turn is split into a twist about the bone (y) and a swing about x and z within
-the ellipse that the four limits span; an interval that leaves zero out bounds its axis by itself.
-frames: (n, 4), each bone's frame in the given pose, whose Y is the bone and whose X and Z the limits are about; read with
-limits only. None: the first is +Y turned to the first bone by the smallest rotation, each other one the frame before it
-turned by the smallest rotation from bone to bone; at opposites that is half a turn about X.
+the ellipse that the four limits span; an interval that does not contain 0 bounds its axis by itself.
+frames: (n, 4), each bone's frame in the given pose, whose Y is along the bone and whose X and Z are the axes of the limits; read
+with limits only. None: the first is +Y turned to the first bone by the smallest rotation, each of the others is the frame before it
+turned by the smallest rotation from bone to bone; half a turn about X if bones are opposite.
 A target out of reach gives, without limits, the chain straight or folded on the line to it, else the nearest place that
 several starts find.
 Returns a ChainSolution.  Raises ValueError or TypeError that names the argument.)");

@@ -10,6 +10,7 @@
 
 #include "areas.hpp"
 #include "core/arrays.hpp"
+#include "core/typed.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -32,10 +33,10 @@ py::object bind_reason(py::module_& m) {
     py::object reason =
         py::module_::import("enum").attr("IntEnum")("Reason", codes, "module"_a = m.attr("__name__"));
     reason.attr("__doc__") = R"(
-What kept the end of a chain from its target; an IntEnum, comparable with the codes in arrays.
+Why the end of a chain is or is not on its target; an IntEnum, comparable with the codes in arrays.
 
-REACHED: nothing; the end is on the target, within the tolerance.  TOO_FAR: the target is farther than the chain reaches,
-or than softness lets it.  TOO_NEAR: it is nearer to the root than the chain can fold.  LIMIT: a joint limit is in the way.
+REACHED: the end is on the target, within the tolerance.  TOO_FAR: the target is farther than the chain reaches,
+or than softness lets it.  TOO_NEAR: the target is nearer to the root than the chain can fold.  LIMIT: a joint limit is in the way.
 ITERATIONS: the iterations allowed were used up.)";
     m.attr("Reason") = reason;
     return reason;
@@ -131,7 +132,7 @@ struct Columns {
     }
 };
 
-/// What Python gets: of one chain values, of many arrays.
+/// The result as Python sees it: values for one chain, arrays for many.
 struct Solution {
     py::object elbow, tip, normal, scale, residual, reason;
 };
@@ -175,10 +176,10 @@ struct Solution {
     return {elbow, tip, normal, scale, residual, reason};
 }
 
-[[nodiscard]] Solution solve(const py::object& reason_type, const py::object& root, const py::object& target,
-                             const py::object& length1, const py::object& length2, const py::object& pole,
-                             const py::object& bend, const py::object& softness, const py::object& stretch,
-                             const py::object& plane) {
+[[nodiscard]] Solution solve(const py::object& reason_type, const ArrayLike& root, const ArrayLike& target,
+                             const ArrayLike& length1, const ArrayLike& length2, const ArrayLike& pole,
+                             const ArrayLike& bend, const ArrayLike& softness, const ArrayLike& stretch,
+                             const OptionalArrayLike& plane) {
     const VectorArgument roots(root, "root");
     const VectorArgument targets(target, "target");
     const NumberArgument lengths1 = length_argument(length1, "length1");
@@ -189,7 +190,8 @@ struct Solution {
     const NumberArgument softnesses = length_argument(softness, "softness");
     const NumberArgument stretches(
         stretch, "stretch", [](double value) { return value >= 0.0 && value <= 1.0; }, "must be from 0 to 1");
-    const VectorArgument planes(plane.is_none() ? py::make_tuple(0.0, 0.0, 0.0) : plane, "plane");
+    const py::object none = py::make_tuple(0.0, 0.0, 0.0);
+    const VectorArgument planes(plane.is_none() ? none : plane, "plane");
 
     ChainCount chains;
     chains.add(roots);
@@ -209,17 +211,16 @@ struct Solution {
 
 void bind_solution(py::module_& m) {
     py::class_<Solution>(m, "TwoBoneSolution", py::module_local(), R"(
-Where the joints of two bones stand, from solve_two_bone(): of one chain values, of m chains arrays with m rows.)")
+The positions of the joints of two bones, from solve_two_bone(): of one chain values, of m chains arrays with m rows.)")
         .def_readonly("elbow", &Solution::elbow, "(3,) or (m, 3).")
         .def_readonly("tip", &Solution::tip, "(3,) or (m, 3); the target itself where it is reached exactly.")
         .def_readonly("normal", &Solution::normal, R"(
 (3,) or (m, 3), unit: across the plane of the bend; cross(normal, target - root) points to the elbow's side.)")
-        .def_readonly("scale", &Solution::scale,
-                      "A float or (m,): of both bones, > 1 where they are stretched.")
+        .def_readonly("scale", &Solution::scale, "A float or (m,): of both bones, > 1 if they are stretched.")
         .def_readonly("residual", &Solution::residual,
                       "A float or (m,): distance from the tip to the target.")
         .def_readonly("reason", &Solution::reason, R"(
-A Reason or (m,) int64 of their codes: REACHED, where the residual is at most 1e-12 of length1 + length2 +
+A Reason or (m,) int64 of their codes: REACHED, if the residual is at most 1e-12 of length1 + length2 +
 |target - root|; TOO_FAR or TOO_NEAR.)");
 }
 
@@ -230,9 +231,9 @@ void bind_two_bone(py::module_& m) {
     bind_solution(m);
     m.def(
         "solve_two_bone",
-        [reason_type](const py::object& root, const py::object& target, const py::object& length1,
-                      const py::object& length2, const py::object& pole, const py::object& bend,
-                      const py::object& softness, const py::object& stretch, const py::object& plane) {
+        [reason_type](const ArrayLike& root, const ArrayLike& target, const ArrayLike& length1,
+                      const ArrayLike& length2, const ArrayLike& pole, const ArrayLike& bend,
+                      const ArrayLike& softness, const ArrayLike& stretch, const OptionalArrayLike& plane) {
             return solve(reason_type, root, target, length1, length2, pole, bend, softness, stretch, plane);
         },
         "root"_a, "target"_a, "length1"_a, "length2"_a, "pole"_a, "bend"_a = 1, "softness"_a = 0.0,
@@ -243,17 +244,17 @@ root, target: (3,) or (m, 3).  length1, length2: root to elbow and elbow to tip,
 pole: (3,) or (m, 3), a point that the elbow bends towards, seen across the line from root to target (bend = 1), or
 away from (bend = -1).
 softness: the length, >= 0, before the full reach at which the arm begins to slow: see soft_reach(); one above
-length1 + length2 counts as that.  stretch: the share, 0 to 1, of what lacks that both bones lengthen by.
-plane: (3,) or (m, 3), normal of the plane to bend in where the pole lies within 6 degrees of the line from root to
-target, blended in without a jump; the elbow is then on the side of cross(plane, target - root). None: the pole decides
-but for the last 0.06 degrees, where some fixed normal does.
-Numbers may be (m,) arrays too; what is given once counts for all chains.
+length1 + length2 counts as that.  stretch: the share, 0 to 1, of the missing length that both bones stretch by.
+plane: (3,) or (m, 3), normal of the plane to bend in if the pole lies within 6 degrees of the line from root to
+target, blended in without a jump; the elbow is then on the side of cross(plane, target - root). None: the pole
+decides, except within 0.06 degrees of the line, where a fixed normal does.
+Numbers may be (m,) arrays too; an argument that is given once counts for all chains.
 A target out of reach gives the chain straight (too far) or folded (too near) on the line to it. Zero lengths and points
 that coincide are fine: with the target on the root, the elbow is towards the pole.
 Returns a TwoBoneSolution.  Raises ValueError or TypeError that names the argument.)");
     m.def(
         "soft_reach",
-        [](const py::object& distance, const py::object& reach, const py::object& softness) {
+        [](const ArrayLike& distance, const Number& reach, const ArrayLike& softness) {
             const NumberArgument distances = length_argument(distance, "distance");
             const double longest = number(reach, "reach");
             if (longest < 0.0) value_error("reach", "must be >= 0");

@@ -15,6 +15,7 @@
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
+#include "core/typed.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -38,7 +39,7 @@ static_assert(sizeof(ik::ChainDiagnostics) == report_columns.size() * sizeof(dou
 static_assert(sizeof(glm::dmat4) == 16 * sizeof(double) && sizeof(chains::JointLimits) == 6 * sizeof(double));
 
 template <class Names>
-py::tuple names_of(const Names& names) {
+Typed<"tuple[str, ...]"> names_of(const Names& names) {
     py::tuple result(names.size());
     for (std::size_t i = 0; i < names.size(); ++i) result[i] = names[i];
     return result;
@@ -58,8 +59,8 @@ std::span<Row> new_rows(DoubleArray& array, std::size_t count) {
     return {reinterpret_cast<Row*>(array.mutable_data()), count};
 }
 
-std::unique_ptr<ik::Plan> new_plan(const py::object& parents, const py::object& chains,
-                                   const py::object& effectors, const py::object& guards) {
+std::unique_ptr<ik::Plan> new_plan(const ArrayLike& parents, const ArrayLikes& chains,
+                                   const ArrayLike& effectors, const ArrayLike& guards) {
     if (!py::isinstance<py::sequence>(chains)) type_error("chains", "must be a list of lists of bones");
     const auto list = py::reinterpret_borrow<py::sequence>(chains);
     const std::vector<int> ends = whole_numbers(effectors, "effectors");
@@ -79,33 +80,34 @@ std::unique_ptr<ik::Plan> new_plan(const py::object& parents, const py::object& 
     return std::make_unique<ik::Plan>(whole_numbers(parents, "parents"), std::move(bones), kept);
 }
 
-py::tuple tuple_of(std::span<const int> numbers) {
+Typed<"tuple[int, ...]"> tuple_of(std::span<const int> numbers) {
     py::tuple result(numbers.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) result[i] = numbers[i];
     return result;
 }
 
-py::tuple flags_of(std::span<const unsigned char> flags) {
+Typed<"tuple[bool, ...]"> flags_of(std::span<const unsigned char> flags) {
     py::tuple result(flags.size());
     for (std::size_t i = 0; i < flags.size(); ++i) result[i] = flags[i] != 0;
     return result;
 }
 
-ik::Rest read_rest(const ik::Plan& plan, const py::object& rest, const py::object& lengths,
-                   const py::object& inheritance) {
+ik::Rest read_rest(const ik::Plan& plan, const Float32Array& rest, const Float32Array& lengths,
+                   const Int32Array& inheritance) {
     const std::size_t bones = plan.parents().size();
     bones::RigView rig = rig_at_rest(plan.parents(), rest, inheritance);
     rig.lengths = elements<float>(lengths, "lengths", {bones});
     return {plan, rig};
 }
 
-ik::Bones read_bones(const ik::Plan& plan, const py::object& rest, const py::object& basis) {
+ik::Bones read_bones(const ik::Plan& plan, const Typed<"motus_native.IkRest">& rest,
+                     const Float32Array& basis) {
     return {plan, instance<ik::Rest>(rest, "rest", "an IkRest"),
             elements<float>(basis, "basis", {plan.parents().size(), 16})};
 }
 
-/// What solve() and match() read, copied: they check values and read them again without the interpreter's
-/// lock.
+/// A copy of the arguments of solve() and match(), which check
+/// values and read them again without the interpreter's lock.
 struct CopiedInput {
     std::vector<float> poses;
     std::vector<ik::ChainSettings> settings;
@@ -114,9 +116,9 @@ struct CopiedInput {
     std::vector<chains::JointLimits> limits;
     ik::Input input;  ///< of the above
 
-    /// What both have in common.
-    CopiedInput(const ik::Plan& plan, const ik::Bones& bones, const py::object& given_poses,
-                const py::object& world, const py::object& given_settings)
+    /// The arguments that solve() and match() have in common.
+    CopiedInput(const ik::Plan& plan, const ik::Bones& bones, const Float32Array& given_poses,
+                const Float64Array& world, const Float64Array& given_settings)
         : poses(copied(elements<float>(given_poses, "poses", {plan.parents().size(), 16}))),
           settings(copied(rows_of<ik::ChainSettings>(given_settings, "settings", plan.chain_count()))) {
         input.bones = bones;
@@ -131,10 +133,10 @@ struct CopiedInput {
     CopiedInput& operator=(CopiedInput&&) = delete;
 };
 
-py::object solve(const ik::Plan& plan, const py::object& bones, const py::object& poses,
-                 const py::object& world, const py::object& settings, const py::object& targets,
-                 const py::object& poles, const py::object& limits, const py::object& rotations,
-                 const py::object& scales) {
+py::object solve(const ik::Plan& plan, const Typed<"motus_native.IkBones">& bones, const Float32Array& poses,
+                 const Float64Array& world, const Float64Array& settings, const Float64Array& targets,
+                 const Float64Array& poles, const OptionalFloat64Array& limits,
+                 const OptionalFloat64Array& rotations, const OptionalFloat64Array& scales) {
     const std::size_t chains = plan.chain_count();
     const std::size_t rows = plan.rows().size();
     CopiedInput given(plan, instance<ik::Bones>(bones, "bones", "an IkBones"), poses, world, settings);
@@ -161,8 +163,9 @@ py::object solve(const ik::Plan& plan, const py::object& bones, const py::object
     return report;
 }
 
-py::tuple match(const ik::Plan& plan, const py::object& bones, const py::object& poses,
-                const py::object& world, const py::object& settings) {
+Typed<"tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"> match(
+    const ik::Plan& plan, const Typed<"motus_native.IkBones">& bones, const Float32Array& poses,
+    const Float64Array& world, const Float64Array& settings) {
     const std::size_t chains = plan.chain_count();
     const CopiedInput given(plan, instance<ik::Bones>(bones, "bones", "an IkBones"), poses, world, settings);
     DoubleArray targets, poles;
@@ -175,8 +178,8 @@ py::tuple match(const ik::Plan& plan, const py::object& bones, const py::object&
     return py::make_tuple(targets, poles);
 }
 
-bones::Rest bone_argument(const py::object& rest, const py::object& parent_rest, const py::object& scale,
-                          const py::object& rotation, const py::object& location) {
+bones::Rest bone_argument(const ArrayLike& rest, const OptionalArrayLike& parent_rest,
+                          const InheritScaleName& scale, const Flag& rotation, const Flag& location) {
     bones::Rest bone;
     bone.matrix = matrix(rest, "rest");
     bone.has_parent = !parent_rest.is_none();
@@ -193,7 +196,7 @@ bones::Rest bone_argument(const py::object& rest, const py::object& parent_rest,
     return bone;
 }
 
-bones::ParentSpace space_argument(const bones::Rest& bone, const py::object& parent_pose) {
+bones::ParentSpace space_argument(const bones::Rest& bone, const OptionalArrayLike& parent_pose) {
     if (bone.has_parent && parent_pose.is_none()) value_error("parent_pose", "is needed with parent_rest");
     return bones::parent_space(bone, bone.has_parent ? matrix(parent_pose, "parent_pose") : glm::dmat4(1.0));
 }
@@ -207,17 +210,19 @@ py::object matrix_array(const glm::dmat4& matrix) {
     return result;
 }
 
-py::object bone_to_pose(const py::object& rest, const py::object& parent_rest, const py::object& parent_pose,
-                        const py::object& basis, const py::object& inherit_scale,
-                        const py::object& inherit_rotation, const py::object& local_location) {
+py::object bone_to_pose(const ArrayLike& rest, const OptionalArrayLike& parent_rest,
+                        const OptionalArrayLike& parent_pose, const ArrayLike& basis,
+                        const InheritScaleName& inherit_scale, const Flag& inherit_rotation,
+                        const Flag& local_location) {
     const bones::Rest bone =
         bone_argument(rest, parent_rest, inherit_scale, inherit_rotation, local_location);
     return matrix_array(to_pose(space_argument(bone, parent_pose), matrix(basis, "basis")));
 }
 
-py::object pose_to_bone(const py::object& rest, const py::object& parent_rest, const py::object& parent_pose,
-                        const py::object& pose, const py::object& inherit_scale,
-                        const py::object& inherit_rotation, const py::object& local_location) {
+py::object pose_to_bone(const ArrayLike& rest, const OptionalArrayLike& parent_rest,
+                        const OptionalArrayLike& parent_pose, const ArrayLike& pose,
+                        const InheritScaleName& inherit_scale, const Flag& inherit_rotation,
+                        const Flag& local_location) {
     const bones::Rest bone =
         bone_argument(rest, parent_rest, inherit_scale, inherit_rotation, local_location);
     return matrix_array(to_basis(space_argument(bone, parent_pose), matrix(pose, "pose")));
@@ -236,9 +241,10 @@ Chains of one rig's bones, solved together. Immutable.
 
 parents: (b,) parent of each bone, -1 for none.  chains: lists of bones from root to tip, each a child of the one before,
 1 to 255.  effectors: (c,) the bone that each chain brings to its target: its last bone, whose tail is then the tip, or a
-child of that, whose head is.  guards: (g, 2) bone and chain: children of chain bones, outside the chain, that are to be
-kept from its stretch.
-A chain with guards has an effector in pose space, where that is no chain bone; it may be listed as a guard itself.
+child of its last bone, whose head is then the tip.  guards: (g, 2) bone and chain: children of chain bones, outside the chain, that are not
+stretched with it.
+If a chain with guards has an effector outside the chain, the effector's row is in pose space; the effector may be listed as
+a guard too.
 Raises ValueError or TypeError that names the argument.)");
     plan.def(py::init(&new_plan), "parents"_a, "chains"_a, "effectors"_a, "guards"_a);
     plan.def_property_readonly(
@@ -251,21 +257,21 @@ Raises ValueError or TypeError that names the argument.)");
     plan.attr("SETTINGS") = names_of(settings_columns);
     plan.attr("REPORT") = names_of(report_columns);
     plan.def("rest", &read_rest, "rest"_a, "lengths"_a, "inheritance"_a, R"(
-Reads the bones that the plan is about as they are at rest: IkRest, right until the armature is edited.
+Reads the plan's bones at rest: an IkRest, valid until the armature is edited.
 
 rest: (b, 16) float32, Bone.matrix_local as foreach_get gives it.  lengths: (b,) float32.  inheritance: (b,) int32, the
-number of Bone.inherit_scale (FULL 0, FIX_SHEAR 1, ALIGNED 2, AVERAGE 3, NONE 4, NONE_LEGACY 5), + 8 where it inherits
-rotation, + 16 where its location is local.  Wrong shapes and types raise ValueError or TypeError that names the argument.)");
+number of Bone.inherit_scale (FULL 0, FIX_SHEAR 1, ALIGNED 2, AVERAGE 3, NONE 4, NONE_LEGACY 5), + 8 if it inherits
+rotation, + 16 if its location is local.  Wrong shapes and types raise ValueError or TypeError that names the argument.)");
     plan.def("bones", &read_bones, "rest"_a, "basis"_a, R"(
-Reads them as they are animated: IkBones, right until a bone's own transform changes.
+Reads the plan's bones as they are animated: an IkBones, valid until a bone's own transform changes.
 
-rest: of rest().  basis: (b, 16) float32, PoseBone.matrix_basis as foreach_get gives it.
+rest: a result of rest().  basis: (b, 16) float32, PoseBone.matrix_basis as foreach_get gives it.
 Wrong shapes and types raise ValueError or TypeError that names the argument.)");
     plan.def("solve", &solve, "bones"_a, "poses"_a, "world"_a, "settings"_a, "targets"_a, "poles"_a,
              "limits"_a = py::none(), "rotations"_a = py::none(), "scales"_a = py::none(), R"(
 Turns the chains from their animated (FK) pose to their targets.
 
-bones: of bones().  poses: (b, 16) float32, PoseBone.matrix as foreach_get gives it; only the parents of chains are read.
+bones: a result of bones().  poses: (b, 16) float32, PoseBone.matrix as foreach_get gives it; only the parents of chains are read.
 All float64 from here on.  world: (16,) the rig's matrix_world, column by column.
 settings: (c, len(SETTINGS)).  targets: (c, 16) world matrices, column by column.  poles: (c, 3) world, NaN for none.
 limits: (chain bones, 6) rad, least x, y, z and greatest x, y, z of swing (x, z) and twist (y), or None.
@@ -273,8 +279,8 @@ rotations, scales: (rows, 4) w, x, y, z and (rows, 3) to write into; C-contiguou
 Settings: position_weight, rotation_weight, stretch 0 to 1; softness a fraction of the chain's length; pole_angle,
 hinge_angle rad; bend < 0 away from the pole; tolerance a fraction of the length; use_limits, is_on 0 or not; left_out how many of
 the chain's first bones stay as they are animated.
-Returns (c, len(REPORT)): residual, distance, reach and tip in the world, of the solution whatever its position_weight;
-angle left between effector and target, rad; reason a code of Reason, or -1.
+Returns (c, len(REPORT)): residual, distance, reach and tip in the world, of the solution with position_weight 1; angle left
+between effector and target, rad; reason a code of Reason, or -1.
 Numbers that are not finite are allowed: such a chain's rows are neutral and its reason is -1. Wrong shapes and types
 raise ValueError or TypeError that names the argument.)");
     plan.def("match", &match, "bones"_a, "poses"_a, "world"_a, "settings"_a, R"(
@@ -290,7 +296,7 @@ rest, basis, parent_rest, parent_pose: (4, 4) in rows; the last two None without
 inherit_scale: 'FULL', 'FIX_SHEAR', 'ALIGNED', 'AVERAGE', 'NONE' or 'NONE_LEGACY'.  Returns (4, 4).)");
     m.def("pose_to_bone", &pose_to_bone, "rest"_a, "parent_rest"_a, "parent_pose"_a, "pose"_a,
           "inherit_scale"_a = "FULL", "inherit_rotation"_a = true, "local_location"_a = true, R"(
-The way back from bone_to_pose(): a bone's own transform from its pose. Arguments as there.)");
+The inverse of bone_to_pose(): a bone's own transform from its pose. Arguments as there.)");
 }
 
 }  // namespace motus::bindings

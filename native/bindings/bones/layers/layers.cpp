@@ -14,6 +14,7 @@
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
+#include "core/typed.hpp"
 #include "motus/bones/layers/clip.hpp"
 #include "motus/bones/layers/mask.hpp"
 #include "motus/bones/layers/stack.hpp"
@@ -36,7 +37,7 @@ constexpr std::size_t row_size = 10;
 
 constexpr std::size_t curve_size = 5, key_size = 6;
 
-[[nodiscard]] std::vector<layers::Rotation> rotation_modes(const py::object& given) {
+[[nodiscard]] std::vector<layers::Rotation> rotation_modes(const ArrayLike& given) {
     std::vector<layers::Rotation> result;
     for (const int mode : whole_numbers(given, "rotations")) {
         if (mode < 0 || mode > 7) value_error("rotations", "a mode must be 0 to 7");
@@ -51,7 +52,8 @@ constexpr std::size_t curve_size = 5, key_size = 6;
     return static_cast<std::size_t>(array.shape(0));
 }
 
-[[nodiscard]] std::vector<layers::Key> read_keys(const py::object& given, const py::object& interpolations) {
+[[nodiscard]] std::vector<layers::Key> read_keys(const Float32Array& given,
+                                                 const Int32Array& interpolations) {
     const std::size_t count = rows_of(given, "keys");
     const std::span<const float> rows = elements<float>(given, "keys", {count, key_size});
     const std::span<const int> kinds = elements<int>(interpolations, "interpolations", {count});
@@ -69,8 +71,8 @@ constexpr std::size_t curve_size = 5, key_size = 6;
     return result;
 }
 
-[[nodiscard]] layers::Clip make_clip(const py::object& rotations, const py::object& curves,
-                                     const py::object& keys, const py::object& interpolations) {
+[[nodiscard]] layers::Clip make_clip(const ArrayLike& rotations, const Int32Array& curves,
+                                     const Float32Array& keys, const Int32Array& interpolations) {
     const std::size_t count = rows_of(curves, "curves");
     const std::span<const int> rows = elements<int>(curves, "curves", {count, curve_size});
     std::vector<layers::Curve> read;
@@ -105,7 +107,7 @@ void write_row(const Transform& transform, std::span<double> row) {
     return {array.data(), array.data() + array.size()};
 }
 
-DoubleArray clip_pose(const layers::Clip& clip, const py::object& frame, const py::object& given) {
+DoubleArray clip_pose(const layers::Clip& clip, const Number& frame, const OptionalArrayLike& given) {
     const std::vector<double> values = given_values(given, clip.given_count());
     std::vector<Transform> pose(clip.bones().size());
     clip.evaluate(number(frame, "frame"), values, pose);
@@ -115,7 +117,7 @@ DoubleArray clip_pose(const layers::Clip& clip, const py::object& frame, const p
     return result;
 }
 
-DoubleArray clip_numbers(const layers::Clip& clip, const py::object& frame, const py::object& given) {
+DoubleArray clip_numbers(const layers::Clip& clip, const Number& frame, const OptionalArrayLike& given) {
     const std::vector<double> values = given_values(given, clip.given_count());
     std::vector<Transform> pose(clip.bones().size());
     std::vector<layers::Numbers> numbers(pose.size());
@@ -143,7 +145,7 @@ enum Column : std::size_t {
     column_count
 };
 
-[[nodiscard]] py::tuple setting_names() {
+[[nodiscard]] Typed<"tuple[str, ...]"> setting_names() {
     return py::make_tuple("start", "first", "last", "speed", "after", "blend_in", "blend_out", "weight",
                           "mode", "in_armature");
 }
@@ -162,13 +164,13 @@ enum Column : std::size_t {
     return timing;
 }
 
-[[nodiscard]] std::span<const double> setting_rows(const py::object& settings, std::size_t count) {
+[[nodiscard]] std::span<const double> setting_rows(const Float64Array& settings, std::size_t count) {
     const std::span<const double> rows = elements<double>(settings, "settings", {count, column_count});
     if (!are_finite(rows)) value_error("settings", "every value must be finite");
     return rows;
 }
 
-DoubleArray moments(const py::object& settings, const py::object& frame) {
+DoubleArray moments(const Float64Array& settings, const Number& frame) {
     const std::size_t count = rows_of(settings, "settings");
     const std::span<const double> rows = setting_rows(settings, count);
     const double at = number(frame, "frame");
@@ -182,7 +184,7 @@ DoubleArray moments(const py::object& settings, const py::object& frame) {
     return result;
 }
 
-DoubleArray mask(const py::object& parents, const py::object& chosen, const py::object& feather) {
+DoubleArray mask(const ArrayLike& parents, const ArrayLike& chosen, const WholeNumber& feather) {
     const std::vector<int> above = whole_numbers(parents, "parents");
     const DoubleArray weights = doubles(chosen, "chosen");
     if (weights.ndim() != 1 || static_cast<std::size_t>(weights.size()) != above.size())
@@ -203,8 +205,8 @@ DoubleArray mask(const py::object& parents, const py::object& chosen, const py::
     return bones::matrix_at(matrices, bone);
 }
 
-[[nodiscard]] layers::Stack make_stack(const py::object& parents, const py::object& rest,
-                                       const py::object& inheritance) {
+[[nodiscard]] layers::Stack make_stack(const ArrayLike& parents, const Float32Array& rest,
+                                       const Int32Array& inheritance) {
     const std::vector<int> above = whole_numbers(parents, "parents");
     const bones::RigView rig = rig_at_rest(above, rest, inheritance);
     if (!are_finite(rig.rest)) value_error("rest", "every value must be finite");
@@ -220,9 +222,9 @@ DoubleArray mask(const py::object& parents, const py::object& chosen, const py::
 /// The arguments of solve that are lists with an item a layer, copied and checked.
 class Layers {
   public:
-    Layers(const layers::Stack& stack, const py::list& clips, const py::object& settings,
-           const py::object& masks, const py::list& references, const py::list& given,
-           const py::object& laps) {
+    Layers(const layers::Stack& stack, const py::list& clips, const Float64Array& settings,
+           const Float64Array& masks, const py::list& references, const py::list& given,
+           const Typed<"list[numpy.typing.NDArray[numpy.float64] | None] | None">& laps) {
         const std::size_t count = clips.size();
         const py::list of_laps = laps.is_none() ? all_none(count) : list(laps, "laps");
         if (of_laps.size() != count) value_error("laps", "must have one item for each clip");
@@ -327,18 +329,19 @@ struct Moves {
     }
 };
 
-[[nodiscard]] std::vector<int> member_rows(const py::object& rows, std::size_t count) {
+[[nodiscard]] std::vector<int> member_rows(const ArrayLike& rows, std::size_t count) {
     std::vector<int> result = whole_numbers(rows, "rows");
     for (const int row : result)
         if (row < 0 || std::cmp_greater_equal(row, count)) value_error("rows", "a bone is not there");
     return result;
 }
 
-void solve_stack(const layers::Stack& stack, const py::object& frame, const py::object& basis,
-                 const py::list& clips, const py::object& settings, const py::object& masks,
-                 const py::list& references, const py::list& given, const py::object& rows,
-                 const py::object& locations, const py::object& rotations, const py::object& scales,
-                 const py::object& laid, const py::object& laps) {
+void solve_stack(const layers::Stack& stack, const Number& frame, const Float32Array& basis,
+                 const py::list& clips, const Float64Array& settings, const Float64Array& masks,
+                 const py::list& references, const py::list& given, const ArrayLike& rows,
+                 const Float64Array& locations, const Float64Array& rotations, const Float64Array& scales,
+                 const Float32Array& laid,
+                 const Typed<"list[numpy.typing.NDArray[numpy.float64] | None] | None">& laps) {
     const std::size_t count = stack.size();
     const double at = number(frame, "frame");
     const std::vector<float> own = copied(elements<float>(basis, "basis", {count, 16}));
@@ -368,13 +371,13 @@ void solve_stack(const layers::Stack& stack, const py::object& frame, const py::
     }
 }
 
-[[nodiscard]] py::tuple bones_of(const layers::Clip& clip) {
+[[nodiscard]] Typed<"tuple[int, ...]"> bones_of(const layers::Clip& clip) {
     py::tuple result(clip.bones().size());
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = clip.bones()[i];
     return result;
 }
 
-[[nodiscard]] py::tuple channels_of(const layers::Clip& clip) {
+[[nodiscard]] Typed<"tuple[int, ...]"> channels_of(const layers::Clip& clip) {
     py::tuple result(clip.channels().size());
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = clip.channels()[i];
     return result;

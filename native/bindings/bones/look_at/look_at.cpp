@@ -14,6 +14,7 @@
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
+#include "core/typed.hpp"
 #include "motus/bones/look_at/gaze.hpp"
 #include "motus/bones/look_at/plan.hpp"
 
@@ -30,13 +31,13 @@ constexpr double entry_cost = 1500.0;  // ns, rough
 
 // --- look_at ---------------------------------------------------------------------------------------------
 
-[[nodiscard]] double fraction(const py::object& object, const char* name) {
+[[nodiscard]] double fraction(const Number& object, const char* name) {
     const double value = number(object, name);
     if (value < 0.0 || value > 1.0) value_error(name, "must lie in [0, 1]");
     return value;
 }
 
-[[nodiscard]] double limit(const py::object& object, const char* name) {
+[[nodiscard]] double limit(const Number& object, const char* name) {
     const double value = number(object, name);
     if (value < 0.0) value_error(name, "must be >= 0");
     return value;
@@ -48,17 +49,17 @@ constexpr double entry_cost = 1500.0;  // ns, rough
     return v / (largest * glm::length(v / largest));
 }
 
-/// What Python gets: of one target values, of many arrays.
+/// The result as Python sees it: values for one target, arrays for many.
 struct Turns {
     DoubleArray body, head, eyes;
     py::object residual, reason;
 };
 
-Turns look_at_targets(const py::object& reason_type, const py::object& forward, const py::object& targets,
-                      const py::object& chest, const py::object& up, const py::object& weight,
-                      const py::object& body_weight, const py::object& head_weight,
-                      const py::object& eyes_weight, const py::object& clamp, const py::object& body_limit,
-                      const py::object& head_limit, const py::object& eyes_limit) {
+Turns look_at_targets(const py::object& reason_type, const ArrayLike& forward, const ArrayLike& targets,
+                      const OptionalArrayLike& chest, const ArrayLike& up, const Number& weight,
+                      const Number& body_weight, const Number& head_weight, const Number& eyes_weight,
+                      const Number& clamp, const Number& body_limit, const Number& head_limit,
+                      const Number& eyes_limit) {
     const glm::dvec3 animated = unit(vector(forward, "forward"), "forward");
     const glm::dvec3 ahead = chest.is_none() ? animated : unit(vector(chest, "chest"), "chest");
     const glm::dvec3 above = unit(vector(up, "up"), "up");
@@ -129,12 +130,12 @@ enum Column : std::size_t {
 };
 constexpr std::size_t report_count = 4;
 
-[[nodiscard]] py::tuple setting_names() {
+[[nodiscard]] Typed<"tuple[str, ...]"> setting_names() {
     return py::make_tuple("weight", "body_weight", "head_weight", "eyes_weight", "clamp", "body_limit",
                           "head_limit", "eyes_limit", "is_on");
 }
 
-[[nodiscard]] py::tuple report_names() {
+[[nodiscard]] Typed<"tuple[str, ...]"> report_names() {
     return py::make_tuple("angle", "reason", "yaw", "pitch");
 }
 
@@ -145,8 +146,8 @@ constexpr std::size_t report_count = 4;
     return result;
 }
 
-[[nodiscard]] look_at::Plan make_plan(const py::object& parents, const py::object& bodies,
-                                      const py::object& heads, const py::object& eyes) {
+[[nodiscard]] look_at::Plan make_plan(const ArrayLike& parents, const ArrayLikes& bodies,
+                                      const ArrayLike& heads, const ArrayLikes& eyes) {
     const std::vector<int> parent_of = whole_numbers(parents, "parents");
     std::vector<std::vector<int>> body_bones = bone_lists(bodies, "bodies");
     const std::vector<int> head_bones = whole_numbers(heads, "heads");
@@ -177,10 +178,11 @@ constexpr std::size_t report_count = 4;
     return input;
 }
 
-DoubleArray solve_plan(const look_at::Plan& plan, const py::object& rest, const py::object& poses,
-                       const py::object& basis, const py::object& inheritance, const py::object& world,
-                       const py::object& settings, const py::object& targets, const py::object& head_forward,
-                       const py::object& eyes_forward, const py::object& rotations, const py::object& up) {
+DoubleArray solve_plan(const look_at::Plan& plan, const Float32Array& rest, const Float32Array& poses,
+                       const Float32Array& basis, const Int32Array& inheritance, const Float64Array& world,
+                       const Float64Array& settings, const Float64Array& targets,
+                       const Float64Array& head_forward, const Float64Array& eyes_forward,
+                       const OptionalFloat64Array& rotations, const OptionalFloat64Array& up) {
     const std::size_t count = plan.size();
     const CopiedRig rig(plan.parents(), rest, poses, basis, inheritance);
     const glm::dmat4 to_world = matrix_of_columns(world, "world");
@@ -244,7 +246,7 @@ body, head and eyes are quaternions (m, 4) or (4,), w, x, y, z; each comes on to
         .def_readonly("residual", &Turns::residual,
                       "A float or (m,): angle between the turned gaze and the target, rad.")
         .def_readonly("reason", &Turns::reason, R"(
-A Reason or (m,) int64 of their codes: LIMIT where the clamp or a limit keeps the gaze off; REACHED where nothing but the
+A Reason or (m,) int64 of their codes: LIMIT if the clamp or a limit keeps the gaze off; REACHED if nothing but the
 weights does.)");
 }
 
@@ -255,10 +257,10 @@ void bind_look_at(py::module_& m) {
     m.def(
         "look_at",
         [reason_type = py::object(m.attr("Reason"))](
-            const py::object& forward, const py::object& targets, const py::object& chest,
-            const py::object& up, const py::object& weight, const py::object& body_weight,
-            const py::object& head_weight, const py::object& eyes_weight, const py::object& clamp,
-            const py::object& body_limit, const py::object& head_limit, const py::object& eyes_limit) {
+            const ArrayLike& forward, const ArrayLike& targets, const OptionalArrayLike& chest,
+            const ArrayLike& up, const Number& weight, const Number& body_weight, const Number& head_weight,
+            const Number& eyes_weight, const Number& clamp, const Number& body_limit,
+            const Number& head_limit, const Number& eyes_limit) {
             return look_at_targets(reason_type, forward, targets, chest, up, weight, body_weight, head_weight,
                                    eyes_weight, clamp, body_limit, head_limit, eyes_limit);
         },
@@ -268,31 +270,32 @@ void bind_look_at(py::module_& m) {
         R"(
 How body, head and eyes share the turn of a gaze to a target far away.
 
-forward: (3,), where the head looks before.  targets: (m, 3) or (3,), directions to look in.  chest: (3,), where the chest
-faces; forward where None.  up: (3,), the chest's up; what is across chest counts.  All in one space, of any length but 0.
+forward: (3,), direction in which the head looks before the turn.  targets: (m, 3) or (3,), directions to look in.  chest: (3,), direction of the
+chest; forward if None.  up: (3,), the chest's up; its part across chest counts.  All in one space, of any length but 0.
 weight: of the whole turn.  body_weight: share of the turn.  head_weight: share of what the body leaves.  eyes_weight:
 share of what the head leaves.  clamp: 0 free, 0.5 90 degrees to each side, 1 no turn.  All in [0, 1].
 body_limit, head_limit, eyes_limit: greatest turn of the gaze by each, rad, >= 0; from pi on none.
-A turn adds no roll where both gazes lie within 37 degrees of the horizon (and, unless clamp is 0 and head_limit pi, within
+A turn adds no roll if both gazes lie within 37 degrees of the horizon (and, unless clamp is 0 and head_limit pi, within
 73 degrees of chest).  With a clamp >= 0.5, or limits for all that turn, the result is a continuous function of the target;
-else it changes sides where the target passes straight behind the chest.
+else it changes sides if the target passes straight behind the chest.
 Returns a LookAtTurns.
 Raises ValueError or TypeError that names the argument.)");
 
     py::class_<look_at::Plan> plan(m, "LookAtPlan", py::module_local(), R"(
-Bones of one rig that look at targets, checked once.
+Bones of one rig that look at targets. The hierarchy is checked once.
 
 parents: (B,), index of each bone's parent, -1 for none.  bodies: for each entry (n,) bones from the lowest up, below the
 head; may be empty.  heads: (C,) bones.  eyes: for each entry (k,) bones above the head; may be empty.
 rows: the bones of the result's rows: body, head, eyes of each entry.  SETTINGS, REPORT: names of columns.
 Raises ValueError or TypeError that names the argument.)");
     plan.def(py::init(&make_plan), "parents"_a, "bodies"_a, "heads"_a, "eyes"_a);
-    plan.def_property_readonly("rows", [](const look_at::Plan& self) {
-        const std::span<const int> rows = self.rows();
-        py::tuple result(rows.size());
-        for (std::size_t i = 0; i < rows.size(); ++i) result[i] = rows[i];
-        return result;
-    });
+    plan.def_property_readonly(
+        "rows", [](const look_at::Plan& self) -> Typed<"tuple[int, ...]"> {
+            const std::span<const int> rows = self.rows();
+            py::tuple result(rows.size());
+            for (std::size_t i = 0; i < rows.size(); ++i) result[i] = rows[i];
+            return result;
+        });
     plan.attr("SETTINGS") = setting_names();
     plan.attr("REPORT") = report_names();
     plan.def("solve", &solve_plan, "rest"_a, "poses"_a, "basis"_a, "inheritance"_a, "world"_a, "settings"_a,
@@ -304,11 +307,11 @@ rest, poses, basis: (B, 16) float32: Bone.matrix_local, PoseBone.matrix, PoseBon
 only the parent of each entry's first bone is read.  inheritance: (B,) int32: Bone.inherit_scale | 8 use_inherit_rotation
 | 16 use_local_location.  world: (16,), the rig's matrix_world, column by column.
 settings: (C, 9), see SETTINGS and look_at().  targets: (C, 3), world space.  head_forward: (C, 3), eyes_forward: (E, 3) of
-the eyes of all entries, axes of the bones that point where they look, of any length but 0.  up: (C, 3), what the rig stands
-along at rest, in armature space, of any length but 0; None: Z.
+the eyes of all entries, axes of the bones that point where they look, of any length but 0.  up: (C, 3), the rig's upward
+direction at rest, in armature space, of any length but 0; None: Z.
 rotations: a C-contiguous float64 array (rows, 4) to write into, which shares no memory with other arguments; None: only the
-report.  Its rows are w, x, y, z and come on top of each bone's own rotation; the identity where nothing turns.
-Returns (C, 4), see REPORT: angle between gaze and target, rad; reason (a Reason: REACHED or LIMIT; -1 where an input is not
+report.  Its rows are w, x, y, z and come on top of each bone's own rotation; the identity if nothing turns.
+Returns (C, 4), see REPORT: angle between gaze and target, rad; reason (a Reason: REACHED or LIMIT; -1 if an input is not
 finite or a bone that looks has no size); yaw (positive to the left) and pitch (positive up) of the target, rad.
 Raises ValueError or TypeError that names the argument; numbers that are not finite do not raise.)");
 }

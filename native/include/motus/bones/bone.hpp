@@ -1,6 +1,6 @@
 // A bone's pose from its parent's, by Blender's rules of inheritance.
-// Blender 3.4-5.2, BKE_bone_parent_transform_calc_from_matrices; Python's Bone.convert_local_to_pose is the
-// same.
+// Blender 3.4-5.2, BKE_bone_parent_transform_calc_from_matrices, which is Bone.convert_local_to_pose in
+// Python.
 #pragma once
 #include <glm/mat4x4.hpp>
 
@@ -16,17 +16,17 @@ enum class InheritScale : int {
     none_legacy = 5
 };
 
-/// What a bone is at rest. Armature space.
+/// A bone at rest. Armature space.
 struct Rest {
     glm::dmat4 matrix{1.0};         ///< Bone.matrix_local
-    glm::dmat4 parent_matrix{1.0};  ///< the parent's; read only where has_parent
+    glm::dmat4 parent_matrix{1.0};  ///< the parent's; read only if has_parent
     bool has_parent = false;
     bool inherit_rotation = true;  ///< Bone.use_inherit_rotation
     bool local_location = true;    ///< Bone.use_local_location
     InheritScale inherit_scale = InheritScale::full;
 };
 
-/// What turns a bone's own transform (PoseBone.matrix_basis) into its pose in armature space
+/// The transforms that turn a bone's own transform (PoseBone.matrix_basis) into its pose in armature space
 /// (PoseBone.matrix).
 struct ParentSpace {
     glm::dmat4 rotation_scale{1.0};
@@ -41,7 +41,7 @@ struct ParentSpace {
 /// Pose, in armature space, of a bone with the given own transform.
 [[nodiscard]] glm::dmat4 to_pose(const ParentSpace& space, const glm::dmat4& basis);
 
-/// The own transform that gives a pose. Where the parent's scale is zero along an axis, that axis is taken as
+/// The own transform that gives a pose. If the parent's scale is zero along an axis, that axis is taken as
 /// it is.
 [[nodiscard]] glm::dmat4 to_basis(const ParentSpace& space, const glm::dmat4& pose);
 

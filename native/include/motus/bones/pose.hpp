@@ -1,4 +1,4 @@
-// Poses in the forms that Blender takes.
+// Poses in the forms in which Blender reads them.
 #pragma once
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -7,7 +7,7 @@
 namespace motus::bones {
 
 /// Euler angles (rad) of a unit quaternion in the order XYZ, as mathutils' Quaternion.to_euler('XYZ') gives
-/// them: of the two sets that mean the same the one with the smaller sum of magnitudes; z = 0 where y is a
+/// them: of the two sets for the same rotation the one with the smaller sum of magnitudes; z = 0 if y is a
 /// right angle.
 [[nodiscard]] glm::dvec3 euler_xyz(const glm::dquat& rotation);
 

@@ -1,9 +1,9 @@
-// Why a chain ends where it ends.
+// Why the end of a chain is or is not on its target.
 #pragma once
 
 namespace motus::bones {
 
-/// What kept the end of a chain from its target. The codes are part of the Python interface.
+/// The reason why the end of a chain is or is not on its target. The codes are part of the Python interface.
 enum class Reason : int {
     reached = 0,     ///< the end is on the target, within the tolerance
     too_far = 1,     ///< the target is farther than the chain reaches (or than softness lets it)

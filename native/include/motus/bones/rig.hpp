@@ -1,4 +1,4 @@
-// A rig's bones as the arrays that Blender hands out.
+// A rig's bones as the arrays that Blender's foreach_get fills.
 #pragma once
 #include <cstddef>
 #include <glm/mat4x4.hpp>
@@ -12,8 +12,9 @@ namespace motus::bones {
 inline constexpr int inherits_rotation = 8;
 inline constexpr int has_local_location = 16;
 
-/// All bones of one rig, in the order of its pose; views of somebody's arrays. Matrices are 16 floats, column
-/// by column, in armature space. Poses are read only for bones that stand already: the parents of chains.
+/// All bones of one rig, in the order of its pose; views of the caller's arrays. Matrices are 16 floats,
+/// column by column, in armature space. Only the poses of bones that are evaluated before are read: those of
+/// the parents of chains.
 struct RigView {
     std::span<const int> parents;      ///< index of each bone's parent, -1 for none
     std::span<const float> rest;       ///< Bone.matrix_local
@@ -23,10 +24,11 @@ struct RigView {
     std::span<const int> inheritance;  ///< InheritScale | inherits_rotation | has_local_location
 };
 
-/// std::invalid_argument where there is no matrix of that bone.
+/// std::invalid_argument if there is no matrix of that bone.
 [[nodiscard]] glm::dmat4 matrix_at(std::span<const float> matrices, std::size_t bone);
 
-/// What a bone is at rest. std::invalid_argument where the rig has no such bone, or no parent that it names.
+/// The bone at rest. std::invalid_argument if the rig has no such bone, or not the parent that the bone
+/// names.
 [[nodiscard]] Rest rest_of(const RigView& rig, std::size_t bone);
 
 }  // namespace motus::bones

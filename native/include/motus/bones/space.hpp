@@ -1,4 +1,4 @@
-// The linear part of a bone's parent space: what rotates and scales it, whatever its location.
+// The linear part of a bone's parent space: its rotation and scale, without the location.
 #pragma once
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -9,7 +9,7 @@
 
 namespace motus::bones {
 
-/// A bone at rest beside its parent.
+/// A bone at rest, relative to its parent at rest.
 struct Offset {
     glm::dmat3 turn{1.0};         ///< axes in the parent's at rest; in armature space without a parent
     glm::dvec3 head{0.0};         ///< place in the parent's at rest; in armature space without a parent
@@ -33,7 +33,7 @@ struct LinearSpace {
     return bone.inherit_rotation && bone.inherit_scale == InheritScale::full;
 }
 
-/// The rules for a bone that is_plain() does not hold for and that has a parent.
+/// The rules for a bone that has a parent and is not plain (is_plain()).
 [[nodiscard]] LinearSpace special_space(const Offset& bone, const glm::dmat3& parent_pose);
 
 /// Space of a bone whose parent's pose has these axes (armature space; not read without a parent).
@@ -43,21 +43,21 @@ struct LinearSpace {
     return special_space(bone, parent_pose);
 }
 
-/// Axes scaled one by one.
+/// Axes, each multiplied by a factor of its own.
 [[nodiscard]] inline glm::dmat3 scaled(const glm::dmat3& axes, const glm::dvec3& scale) {
     return {scale.x * axes[0], scale.y * axes[1], scale.z * axes[2]};
 }
 
-/// Blender's removal of shear with Y as the axis that keeps its direction: X and Z lose what they have along
-/// it, then share the turn that makes them perpendicular; the volume stays, or with `unit` every axis becomes
-/// one long.
+/// Blender's removal of shear with Y as the axis that keeps its direction: X and Z lose their parts along
+/// Y, then share the turn that makes them perpendicular; the volume stays, or with `unit` every axis gets
+/// the length 1.
 [[nodiscard]] glm::dmat3 without_shear(const glm::dmat3& axes, bool unit);
 
-/// Inverse of axes that lie in a plane, or nearly: one without length is taken as one long and across the
-/// others; one that the others span, as perpendicular to them.
+/// Inverse of axes that lie in a plane, or nearly so: an axis of no length is taken as a unit vector across
+/// the others; an axis in the plane of the others as perpendicular to them.
 [[nodiscard]] glm::dmat3 inverse_of_flat(const glm::dmat3& axes);
 
-/// Inverse of a bone's axes, finite whatever they are.
+/// Inverse of a bone's axes; finite for any axes.
 [[nodiscard]] inline glm::dmat3 inverse_axes(const glm::dmat3& axes) {
     const glm::dvec3 yz = glm::cross(axes[1], axes[2]);
     const double volume = glm::dot(axes[0], yz);

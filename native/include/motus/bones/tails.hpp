@@ -1,4 +1,4 @@
-// Bones that turn so that their tails point to given places: chains that trail behind what they hang on.
+// Bones that turn so that their tails point to given places: chains that trail behind their parent.
 #pragma once
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
@@ -12,13 +12,13 @@
 
 namespace motus::bones {
 
-/// Bones of one rig that point their tails to places, checked once. Each turns about its own head, which the
-/// bones above it have moved by then, and keeps its length.
+/// Bones of one rig that point their tails to places; the hierarchy is checked once. Each bone turns about
+/// its own head, after the bones above have moved that head, and keeps its length.
 class TailPlan {
   public:
     /// parents: index of each bone's parent, -1 for none, in any order. bones: those that turn, in any order.
-    /// Throws std::invalid_argument, naming the argument, where an index is none of a bone's, a bone is there
-    /// twice, or parents hang on each other.
+    /// Throws std::invalid_argument, naming the argument, if an index is none of a bone's, a bone is there
+    /// twice, or parents form a circle.
     TailPlan(std::span<const int> parents, std::span<const int> bones);
 
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
@@ -26,19 +26,19 @@ class TailPlan {
 
     /// targets: places in world space, one for each of the bones. weights: the share of each turn, 0 to 1.
     /// rotations: of each bone, on top of its own (rotation of PoseBone.matrix_basis * result), w >= 0;
-    /// exactly none where the tail points there already, the place is the bone's own head, or a number is not
-    /// finite. world: the rig's matrix_world. Of poses those of the topmost bones' parents are read,
-    /// RigView::lengths is not. Throws std::invalid_argument where a span has another size, or the rig's
+    /// exactly the identity if the tail points there already, the place is the bone's own head, or a number
+    /// is not finite. world: the rig's matrix_world. Of poses those of the topmost bones' parents are read,
+    /// RigView::lengths is not. Throws std::invalid_argument if a span has another size, or the rig's
     /// parents are not the plan's.
     void solve(const RigView& rig, const glm::dmat4& world, std::span<const glm::dvec3> targets,
                std::span<const double> weights, std::span<glm::dquat> rotations) const;
 
   private:
-    /// A bone that turns, or that one which turns carries another one by.
+    /// A bone that turns, or that lies between a turning bone and one above it.
     struct Link {
         std::size_t bone = 0;
         std::optional<std::size_t> row;
-        std::optional<std::size_t> above;  ///< the link of its parent, where that is one
+        std::optional<std::size_t> above;  ///< the link of the parent bone, if there is one
     };
 
     std::vector<int> parents_;

@@ -1,4 +1,4 @@
-// Rotations that take one thing to another.
+// Rotations that take a direction or frame to another one.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -14,18 +14,18 @@ namespace motus::bones {
 
 inline constexpr glm::dquat no_turn{1.0, 0.0, 0.0, 0.0};
 
-/// 1 of axes that are as a right hand has them, -1 of mirrored ones.
+/// 1 for right-handed axes, -1 for mirrored ones.
 [[nodiscard]] inline double handedness(const glm::dmat3& axes) {
     return glm::determinant(axes) < 0.0 ? -1.0 : 1.0;
 }
 
-/// Between vectors of any length, rad, 0 to pi; precise for the smallest and the largest.
+/// Angle between vectors of any length, rad, 0 to pi; precise for the smallest and the largest angles.
 [[nodiscard]] inline double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 /// The smallest rotation that takes the unit vector `from` to the unit vector `to`; half a turn about `axis`
-/// (unit, made perpendicular) where they are opposite.
+/// (unit, made perpendicular) if they are opposite.
 [[nodiscard]] glm::dquat half_turn_to(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& axis);
 [[nodiscard]] inline glm::dquat smallest_turn(const glm::dvec3& from, const glm::dvec3& to,
                                               const glm::dvec3& axis) {
@@ -37,13 +37,13 @@ inline constexpr glm::dquat no_turn{1.0, 0.0, 0.0, 0.0};
     return {scale * w, scale * v.x, scale * v.y, scale * v.z};
 }
 
-/// The smallest rotation that takes the direction of `from` to that of `to`, none where one of them has no
-/// length; half a turn about what `axis()` gives where they are opposite.
+/// The smallest rotation that takes the direction of `from` to that of `to`, none if one of them has no
+/// length; half a turn about the result of `axis()` if they are opposite.
 template <class Axis>
 [[nodiscard]] inline glm::dquat smallest_turn_between(const glm::dvec3& from, const glm::dvec3& to,
                                                       const Axis& axis) {
     const double squares = glm::dot(from, from) * glm::dot(to, to);
-    constexpr double tiny = 1e-200, huge = 1e200;  // outside these, squares of what follows leave the doubles
+    constexpr double tiny = 1e-200, huge = 1e200;  // outside these the squares below over- or underflow
     if (squares > tiny && squares < huge) {
         const double lengths = std::sqrt(squares);
         const double w = lengths + glm::dot(from, to);
@@ -60,22 +60,22 @@ template <class Axis>
     return unit_from == none || unit_to == none ? no_turn : smallest_turn(unit_from, unit_to, axis());
 }
 
-/// 1 / sqrt(square) of a square that is 1 but for rounding, as of a product of unit quaternions.
+/// 1 / sqrt(square) of a square that is 1 except for rounding, such as that of a product of unit quaternions.
 [[nodiscard]] inline double inverse_root_near_one(double square) {
     const double excess = square - 1.0;
     constexpr double near = 1e-8;  // the next term of the series is below the doubles' rounding
     return std::abs(excess) < near ? 1.0 - 0.5 * excess : 1.0 / std::sqrt(square);
 }
 
-/// A unit quaternion again, of a product of some.
+/// The unit quaternion nearest to a product of unit quaternions, whose length has rounding errors.
 [[nodiscard]] inline glm::dquat normalized_product(const glm::dquat& product) {
     return product * inverse_root_near_one(glm::dot(product, product));
 }
 
-/// The share `weight` of a unit quaternion's turn, by the shorter way; 0 and 1 exactly.
+/// The fraction `weight` of a unit quaternion's turn, by the shorter way; exact for 0 and 1.
 [[nodiscard]] glm::dquat share_of_turn(const glm::dquat& turn, double weight);
 
-/// From a to b by the share `weight`, unit quaternions, the shorter way.
+/// The fraction `weight` of the shorter way from a to b, unit quaternions.
 [[nodiscard]] inline glm::dquat between(const glm::dquat& a, const glm::dquat& b, double weight) {
     return a * share_of_turn(glm::conjugate(a) * b, weight);
 }
@@ -86,11 +86,11 @@ template <class Axis>
 }
 
 /// The frame of axes that may be scaled, sheared and mirrored: Y along the second, Z on the third one's side
-/// of it, X to make it right-handed. For any linear map M, frame_of(M * axes) is the frame that the map makes
-/// of axes's own: what is put on the axes by a goal in one space is on it in every other.
+/// of it, X to make it right-handed. For any linear map M, frame_of(M * axes) is the image of the frame
+/// of `axes`: an orientation that matches a goal in one space matches it in every other space.
 [[nodiscard]] glm::dquat frame_of(const glm::dmat3& axes);
 
-/// The same where the directions of the second and third axis are known: unit vectors.
+/// The frame of axes whose second and third one have these directions, unit vectors.
 [[nodiscard]] glm::dquat frame_of(const glm::dmat3& axes, const glm::dvec3& y, glm::dvec3 z);
 
 }  // namespace motus::bones

@@ -1,4 +1,4 @@
-// Bounded, thread-safe store for tables that are dear to build.
+// Bounded, thread-safe cache for tables that are expensive to build.
 #pragma once
 #include <bit>
 #include <cstddef>
@@ -39,18 +39,19 @@ class ContentHash {
     std::uint64_t state_ = 0x243f6a8885a308d3ULL;
 };
 
-/// Bytes that a vector has taken.
+/// Bytes that a vector has allocated.
 template <class T>
 [[nodiscard]] std::size_t bytes_of(const std::vector<T>& values) noexcept {
     return values.capacity() * sizeof(T);
 }
 
-/// Keeps the values used last: `capacity` of them at most, and only as many as together take `byte_limit` at
-/// most. Each is found by the whole content of its key (Key needs ==; the hash only narrows the search). What
-/// it answers never depends on what it holds: a value is a function of its key.
+/// Keeps the most recently used values: `capacity` of them at most, and only as many as together take at most
+/// `byte_limit`. A value is found by the whole content of its key (Key needs ==; the hash only narrows the
+/// search) and is a function of that key: an answer does not depend on which values are in the cache.
 ///
-/// Bytes{}(key, value) says what an entry takes. It is asked anew whenever one is added, since a value may
-/// build a part of itself later; of more than 64 entries once for each 64th part of them that is added.
+/// Bytes{}(key, value) is the size of an entry. The sizes are asked again whenever an entry is added, since a
+/// value may build a part of itself later; with more than 64 entries once per 64th part of them that is
+/// added.
 template <class Key, class Value, class Hash, class Bytes>
 class Cache {
   public:
@@ -58,9 +59,9 @@ class Cache {
 
     Cache(std::size_t capacity, std::size_t byte_limit) : capacity_(capacity), byte_limit_(byte_limit) {}
 
-    /// The value of `key`; where it is not held, `make(key)` -> shared_ptr<const Value> builds it. Built
-    /// outside the lock, so that threads with different keys don't wait for each other; where two build the
-    /// same, the first stays. Where this throws, the cache is as it was.
+    /// The value of `key`; if there is none, `make(key)` -> shared_ptr<const Value> builds it. Built
+    /// outside the lock, so that threads with different keys don't wait for each other; if two build the
+    /// same, the first stays. If this throws, the cache is as it was.
     template <class Make>
     [[nodiscard]] Pointer get(const Key& key, Make&& make) {
         const std::size_t hash = Hash{}(key);
@@ -82,14 +83,14 @@ class Cache {
         return made;
     }
 
-    /// The value of `key`, or null where it is not held.
+    /// The value of `key`, or null if there is none.
     [[nodiscard]] Pointer held(const Key& key) {
         const std::size_t hash = Hash{}(key);
         const std::scoped_lock lock(mutex_);
         return find(hash, key);
     }
 
-    /// Drops what `is_unwanted(key)` holds for. Looks through all that is held.
+    /// Drops the entries whose key satisfies `is_unwanted(key)`. Looks through all entries.
     template <class IsUnwanted>
     void erase_if(const IsUnwanted& is_unwanted) {
         Entries dropped;  // freed when the lock is
@@ -104,7 +105,7 @@ class Cache {
         }
     }
 
-    /// 0 switches the cache off.
+    /// Greatest number of entries; 0 switches the cache off.
     void set_capacity(std::size_t capacity) {
         const std::scoped_lock lock(mutex_);
         capacity_ = capacity;
@@ -119,7 +120,7 @@ class Cache {
         return entries_.size();
     }
     [[nodiscard]] std::size_t byte_limit() const noexcept { return byte_limit_; }
-    /// What is held, now.
+    /// Number of entries at this moment.
     [[nodiscard]] std::size_t bytes() const {
         const std::scoped_lock lock(mutex_);
         std::size_t sum = 0;
@@ -132,11 +133,11 @@ class Cache {
         std::size_t hash;
         Key key;
         Pointer value;
-        std::size_t bytes;  ///< when it was last asked
+        std::size_t bytes;  ///< size of the entry when it was last asked
     };
     using Entries = std::list<Entry>;
 
-    /// The held value or null; what is found becomes the one used last.
+    /// The value of a key, which becomes the most recently used one, or null.
     [[nodiscard]] Pointer find(std::size_t hash, const Key& key) {
         const auto [first, last] = index_.equal_range(hash);
         for (auto it = first; it != last; ++it) {
@@ -159,7 +160,7 @@ class Cache {
         bytes_ -= entry->bytes;
     }
 
-    /// Drops what was used before the entries that fit.
+    /// Drops the least recently used entries until the others fit.
     void shrink() {
         while (!entries_.empty() && (entries_.size() > capacity_ || bytes_ > byte_limit_)) {
             const auto last = std::prev(entries_.end());
@@ -171,9 +172,9 @@ class Cache {
     mutable std::mutex mutex_;
     std::size_t capacity_;
     const std::size_t byte_limit_;
-    Entries entries_;        ///< used last first
-    std::size_t bytes_ = 0;  ///< of all entries, when they were last asked
-    std::size_t added_ = 0;  ///< since all were asked
+    Entries entries_;        ///< the most recently used first
+    std::size_t bytes_ = 0;  ///< sum of all entries' sizes when they were last asked
+    std::size_t added_ = 0;  ///< entries added since all sizes were asked
     std::unordered_multimap<std::size_t, typename Entries::iterator> index_;
 };
 

@@ -29,7 +29,7 @@ class IeeeFloats {
 #if defined(__x86_64__)
   private:
     static constexpr unsigned standard = 0x1f80;  // no traps, to nearest, neither FTZ nor DAZ
-    static constexpr unsigned flags = 0x3f;       // what has happened so far
+    static constexpr unsigned flags = 0x3f;       // exceptions that have occurred so far
     unsigned was_;
     bool is_other_;
 #endif
@@ -52,7 +52,7 @@ MOTUS_CALLED_APART auto call_apart(const Work& work) {
     return work();
 }
 
-/// Calls work() in that mode. Threads that it starts have it too: theirs is their starter's, or the standard.
+/// Calls work() in the standard mode. Threads that work() starts inherit this mode, or have the standard one.
 template <class Work>
 auto in_ieee_floats(const Work& work) {
     [[maybe_unused]] const IeeeFloats mode;

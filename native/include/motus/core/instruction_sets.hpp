@@ -5,8 +5,8 @@
 
 namespace motus {
 
-/// How many of them, each with those before it: the one that all processors have, AVX2, and AVX-512 (F, VL,
-/// DQ and BW).
+/// How many of these sets the processor has, in an order in which each includes those before: the one that
+/// all processors have, AVX2, and AVX-512 (F, VL, DQ and BW).
 [[nodiscard]] inline std::size_t runnable_sets() {
 #if defined(__x86_64__)
     static const std::size_t count = [] {
@@ -21,8 +21,8 @@ namespace motus {
 #endif
 }
 
-/// The same of Highway's targets (MOTUS_EVERY_TARGET), among which SSE4 comes before AVX2. Its own question
-/// to the processor is in a shared library, which no add-on could bring along.
+/// How many of Highway's targets (MOTUS_EVERY_TARGET) the processor has; SSE4 comes before AVX2. Highway's
+/// own function that asks the processor is in a shared library, which an add-on could not bring along.
 [[nodiscard]] inline std::size_t runnable_targets() {
 #if defined(__x86_64__)
     return runnable_sets() > 1 || __builtin_cpu_supports("sse4.2") ? runnable_sets() + 1 : 1;
@@ -33,8 +33,8 @@ namespace motus {
 
 }  // namespace motus
 
-/// What a source that <hwy/foreach_target.h> includes once for each target has by this name in each of them,
-/// with commas between.
+/// The functions of this name in each target's namespace, with commas between, for a source that
+/// <hwy/foreach_target.h> includes once for each target.
 #if defined(__x86_64__)
 #define MOTUS_EVERY_TARGET(name) HWY_STATIC_DISPATCH(name), N_SSE4::name, N_AVX2::name, N_AVX3::name
 #else

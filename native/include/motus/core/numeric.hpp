@@ -1,4 +1,4 @@
-// Checks of numbers, unit vectors, and what else several topics compute alike.
+// Checks of numbers, unit vectors, and other small computations that several topics share.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -49,10 +49,10 @@ template <glm::length_t columns, glm::length_t rows, class Number, glm::qualifie
 /// v at unit length whatever its size, zero for zero.
 [[nodiscard]] glm::dvec3 unit_vector(glm::dvec3 v);
 
-/// The same; none for a vector without length, or with a number that is not finite.
+/// v at unit length; none for a vector without length, or with a number that is not finite.
 [[nodiscard]] std::optional<glm::dvec3> direction_of(const glm::dvec3& v);
 
-/// The same at once, for vectors of which lengths below 1e-140 count as none; `otherwise` for these.
+/// v at unit length, in fewer steps than direction_of(); `otherwise` for lengths below 1e-140.
 [[nodiscard]] inline glm::dvec3 direction_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double square = glm::dot(v, v);
     constexpr double vanished = 1e-280;

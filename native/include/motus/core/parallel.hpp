@@ -11,22 +11,22 @@
 
 namespace motus {
 
-/// Threads that the machine runs at once, at least 1.
+/// Number of threads that the machine runs at once, at least 1.
 [[nodiscard]] inline std::size_t thread_count() {
     static const std::size_t count = std::max(1u, std::thread::hardware_concurrency());
     return count;
 }
 
 /// Calls work(first, last) for parts that together are [0, count), each once, on at most `threads` threads,
-/// of which the caller's is one. Parts have at least `grain` elements (all of them, where there are fewer);
+/// of which the caller's is one. Parts have at least `grain` elements (all of them, if there are fewer);
 /// long ones begin at multiples of 64. Which thread takes which part, and how many there are, is not
 /// determined: the result must not depend on it. Returns when all is done. An exception of `work` passes to
-/// the caller (one of them, where several threads throw), and parts not yet begun are left out. A thread
+/// the caller (one of them, if several threads throw), and parts not yet begun are left out. A thread
 /// takes about 20 us to start: below some 50 us of work, let the grain leave it to the caller's thread.
 template <class Work>
 void in_parts(std::size_t count, std::size_t grain, const Work& work, std::size_t threads = thread_count()) {
     if (count == 0) return;
-    // More parts than threads: a thread that the machine has other work for then holds nobody up.
+    // More parts than threads, so that a thread which the system delays does not delay the others.
     constexpr std::size_t parts_a_thread = 16, step = 64;
     const std::size_t most = std::max<std::size_t>(1, count / std::max<std::size_t>(1, grain));
     const std::size_t wanted = threads > 1 ? std::min(most, parts_a_thread * threads) : 1;
@@ -57,7 +57,7 @@ void in_parts(std::size_t count, std::size_t grain, const Work& work, std::size_
         try {
             while (helpers.size() < helpers.capacity()) helpers.emplace_back(take_parts);
         } catch (const std::system_error&) {
-            // No more threads to be had: those there are do it all.
+            // The system gives no more threads: those that run do all parts.
             next.load();
         }
         take_parts();

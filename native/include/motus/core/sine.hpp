@@ -15,16 +15,16 @@ struct SineCosine {
 /// Size of angles, rad, up to which sine_cosine_within_limit() holds.
 inline constexpr double sine_limit = 0x1p30;
 
-/// Of angles up to some 1e5 rad, to 2e-16; up to sine_limit, beyond which the results are meaningless, the
-/// error grows as the angle's own rounding does. The system's functions differ in the last digit between
-/// processors and releases, and a chaotic motion makes that visible. Reduction by a quarter turn in three
-/// parts and polynomials of the remainder: Sun's fdlibm (1993), k_sin.c and k_cos.c.
+/// Sine and cosine of angles. Error 2e-16 up to some 1e5 rad; then it grows as the rounding of the angle
+/// does, up to sine_limit, beyond which the results are meaningless. The system's functions differ in the
+/// last digit between processors and releases, and a chaotic motion makes that visible. Reduction by a
+/// quarter turn in three parts and polynomials of the remainder: Sun's fdlibm (1993), k_sin.c and k_cos.c.
 template <int n>
 [[nodiscard, gnu::always_inline]] inline SineCosine<Wide<n>> sine_cosine_within_limit(Wide<n> angle) {
     using Real = Wide<n>;
     using Numbers = typename Real::Numbers;
     using Bits = typename WideMask<n>::Bits;
-    // Added to a number below 2^51 it leaves the nearest whole one in the last bits.
+    // The last bits of the sum of this and a number below 2^51 are the nearest whole number.
     const Real to_whole = 6755399441055744.0;
     const Real shifted = angle * Real(6.36619772367581382433e-01) + to_whole;
     const Bits quarter = __builtin_bit_cast(Bits, shifted.lanes);
@@ -50,7 +50,7 @@ template <int n>
                                                           z * (Real(2.08757232129817482790e-09) +
                                                                z * Real(-1.13596475577881948265e-11))))));
 
-    const Bits odd = -(quarter & 1);  // all bits where the quarter is odd
+    const Bits odd = -(quarter & 1);  // all bits if the quarter is odd
     const Bits s = __builtin_bit_cast(Bits, sine.lanes);
     const Bits c = __builtin_bit_cast(Bits, cosine.lanes);
     const Bits sine_sign = (quarter & 2) << 62;
@@ -59,11 +59,11 @@ template <int n>
             Real(__builtin_bit_cast(Numbers, ((s & odd) | (c & ~odd)) ^ cosine_sign))};
 }
 
-/// What an angle is more than whole turns; exact but for the rounding of a turn, which is less than that of
-/// the angle.
+/// The remainder of an angle by whole turns; exact but for the rounding of a turn, which is less than that
+/// of the angle.
 [[nodiscard]] double without_turns(double angle);
 
-/// Of any angle, the error growing as the angle's own rounding does; NaN of what is not finite.
+/// Sine and cosine of any angle, with an error like the angle's own rounding; NaN of NaN and infinity.
 template <int n>
 [[nodiscard, gnu::always_inline]] inline SineCosine<Wide<n>> sine_cosine(Wide<n> angle) {
     if (any(!(abs(angle) <= Wide<n>(sine_limit))))

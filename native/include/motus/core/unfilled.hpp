@@ -1,12 +1,12 @@
-// Arrays of a fixed size, of which a short content fills only the beginning.
+// Arrays of a fixed size of which only the beginning may be in use.
 #pragma once
 #include <array>
 #include <cstddef>
 
 namespace motus {
 
-/// An array whose elements are not set to anything before they are written: for a short content that would
-/// take longer than all the work on it.
+/// An array whose elements are not initialised: if few of them are used, setting all would take longer than
+/// the work on these few.
 template <class T, std::size_t size>
 struct Unfilled : std::array<T, size> {
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,modernize-use-equals-default)

@@ -1,7 +1,7 @@
-// Two or four doubles that are computed with at once, each as it would be alone. For the topics of the
-// library alone. A template over `Real`, double or one of these, solves one problem or several by the same
-// lines and to the same bits: it chooses by select() instead of branches, and takes sqrt, abs, min and max
-// unqualified.
+// Two or four doubles that take part in one computation at once, each with the result that it would have
+// alone. For the topics of the library alone. A template over `Real`, double or one of these, solves one
+// problem or several by the same lines and to the same bits: it chooses by select() instead of branches, and
+// takes sqrt, abs, min and max unqualified.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -13,7 +13,8 @@
 
 namespace motus {
 
-// Always inlined: files for different instruction sets share these lines, and none may get another one's.
+// Always inlined: sources for different instruction sets share these lines, and the linker must not give one
+// of them the code that was compiled for another.
 
 /// The compiler's vectors of n lanes.
 template <int n>
@@ -34,11 +35,11 @@ struct LaneTypes<4> {
     using Bits [[gnu::vector_size(32)]] = std::int64_t;
 };
 
-/// A truth for each lane.
+/// True or false for each lane.
 template <int n>
 struct WideMask {
     using Bits = typename LaneTypes<n>::Bits;
-    Bits lanes;  ///< all bits or none
+    Bits lanes;  ///< of each lane all bits set or none
 
     [[gnu::always_inline]] friend WideMask operator&(WideMask a, WideMask b) { return {a.lanes & b.lanes}; }
     [[gnu::always_inline]] friend WideMask operator|(WideMask a, WideMask b) { return {a.lanes | b.lanes}; }
@@ -51,7 +52,7 @@ struct Wide {
     using Mask = WideMask<n>;
     Numbers lanes;
 
-    Wide() = default;  // without values: glm's vectors are unions
+    Wide() = default;  // not initialised, since glm's vectors are unions
     [[gnu::always_inline]] Wide(double all) : lanes(all - Numbers{}) {}
     template <class... Double>
     requires(sizeof...(Double) == n) [[gnu::always_inline]] Wide(Double... each) : lanes{each...} {}
@@ -73,7 +74,7 @@ using Pair = Wide<2>;
 using Quad = Wide<4>;
 #endif
 
-// What glm's vectors and the templates ask of a Real, for one.
+// The functions that glm's vectors and the templates call for a Real: for one double.
 
 [[nodiscard, gnu::always_inline]] inline bool any(bool mask) {
     return mask;
@@ -81,7 +82,7 @@ using Quad = Wide<4>;
 [[nodiscard, gnu::always_inline]] inline bool all(bool mask) {
     return mask;
 }
-/// `a` where the mask holds, else `b`, whatever the other one is.
+/// `a` if the mask holds, else `b`, even if the one that is not chosen is NaN.
 [[nodiscard, gnu::always_inline]] inline double select(bool mask, double a, double b) {
     return mask ? a : b;
 }
@@ -95,12 +96,12 @@ using Quad = Wide<4>;
     value = part;
 }
 
-// The same for several.
+// The functions that glm's vectors and the templates call for a Real: for several doubles.
 
 template <int n>
 [[nodiscard, gnu::always_inline]] inline bool any(WideMask<n> mask) {
 #if defined(__AVX2__)
-    // What the loop becomes is a tenth of two_bone.cpp's time.
+    // How this loop is compiled decides over a tenth of the time of two_bone.cpp.
     if constexpr (n == 4) return _mm256_movemask_epi8(__builtin_bit_cast(__m256i, mask.lanes)) != 0;
 #endif
     std::int64_t bits = 0;
@@ -154,7 +155,7 @@ inline constexpr int lane_count = 1;
 template <int n>
 inline constexpr int lane_count<Wide<n>> = n;
 
-// And for vectors of either.
+// For glm's vectors of one or several doubles.
 
 template <class Mask, class Real>
 [[nodiscard, gnu::always_inline]] inline glm::vec<3, Real> select(Mask mask, const glm::vec<3, Real>& a,
@@ -176,6 +177,6 @@ template <class Real>
 
 }  // namespace motus
 
-/// glm asks whether its vectors are of real numbers.
+/// glm's vectors require that this is true of their numbers.
 template <int n>
 struct std::numeric_limits<motus::Wide<n>> : std::numeric_limits<double> {};

@@ -14,8 +14,8 @@ namespace motus::curve {
 class SpeedTable;
 class InverseTable;
 
-/// Arc length tables of one curve: immutable to the eye, safe to share between threads; what it answers
-/// depends on the curve and the argument alone.
+/// Arc length tables of one curve: immutable as seen from outside, safe to share between threads. Answers
+/// depend on the curve and the argument alone.
 ///
 /// Forward: the speed |C'(t)| as Chebyshev series over adaptive pieces of t (cusps included), integrated term
 /// by term: adaptive Clenshaw-Curtis quadrature whose running integral is a polynomial, too. Inverse: t(s) as
@@ -41,11 +41,11 @@ class ArcLength {
     /// Distance at which segment i begins; i = segment_count() gives the length.
     [[nodiscard]] double segment_start(std::size_t index) const;
 
-    /// Evaluations of the curve that building took, and intervals of the inverse (builds it): what a test can
-    /// count where milliseconds would depend on the machine.
+    /// Evaluations of the curve that building took, and intervals of the inverse (which this builds), for
+    /// tests that count work, since milliseconds depend on the machine.
     [[nodiscard]] std::size_t evaluation_count() const noexcept;
     [[nodiscard]] std::size_t interval_count() const;
-    /// What it takes now; more once the inverse is built.
+    /// Bytes that the tables take now; more once the inverse is built.
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
@@ -64,15 +64,15 @@ class ArcLength {
 /// times the parameter beyond it (extrapolate).
 [[nodiscard]] double length_at(const ArcLength& path, double t, Extend extend);
 
-/// Parameter at distance s, and the distance left beyond that end of the curve (extrapolate only; < 0 before
-/// the start).
+/// Parameter at distance s, and how far s lies beyond an end of the curve (extrapolate only; < 0 before the
+/// start).
 [[nodiscard]] Extended t_at_length(const ArcLength& path, double s, Extend extend);
 
 /// Position at distance s; outside [0, length] as `extend` says, extrapolated along the unit tangent of that
 /// end.
 [[nodiscard]] glm::dvec3 position_at_length(const ArcLength& path, double s, Extend extend = Extend::clamp);
 
-/// The same for many distances. Allocates nothing. Throws std::invalid_argument where the sizes differ.
+/// Positions at many distances. Allocates nothing. Throws std::invalid_argument if the sizes differ.
 void positions_at_length(const ArcLength& path, std::span<const double> s, Extend extend,
                          std::span<glm::dvec3> out);
 
@@ -87,7 +87,7 @@ using ArcLengthCache = Cache<Curve, ArcLength, Hash, ArcLengthBytes>;
 /// The process's cache of arc length tables.
 [[nodiscard]] ArcLengthCache& arc_length_cache();
 
-/// Tables of a curve, from the cache or built.
+/// Tables of a curve: from the cache, or built and then cached.
 [[nodiscard]] std::shared_ptr<const ArcLength> shared_arc_length(const Curve& curve);
 
 }  // namespace motus::curve

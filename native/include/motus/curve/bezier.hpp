@@ -15,14 +15,14 @@ namespace motus::curve {
 [[nodiscard]] std::pair<Curve, Curve> split(const Curve& curve, double t);
 
 /// The same curve written with a degree higher by `times` >= 0.
-/// Throws std::invalid_argument where that is negative or the degree would pass max_degree.
+/// Throws std::invalid_argument if `times` is negative or the degree would pass max_degree.
 [[nodiscard]] Curve elevated(const Curve& curve, int times = 1);
 
 /// The same points run through from the end to the start: t becomes segment_count() - t.
 [[nodiscard]] Curve reversed(const Curve& curve);
 
 /// Every point p moved to the affine matrix's M (p, 1).
-/// Throws std::invalid_argument where the result is not finite or passes coordinate_limit.
+/// Throws std::invalid_argument if the result is not finite or passes coordinate_limit.
 [[nodiscard]] Curve transformed(const Curve& curve, const glm::dmat4& matrix);
 
 /// Axis-aligned box.

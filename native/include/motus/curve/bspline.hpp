@@ -9,7 +9,7 @@
 
 namespace motus::curve {
 
-/// What decides the knot vector of a Blender NURBS spline.
+/// The options of a Blender NURBS spline that its knot vector depends on.
 struct BSplineSettings {
     int order = 4;              ///< 2 to 6; the degree is order - 1
     bool cyclic = false;        ///< the points go round
@@ -24,11 +24,11 @@ struct BSplineSettings {
 /// A non-rational B-spline (all weights 1) of degree order - 1; one segment for every knot span of the curve
 /// that is not empty. Point and flag combinations that Blender shows as the bare control polygon (fewer
 /// points than the order, or use_bezier with a count that does not fill the last segment) give that polygon,
-/// written with the same degree. Throws std::invalid_argument where the order is outside 2 to 6, there are
+/// written with the same degree. Throws std::invalid_argument if the order is outside 2 to 6, there are
 /// fewer than 2 points, or one is not finite.
 [[nodiscard]] Curve bspline(std::span<const glm::dvec3> points, const BSplineSettings& settings);
 
-/// Straight segments from point to point, of degree 1. Throws as above.
+/// Straight segments from point to point, of degree 1. Throws as bspline() does.
 [[nodiscard]] Curve poly_line(std::span<const glm::dvec3> points, bool cyclic);
 
 }  // namespace motus::curve

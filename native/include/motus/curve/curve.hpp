@@ -15,8 +15,8 @@ namespace motus::curve {
 /// Highest degree evaluated; above it the Bernstein form loses too many digits to keep the stated errors.
 inline constexpr int max_degree = 64;
 
-/// Largest size of a coordinate: with larger ones products of derivatives would overflow. Such curves are
-/// refused as those that are not finite.
+/// Largest size of a coordinate: with larger ones products of derivatives would overflow. Curves with larger
+/// coordinates are refused as those with infinite ones are.
 inline constexpr double coordinate_limit = 1e100;
 
 /// A chain of Bézier segments of one degree. Any space, any unit of length. An immutable value: copies share
@@ -27,12 +27,12 @@ inline constexpr double coordinate_limit = 1e100;
 class Curve {
   public:
     /// One Bézier segment of degree control_points.size() - 1 >= 1.
-    /// Throws std::invalid_argument where there are fewer than 2 or more than max_degree + 1 points, or one
+    /// Throws std::invalid_argument if there are fewer than 2 or more than max_degree + 1 points, or one
     /// is not finite.
     [[nodiscard]] static Curve bezier(std::span<const glm::dvec3> control_points);
 
     /// Cubic segments through `points` with Blender's two handles a point; `cyclic` adds the segment last ->
-    /// first. Throws std::invalid_argument where sizes differ, fewer than 2 points are given, or one is not
+    /// first. Throws std::invalid_argument if sizes differ, fewer than 2 points are given, or one is not
     /// finite.
     [[nodiscard]] static Curve spline(std::span<const glm::dvec3> points,
                                       std::span<const glm::dvec3> handles_left,
@@ -40,7 +40,7 @@ class Curve {
 
     /// Segments of one degree, control points segment by segment: size = segments * (degree + 1). `cyclic`
     /// says that the last segment ends where the first begins; it adds nothing. Throws std::invalid_argument
-    /// as above.
+    /// as bezier() does.
     [[nodiscard]] static Curve chain(int degree, std::span<const glm::dvec3> control_points, bool cyclic);
 
     [[nodiscard]] int degree() const noexcept { return degree_; }
@@ -60,7 +60,7 @@ class Curve {
     ~Curve() = default;
     Curve(const Curve&) noexcept = default;
     Curve& operator=(const Curve&) noexcept = default;
-    // What is moved from stays the curve that it was.
+    // A curve that is moved from stays the curve that it was.
     // NOLINTNEXTLINE(performance-move-constructor-init): copying is what it is for, and costs a counter
     Curve(Curve&& other) noexcept : Curve(std::as_const(other)) {}
     Curve& operator=(Curve&& other) noexcept { return *this = std::as_const(other); }
@@ -74,7 +74,7 @@ class Curve {
     std::shared_ptr<const std::vector<glm::dvec3>> points_;  ///< never null
 };
 
-/// Segment and parameter in it (0 to 1) of a parameter of the curve (clamped).
+/// The segment that a parameter of the curve (clamped) lies in, and the parameter in that segment, 0 to 1.
 struct Location {
     std::size_t segment = 0;
     double t = 0.0;
@@ -105,7 +105,7 @@ struct Jet {
     glm::dvec3 d3{0.0};
 };
 [[nodiscard]] Jet jet(const Curve& curve, double t);
-/// The same at a place that has been located; t = 1 is the end of its segment, not the next one's start.
+/// Position and derivatives at a Location; t = 1 is the end of its segment, not the start of the next one.
 [[nodiscard]] Jet jet(const Curve& curve, const Location& at);
 
 /// Unit tangent. Where the first derivative vanishes (cusp, handle on its point) the limit from the right, or
@@ -120,13 +120,13 @@ struct Jet {
 /// straight stretch and on a segment of zero length.
 [[nodiscard]] double curvature(const Curve& curve, double t);
 
-/// Curvature of position(curve, t, extend): 0 where it goes on straight.
+/// Curvature of position(curve, t, extend): 0 if it goes on straight.
 [[nodiscard]] double curvature(const Curve& curve, double t, Extend extend);
 
 /// Torsion (C' x C'') . C''' / |C' x C''|^2, 1 / length unit; 0 where the curvature is 0 or infinite.
 [[nodiscard]] double torsion(const Curve& curve, double t);
 
-/// Torsion of position(curve, t, extend): 0 where it goes on straight; the same forth and back.
+/// Torsion of position(curve, t, extend): 0 if it goes on straight; the same forth and back.
 [[nodiscard]] double torsion(const Curve& curve, double t, Extend extend);
 
 }  // namespace motus::curve

@@ -8,12 +8,12 @@ namespace motus::curve {
 /// ping_pong: forth and back.
 enum class Extend { clamp, extrapolate, loop, ping_pong };
 
-/// A value brought into [0, limit], and what was taken from it.
+/// A value brought into [0, limit], and how it differs from the original.
 struct Extended {
     double value = 0.0;
-    double beyond = 0.0;     ///< what is left beyond that end (extrapolate only; < 0 before 0)
+    double beyond = 0.0;     ///< how far the original lies beyond an end (extrapolate only; < 0 before 0)
     double laps = 0.0;       ///< whole intervals (loop, ping_pong): the original is laps * limit +- value
-    bool returning = false;  ///< the minus, on the way back (ping_pong only)
+    bool returning = false;  ///< the sign above is minus: on the way back (ping_pong only)
 };
 
 /// Brings `value` into [0, limit], limit >= 0. Values inside, both ends included, are never changed; NaN

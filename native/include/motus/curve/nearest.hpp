@@ -11,15 +11,15 @@ struct Nearest {
     double t = 0.0;
     glm::dvec3 position{0.0};
     double distance = 0.0;
-    std::size_t parts = 0;  ///< pieces of the curve that were looked at, the work of the search
+    std::size_t parts = 0;  ///< pieces of the curve that were examined: the work of the search
 };
 
 /// The nearest of all points of the curve, not only a local one: branch and bound over halved segments, then
 /// Newton's method on the foot of the perpendicular. The distance is right to 1e-12 of itself (or 1e-14 of
-/// the segment's size), the rounding of the coordinates apart; where several points are as near, one of them.
-/// A part is left out by its chord or by its squared distance, so that no more than some hundred parts a
-/// segment are looked at, from the centre of an arc too.
-/// Throws std::invalid_argument where a coordinate of the point is not finite or passes coordinate_limit.
+/// the segment's size), the rounding of the coordinates apart; if several points are as near, one of them.
+/// A part is left out if its chord, or a bound of its squared distance, shows that it is farther away, so
+/// that at most some hundred parts a segment are examined, even if the point is the centre of an arc. Throws
+/// std::invalid_argument if a coordinate of the point is not finite or passes coordinate_limit.
 [[nodiscard]] Nearest nearest(const Curve& curve, const glm::dvec3& point);
 
 }  // namespace motus::curve

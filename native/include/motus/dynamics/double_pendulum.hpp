@@ -1,9 +1,10 @@
 // The double pendulum: two bobs on massless rods, the second one hanging on the first.
 //
 // Integrated in canonical variables (angles and their momenta) by Gauss's method of order 16, which keeps the
-// energy to some 1e-13 of its range. The states at equal intervals are kept, shared by all who ask for the
-// same pendulum and start; one step leads from there to any time. No function of the system's mathematics
-// library is used, so the same numbers come out on every machine, which chaos would soon make visible.
+// energy to some 1e-13 of its range. The states at equal intervals are cached and shared by all callers with
+// the same pendulum and start; one step leads from a cached state to any time. No function of the system's
+// mathematics library is used, so that results are the same on every machine: a chaotic motion would soon
+// show a difference.
 #pragma once
 #include <limits>
 #include <span>
@@ -19,10 +20,10 @@ struct DoublePendulum {
     double length1 = 1.0;   ///< of the upper rod, > 0
     double length2 = 1.0;   ///< of the lower rod, > 0
     double gravity = 9.81;  ///< >= 0
-    double damping = 0.0;   ///< c, >= 0: c omega is taken from each angular acceleration
-    /// Limits that no pendulum has, on the sizes of both angular accelerations, rad/s^2, and velocities,
-    /// rad/s; > 0. With one of them the motion is integrated in small steps of Runge and Kutta's method, to
-    /// some 1e-6.
+    double damping = 0.0;   ///< c, >= 0: c omega is subtracted from each angular acceleration
+    /// Limits, which a real pendulum does not have, on the sizes of both angular accelerations, rad/s^2, and
+    /// velocities, rad/s; > 0. With one of them the motion is integrated in small steps of Runge and Kutta's
+    /// method, to some 1e-6.
     double most_acceleration = std::numeric_limits<double>::infinity();
     double most_velocity = std::numeric_limits<double>::infinity();
 
@@ -41,33 +42,34 @@ struct DoublePendulumState {
 };
 
 /// State at each time, s, whatever its sign and order, from the state at time 0. Each depends on its own time
-/// alone, bit for bit. Throws std::invalid_argument, naming the argument, where a number is not finite or
+/// alone, bit for bit. Throws std::invalid_argument, naming the argument, if a number is not finite or
 /// outside its domain, or sizes differ; std::length_error for times beyond longest_time(), or of a motion so
-/// stiff that it takes too many steps; std::domain_error where velocities grow beyond all bounds (backwards
-/// in time with damping). What throws has written nothing.
+/// stiff that it takes too many steps; std::domain_error if velocities grow beyond all bounds (backwards
+/// in time with damping). If it throws, it has written nothing.
 void double_pendulum(const DoublePendulum& pendulum, const DoublePendulumState& start,
                      std::span<const double> times, std::span<DoublePendulumState> out);
 
-/// The same on a pivot that is moved; see PivotMotion.
+/// States of a double pendulum on a moving pivot; see PivotMotion.
 void double_pendulum(const DoublePendulum& pendulum, const DoublePendulumState& start,
                      const PivotMotion& pivot, std::span<const double> times,
                      std::span<DoublePendulumState> out);
 
-/// Many of them at one time, from a start each: out.size() == starts.size(). The same numbers as one by one,
-/// in about two thirds of the time. Throws std::length_error too where the states that are kept would not
-/// find room together: of 500 pendulums a metre long beyond 13 minutes, of more than 2048 at any time.
+/// States of many double pendulums at one time, each from a start of its own: out.size() == starts.size().
+/// The same numbers as one by one, in about two thirds of the time. Also throws std::length_error if the
+/// cached states would not fit into the cache together: those of 500 pendulums a metre long beyond 13
+/// minutes, of more than 2048 at any time.
 void double_pendulums(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts,
                       double time, std::span<DoublePendulumState> out);
 
-/// The same on a pivot that is moved.
+/// States of many double pendulums on one moving pivot.
 void double_pendulums(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts,
                       const PivotMotion& pivot, double time, std::span<DoublePendulumState> out);
 
-/// Farthest time, s, to either side of 0, that the table of states may reach. Throws as above.
+/// Farthest time, s, before or after 0, that the table of states may reach. Throws as double_pendulum() does.
 [[nodiscard]] double longest_time(const DoublePendulum& pendulum, const DoublePendulumState& start);
 
 /// Kinetic and potential energy, J; 0 at rest with both bobs at the pivot's height. Throws
-/// std::invalid_argument as above.
+/// std::invalid_argument as double_pendulum() does.
 [[nodiscard]] double energy(const DoublePendulum& pendulum, const DoublePendulumState& state);
 
 }  // namespace motus::dynamics

@@ -1,9 +1,9 @@
 // Second-order dynamics: an output y that follows an input x by  y + k1 y' + k2 y'' = x + k3 x'.
 //
-// Between two samples the input is taken as linear; there the step is exact for any length of step, so that
-// there is no limit of stability and no dependence on the frame rate but by how the input is sampled.
-// Linear systems with constant coefficients: Hirsch, Smale, Devaney, "Differential Equations, Dynamical
-// Systems" (3rd ed., 2013), ch. 6.
+// Between two samples the input is taken as linear, for which the step is exact whatever its length: there is
+// no limit of stability, and the frame rate matters only by how the input is sampled. Linear systems with
+// constant coefficients: Hirsch, Smale, Devaney, "Differential Equations, Dynamical Systems" (3rd ed., 2013),
+// ch. 6.
 #pragma once
 namespace motus::dynamics {
 
@@ -19,27 +19,28 @@ class SecondOrder {
   public:
     /// frequency f: Hz, > 0. damping zeta: >= 0; 0 rings for ever, 1 is critical. response r: 0 starts
     /// slowly, up to 1 responds at once, above 1 overshoots, below 0 anticipates. k1 = zeta / (pi f), k2 = 1
-    /// / (2 pi f)^2, k3 = r zeta / (2 pi f). Throws std::invalid_argument, naming the argument, where one is
+    /// / (2 pi f)^2, k3 = r zeta / (2 pi f). Throws std::invalid_argument, naming the argument, if one is
     /// not finite, above 1e100 in size, or outside its domain.
     SecondOrder(double frequency, double damping, double response);
 
-    /// k1 >= 0, k2 > 0, any k3. Throws as above.
+    /// k1 >= 0, k2 > 0, any k3. Throws as the constructor does.
     [[nodiscard]] static SecondOrder from_coefficients(const Coefficients& coefficients);
 
     /// A mass (kg, > 0) on a spring (stiffness, N/m, > 0) and a damper (resistance, N s/m, >= 0) whose other
-    /// ends the input moves: y + (b/k) y' + (m/k) y'' = x + (b/k) x'. Throws as above.
+    /// ends the input moves: y + (b/k) y' + (m/k) y'' = x + (b/k) x'. Throws as the
+    /// constructor does.
     [[nodiscard]] static SecondOrder from_mass_spring(double mass, double stiffness, double resistance);
 
     /// The filter whose step response, with the given `response`, overshoots by `overshoot` (a fraction of
     /// the step, 0 < overshoot < 1) and stays within `tolerance` of its end after `settling` seconds (> 0).
-    /// Throws std::invalid_argument for values outside these domains, and where no damping up to 100 gives
+    /// Throws std::invalid_argument for values outside these domains, and if no damping up to 100 gives
     /// that overshoot: response > 2 always overshoots by some.
     [[nodiscard]] static SecondOrder from_overshoot(double overshoot, double settling, double response = 0.0,
                                                     double tolerance = 0.02);
 
     [[nodiscard]] double frequency() const noexcept;  ///< f, Hz
     [[nodiscard]] double damping() const noexcept { return damping_; }
-    /// r; 0 where damping is 0, as k3 is then, unless it was made from coefficients, which r cannot tell.
+    /// r; 0 if damping is 0, since k3 is then 0 for every r (except a k3 that was given as a coefficient).
     [[nodiscard]] double response() const noexcept;
     [[nodiscard]] Coefficients coefficients() const noexcept;
     [[nodiscard]] double rate() const noexcept { return rate_; }  ///< 2 pi f, rad/s
@@ -64,14 +65,14 @@ struct Response {
 };
 [[nodiscard]] Response step_response(const SecondOrder& filter, double time);
 
-/// By how much the step response passes its end at most, as a fraction of the step: 0 where it never does.
+/// The most by which the step response passes its final value, as a fraction of the step: 0 if it never does.
 [[nodiscard]] double overshoot(const SecondOrder& filter);
 
 /// Last time, s, at which the step response is further than `tolerance` (> 0, a fraction of the step) from
-/// its end; infinity where damping is 0.
+/// its final value; infinity if damping is 0.
 [[nodiscard]] double settling_time(const SecondOrder& filter, double tolerance = 0.02);
 
-/// What one step of a given length does to the state of one dimension; the same for all dimensions.
+/// The effect of one step of a given length on the state of one dimension, equal for all dimensions.
 ///
 /// With xd the slope of the input, L = (k3 - k1) xd, e = y - x - L and u = y' - xd, the pair (e, u) is
 /// multiplied by this matrix, which is exp(A h).
@@ -80,7 +81,7 @@ struct Step {
     double lag = 0.0;     ///< k3 - k1, s
     double ee = 1.0, eu = 0.0, ue = 0.0, uu = 1.0;
 };
-/// length: s, >= 0. Throws std::invalid_argument where it is not, or not finite.
+/// length: s, >= 0. Throws std::invalid_argument if it is not, or not finite.
 [[nodiscard]] Step make_step(const SecondOrder& filter, double length);
 
 }  // namespace motus::dynamics

@@ -1,4 +1,4 @@
-// Inputs over time that are followed by second-order dynamics, at any time and in any order.
+// Outputs of second-order dynamics for sampled inputs, at any time and in any order.
 #pragma once
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
@@ -10,11 +10,11 @@
 
 namespace motus::dynamics {
 
-/// What comes before the first sample of an input.
+/// The input before its first sample.
 enum class Start {
     at_rest,  ///< the output rests on the first sample
-    loop,  ///< the samples are one cycle of an endless motion; the last is where the next cycle begins, and
-           ///< each cycle goes on from the last by what the last sample differs from the first
+    loop,     ///< the samples are one cycle of an endless motion; the last sample is the first of the next
+              ///< cycle, and each cycle is offset by the difference between the last sample and the first
 };
 
 /// An output of any number of dimensions. Holds the state at each sample of the input, from which one exact
@@ -22,11 +22,12 @@ enum class Start {
 class Track {
   public:
     /// times: s, strictly rising. inputs: row by row, times.size() * dimensions; linear between samples.
-    /// resets: rising indices of samples to which the input jumps (teleports): until then it stays where it
-    /// was, and there the output starts anew, at rest on the input.
-    /// Throws std::invalid_argument, naming the argument, where sizes do not fit, times do not rise, a number
-    /// is not finite, or there is no sample; with Start::loop where there are resets or less than 2 samples,
-    /// and where damping is 0 and the cycle whole periods long, which no state closes.
+    /// resets: rising indices of samples to which the input jumps (teleports): until then it keeps its
+    /// value, and at the jump the output starts anew, at rest on the input.
+    /// Throws std::invalid_argument, naming the argument, if sizes do not fit, times do not rise, a number
+    /// is not finite, or there is no sample; with Start::loop if there are resets or less than 2 samples,
+    /// and if damping is 0 and the cycle is a whole number of periods long, for which no closed motion
+    /// exists.
     Track(const SecondOrder& filter, std::span<const double> times, std::span<const double> inputs,
           std::size_t dimensions, std::span<const std::size_t> resets = {}, Start start = Start::at_rest);
 
@@ -34,13 +35,13 @@ class Track {
 
     /// Output at a time, dimensions() values. After the last sample the input rests there, unless it loops.
     void evaluate(double time, std::span<double> out) const;
-    /// The same, and its derivative by time, 1/s.
+    /// Output at a time, and its derivative by time, 1/s.
     void evaluate(double time, std::span<double> out, std::span<double> velocity) const;
-    /// The output less the input at a time: exactly 0 where the input has never moved.
+    /// The output less the input at a time: exactly 0 if the input has never moved.
     void offset(double time, std::span<double> out) const;
     /// Outputs at the samples, row by row.
     void outputs(std::span<double> out) const;
-    /// Of the memory held.
+    /// Size of the memory in use.
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
@@ -59,7 +60,7 @@ class Track {
     std::vector<double> times_;
     std::vector<double> inputs_;
     std::vector<std::size_t> resets_;
-    std::vector<double> states_;  ///< a sample's: the output less the input, then the output's derivative
+    std::vector<double> states_;  ///< of each sample: the output less the input, then the output's derivative
     bool is_loop_;
 };
 
@@ -82,7 +83,7 @@ class RotationTrack {
 
     [[nodiscard]] glm::dquat evaluate(double time) const;
     /// The turn from the input to the output at a time, in the input's own frame: input * turn is the output,
-    /// and exactly no turn where the input has never moved.
+    /// and exactly no turn if the input has never moved.
     [[nodiscard]] glm::dquat offset(double time) const;
     [[nodiscard]] std::size_t bytes() const noexcept;
 

@@ -12,19 +12,19 @@
 
 namespace motus::lattice {
 
-/// How far each lattice point is heard along one axis. With n points at equal steps:
+/// How many places each lattice point acts on along one axis. With n points at equal steps:
 ///   bernstein           all of them, the polynomials of degree n - 1 over the whole axis
-///   linear              the two around a place
+///   linear              the two points around a place
 ///   bspline             the four around it, uniform cubic; the surface does not pass through the points
-///   catmull_rom         the four around it, through the points; tangents half of the way between the
-///   neighbours cardinal            the same with tangents 0.71 of that way
-/// Beyond the ends the last point takes the place of those that are missing, as in Blender.
+///   catmull_rom         the four around it, through the points; tangents 0.5 of the way between neighbours
+///   cardinal            the four around it, through the points; tangents 0.71 of the way between neighbours
+/// Beyond the ends the last point stands for the missing ones, as in Blender.
 enum class Basis { bernstein, linear, cardinal, catmull_rom, bspline };
 
 inline constexpr int max_resolution = 64;  ///< points along an axis, Blender's own limit
 
-/// Pulls at once, on lattices of which they move as many points: the work grows with the cube of the smaller
-/// of both numbers.
+/// Greatest number of pulls at once, if they move as many lattice points: the work grows with the cube of the
+/// smaller of the two numbers.
 inline constexpr std::size_t max_pulls = 1000;
 
 /// A lattice at rest: a grid of points in a parallelepiped. Any space, any unit of length. Points are counted
@@ -39,12 +39,13 @@ struct Lattice {
 
 [[nodiscard]] std::size_t point_count(const Lattice& lattice);
 
-/// Where the points are at rest, point_count() of them. This and what follows throws std::invalid_argument
-/// where the resolution is out of its domain, or the axes are not finite or not independent.
+/// The points' positions at rest, point_count() of them. This and the next functions throw
+/// std::invalid_argument if the resolution is out of its domain, or the axes are not finite or not
+/// independent.
 [[nodiscard]] std::vector<glm::dvec3> rest_points(const Lattice& lattice);
 
 /// How much each lattice point moves a place: the place moves by the sum of weight * displacement of the
-/// point. The weights' sum is 1 (to 1e-15; none is negative but for cardinal and catmull_rom).
+/// point. The weights' sum is 1 (to 1e-15; only cardinal and catmull_rom have negative weights).
 struct Weights {
     std::vector<std::uint32_t> points;  ///< ascending, each once
     std::vector<double> weights;
@@ -63,13 +64,13 @@ struct Influence {
 /// the lattice points from rest, in the space of the positions. With weights of lattice points w the change
 /// is faded once more by f (sum of weight * w), as in Blender. `out` may be `positions`. Positions where f is
 /// 0 keep their bits. Computed in single precision on several threads; the bits do not depend on their
-/// number. Throws std::invalid_argument where sizes differ. A number that is not finite makes what it is a
-/// part of the same.
+/// number. Throws std::invalid_argument if sizes differ. A number that is not finite makes the results that
+/// it is a part of not finite.
 void deform(const Lattice& lattice, std::span<const glm::vec3> displacements, const Influence& influence,
             std::span<const glm::vec3> positions, std::span<glm::vec3> out);
 
-/// Part of a point that is pulled: `share` of a place, which the lattice moves with that influence. A point
-/// on a triangle has three parts, whose shares are its barycentric coordinates.
+/// Part of a point that is pulled: a place with a weight, `share`, which the lattice moves with `influence`.
+/// A point on a triangle has three parts, whose shares are its barycentric coordinates.
 struct Part {
     std::size_t pull = 0;   ///< index of the pull
     glm::dvec3 place{0.0};  ///< before the lattice deforms it
@@ -78,21 +79,21 @@ struct Part {
 };
 
 struct PullOptions {
-    /// Bound, > 0: the lattice points together (root of the sum of squares) move no more than so many times
-    /// as much as the pulls by themselves, each at full influence, would need. What asks for more (opposite
-    /// pulls on neighbours, a vertex of nearly no weight) stays behind, continuously.
+    /// Bound, > 0: the lattice points together (root of the sum of squares) move at most this many times
+    /// as much as the pulls by themselves, each at full influence, would need. Pulls that need more (opposite
+    /// pulls on neighbours, a vertex of nearly no weight) are not reached, continuously so.
     double max_gain = 32.0;
-    /// Only points of the outside move by themselves, and those inside follow as with Blender's "Outside".
+    /// Only the points of the outside are free; those inside follow as with Blender's "Outside".
     bool outside_only = false;
     std::span<const float> point_weights;  ///< Influence::points
 };
 
-/// The smallest displacements (by the sum of squares) of the lattice points, additional to any they have, by
-/// which each pull's point moves by displacements[pull], or where that is not possible as nearly as can be
-/// (least squares). Returns what is left, displacement - reached, for each pull. out: point_count() values.
-/// Throws std::invalid_argument where sizes differ, a part names no pull, a value is not finite, both the
-/// pulls and the lattice points that they move are more than max_pulls, or the weights of all pulls'
-/// points, which are kept, are more than 16 million (in no basis of Blender's); `out` is then as it was.
+/// The smallest displacements (by the sum of squares) of the lattice points, to be added to those they have,
+/// by which each pull's point moves by displacements[pull], or as nearly as possible (least squares). Returns
+/// the difference, displacement - reached, for each pull. out: point_count() values. Throws
+/// std::invalid_argument if sizes differ, a part names no pull, a value is not finite, both the pulls and the
+/// lattice points that they move are more than max_pulls, or the weights of all pulls' points, which are
+/// kept, are more than 16 million (which no basis of Blender's needs); `out` is then as it was.
 std::vector<glm::dvec3> pull_lattice(const Lattice& lattice, std::span<const Part> parts,
                                      std::span<const glm::dvec3> displacements, const PullOptions& options,
                                      std::span<glm::dvec3> out);
@@ -104,12 +105,12 @@ struct OrientedBox {
     glm::dvec3 size{0.0};  ///< whole lengths along them, >= 0
 };
 
-/// The box along given orthonormal axes around all points; at the origin and of no size where there are none.
-/// This and what follows throws std::invalid_argument where a point or an axis is not finite.
+/// The box along given orthonormal axes around all points; at the origin and of no size if there are none.
+/// This and the next function throw std::invalid_argument if a point or an axis is not finite.
 [[nodiscard]] OrientedBox box_along(std::span<const glm::vec3> points, const glm::dmat3& axes);
 
-/// A small box around all points: none along one of its own axes and turned about it is smaller, nor is the
-/// box along the given axes. Its axes are named and signed to be near those.
+/// A small box around all points: turning it about one of its axes does not make it smaller, and it is not
+/// larger than the box along the given axes. Its axes are ordered and signed to be near the given ones.
 [[nodiscard]] OrientedBox small_box(std::span<const glm::vec3> points, const glm::dmat3& axes);
 
 }  // namespace motus::lattice

@@ -9,15 +9,15 @@
 
 namespace motus::mesh {
 
-/// What lies around each vertex, packed one vertex after the other. Reads only the connections: it holds
-/// whatever the positions are.
+/// The triangles and edges around each vertex, packed one vertex after the other. They depend on the mesh's
+/// connections alone, not on positions.
 class Neighbours {
   public:
     Neighbours() = default;
 
-    /// `edges` are the mesh's own: triangles of a mesh of quads have diagonals that are no edges. Edges
-    /// without a triangle (wires) count as surface of no width. Triangles and edges with the same vertex
-    /// twice are left out. Throws std::invalid_argument where an index is not of [0, vertex_count).
+    /// `edges` are those of the mesh: the triangles of a quad have a diagonal that is no edge. Edges
+    /// without a triangle (wires) count as a surface of width 0. Triangles and edges with the same vertex
+    /// twice are left out. Throws std::invalid_argument if an index is not of [0, vertex_count).
     Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> triangles,
                std::span<const glm::ivec2> edges);
     /// Every side of a triangle is an edge.
@@ -26,8 +26,8 @@ class Neighbours {
     [[nodiscard]] std::size_t vertex_count() const noexcept {
         return fan_starts_.empty() ? 0 : fan_starts_.size() - 1;
     }
-    /// The other two vertices of each triangle at `vertex`, in the triangles' order; then, twice the same,
-    /// the far end of each wire.
+    /// The other two vertices of each triangle at `vertex`, in the triangles' order; then the far end of each
+    /// wire, listed twice.
     [[nodiscard]] std::span<const glm::uvec2> fan(std::uint32_t vertex) const noexcept {
         return std::span(fans_).subspan(fan_starts_[vertex], fan_starts_[vertex + 1] - fan_starts_[vertex]);
     }

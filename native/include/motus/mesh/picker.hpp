@@ -1,5 +1,5 @@
-// What a ray meets on a triangle mesh, and which vertices are near a point, by a tree that follows the mesh
-// as it is deformed.
+// Ray hits on a triangle mesh, and vertices near a point, by a bounding volume tree that is refitted as the
+// mesh is deformed.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace motus::mesh {
 
-/// Where a ray meets the mesh.
+/// The place at which a ray meets the mesh.
 struct Hit {
     std::uint32_t triangle = 0;
     glm::dvec3 point{0.0};
@@ -29,17 +29,17 @@ struct Hit {
 /// alone, neither on the number of threads nor on whether the tree was built or refitted. Several threads may
 /// ask at once; refits need the tree alone.
 ///
-/// Any input will do: coincident vertices, triangles without area (which no ray meets), repeated triangles,
-/// edges of any number of triangles, no triangles at all. What has a coordinate that is not finite is never
-/// found.
+/// Any input is allowed: coincident vertices, triangles without area (which no ray meets), repeated
+/// triangles, edges of any number of triangles, no triangles at all. A vertex or triangle with a coordinate
+/// that is not finite is never found.
 class Picker {
   public:
-    /// Throws std::invalid_argument where a triangle names a vertex that there is not, or there are 2^32 - 1
+    /// Throws std::invalid_argument if a triangle names a vertex that does not exist, or there are 2^32 - 1
     /// or more vertices or triangles. `threads` as in in_parts, for the refits too.
     Picker(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
            std::size_t threads = thread_count());
     ~Picker();
-    // What is moved from is a picker of no mesh.
+    // A picker that is moved from is one of an empty mesh.
     Picker(Picker&& other) noexcept;
     Picker& operator=(Picker&& other) noexcept;
     Picker(const Picker&) = delete;
@@ -49,57 +49,57 @@ class Picker {
     [[nodiscard]] std::size_t triangle_count() const noexcept;
 
     /// The first triangle, from either side, that the ray from `origin` along `direction` (of any length)
-    /// meets; the lowest index where several are met at the same distance. A ray through an edge or a vertex
-    /// that triangles share meets one of them. Nothing where the direction is zero or a number is not finite,
-    /// or where all that it meets lies farther away than `farthest`.
+    /// meets; the one of the lowest index if several are met at the same distance. A ray through an edge or a
+    /// vertex that triangles share meets one of them. Nothing if the direction is zero or a number is not
+    /// finite, or if every hit lies farther away than `farthest`.
     [[nodiscard]] std::optional<Hit> ray(const glm::dvec3& origin, const glm::dvec3& direction,
                                          double farthest = std::numeric_limits<double>::infinity()) const;
 
-    /// The same for another shape of the mesh, of which no vertex lies further than `slack` from where it was
-    /// at the last refit (triangles with one that does may be missed): for single rays that takes far less
-    /// time than a refit, where the slack is small beside the mesh. Throws std::invalid_argument where there
-    /// are more or fewer positions, or the slack is negative or not finite.
+    /// The first triangle of a different shape of the mesh that the ray meets. No vertex may lie further than
+    /// `slack` from its position at the last refit (triangles of such a vertex may be missed). For single
+    /// rays this takes far less time than a refit if the slack is small compared with the mesh. Throws
+    /// std::invalid_argument if the number of positions differs, or the slack is negative or not finite.
     [[nodiscard]] std::optional<Hit> ray(const glm::dvec3& origin, const glm::dvec3& direction,
                                          std::span<const glm::vec3> positions, float slack) const;
 
-    /// The vertex nearest to a hit of the ray with this direction, |metric (p - point)| counting, on the
-    /// surface that was hit: of its triangle, and of those that hang together with it by edges which are
-    /// nearer than the vertex, as far as they are seen from the same side; of 256 triangles at most. So it
-    /// may belong to another triangle, where they are thin, but never to the far side of a wall or to another
-    /// sheet. Those whose `hidden` (nothing, or one for each vertex) is not 0 are left out, unless all around
-    /// are: then it is the triangle's nearest corner. The lowest index where several are as near. Throws
-    /// std::invalid_argument where there are more or fewer of `hidden`.
+    /// The vertex nearest, by |metric (p - point)|, to a hit of the ray with this direction, on the surface
+    /// that was hit. Considered are the vertices of the triangle, and of triangles that are connected with it
+    /// by edges nearer than the vertex and seen from the same side; 256 triangles at most. If triangles are
+    /// thin the vertex may belong to a neighbour, but never to the far side of a wall or to a different
+    /// sheet. Vertices whose `hidden` (empty, or one for each vertex) is not 0 are left out; if all are
+    /// hidden, the result is the triangle's nearest corner. The lowest index if several are as near. Throws
+    /// std::invalid_argument if the number of `hidden` differs.
     [[nodiscard]] std::uint32_t nearest_seen(const Hit& hit, const glm::dvec3& direction,
                                              std::span<const std::uint8_t> hidden = {},
                                              const glm::mat3& metric = glm::mat3(1.0f)) const;
 
-    /// The same for another shape of the mesh, with the arguments of ray().
+    /// The vertex nearest to a hit on a different shape of the mesh; arguments as those of ray().
     [[nodiscard]] std::uint32_t nearest_seen(const Hit& hit, const glm::dvec3& direction,
                                              std::span<const glm::vec3> positions, float slack,
                                              std::span<const std::uint8_t> hidden = {},
                                              const glm::mat3& metric = glm::mat3(1.0f)) const;
 
-    /// The vertex nearest to the point, the lowest index where several are as near. Nothing where there is
-    /// none.
+    /// The vertex nearest to the point, the lowest index if several are as near. Nothing if the mesh
+    /// has no vertex of finite position.
     [[nodiscard]] std::optional<std::uint32_t> nearest(const glm::vec3& point) const;
 
-    /// The vertices with |metric (p - point)| <= radius, ascending. The metric lets distances be measured in
-    /// another space than the positions'. Empty for a negative radius.
+    /// The vertices with |metric (p - point)| <= radius, ascending. With a metric distances are measured in
+    /// a different space than that of the positions. Empty for a negative radius.
     [[nodiscard]] std::vector<std::uint32_t> within(const glm::vec3& point, float radius,
                                                     const glm::mat3& metric = glm::mat3(1.0f)) const;
 
-    /// Follows the mesh to new positions of the same vertices. Throws std::invalid_argument where there are
-    /// more or fewer.
+    /// Adapts the tree to new positions of the same vertices. Throws std::invalid_argument if their number
+    /// differs.
     void refit(std::span<const glm::vec3> positions);
 
-    /// The same where only the vertices `moved` (in any order, repeated or not) have other positions than at
-    /// the last refit; what `positions` holds of the others is not read. Throws std::invalid_argument as
-    /// above, and where an index is out of range.
+    /// Adapts the tree if only the vertices `moved` (in any order, repeated or not) have moved since the last
+    /// refit; the other rows of `positions` are not read. Throws std::invalid_argument if the number of
+    /// positions differs or an index is out of range.
     void refit(std::span<const glm::vec3> positions, std::span<const std::uint32_t> moved);
 
   private:
     struct Tree;
-    /// The one to ask: of nothing, where tree_ has been moved away.
+    /// The tree; an empty one after tree_ has been moved away.
     [[nodiscard]] const Tree& tree() const noexcept;
 
     std::unique_ptr<Tree> tree_;

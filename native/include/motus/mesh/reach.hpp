@@ -5,8 +5,8 @@
 
 namespace motus::mesh {
 
-/// Vertices, ascending and each once, with one distance each. What the distance is (straight, along the
-/// surface, in edges) is said where it is measured.
+/// Vertices, ascending and each once, with one distance each. The functions that make a Reach say what the
+/// distance is: straight, along the surface, or in edges.
 struct Reach {
     std::vector<std::uint32_t> vertices;
     std::vector<float> distances;  ///< >= 0, finite

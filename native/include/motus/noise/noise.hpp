@@ -1,11 +1,11 @@
 // Smooth noise of one, two and three variables.
 //
 // A sum of planes, each around a lattice point, whose heights and slopes are drawn from a hash of the point:
-// Perlin, "An Image Synthesizer" (1985). In two and three dimensions, of the whole numbers' lattice, it is
-// divided by the root of what its square is on average at this place in a cell, so that it varies by the same
-// everywhere, and the lattice does not show as it does in noise that is 0 at each of its points; and in such
-// a way, z / sqrt(14 + z^2), that it stays below 1. In one dimension the points lie half a unit apart, for
-// which (1 - r^2)^3 as the planes' weight does the same. The noise has two continuous derivatives, no period,
+// Perlin, "An Image Synthesizer" (1985). In two and three dimensions, whose lattice is that of the whole
+// numbers, the sum is divided by its root mean square at this place in a cell, so that the variance is the
+// same everywhere and the lattice does not show, as it does in noise that is 0 at each lattice point; then z
+// / sqrt(14 + z^2) keeps the result below 1. In one dimension the points lie half a unit apart, so that (1 -
+// r^2)^3 as the planes' weight gives an even variance. The noise has two continuous derivatives, no period,
 // and most of its power below one wave a unit.
 #pragma once
 #include <cstdint>
@@ -16,7 +16,7 @@
 namespace motus::noise {
 
 /// Noise at a place, in [-1, 1]; its standard deviation is 0.31 in one dimension, 0.25 in two and
-/// three. Different seeds give noises that have nothing to do with each other. Beyond 2^30 the noise is
+/// three. Different seeds give independent noises. Beyond 2^30 the noise is
 /// constant; if a coordinate is NaN, it is NaN. The same bits on every machine.
 [[nodiscard]] float value(double place, std::uint32_t seed) noexcept;
 [[nodiscard]] float value(const glm::dvec2& place, std::uint32_t seed) noexcept;

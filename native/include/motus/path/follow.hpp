@@ -10,10 +10,10 @@
 
 namespace motus::path {
 
-/// What the rate of a lagging orientation grows with.
+/// The measure of the bend to which the rate of a lagging orientation is proportional.
 enum class LagBy {
-    acceleration,  ///< |C''(t)|, the second derivative by the curve's parameter (the original's measure of
-                   ///< the bend)
+    acceleration,  ///< |C''(t)|, the second derivative by the curve's parameter, as the first version of
+                   ///< this follower had it
     curvature,     ///< 1 / length unit
 };
 
@@ -22,7 +22,7 @@ struct FollowSettings {
     curve::Extend extend = curve::Extend::clamp;  ///< extrapolate keeps the end's frame
     bool line_up = false;  ///< the first follower stops at the ends; the others keep their distance from it
     glm::dquat axes{1.0, 0.0, 0.0, 0.0};  ///< turns the follower's own forward and up axes to +Y and +Z
-    bool rotate = true;                   ///< off: all rotations are the identity
+    bool rotate = true;                   ///< if false, all rotations are the identity
     double lag_rate = 0.0;  ///< > 0: orientation trails the target at lag_rate * bend per second
     LagBy lag_by = LagBy::acceleration;
 };
@@ -34,14 +34,14 @@ inline constexpr double lag_memory = 120.0;
 /// Writes offsets.size() locations and rotations, allocates nothing (lag apart). A function of its arguments
 /// alone.
 ///
-/// With lag the orientation starts on its target at time 0, or lag_memory seconds ago where that is later,
+/// With lag the orientation starts on its target at time 0, or lag_memory seconds ago if that is later,
 /// and moves towards it along the shortest arc at the rate stated; before time 0 it is on its target.
 /// Its steps are 1/120 s, and longer if they are more than 10 s old, up to 1/300 of their age: at most 2300
 /// steps for one follower. The long steps move the orientation by less than 1e-4 rad; by less than 0.01 rad
 /// if the target has jumped meanwhile; by less than 0.3 rad if the target has run more than half a turn
-/// ahead, so that the shortest arc turned over. By as little may it jump as time goes on, and else it is
-/// continuous. Throws std::invalid_argument where a span's size differs, time, an offset, or the timing's
-/// distance or speed at that time is not finite, or lag_rate is not >= 0.
+/// ahead, so that the shortest arc turned over. As time goes on the orientation may jump by these amounts,
+/// and is else continuous. Throws std::invalid_argument if a span's size differs, time, an offset, or the
+/// timing's distance or speed at that time is not finite, or lag_rate is not >= 0.
 void follow(const Frames& frames, const Timing& timing, double time, std::span<const double> offsets,
             const FollowSettings& settings, std::span<glm::dvec3> locations, std::span<glm::dquat> rotations);
 

@@ -47,19 +47,19 @@ class FrameTables;
 
 /// Frames of one curve under one set of settings: a table of rotation-minimising frames (double reflection:
 /// Wang, Juettler, Zheng, Liu, "Computation of Rotation Minimizing Frames", ACM TOG 27 (2008)) and, for the
-/// modes that need it, of the way past the places where the mode shows no direction. Immutable, safe to share
-/// between threads; a copy shares all that there is, and to move one is to copy it. Continuous in s for every
-/// mode wherever the tangent is; at a corner the frame turns by the least rotation that takes one tangent to
-/// the other, at a reversal about up. The identity on a curve of zero length.
+/// modes that need it, of the directions that lead past places where the mode defines none. Immutable, safe
+/// to share between threads; a copy shares the tables, and to move one is to copy it. Continuous in s for
+/// every mode wherever the tangent is; at a corner the frame turns by the least rotation that takes one
+/// tangent to the other, at a reversal about up. The identity on a curve of zero length.
 class Frames {
   public:
-    /// Builds the tables. Throws std::invalid_argument where a setting that the mode reads is outside its
+    /// Builds the tables. Throws std::invalid_argument if a setting that the mode reads is outside its
     /// domain, or there is no path.
     Frames(std::shared_ptr<const curve::ArcLength> path, FrameSettings settings);
     ~Frames() = default;
     Frames(const Frames&) noexcept = default;
     Frames& operator=(const Frames&) noexcept = default;
-    // What is moved from keeps its frames.
+    // An object that is moved from keeps its frames.
     // NOLINTNEXTLINE(performance-move-constructor-init): copying is what it is for, and costs two counters
     Frames(Frames&& other) noexcept : Frames(std::as_const(other)) {}
     Frames& operator=(Frames&& other) noexcept { return *this = std::as_const(other); }
@@ -67,7 +67,7 @@ class Frames {
     /// Orientation at distance s (clamped), moving at `speed` (length unit / s; only banking reads it). NaN
     /// if s is NaN.
     [[nodiscard]] glm::dquat at(double s, double speed) const;
-    /// The same with the position.
+    /// Orientation, as at() gives it, and position at distance s.
     [[nodiscard]] Pose pose(double s, double speed) const;
     [[nodiscard]] const curve::ArcLength& path() const noexcept;
     /// Frames in the table; no more than 2 degrees of turning lie between neighbours, corners and cusps
@@ -82,11 +82,11 @@ class Frames {
     std::shared_ptr<const FrameSettings> settings_;  ///< never null
 };
 
-/// The same, with the tables from the process's cache or built for it. They depend on the curve, the mode and
-/// the smoothing alone, so that the other settings may change from frame to frame.
+/// Frames with tables from the process's cache, or built and then cached. The tables depend on the curve, the
+/// mode and the smoothing alone, so that the other settings may change from frame to frame.
 [[nodiscard]] Frames shared_frames(std::shared_ptr<const curve::ArcLength> path, FrameSettings settings);
 
-/// What frame tables are made from.
+/// The input of frame tables, by which they are cached.
 struct FrameTablesKey {
     curve::Curve curve;
     FrameMode mode = FrameMode::minimal;

@@ -1,4 +1,4 @@
-// Where on the way at which time: ease, constant speed, and profiles through samples.
+// Distance along a path as a function of time: ease, constant speed, and profiles through samples.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -8,35 +8,35 @@
 
 namespace motus::path {
 
-/// Fraction of the way at fraction u of the time (clamped to [0, 1]): constant acceleration up to ease_in,
-/// constant deceleration from 1 - ease_out. Throws std::invalid_argument where a fraction is outside [0, 1],
+/// Fraction of the path at fraction u of the time (clamped to [0, 1]): constant acceleration up to ease_in,
+/// constant deceleration from 1 - ease_out. Throws std::invalid_argument if a fraction is outside [0, 1],
 /// their sum is above 1 (by more than rounding), or a value is not finite.
 [[nodiscard]] double ease(double u, double ease_in, double ease_out);
 
-/// d ease / d u; 0 at the ends where there is ease, and outside [0, 1].
+/// d ease / d u; 0 at an end with ease, and outside [0, 1].
 [[nodiscard]] double ease_derivative(double u, double ease_in, double ease_out);
 
-/// What comes after an eased way. rest: the end is held. go_on: its last speed is held. repeat: the way
-/// begins again, each time from where it ended, so that the distance keeps growing.
+/// What follows after an eased motion. rest: it stays at the end. go_on: it keeps its last speed. repeat: the
+/// motion begins again from where it has ended, so that the distance keeps growing.
 enum class AfterEase { rest, go_on, repeat };
 
 /// Distance as a function of time: seconds from the start, and the curve's unit of length. Value type,
 /// immutable. At NaN distance and speed are NaN.
 ///
-/// Every factory throws std::invalid_argument where a value is not finite or outside the stated domain,
+/// Every factory throws std::invalid_argument if a value is not finite or outside the stated domain,
 /// or a speed or a time that follows from the values overflows.
 class Timing {
   public:
-    /// `length` in `duration` seconds (> 0) with ease; before 0 it rests, later than `duration` it does as
+    /// `length` in `duration` seconds (> 0) with ease; at rest before time 0; later than `duration` as
     /// `after` says.
     [[nodiscard]] static Timing eased(double duration, double length, double ease_in, double ease_out,
                                       AfterEase after = AfterEase::rest);
     /// distance = speed * time, for all times.
     [[nodiscard]] static Timing constant(double speed);
-    /// Monotone cubic through (time, distance) pins, times strictly increasing, >= 1 pin; rests outside.
-    /// Between pins of equal distance it stands still. Fritsch and Carlson, "Monotone Piecewise Cubic
-    /// Interpolation", SIAM J. Numer. Anal. 17 (1980); slopes by Fritsch and Butland's harmonic mean, SIAM J.
-    /// Sci. Stat. Comput. 5 (1984).
+    /// Monotone cubic through (time, distance) pins, times strictly increasing, >= 1 pin; at rest before and
+    /// after. Between pins of equal distance the distance is constant. Fritsch and Carlson, "Monotone
+    /// Piecewise Cubic Interpolation", SIAM J. Numer. Anal. 17 (1980); slopes by Fritsch and Butland's
+    /// harmonic mean, SIAM J. Sci. Stat. Comput. 5 (1984).
     [[nodiscard]] static Timing pins(std::span<const double> times, std::span<const double> distances);
     /// Exact integral of a speed given at strictly increasing times (linear in between, held outside), 0 at
     /// time 0. A negative speed moves backwards.
@@ -49,9 +49,9 @@ class Timing {
     ~Timing() = default;
     Timing(const Timing&) = default;
     Timing& operator=(const Timing&) = default;
-    // What is moved from rests at distance 0. No alternative of the variant throws when it is moved, so that
-    // the variant does not either; clang-tidy takes the check that libstdc++ makes of its index for one that
-    // may. NOLINTBEGIN(bugprone-exception-escape)
+    // An object that is moved from rests at distance 0. No alternative of the variant throws when it is
+    // moved, so that the variant does not either; clang-tidy takes the check that libstdc++ makes of its
+    // index for one that may. NOLINTBEGIN(bugprone-exception-escape)
     Timing(Timing&& other) noexcept : profile_(std::exchange(other.profile_, Eased{})) {}
     Timing& operator=(Timing&& other) noexcept {
         profile_ = std::exchange(other.profile_, Eased{});
@@ -60,7 +60,7 @@ class Timing {
     // NOLINTEND(bugprone-exception-escape)
 
     [[nodiscard]] double distance(double time) const;
-    /// d distance / d time; at a jump of the speed the one that follows.
+    /// d distance / d time; at a jump of the speed the speed after the jump.
     [[nodiscard]] double speed(double time) const;
 
   private:
@@ -75,14 +75,15 @@ class Timing {
     struct Cubic {
         double time, value, slope, bend, twist;
     };
-    /// Piece i holds from its time to the next one's; the first also before, the last also after.
+    /// Piece i is valid from its time to the next piece's; the first piece also before, the last one also
+    /// after.
     struct Cubics {
         std::vector<Cubic> pieces;
         [[nodiscard]] const Cubic& at(double time) const;
         [[nodiscard]] double distance(double time) const;
         [[nodiscard]] double speed(double time) const;
     };
-    /// Throws std::invalid_argument where the numbers given were too far apart for the pieces to be finite.
+    /// Throws std::invalid_argument if the numbers given were too far apart for the pieces to be finite.
     [[nodiscard]] static Cubics checked(Cubics cubics, const char* message);
 
     /// ds/dt = speed + growth (s - start) with s = start at `time`.

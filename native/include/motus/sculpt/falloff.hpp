@@ -14,24 +14,24 @@ enum class Falloff {
     sharp,     ///< t^2
     constant,  ///< 1
     gaussian,  ///< (e^(-4.5 d^2 / R^2) - e^-4.5) / (1 - e^-4.5)
-    curve,     ///< samples, linear in between
+    curve,     ///< from samples, linear in between
 };
 
-/// A falloff with what it needs besides the radius.
+/// A falloff with its parameters, except the radius.
 struct Profile {
     Falloff falloff = Falloff::smooth;
     float scale_factor = 0.0f;     ///< k of `classic`, finite
     std::span<const float> curve;  ///< of `curve`: 2 to 65536 finite samples at equal steps of t from 0 to 1
 };
 
-/// The largest absolute error of forces(), where |k| <= 10; from there on it grows in proportion to 1 + |k|.
+/// The largest absolute error of forces() for |k| <= 10; for larger |k| the error grows like 1 + |k|.
 inline constexpr float force_error = 1e-6f;
 
 /// The distance at and beyond which nothing moves: the radius, and for `classic` its square root.
 [[nodiscard]] float reach_of(const Profile& profile, float radius);
 
-/// Forces at distances >= 0; 0 at the radius and beyond, and where the distance is not a number. radius > 0
-/// and finite. `out` may be `distances`. The same bits on every processor. Throws std::invalid_argument where
+/// Forces at distances >= 0; 0 at the radius and beyond, and if the distance is not a number. radius > 0
+/// and finite. `out` may be `distances`. The same bits on every processor. Throws std::invalid_argument if
 /// the sizes differ or something is outside its domain.
 void forces(const Profile& profile, float radius, std::span<const float> distances, std::span<float> out);
 

@@ -25,7 +25,7 @@ struct Eyes {
     Mode mode = Mode::off_axis;
 };
 
-/// Throws std::invalid_argument, naming the number, where one is outside its domain.
+/// Throws std::invalid_argument, naming the number, if one is outside its domain.
 void check(const Eyes& eyes);
 
 /// By how much the right eye sees a point at `depth` (> 0, may be infinite) further right than the left one:
@@ -62,7 +62,7 @@ struct Limits {
 [[nodiscard]] Range depths_within(const Eyes& eyes, const Limits& limits);
 
 /// Interaxial distance and convergence of off-axis eyes by which `range` takes exactly the limits; lens: its
-/// focal length and sensor width count. Throws where not 0 < near < far, or both limits are 0.
+/// focal length and sensor width count. Throws if not 0 < near < far, or both limits are 0.
 [[nodiscard]] Eyes fit_budget(const Eyes& lens, const Range& range, const Limits& limits);
 
 }  // namespace motus::stereo

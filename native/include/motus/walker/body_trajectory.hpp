@@ -1,4 +1,4 @@
-// Where the body is over a shot, and how far its legs are through their cycles.
+// The body's pose over a shot, and the phase of its legs' cycles.
 #pragma once
 #include <cstddef>
 #include <glm/mat4x4.hpp>
@@ -13,45 +13,46 @@ namespace motus::walker {
 
 inline constexpr std::size_t most_samples = 100'000;
 
-/// The body's way, and how legs keep up with it.
+/// The body's sampled motion, and the settings of the gait by which legs keep up with it.
 struct Way {
     std::vector<double> times;      ///< s, strictly rising, 1 to most_samples
-    std::vector<glm::dmat4> poses;  ///< the body's in the world at these times, of any scale, mirrored too
+    std::vector<glm::dmat4> poses;  ///< of the body in the world at these times, of any scale, also mirrored
     std::vector<glm::dvec3> rest;   ///< where each foot stands when the body rests, in the body's space
-    std::vector<double> phases;     ///< of a cycle, any; a leg swings while frac(phase + its own) < 1 - duty
-    double duty = 0.5;              ///< part of a cycle for which a foot stands, [least_duty, most_duty]
-    double stride = 0.5;            ///< m, how far the body goes at most while a foot stands, [1e-6, 1e6]
-    double cadence = 1.0;           ///< cycles a second when it goes slowly or not at all, [1e-3, 1e3]
+    std::vector<double> phases;     ///< of a cycle, any; a leg swings while frac(cycle + phase) < 1 - duty
+    double duty = 0.5;              ///< part of a cycle during which a foot stands, [least_duty, most_duty]
+    double stride = 0.5;            ///< m, most that the body moves while a foot stands, [1e-6, 1e6]
+    double cadence = 1.0;           ///< cycles a second when the body moves slowly or rests, [1e-3, 1e3]
     glm::dvec3 up{0.0, 0.0, 1.0};   ///< in the body's space, not 0
-    /// Rising indices of samples to which the body jumps; until then it stays where it was.
+    /// Rising indices of samples to which the body jumps; until then it keeps its place.
     std::vector<std::size_t> resets;
-    /// m, > 0: it jumps, too, where a rest place goes further from one sample to the next. None: 4 strides.
+    /// m, > 0: the body also jumps if a foot's rest place moves further from one sample to the next. None: 4
+    /// strides.
     std::optional<double> jump;
 };
 
-/// Unit vectors of the world at right angles to each other that turn as the body does.
+/// Orthonormal vectors in the world that turn with the body.
 struct Axes {
     glm::dvec3 side{1.0, 0.0, 0.0};
     glm::dvec3 ahead{0.0, 1.0, 0.0};
     glm::dvec3 up{0.0, 0.0, 1.0};
 };
 
-/// The body's way in stretches between jumps. In each the phase is the integral of the cadence, from 0 at the
-/// first sample on; the cadence is max(cadence, duty * speed / stride), with the speed of the leg whose rest
-/// place goes fastest across `up`. Immutable.
+/// The body's motion, divided into stretches between jumps. In each the phase is the integral of the cadence,
+/// from 0 at the first sample on; the cadence is max(cadence, duty * speed / stride), with the speed of the
+/// leg whose rest place moves fastest across `up`. Immutable.
 class BodyTrajectory {
   public:
-    /// Throws std::invalid_argument, naming the argument, where sizes differ, or a number is not finite,
+    /// Throws std::invalid_argument, naming the argument, if sizes differ, or a number is not finite,
     /// larger than 1e12 or outside its domain.
     explicit BodyTrajectory(Way way);
 
     [[nodiscard]] const Way& way() const noexcept { return way_; }
     [[nodiscard]] std::size_t stretch_count() const noexcept { return starts_.size(); }
-    /// The one that a time belongs to.
+    /// The stretch that a time belongs to.
     [[nodiscard]] std::size_t stretch_at(double time) const;
     /// The first samples of all stretches.
     [[nodiscard]] std::span<const std::size_t> starts() const noexcept { return starts_; }
-    /// Of a stretch that there is, else std::invalid_argument. So it is with all that follows.
+    /// Of an existing stretch, else std::invalid_argument, as in all functions below.
     [[nodiscard]] std::size_t first_sample(std::size_t stretch) const {
         require_stretch(stretch);
         return starts_[stretch];
@@ -61,19 +62,20 @@ class BodyTrajectory {
         return (stretch + 1 < starts_.size() ? starts_[stretch + 1] : way_.times.size()) - 1;
     }
 
-    /// Between samples the axes' directions, their lengths and the location go evenly. Before the first
-    /// sample of a stretch the body comes as it goes on, without turning, but rests where that is slowly;
-    /// after the last one it rests.
+    /// Directions of the axes, their lengths and the location are interpolated between samples. Before the
+    /// first sample of a stretch the body moves straight on at its first velocity, or rests if that is slow;
+    /// after the last sample it rests.
     [[nodiscard]] glm::dmat4 pose(std::size_t stretch, double time) const;
-    /// Before the first sample it goes at the cadence there, after the last one at the slowest.
+    /// Before the first sample the phase grows at the cadence there, after the last one at the slowest
+    /// cadence.
     [[nodiscard]] double phase(std::size_t stretch, double time) const;
-    /// When the phase is that.
+    /// The time at which the phase has this value.
     [[nodiscard]] double time_at(std::size_t stretch, double phase) const;
     [[nodiscard]] double last_phase(std::size_t stretch) const { return phases_[last_sample(stretch)]; }
     /// Whether a stretch begins at the slowest cadence.
     [[nodiscard]] bool starts_slowly(std::size_t stretch) const;
 
-    /// Of a pose; the world's own up where the body has none.
+    /// Axes of a pose; the world's own up if the pose has no extent along up.
     [[nodiscard]] Axes axes(const glm::dmat4& pose) const;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -85,13 +87,13 @@ class BodyTrajectory {
     [[nodiscard]] bool jumps_to(std::size_t sample) const;
     [[nodiscard]] double cadence_after(std::size_t sample) const;
     [[nodiscard]] std::size_t sample_before(std::size_t stretch, double time) const;
-    /// Cycles a second from a sample to the next of its stretch; the slowest where there is none.
+    /// Cycles a second from a sample to the next of its stretch; the slowest cadence if there is no next one.
     [[nodiscard]] double rate(std::size_t sample, std::size_t last) const;
 
     Way way_;
     glm::dvec3 side_;  ///< an axis of the body's space across `up`
     std::vector<std::size_t> starts_;
-    std::vector<double> phases_;  ///< at samples
+    std::vector<double> phases_;  ///< at the samples
 };
 
 /// A point of the body's space in the world.

@@ -1,4 +1,4 @@
-// What feet stand on.
+// The ground that feet stand on.
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -19,12 +19,12 @@ struct Plane {
     glm::dvec3 normal{0.0, 0.0, 1.0};  ///< of any length but 0
 };
 
-/// Where a ray meets the ground.
+/// The place at which a ray meets the ground.
 struct Contact {
     glm::dvec3 point{0.0};
-    glm::dvec3 normal{0.0, 0.0, 1.0};  ///< unit, towards where the ray comes from
+    glm::dvec3 normal{0.0, 0.0, 1.0};  ///< unit, on the side that the ray comes from
     double distance = 0.0;             ///< m, >= 0
-    /// Whether the ray comes out of what is met: its corners turn clockwise, or its own normal points along.
+    /// Whether the ray meets the back of a surface: corners clockwise, or the plane's normal along the ray.
     bool leaves = false;
 };
 
@@ -33,7 +33,7 @@ struct Contact {
 /// one is to copy it.
 class Ground {
   public:
-    /// Throws std::invalid_argument, naming the argument, where a triangle names a vertex that there is not,
+    /// Throws std::invalid_argument, naming the argument, if a triangle names a vertex that does not exist,
     /// or the plane has a number that is not finite or no normal. Vertices that are not finite are never met.
     Ground(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
            const std::optional<Plane>& plane, std::size_t threads = thread_count());
@@ -41,22 +41,23 @@ class Ground {
     ~Ground() = default;
     Ground(const Ground&) noexcept = default;
     Ground& operator=(const Ground&) noexcept = default;
-    // What is moved from stays the ground that it was.
+    // A ground that is moved from stays the ground that it was.
     // NOLINTNEXTLINE(performance-move-constructor-init): copying is what it is for, and costs a counter
     Ground(Ground&& other) noexcept : Ground(std::as_const(other)) {}
     Ground& operator=(Ground&& other) noexcept { return *this = std::as_const(other); }
 
-    /// The same triangles, which both share, with this plane alone. Throws as above.
+    /// A ground that shares these triangles, with this plane in place of its own. Throws as the constructor
+    /// does.
     [[nodiscard]] Ground with_plane(const std::optional<Plane>& plane) const;
 
     [[nodiscard]] bool is_empty() const noexcept { return triangle_count() == 0 && !plane_; }
     [[nodiscard]] std::size_t vertex_count() const noexcept { return mesh_->positions.size(); }
     [[nodiscard]] std::size_t triangle_count() const noexcept { return mesh_->picker.triangle_count(); }
-    /// Of the memory that it takes, about.
+    /// Approximate size in memory.
     [[nodiscard]] std::size_t bytes() const noexcept;
 
-    /// The first that the ray from `origin` along `direction` (unit) meets, not farther away than `farthest`;
-    /// the triangle where plane and triangle are met at the same distance. Nothing where a number is NaN.
+    /// The first hit of the ray from `origin` along `direction` (unit), not farther away than `farthest`;
+    /// that of the triangle if plane and triangle are met at the same distance. Nothing if a number is NaN.
     [[nodiscard]] std::optional<Contact> ray(const glm::dvec3& origin, const glm::dvec3& direction,
                                              double farthest) const;
 

@@ -1,4 +1,4 @@
-// Steps of feet, and what is wrong with some.
+// Steps of feet, and the problems of some.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -10,22 +10,25 @@
 
 namespace motus::walker {
 
-/// How far along a foot is, u of its swing, [0, 1]: starts and ends without speed and acceleration, with the
-/// least jerk between (Flash, Hogan, "The coordination of arm movements" (1985)).
+/// Fraction of the distance that a foot has covered at the fraction u of its swing, [0, 1]: starts and ends
+/// without speed and acceleration, with the least jerk between (Flash, Hogan, "The coordination of arm
+/// movements" (1985)).
 [[nodiscard]] constexpr double along(double u) {
     return u * u * u * (u * (6.0 * u - 15.0) + 10.0);
 }
 
-/// How high it is, of its rise: 1 half-way, starts and ends without speed and acceleration.
+/// Fraction of its rise that a foot has at the fraction u of its swing: 1 half-way, starts and ends without
+/// speed and acceleration.
 [[nodiscard]] constexpr double above(double u) {
     const double parabola = 4.0 * u * (1.0 - u);
     return parabola * parabola * parabola;
 }
 
-/// A foot's way from one foothold to the next, on which it stands then until its next step. World space.
+/// A foot's motion from one foothold to the next, on which it stands until its next step. World space.
 struct Step {
-    double lift = 0.0;   ///< s
-    double touch = 0.0;  ///< s; `lift` where the foot is put there: at the first sample and after jumps
+    double lift = 0.0;  ///< s
+    double touch =
+        0.0;  ///< s; equal to `lift` if the foot is put there at once: at the first sample, after jumps
     glm::dvec3 start{0.0};
     glm::dvec3 end{0.0};
     glm::dvec3 rise{0.0};  ///< by which the foot is above the middle of start and end, half-way
@@ -33,10 +36,10 @@ struct Step {
     glm::dvec3 end_normal{0.0, 0.0, 1.0};
     bool is_grounded = true;  ///< whether there is ground at `end`
     /// Fractions of the swing, below 1 together, for which the foot goes straight up at first, and straight
-    /// down at last: 0 but beside an edge, as of a stair.
+    /// down at last: 0 except beside an edge, such as that of a stair.
     double upwards = 0.0, downwards = 0.0;
 
-    /// 0 before it lifts, 1 from the touch on.
+    /// Fraction of the swing at a time: 0 before the foot lifts, 1 from the touch on.
     [[nodiscard]] double through(double time) const {
         if (time >= touch) return 1.0;
         return std::max(0.0, (time - lift) / (touch - lift));
@@ -47,11 +50,11 @@ struct Step {
     }
 };
 
-/// Why a foothold is none.
+/// Why a foothold cannot be used.
 enum class Trouble {
     no_ground,     ///< within reach above and below, or around an edge: the foot is on its rest place
-    out_of_reach,  ///< of the hip, and so are places nearer to it
-    no_length,     ///< the leg has none
+    out_of_reach,  ///< too far from the hip, as are all places nearer to the hip
+    no_length,     ///< the leg has no length
 };
 
 struct Problem {
@@ -63,13 +66,13 @@ struct Problem {
 /// Steps of all legs on all stretches, each by time; a stretch of a leg begins where the foot is put.
 class Footsteps {
   public:
-    /// Of leg by leg, stretch by stretch.
+    /// Steps, leg by leg and stretch by stretch.
     void add(std::span<const Step> steps) {
         steps_.insert(steps_.end(), steps.begin(), steps.end());
         ends_.push_back(steps_.size());
     }
 
-    /// `row`: how many were added before. std::invalid_argument where there is no such row.
+    /// `row`: how many were added before. std::invalid_argument if there is no such row.
     [[nodiscard]] std::span<const Step> of(std::size_t row) const { return between(row, row + 1); }
     [[nodiscard]] std::span<const Step> between(std::size_t first_row, std::size_t last_row) const {
         require(first_row <= last_row && last_row <= ends_.size(), "row: must be one that was added");
@@ -86,7 +89,7 @@ class Footsteps {
     std::vector<std::size_t> ends_;
 };
 
-/// The last that has begun at a time, and the first one before all. std::invalid_argument where there is
+/// The last step that has begun at a time, or the first step if none has. std::invalid_argument if there is
 /// none.
 [[nodiscard]] inline const Step& step_at(std::span<const Step> steps, double time) {
     require(!steps.empty(), "steps: one at least is needed");

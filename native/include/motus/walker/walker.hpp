@@ -1,5 +1,5 @@
-// Legs that walk where a body goes: the steps of a whole shot, planned from the body's way, and looked up at
-// any time.
+// Legs that walk under a moving body: the steps of a whole shot, planned from the body's motion, and looked
+// up at any time.
 #pragma once
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
@@ -20,21 +20,21 @@ namespace motus::walker {
 
 inline constexpr double most_steps = 1e6;
 
-/// How feet and body go on a way.
+/// How feet step and the body follows them.
 struct WalkSettings {
-    /// m, >= 0, of a swinging foot half-way, above the ground under its way; less in steps that are shorter
+    /// m, >= 0, height of a swinging foot half-way, above the ground under it; less in steps that are shorter
     /// than a quarter of the stride.
     double clearance = 0.1;
-    double reach_up = 0.5;         ///< m, >= 0, above a rest place in which ground is looked for
-    double reach_down = 1.0;       ///< the same below it
-    double minimum_step = 0.0;     ///< m, >= 0; shorter steps are left out
-    std::vector<glm::dvec3> hips;  ///< where legs begin, in the body's space: one for each, or none
+    double reach_up = 0.5;      ///< m, >= 0, height above a foot's rest place up to which ground is searched
+    double reach_down = 1.0;    ///< m, >= 0, depth below it
+    double minimum_step = 0.0;  ///< m, >= 0; shorter steps are left out
+    std::vector<glm::dvec3> hips;  ///< upper ends of the legs in the body's space: one for each leg, or none
     /// How the body's own animation moves the hips in the body's space, before the body follows its feet: one
     /// for each sample, or none.
     std::vector<glm::dmat4> bodies;
     std::vector<double> lengths;                  ///< of whole legs, m in the world, >= 0: one for each hip
     dynamics::SecondOrder filter{2.0, 1.0, 0.0};  ///< of the body's height and tilt
-    double height = 1.0;                          ///< how much of each, [0, 1]
+    double height = 1.0;                          ///< share of the height that the body follows, [0, 1]
     double tilt = 1.0;
 };
 
@@ -51,12 +51,12 @@ struct Correction {
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
 };
 
-/// The plan of a shot. Immutable; a foot's place while it stands is the same bits at all times. The same for
-/// any number of threads.
+/// The plan of a shot. Immutable; while a foot stands its place has the same bits at all times. The plan is
+/// the same for any number of threads.
 class Walker {
   public:
     /// ground: none, or an empty one: feet stand on their rest places. Throws std::invalid_argument, naming
-    /// the argument, where sizes differ, a number is not finite or outside its domain, there are no samples
+    /// the argument, if sizes differ, a number is not finite or outside its domain, there are no samples
     /// or more than most_samples, no legs or more than most_legs, or more than most_steps would be planned.
     Walker(Way way, WalkSettings settings, const Ground* ground = nullptr,
            std::size_t threads = thread_count());
@@ -67,11 +67,11 @@ class Walker {
     /// Cycles since the first sample, or since the last jump; negative before.
     [[nodiscard]] double phase(double time) const;
 
-    /// Those of one leg, by time within each stretch between jumps.
+    /// The steps of one leg, ordered by time within each stretch between jumps.
     [[nodiscard]] std::span<const Step> steps(std::size_t leg) const;
-    /// By leg, then time.
+    /// Ordered by leg, then time.
     [[nodiscard]] std::span<const Problem> problems() const noexcept { return problems_; }
-    /// When the last foot has come to rest, s.
+    /// The time at which the last foot has come to rest, s.
     [[nodiscard]] double settled() const noexcept { return settled_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 

@@ -29,7 +29,7 @@ struct Axes {
     }
 };
 
-/// The smallest rotation that takes the unit vector `from` to `to`; where they are opposite, half a turn
+/// The smallest rotation that takes the unit vector `from` to `to`; if they are opposite, half a turn
 /// about `normal`, a unit vector across both.
 class Swing {
   public:

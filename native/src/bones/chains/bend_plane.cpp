@@ -20,7 +20,7 @@ glm::dvec3 fixed_normal(const glm::dvec3& along) {
     return straightened(normal - (start + along) * (glm::dot(normal, along) / opposed), along);
 }
 
-/// normal_across() where the plane's part across the line is so small that it fades out. sine: its share.
+/// normal_across() if the plane's part across the line is so small that it fades out. sine: its share.
 glm::dvec3 normal_nearly_along(const glm::dvec3& along, const glm::dvec3& across, double sine) {
     const glm::dvec3 fixed = fixed_normal(along);
     if (sine < 1e-12) return fixed;  // what is left is rounding

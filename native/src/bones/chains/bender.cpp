@@ -49,7 +49,7 @@ glm::dvec3 least_turn(const Bones& bones, const glm::dvec3& error) {
         yz += w.y * u.z;
         zz += w.z * u.z;
     }
-    // The sum of l (1 - u u^T), l adding up to 1: 1 - xx = yy + zz keeps its digits where a chain is
+    // The sum of l (1 - u u^T), l adding up to 1: 1 - xx = yy + zz keeps its digits if a chain is
     // straight.
     const double damping = 1e-15;
     const glm::dmat3 mobility(yy + zz + damping, -xy, -xz, -xy, xx + zz + damping, -yz, -xz, -yz,
@@ -93,7 +93,7 @@ void Bender::open(double share) {
 }
 
 void Bender::bend(double pose_chord) {
-    // Where one bone is longer than the others together, every pose ends in the one folded on it.
+    // If one bone is longer than the others together, every pose ends in the one folded on it.
     const double rest = chord_ - bones_.inner;
     const double way = bones_.inner > 0.0 ? (pose_chord - chord_) / (pose_chord - bones_.inner) : 0.0;
     const double away = way > 0.0 ? 1.0 - std::sqrt(rest / (rest + bones_.inner * way)) : 0.0;

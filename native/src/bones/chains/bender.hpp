@@ -37,7 +37,7 @@ class Bender {
   public:
     Bender(Bones& bones, double pose_chord, double chord);
 
-    /// tolerance as a share of the chain's length. False where the iterations do not suffice.
+    /// tolerance as a share of the chain's length. False if the iterations do not suffice.
     bool finish(double tolerance, int max_iterations, int& iterations);
 
   private:

@@ -19,7 +19,7 @@ constexpr double on_line = 1e-12;   // of the length: joints nearer to the line 
 constexpr double bulge_band = 0.1;  // of the joints' distances from that line, what is left in their mean
 constexpr double fits = 1e100;      // coordinates up to here, and down to its inverse, may be squared
 
-/// A power of two by which the joints are multiplied where their squares would over- or underflow.
+/// A power of two by which the joints are multiplied if their squares would over- or underflow.
 double scale_for(std::span<const glm::dvec3> joints) {
     double largest = 0.0;
     for (const glm::dvec3& joint : joints) {
@@ -30,7 +30,7 @@ double scale_for(std::span<const glm::dvec3> joints) {
     return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1000, 1000));
 }
 
-/// Reads the bones in units of their whole length, which is returned, times `scale`; 0 where they have none.
+/// Reads the bones in units of their whole length, which is returned, times `scale`; 0 if they have none.
 double read_bones(std::span<const glm::dvec3> joints, double scale, Bones& bones) {
     bones.count = joints.size() - 1;
     double total = 0.0;
@@ -92,7 +92,7 @@ void face_pole(Bones& bones, const Axes& axes, const glm::dvec3& pole) {
 
     const Bulge bulge = bulge_of(bones, axes.along);
     const double size = glm::length(bulge.mean);
-    // Where the joints lie on all sides, the plane of the bend says more than their mean.
+    // If the joints lie on all sides, the plane of the bend says more than their mean.
     const double certainty = bulge.spread > on_line ? smooth_step(size / (bulge_band * bulge.spread)) : 0.0;
     // Across once more: the smaller the bulge, the less exactly it is.
     const glm::dvec3 side = certainty > 0.0 ? blended_normal(axes.side, normal_across(axes.along, bulge.mean),
@@ -109,9 +109,9 @@ void face_pole(Bones& bones, const Axes& axes, const glm::dvec3& pole) {
     }
 }
 
-/// What to do, seen from the root.
+/// The task of a solve, relative to the root.
 struct Task {
-    glm::dvec3 along;  // towards the target; zero where it is on the root
+    glm::dvec3 along;  // towards the target; zero if it is on the root
     double distance;   // to the target, in units of the chain's length
     glm::dvec3 pole;   // towards the pole; zero without one
 };
@@ -130,7 +130,7 @@ int bring_to_target(Bones& bones, Task task, const SolverSettings& settings) {
     const double pose_chord = glm::length(tip);
     const glm::dvec3 pose_along = pose_chord > closed ? tip / pose_chord : direction_of_closed(bones);
     const glm::dvec3 along = task.distance > 0.0 ? task.along : pose_along;
-    // Joints in one line would bend by the root of what is only rounding.
+    // Joints in one line would bend by the square root of a rounding error.
     if (std::abs(task.distance - pose_chord) <= reach_rounding) task.distance = pose_chord;
     if (task.distance >= 1.0 - reach_rounding ||
         (bones.inner > 0.0 && task.distance <= bones.inner + reach_rounding)) {

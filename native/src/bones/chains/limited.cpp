@@ -54,7 +54,7 @@ double spread(std::size_t start, std::size_t dimension) {
     return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
-/// A place between two limits; half a turn and less where there are none.
+/// A place between two limits; half a turn and less if there are none.
 double between(double low, double high, double share) {
     constexpr double widest = 2.0;
     return std::lerp(std::max(low, std::min(high, 0.0) - widest), std::min(high, std::max(low, 0.0) + widest),
@@ -74,13 +74,14 @@ class Search {
           pose_(chain, reach.unit()),
           settings_(settings),
           patience_(chain.offsets.size() <= 5 ? patience_of_short : patience_of_long) {
-        // So far away only the direction counts; squares stay in range.
+        // Targets are brought within this distance, beyond which only the direction counts, so that squares
+        // stay in range.
         constexpr double far = 1e6;
         const glm::dvec3 half_way = 0.5 * target - 0.5 * chain.root;  // the whole might overflow
         const double distance = 2.0 * (length_of(half_way) / reach.unit());
         goal_.target = distance <= far ? 2.0 * (half_way / reach.unit()) : far * unit_vector(half_way);
         goal_.orientation = orientation;
-        goal_.tolerance = 0.999999 * settings.tolerance;  // room for what the joints' places round to
+        goal_.tolerance = 0.999999 * settings.tolerance;  // room for the rounding of the joints' places
         const double inner = reach.inner / reach.unit();
         bound_ = std::max({0.0, std::min(distance, far) - 1.0, inner - distance});
         settings_.pole.reset();
@@ -167,7 +168,8 @@ bool Search::lead_from_pose() {
     return length_of(pose_.tip() - goal_.target) <= bound_ + near || goal_.orientation;
 }
 
-/// The chain without limits solves it; each bone is then turned towards its next joint as far as it may.
+/// The chain without limits solves it; each bone is then turned towards its next joint as far as its limits
+/// allow.
 void Search::start_from_unlimited(std::span<const glm::dquat> rotations) {
     PerJoint joints;
     joints[0] = glm::dvec3(0.0);
@@ -209,7 +211,8 @@ void Search::descend_to_goal() {
     bool is_at_rest = false;
     if (std::isfinite(best_residual_) && !goal_.orientation) goal_.rival = best_residual_;
     if (goal_.orientation) {
-        // Both at first, the orientation for less and less, in the end the position alone.
+        // First position and orientation, then the orientation with falling weight, in the end the position
+        // alone.
         for (const double share : {0.3, 0.03}) {
             goal_.orientation_weight = share;
             iterations_ += descend(pose_, goal_, settings_.max_iterations, is_at_rest);
@@ -238,7 +241,7 @@ bool Search::is_enough() const {
            same_ >= (is_on_target() ? patience_on_target : patience_);
 }
 
-/// Leads first from the given pose, where that does not get there from the middle of the limits: of a joint
+/// Leads first from the given pose, if that does not get there from the middle of the limits: of a joint
 /// that its pose bends to the side that hardly lets it. Descends from where those ended only if both fail, as
 /// a descent may change sides.
 void Search::run_leads(std::span<const glm::dquat> rotations) {

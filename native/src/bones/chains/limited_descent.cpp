@@ -15,7 +15,7 @@ using std::numbers::pi;
 constexpr double least_damping = 1e-12;
 constexpr double most_damping = 1e8;
 
-/// What is wrong with the last joint, or how it moves: position, and orientation times its weight.
+/// The error or the velocity of the last joint: position, and orientation times its weight.
 struct Error {
     glm::dvec3 position;
     glm::dvec3 orientation;
@@ -25,14 +25,14 @@ double dot(const Error& a, const Error& b) {
     return glm::dot(a.position, b.position) + glm::dot(a.orientation, b.orientation);
 }
 
-/// One way that a joint may turn in.
+/// One degree of freedom of a joint.
 struct Freedom {
     std::size_t bone;
     glm::dvec2 swing;  // by one radian of it
     double twist;
     Error move;        // of the chain's end
     glm::dvec3 rate;   // angular velocity
-    double curvature;  // second derivative of the cost by it that is not in `move`, where the cost curves up
+    double curvature;  // second derivative of the cost by it that is not in `move`, if the cost curves up
 };
 
 class Descent {
@@ -148,8 +148,8 @@ class Descent {
         return apply();
     }
 
-    /// A step of Newton's method, with all second derivatives of the position: what a target that is not
-    /// reached asks for. False where the cost is not convex enough for it.
+    /// A step of Newton's method with all second derivatives of
+    /// the position, which a target out of reach needs. False if the cost is not convex enough for it.
     bool step_exactly() {
         const bool is_oriented = goal_.orientation_weight > 0.0;
         for (std::size_t k = 0; k < count_; ++k) {
@@ -175,7 +175,7 @@ class Descent {
     }
 
     /// turn_ = matrix_^-1 turn_ by elimination of the symmetric matrix of which the upper triangle is given.
-    /// False where it is not positive definite.
+    /// False if it is not positive definite.
     bool solve() {
         for (std::size_t j = 0; j < count_; ++j) {
             const std::array<double, most_exact>& row = matrix_[j];
@@ -195,7 +195,7 @@ class Descent {
         return true;
     }
 
-    /// Turns the joints by turn_, as far as they may.
+    /// Turns the joints by turn_, as far as their limits allow.
     bool apply() {
         std::copy_n(pose_.angles().begin(), pose_.count(), tried_.begin());
         for (std::size_t k = 0; k < count_; ++k) {
@@ -209,7 +209,7 @@ class Descent {
             const JointLimits& limits = pose_.limits(i);
             tried_[i].swing = clamp_swing(tried_[i].swing, limits);
             const double angle = glm::length(tried_[i].swing);
-            if (angle > pi) {  // the same rotation the other way round, where that is allowed
+            if (angle > pi) {  // the same rotation the other way round, if that is allowed
                 const glm::dvec2 other = tried_[i].swing * ((angle - 2.0 * pi) / angle);
                 if (clamp_swing(other, limits) == other) tried_[i].swing = other;
             }

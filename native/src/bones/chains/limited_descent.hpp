@@ -15,13 +15,13 @@ namespace motus::bones::chains {
 /// Angles of all bones of a chain.
 using Angles = PerBone<SwingTwist>;
 
-/// What a descent goes for, in the pose's unit of length.
+/// The goal of a descent, in the pose's unit of length.
 struct Goal {
     glm::dvec3 target{0.0};
     std::optional<glm::dquat> orientation;  ///< of the last bone's frame
     double orientation_weight = 0.0;  ///< length that a radian off the orientation counts as; 0: not at all
     double tolerance = 0.0;           ///< length
-    /// Length that is had already: a descent that slows down well above it is given up; < 0: none.
+    /// Residual of an earlier descent: a descent that slows down well above it is given up; < 0: none.
     double rival = -1.0;
 };
 

@@ -72,7 +72,7 @@ glm::dvec2 widest_way(const glm::dvec2& swing, const JointLimits& limits) {
     return best;
 }
 
-/// Bends a pose by `angle` in all, to the side of the normal or, where limits leave more room by far on the
+/// Bends a pose by `angle` in all, to the side of the normal or, if limits leave more room by far on the
 /// other, to that; hinges across the normal each as they can.
 void bend(LimitedPose& pose, const glm::dvec3& normal, double angle) {
     constexpr double little = 0.25;  // of the other side's room
@@ -92,7 +92,7 @@ void bend(LimitedPose& pose, const glm::dvec3& normal, double angle) {
     pose.set(bent);
 }
 
-/// Turns the root, as far as it may.
+/// Turns the root, as far as its limits allow.
 void turn_root(LimitedPose& pose, const glm::dquat& turn) {
     const glm::dquat& socket = pose.socket(0);
     const glm::dquat rotation = glm::normalize(glm::conjugate(socket) * turn * pose.frame(0));
@@ -162,7 +162,7 @@ class Lead {
         return 1.0 - certainty_of_bend(std::sin(std::min(bend_at(from_.length), 0.5 * std::numbers::pi)));
     }
 
-    /// Of the plane that the pose bends in, as it will be when it is bent.
+    /// Normal of the plane in which the bent pose will lie.
     glm::dvec3 find_normal() {
         straight_ = pose_.count() > 1 ? straightness() : 0.0;
         const glm::dvec3 given = normal_across(from_.along, goal_.normal);
@@ -180,7 +180,7 @@ class Lead {
         return normal_across(from_.along, area_of(pose_));
     }
 
-    /// By which the bend turns about the line to the target to come to the side wanted.
+    /// Angle by which the bend turns about the line to the target to come to the wanted side.
     [[nodiscard]] double angle_to_side(const glm::dvec3& normal) const {
         const glm::dvec3 side = glm::cross(normal, to_);
         const glm::dvec3 wanted = blended_normal(side, *goal_.side, to_, goal_.certainty);

@@ -10,15 +10,15 @@ namespace motus::bones::chains {
 /// Where to lead a chain, in the pose's unit of length, seen from its root.
 struct LeadGoal {
     glm::dvec3 target{0.0};
-    glm::dvec3 normal{0.0};          ///< to bend in where the pose at the start is straight
+    glm::dvec3 normal{0.0};          ///< to bend in if the pose at the start is straight
     std::optional<glm::dvec3> side;  ///< direction to bend towards, across the line from root to target, unit
     double certainty = 1.0;          ///< of the side, 0 to 1: how far the bend turns there
     double tolerance = 0.0;          ///< length
 };
 
 /// Leads the pose to the target: first along its own line from root to tip until that is as long as the
-/// target is away, then turned as a whole about the root, which leaves the bend as it is where the root's
-/// limits do; where they do not, the other joints follow. What comes of it is continuous in the target and
+/// target is away, then turned as a whole about the root, which leaves the bend as it is if the root's
+/// limits do; if they do not, the other joints follow. What comes of it is continuous in the target and
 /// the side (but for a target behind the root, or on it) wherever the steps get there. Returns the steps
 /// used, about max_steps at most.
 int lead(LimitedPose& pose, const LeadGoal& goal, int max_steps);

@@ -29,10 +29,10 @@ double kept_twist(double twist, const JointLimits& limits) {
 /// Newton's method.
 class Step {
   public:
-    /// Of the joints from `first` on.
+    /// A step of the joints from `first` on.
     Step(LimitedPose& pose, const glm::dvec3& error, std::size_t first)
         : pose_(pose), error_(error), first_(first) {
-        constexpr double damping = 0.1;  // less overshoots where the target is out of reach, more is slower
+        constexpr double damping = 0.1;  // less overshoots if the target is out of reach, more is slower
         damping_ = damping * glm::length(error) + 1e-14;
         for (std::size_t i = first; i < pose_.count(); ++i) {
             const glm::dquat& socket = pose_.socket(i);
@@ -43,7 +43,7 @@ class Step {
         }
     }
 
-    /// Counts only what moves the tip along a unit vector.
+    /// Keeps only the part of the step that moves the tip along a unit vector.
     void keep_along(const glm::dvec3& along) {
         const glm::dmat3 kept = glm::outerProduct(along, along);
         for (std::size_t i = first_; i < pose_.count(); ++i)
@@ -110,7 +110,7 @@ class Step {
         return true;
     }
 
-    /// The same rotation the other way round, where that is allowed and shorter.
+    /// Replaces a swing by the same rotation the other way round, if that is allowed and shorter.
     static void unwind(glm::dvec2& swing, const JointLimits& limits) {
         const double angle = glm::length(swing);
         if (angle <= pi) return;

@@ -77,7 +77,7 @@ struct Walls {
         const double size = axes.x * axes.y * steepness;
         curvature = 1.0 / (size * size * steepness);
     }
-    /// Whether one of them is in the way.
+    /// Whether one of the limits is in the way.
     [[nodiscard]] bool stop(const glm::dvec2& way) const {
         for (std::size_t i = 0; i < count; ++i) {
             if (glm::dot(way, normals[i]) > 1e-9 * glm::length(way)) return true;
@@ -86,7 +86,7 @@ struct Walls {
     }
 };
 
-/// The same rotation the other way round.
+/// The rotation vector of the same rotation the other way round.
 glm::dvec2 other_way(const glm::dvec2& swing) {
     const double angle = glm::length(swing);
     return swing * ((angle - 2.0 * pi) / angle);

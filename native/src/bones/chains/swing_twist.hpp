@@ -1,4 +1,4 @@
-// Rotations as swing and twist, and what limits allow of them. Private to the library.
+// Rotations as swing and twist, and their limits. Private to the library.
 #pragma once
 #include <array>
 #include <glm/gtc/quaternion.hpp>

@@ -22,7 +22,7 @@ namespace {
     return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
 }
 
-/// b - a, in units of 2^exponent: 0, or 2 where the difference of two finite points overflows.
+/// b - a, in units of 2^exponent: 0, or 2 if the difference of two finite points overflows.
 struct Difference {
     glm::dvec3 value;
     int exponent = 0;

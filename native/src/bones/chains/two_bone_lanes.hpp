@@ -16,7 +16,7 @@ namespace motus::bones::chains {
 
 inline constexpr double largest_double = std::numeric_limits<double>::max();
 
-/// The line from the root to a target that is nearly on it: where the elbow can be towards the pole, it is.
+/// The line from the root to a target that is nearly on it: if the elbow can be towards the pole, it is.
 [[nodiscard]] glm::dvec3 line_of_coincident(const TwoBone& chain, glm::dvec3 target, glm::dvec3 pole);
 
 /// solve_two_bone(), whatever the numbers.
@@ -50,7 +50,7 @@ template <class Real>
     return distance > end ? Reason::too_far : Reason::too_near;
 }
 
-/// One number of as many chains as a Real holds.
+/// One number of each of as many chains as a Real has lanes.
 template <class Real, class Number>
 [[nodiscard, gnu::always_inline]] inline Real gathered(const TwoBone* chains, Number&& number) {
     return [&]<int... i>(std::integer_sequence<int, i...>) {
@@ -143,7 +143,7 @@ inline void solve_plain(const Chains<Real>& chains, TwoBoneSolution* out) {
                   .reason = reason_of(lane(distance, i), lane(end, i), lane(residual, i), lane(longest, i))};
 }
 
-/// As many at once as a Real holds. chains and out of the same size.
+/// Solves as many chains at once as a Real has lanes. chains and out have the same size.
 template <class Real>
 inline void solve_in_lanes(std::span<const TwoBone> chains, std::span<TwoBoneSolution> out) {
     constexpr std::size_t lanes = lane_count<Real>;
@@ -164,7 +164,7 @@ struct TwoBoneKernel {
     void (*solve)(std::span<const TwoBone> chains, std::span<TwoBoneSolution> out);
 };
 
-/// Those that this processor can run, the fastest last.
+/// The kernels that this processor can run, the fastest last.
 [[nodiscard]] std::span<const TwoBoneKernel> two_bone_kernels();
 
 /// For processors with AVX2 only.

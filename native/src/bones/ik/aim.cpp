@@ -15,9 +15,9 @@ namespace motus::bones::ik {
 namespace {
 
 /// The elbow of a chain that is almost straight in its pose, and so bends about a hinge rather than in the
-/// plane of that little bend: where the solution bends no more than the pose, it lies in the pose's plane
+/// plane of that little bend: if the solution bends no more than the pose, it lies in the pose's plane
 /// nevertheless, so that a target at the pose's tip changes nothing; with three times the bend it is back in
-/// the plane asked for. The same point where the planes agree. elbow_of_pose: from the root, turned to the
+/// the plane asked for. The same point if the planes agree. elbow_of_pose: from the root, turned to the
 /// chord.
 glm::dvec3 elbow_near_pose(const glm::dvec3& elbow, const glm::dvec3& root, const glm::dvec3& elbow_of_pose,
                            const Chord& chord) {
@@ -97,7 +97,7 @@ Aim::Line Aim::line_to_target(const Pose& pose, const AimGoal& goal, double leng
     line.chord.normal = carried;
     line.carried = carried;
     line.turn = swing;
-    // One bone has no bend to turn.
+    // A single bone has no bend that could turn.
     if (goal.count == 1 || (!goal.pole && goal.pole_angle == 0.0)) return line;
 
     glm::dvec3 wanted = carried;
@@ -121,7 +121,7 @@ void Aim::measure(const Pose& pose, std::size_t count, AimReport& report, const 
         lengths_[i] = glm::distance(joints[i], joints[i + 1]);
         report.reach += lengths_[i];
     }
-    // One bone has nowhere to slow down: it is always as long as it is.
+    // Softness does not apply to a single bone, whose length is fixed.
     report.end = count == 1 ? std::min(report.distance, report.reach)
                             : chains::soft_reach(report.distance, report.reach, goal.softness * report.reach);
 }
@@ -161,7 +161,7 @@ void Aim::find_joints(const Pose& pose, const AimGoal& goal, const Line& line, A
 }
 
 void Aim::turn_bones(Pose& pose, std::size_t count, const Line& line) {
-    glm::dquat carries = line.turn;  // what the bone before turned by, in the pose
+    glm::dquat carries = line.turn;  // turn of the bone before, in the pose
     for (std::size_t i = 0; i < count; ++i) {
         const bool next_stays = i + 1 < count && !pose.bone(i + 1).offset->inherit_rotation;
         const glm::dquat frame_before = next_stays ? pose.frame(i) : no_turn;

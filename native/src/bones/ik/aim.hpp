@@ -20,12 +20,12 @@ struct Chord {
     glm::dvec3 normal{1.0, 0.0, 0.0};
 };
 
-/// That of the first `count` bones in their pose: the plane that they lie in, or, the straighter they are
-/// (sine of the bend below that of 8 degrees, wholly at 1 degree), the first bone's hinge, X turned by
+/// The Chord of the first `count` bones in their pose: the plane that they lie in, or, the straighter they
+/// are (sine of the bend below that of 8 degrees, wholly at 1 degree), the first bone's hinge, X turned by
 /// hinge_angle about Y.
 [[nodiscard]] Chord chord_of(const Pose& pose, std::size_t count, double hinge_angle);
 
-/// A turn of the pose as a turn of what is in the space: its axis seen from there. Exact where the space is
+/// A turn of the pose as a turn within the space: its axis as seen from there. Exact if the space is
 /// not sheared. to_space: the space's inverse.
 [[nodiscard]] glm::dquat seen_from(const glm::dmat3& to_space, const glm::dquat& turn);
 
@@ -71,13 +71,13 @@ class Aim {
     void find_joints(const Pose& pose, const AimGoal& goal, const Line& line, AimReport& report);
     void find_rotations(const Pose& pose, const AimGoal& goal, const Line& line, AimReport& report);
     void turn_bones(Pose& pose, std::size_t count, const Line& line);
-    /// Brings the tip to its place by the smallest turns that do, where turns so small that they add up as
-    /// vectors are enough: the error left is their square. False where they are not, the pose as it was.
+    /// Brings the tip to its place by the smallest turns that do, if turns so small that they add up as
+    /// vectors are enough: the error left is their square. False if they are not, the pose as it was.
     [[nodiscard]] bool nudge(Pose& pose, std::size_t count) const;
     void keep(const Pose& pose, std::size_t count);
     /// Brings the tip nearer to `end` from the rotations that were kept; returns how many steps it took.
     int finish(Pose& pose, const AimGoal& goal, const glm::dvec3& end, double reach);
-    /// Where the tip is off `end`, starts again from the chain as it reaches, on the same side, for a nearer
+    /// If the tip is off `end`, starts again from the chain as it reaches, on the same side, for a nearer
     /// place: the straight chain is not the longest one in sheared spaces, and no small turn leads from it to
     /// the others. Whether that brought the tip nearer.
     [[nodiscard]] bool fold(Pose& pose, const AimGoal& goal, const Line& line, const glm::dvec3& end,
@@ -85,7 +85,7 @@ class Aim {
 
     std::vector<double> lengths_;
     std::vector<glm::dvec3> joints_;     // where they are to be
-    std::vector<glm::dmat3> to_spaces_;  // inverse of what each bone was turned in
+    std::vector<glm::dmat3> to_spaces_;  // inverse of the space that each bone was turned in
     std::vector<glm::dquat> best_;
     std::vector<glm::dquat> nearest_;  // of the searches so far
     std::vector<glm::dmat3> slopes_;   // of the tip by each bone's turn about X, Y and Z

@@ -54,7 +54,7 @@ OwnTransform own_transform(std::span<const float> basis, std::size_t bone) {
         own.scale[axis] = sign * std::sqrt(glm::dot(axes[axis], axes[axis]));
         axes[axis] *= sign;
     }
-    // Of single precision, none of them is so small that its square would vanish.
+    // Numbers of single precision are not so small that their squares would vanish.
     own.rotation = own.scale.y != 0.0 && own.scale.z != 0.0
                        ? frame_of(axes, axes[1] / std::abs(own.scale.y), axes[2] / std::abs(own.scale.z))
                        : frame_of(axes);

@@ -11,7 +11,7 @@
 
 namespace motus::bones::ik {
 
-/// A bone's own transform, taken apart as Blender does it: location * rotation * scale; where it is mirrored,
+/// A bone's own transform, taken apart as Blender does it: location * rotation * scale; if it is mirrored,
 /// all three scales are negative.
 struct OwnTransform {
     glm::dvec3 location{0.0};
@@ -27,7 +27,7 @@ struct RestBone {
     bool is_finite = false;  ///< else all the rest may be anything
 };
 
-/// The same as it is animated.
+/// A bone as it is animated.
 struct AnimatedBone {
     const Offset* offset = nullptr;           ///< of its RestBone
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};  ///< its own

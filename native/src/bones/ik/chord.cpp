@@ -31,7 +31,7 @@ Chord chord_of(const Pose& pose, std::size_t count, double hinge_angle) {
         area += glm::cross(bone, joints[i] - joints[0]);
     }
     const double pairs =
-        0.5 * (length * length - squares);  // what `area` is where all bones are at right angles
+        0.5 * (length * length - squares);  // the value of `area` if all bones are at right angles
 
     Chord chord;
     const glm::dvec3 line = joints[count] - joints[0];

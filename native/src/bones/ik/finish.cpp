@@ -1,5 +1,5 @@
-// What is left of the way to the target after a rigid solution: a rounding of single precision mostly; more
-// where the bones stand in sheared spaces, in which rounds of rigid solutions go in circles.
+// The rest of the way to the target after a rigid solution: mostly a rounding of single precision;
+// more if the bones are in sheared spaces, in which repeated rigid solutions do not converge.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -61,7 +61,7 @@ bool Aim::nudge(Pose& pose, std::size_t count) const {
 }
 
 // Damped least squares on the rotations themselves, with the true positions of the joints: the step is
-// J^T (J J^T + d^2)^-1 e (Wampler 1986, Nakamura and Hanafusa 1986), d grows where a step does not help.
+// J^T (J J^T + d^2)^-1 e (Wampler 1986, Nakamura and Hanafusa 1986), d grows if a step does not help.
 int Aim::finish(Pose& pose, const AimGoal& goal, const glm::dvec3& end, double reach) {
     constexpr int most_steps = 80;
     constexpr double difference = 1e-6;  // rad

@@ -27,7 +27,7 @@ bool has_valid_limits(std::span<const chains::JointLimits> limits) {
     });
 }
 
-/// The chain's task in pose space; nothing where a number is not finite.
+/// The chain's task in pose space; nothing if a number is not finite.
 std::optional<Task> read_task(const Input& input, const RigWorld& world, std::size_t index,
                               const Plan::Chain& chain) {
     const glm::dmat4& target = input.targets[index];

@@ -7,7 +7,7 @@
 namespace motus::bones::ik {
 
 // A bone's frame there is its space's rotation times its own. What lies between a bone and the next, and the
-// next joint's place, are taken from the pose: constant where spaces are not sheared.
+// next joint's place, are taken from the pose: constant if spaces are not sheared.
 void Aim::find_rotations(const Pose& pose, const AimGoal& goal, const Line& line, AimReport& report) {
     const std::size_t count = goal.count;
     const std::span<const glm::dvec3> joints = pose.joints();

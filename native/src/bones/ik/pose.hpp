@@ -16,7 +16,7 @@ namespace motus::bones::ik {
 
 /// A bone in a pose.
 struct PosedBone {
-    LinearSpace space;                        ///< what it stands in
+    LinearSpace space;                        ///< the space that the bone's own transform acts in
     glm::dmat3 axes{1.0};                     ///< its pose's
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};  ///< its own
     double stretch = 1.0;                     ///< scale along its Y on top of its own
@@ -27,13 +27,13 @@ class Pose {
   public:
     explicit Pose(std::size_t longest);
 
-    /// Puts the chain's bones, which the input keeps, into their FK pose. False where a number is not finite.
+    /// Puts the chain's bones, which the input keeps, into their FK pose. False if a number is not finite.
     [[nodiscard]] bool read(const Input& input, const Plan::Chain& chain);
 
     [[nodiscard]] std::size_t size() const noexcept { return bones_.size(); }
     [[nodiscard]] const AnimatedBone& bone(std::size_t i) const { return bones_[i]; }
     [[nodiscard]] const PosedBone& posed(std::size_t i) const { return posed_[first_ + i]; }
-    /// The same by the place in the chain with what is left out of it.
+    /// The bone at a place in the chain that also counts left out bones.
     [[nodiscard]] const PosedBone& posed_of_all(std::size_t place) const { return posed_[place]; }
     [[nodiscard]] std::span<const glm::dvec3> joints() const { return {&joints_[first_], size() + 1}; }
     [[nodiscard]] const glm::dvec3& root() const { return joints_[first_]; }
@@ -46,7 +46,7 @@ class Pose {
     void enter(std::size_t i);
     /// Puts bone i, which has been entered, into its pose and the next joint into its place.
     void place(std::size_t i, const glm::dquat& rotation, double stretch);
-    /// Both.
+    /// Sets rotation and stretch of a bone.
     void put(std::size_t i, const glm::dquat& rotation, double stretch) {
         enter(i);
         place(i, rotation, stretch);
@@ -59,7 +59,7 @@ class Pose {
 
   private:
     glm::dmat3 parent_axes_{1.0};
-    std::size_t first_ = 0;  // of the bones in what follows; those before it are left out
+    std::size_t first_ = 0;  // index of the first solved bone; the bones before it are left out
     std::span<const AnimatedBone> bones_;
     std::vector<PosedBone> posed_;
     std::vector<glm::dvec3> joints_;
@@ -73,8 +73,8 @@ class Pose {
 [[nodiscard]] glm::dquat rotation_in(const LinearSpace& space, const glm::dquat& frame,
                                      const glm::dvec3& scale);
 
-/// The rotation that a space itself is: the nearest along Y and Z, of its opposite where it is mirrored.
-/// Turning it by that rotation and turning a bone in it by the turn seen from there come to the same where
+/// The rotation that a space itself is: the nearest along Y and Z, of its opposite if it is mirrored.
+/// Turning it by that rotation and turning a bone in it by the turn seen from there come to the same if
 /// the space is not sheared.
 [[nodiscard]] glm::dquat rotation_of_space(const glm::dmat3& axes);
 

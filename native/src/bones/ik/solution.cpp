@@ -9,7 +9,7 @@
 namespace motus::bones::ik {
 namespace {
 
-/// Factor of the bones' lengths that takes the share `stretch` of what lacks.
+/// Factor of the bones' lengths that makes up for the share `stretch` of the missing length.
 double stretch_of(const AimReport& report, double stretch) {
     const double excess = report.distance - report.end;
     const bool lacks = stretch > 0.0 && excess > 1e-12 * report.reach && report.end > 1e-9 * report.reach;
@@ -142,7 +142,7 @@ void Solution::stretch_bones(double rest, double last_stretch) {
     for (std::size_t i = 0; i <= last; ++i) {
         const double factor = i == last ? last_stretch : rest;
         pose_.enter(i);
-        // What the bone inherits of the stretch before it counts for its own: it takes what lacks.
+        // Stretch that the bone inherits counts as its own: only the missing part is added.
         const glm::dvec3 link = factor * (joints_[i + 1] - joints_[i]);
         const glm::dvec3 wanted = inverse_axes(pose_.posed(i).space.axes) * link;
         glm::dvec3 reach = pose_.reach_of(i, 1.0);

@@ -1,4 +1,4 @@
-// One chain's solution, and what becomes of it: weights, stretch, the bones that hang on the chain.
+// One chain's solution, and the steps after it: weights, stretch, the bones that are children of the chain.
 #pragma once
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
@@ -13,7 +13,7 @@
 
 namespace motus::bones::ik {
 
-/// What a chain is asked for, in pose space; all finite and within its domain.
+/// The task of one chain, in pose space; all numbers are finite and within their domains.
 struct Task {
     ChainSettings settings;
     glm::dvec3 target{0.0};
@@ -27,10 +27,10 @@ class Solution {
   public:
     explicit Solution(std::size_t longest);
 
-    /// Reads the FK pose; false where a number is not finite.
+    /// Reads the FK pose; false if a number is not finite.
     [[nodiscard]] bool read(const Input& input, const Plan::Chain& chain) { return pose_.read(input, chain); }
-    /// The pose that it is in: after read() the FK pose, after solve() the whole solution, after write() what
-    /// the weights leave of it.
+    /// The present pose: after read() the FK pose, after solve() the
+    /// whole solution, after write() the solution by its weights.
     [[nodiscard]] const Pose& pose() const { return pose_; }
 
     /// Finds the solution, weights but rotation_weight aside.
@@ -63,8 +63,8 @@ class Solution {
     std::vector<glm::dvec3> joints_;
     bool is_stretched_ = false;
     bool turns_tail_ = false;  // the last bone has a goal of its own, and no limits in the way
-    glm::dquat tail_frame_{1.0, 0.0, 0.0, 0.0};  // what the position alone asks of the last bone
-    glm::dquat tail_goal_{1.0, 0.0, 0.0, 0.0};   // what the whole solution does
+    glm::dquat tail_frame_{1.0, 0.0, 0.0, 0.0};  // frame of the last bone by the position alone
+    glm::dquat tail_goal_{1.0, 0.0, 0.0, 0.0};   // frame of the last bone by the whole solution
 };
 
 }  // namespace motus::bones::ik

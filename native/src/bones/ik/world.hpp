@@ -1,4 +1,4 @@
-// The world that a rig stands in, and checks of what comes from it. Private to the library.
+// The world space of a rig, and checks of input in world space. Private to the library.
 #pragma once
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -39,7 +39,7 @@ struct RigWorld {
 /// The settings, each brought into its documented domain; finite ones only.
 [[nodiscard]] ChainSettings within_domains(ChainSettings settings);
 
-/// std::invalid_argument where bones or poses are not those of the plan's rig.
+/// std::invalid_argument if bones or poses are not those of the plan's rig.
 void check_rig(const Plan& plan, const Input& input);
 
 }  // namespace motus::bones::ik

@@ -21,7 +21,7 @@ constexpr double most_lean = 0.8;
 constexpr double carried_from = 0.3,
                  carried_to = -0.5;  // cosines of the angle off forward: see Level::in_front
 
-/// How much of a limited turn is left where the target lies `angle` off forward. It fades later the wider the
+/// How much of a limited turn is left if the target lies `angle` off forward. It fades later the wider the
 /// limit, and not at all for a free turn, which meets its target even behind.
 double fade(double angle, double limit) {
     const double width = std::min(widest_fade, 0.5 * (pi - limit));

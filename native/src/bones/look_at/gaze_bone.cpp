@@ -29,7 +29,7 @@ glm::dvec3 own_scale(const glm::dmat3& basis) {
     return sign * glm::dvec3(glm::length(basis[0]), glm::length(basis[1]), glm::length(basis[2]));
 }
 
-/// The inverse times some positive number; zero where there is none.
+/// The inverse times some positive number; zero if there is none.
 glm::dmat3 inverse_but_size(const glm::dmat3& axes) {
     const glm::dmat3 rows(glm::cross(axes[1], axes[2]), glm::cross(axes[2], axes[0]),
                           glm::cross(axes[0], axes[1]));

@@ -24,17 +24,17 @@ class GazeBone {
     /// Where the bone's own `axis` points; none where its scale is zero.
     [[nodiscard]] std::optional<glm::dvec3> gaze(const glm::dvec3& axis) const;
 
-    /// The same with the bone's own rotation left out; none where a scale is zero.
+    /// The gaze without the bone's own rotation; none if a scale is zero.
     [[nodiscard]] std::optional<glm::dvec3> gaze_at_rest(const glm::dvec3& axis) const;
 
-    /// `up`, a unit vector of the armature at rest, as what the bone stands in has carried it; where `axis`
+    /// `up`, a unit vector of the armature at rest, as the space of the bone has turned it; if `axis`
     /// at rest lies nearly along it, the bone's own Y or Z without its own rotation. Not unit.
     [[nodiscard]] glm::dvec3 up_at_rest(const glm::dvec3& axis, const glm::dvec3& up) const;
 
     /// Turns the bone about its place by a rotation of the rig's space. What its own `axis` points at turns
-    /// by exactly that; the rest of the bone too where no parent shears it, else as nearly as its rotation
+    /// by exactly that; the rest of the bone too if no parent shears it, else as nearly as its rotation
     /// can. Gives the rotation on top of its own, w >= 0. The bone stays as it is, and the result is none,
-    /// where its axes have no inverse.
+    /// if its axes have no inverse.
     std::optional<glm::dquat> turn(const glm::dquat& rotation, const glm::dvec3& axis);
 
   private:

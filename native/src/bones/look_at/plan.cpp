@@ -24,7 +24,7 @@ double largest_part(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Direction from a place to the target; none where they are one.
+/// Direction from a place to the target; none if they are one.
 std::optional<glm::dvec3> towards(const glm::dvec3& place, const glm::dvec3& target) {
     const glm::dvec3 way = target - place;
     if (largest_part(way) <= same_place * (largest_part(place) + largest_part(target))) return std::nullopt;
@@ -38,14 +38,14 @@ bool has_finite_numbers(const GazeSettings& s) {
 
 }  // namespace
 
-/// One entry at one moment.
+/// The solver of one entry at one moment.
 class Plan::Solver {
   public:
     /// input: its head_forward and up are unit, its target is in the rig's space.
     Solver(const RigView& rig, const Entry& entry, const Input& input, std::span<glm::dquat> rotations)
         : rig_(rig), entry_(entry), input_(input), settings_(input.settings), rotations_(rotations) {}
 
-    /// None where something is not finite, or a bone that looks has no size.
+    /// None if something is not finite, or a bone that looks has no size.
     [[nodiscard]] std::optional<GazeDiagnostics> run() {
         const Link& first = entry_.body.empty() ? entry_.head : entry_.body.front();
         const int parent = rig_.parents[first.bone];
@@ -64,7 +64,7 @@ class Plan::Solver {
     }
 
   private:
-    /// Pose of the last of the bones as they are animated; of their parent where there are none.
+    /// Pose of the last of the bones as they are animated; of their parent if there are none.
     [[nodiscard]] glm::dmat4 carried(std::span<const Link> links, glm::dmat4 pose) const {
         for (const Link& link : links) pose = GazeBone(rig_, link.bone, pose).pose();
         return pose;
@@ -82,7 +82,8 @@ class Plan::Solver {
         if (turn) rotations_[*link.row] = *turn;
     }
 
-    /// What a bone whose animated gaze is at `animated` takes of the turn from `present` to a direction.
+    /// The step that a bone whose animated gaze is at `animated` takes of the turn from `present` to a
+    /// direction.
     [[nodiscard]] GazeStep step(const glm::dvec3& direction, const glm::dvec2& animated,
                                 const glm::dvec2& present, double weight, double limit) {
         const glm::dvec2 target = chart_->place(direction);

@@ -1,4 +1,4 @@
-// Random chains and what every solution must keep; for the tests of both solvers of chains.
+// Random chains, and properties that every solution must have; for the tests of both solvers of chains.
 #pragma once
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -24,7 +24,7 @@ inline double length_of(const Joints& joints) {
     return length;
 }
 
-/// Nearest that the chain's tip comes to its root.
+/// Least distance of the chain's tip from its root.
 inline double inner_reach(const Joints& joints) {
     double longest = 0.0;
     for (std::size_t i = 1; i < joints.size(); ++i)

@@ -24,7 +24,7 @@ Solved solve(Joints joints, const glm::dvec3& target, const SolverSettings& sett
     return {std::move(joints), report};
 }
 
-/// Root and lengths are kept, and the report says what is.
+/// Checks that root and lengths are kept and that the report is true.
 void check_kept(const Joints& before, const Solved& after, const glm::dvec3& target) {
     const double length = length_of(before);
     REQUIRE(after.joints.size() == before.size());
@@ -37,7 +37,7 @@ void check_kept(const Joints& before, const Solved& after, const glm::dvec3& tar
             Approx(glm::distance(after.joints.back(), target)).epsilon(1e-12).margin(1e-15 * length));
 }
 
-/// Mean over the chain of what lies to the side of the line from the root to the tip.
+/// Mean offset of the chain from the line between root and tip.
 glm::dvec3 bulge_of(const Joints& joints) {
     const glm::dvec3 along = glm::normalize(joints.back() - joints[0]);
     glm::dvec3 sum(0.0);

@@ -21,7 +21,7 @@ double angle_between(const glm::dquat& a, const glm::dquat& b) {
     return 2.0 * std::atan2(glm::length(glm::dvec3(d.x, d.y, d.z)), std::abs(d.w));
 }
 
-/// A chain that holds what Limited looks at.
+/// A chain that owns the arrays which Limited refers to.
 struct Arm {
     std::vector<glm::dquat> rest, rotations;
     std::vector<glm::dvec3> offsets;
@@ -90,7 +90,7 @@ void check_within(const Arm& arm, const std::vector<glm::dquat>& rotations) {
     }
 }
 
-/// The smallest distance that a search by chance alone finds: turns of one bone or all, kept where they help,
+/// The smallest distance that a search by chance alone finds: turns of one bone or all, kept if they help,
 /// ever smaller while they don't.
 double nearest_by_chance(Random& random, const Arm& arm, const glm::dvec3& target, int starts, int steps) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -260,7 +260,7 @@ TEST_CASE("a chain without limits reaches what its lengths allow", "[limited_cha
     }
 }
 
-TEST_CASE("the last bone takes the orientation where it can", "[limited_chain]") {
+TEST_CASE("the last bone takes the orientation if it can", "[limited_chain]") {
     Random random(6);
     int turned = 0;
     constexpr int rounds = 100;

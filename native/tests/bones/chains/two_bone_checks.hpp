@@ -1,4 +1,4 @@
-// Random chains of two bones, and what to ask of their solutions.
+// Random chains of two bones, and checks of their solutions.
 #pragma once
 #include <algorithm>
 #include <bit>

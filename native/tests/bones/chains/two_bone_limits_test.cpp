@@ -61,7 +61,7 @@ TEST_CASE("a pole that crosses the line turns the elbow through the plane", "[tw
         CAPTURE(i);
         CHECK_FALSE(
             jumps(chain, [&](TwoBone& at, double u) { at.pole = place + miss + (2.0 * u - 1.0) * way; }));
-        // The same with the plane across the way, to which both sides' normals are alike and opposite.
+        // Next with the plane across the way, which the normals of both sides are parallel and opposite to.
         chain.plane = glm::cross(line, way);
         CHECK_FALSE(jumps(chain, [&](TwoBone& at, double u) { at.pole = place + (2.0 * u - 1.0) * way; }));
     }

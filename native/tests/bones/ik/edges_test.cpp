@@ -169,7 +169,7 @@ TEST_CASE("bones that are left out carry the chain as they are animated", "[rig_
             const std::size_t left_out = 1 + seed % 4;
             whole.settings[0].left_out = static_cast<double>(left_out);
             whole.settings[0].rotation_weight = seed % 2 == 0 ? 1.0 : 0.0;
-            // The same as a chain of its own, whose parent stands where it is animated.
+            // The bones as a chain of their own, whose parent stands where it is animated.
             Solve part = whole;
             part.settings[0].left_out = 0.0;
             part.chains[0].bones.erase(part.chains[0].bones.begin(),
@@ -264,7 +264,7 @@ TEST_CASE("bones are those of one plan, whatever their number", "[rig_ik]") {
     const ik::Rest rest(plan, solve.rig.view());
     CHECK_NOTHROW(Bones(copy, rest, solve.rig.basis));
 
-    // The same numbers of bones, rows and chains, in another order.
+    // A plan with equal numbers of bones, rows and chains, in a different order.
     std::vector<ChainBones> turned(solve.chains.rbegin(), solve.chains.rend());
     std::vector<Guard> guards = solve.guards;
     for (Guard& guard : guards) guard.chain = static_cast<int>(turned.size()) - 1 - guard.chain;

@@ -1,4 +1,4 @@
-// Rigs for the tests of what works on bones, and Blender's way from relative results back to a pose.
+// Rigs for the tests of solvers of bones, and Blender's computation of a pose from relative results.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -79,7 +79,7 @@ struct Rig {
     }
 };
 
-/// Everything that one solve takes and gives.
+/// Input and output of one solve.
 struct Solve {
     Rig rig;
     std::vector<ChainBones> chains;
@@ -146,7 +146,7 @@ struct Solve {
         }
         return poses;
     }
-    /// The effector's pose where it is relative.
+    /// The effector's pose if it is relative.
     [[nodiscard]] glm::dmat4 effector_pose(std::size_t chain, bool is_fk = false) const {
         const std::vector<glm::dmat4> poses = chain_poses(chain, is_fk);
         const int effector = chains[chain].effector;
@@ -176,7 +176,7 @@ inline constexpr std::array modes{InheritScale::full,    InheritScale::fix_shear
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// A chain of `count` bones that hangs on a shoulder, animated by random turns of up to `bend` rad; each
-/// bone's next one is connected. With a hand at its end where it is not the tail that goes to the target.
+/// bone's next one is connected. With a hand at its end if it is not the tail that goes to the target.
 struct Limb {
     std::vector<int> bones;
     int hand = -1;

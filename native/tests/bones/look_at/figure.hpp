@@ -1,4 +1,4 @@
-// An upright figure with a spine, a head and eyes, and what its bones do with a result.
+// An upright figure with a spine, a head and eyes, and the pose that its bones have with a result.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -25,7 +25,7 @@ constexpr double degree = pi / 180.0;
 
 TEST_CASE("the original's weights on bones: 9 degrees for the body, the rest for the head", "[rig_look_at]") {
     Figure figure(3);
-    const double far = 1e9;  // where the body's turn moves the target by nothing
+    const double far = 1e9;  // if the body's turn moves the target by nothing
     figure.input.target = glm::angleAxis(-30 * degree, glm::dvec3(0, 0, 1)) * glm::dvec3(0, -far, 0);
     const Result result = solve(figure);
     const glm::dvec3 z(0, 0, 1);

@@ -11,51 +11,51 @@
 
 namespace motus::bones::chains {
 
-// Vectors that only rare branches look at go by value: one whose address is taken lives in memory on the
-// frequent branch too, which costs more than all the arithmetic there.
+// Vectors that only rare branches read are passed by value: a vector whose address is taken is kept in memory
+// on the frequent branch too, which costs more than all the arithmetic of that branch.
 
-/// A unit normal across the unit vector `along`: `plane`'s, or where that is zero or along it, one that
-/// depends on `along` alone and jumps at one odd direction only.
+/// A unit normal across the unit vector `along`: that of `plane`, or if `plane` is zero or along `along`, one
+/// that depends on `along` alone and jumps at a single direction.
 [[nodiscard]] glm::dvec3 normal_across(const glm::dvec3& along, const glm::dvec3& plane);
 
 /// From the unit normal `from` (weight 0) to the unit normal `to` (1), about `along`. All unit, both normals
-/// across `along`; so is the result. `to` alike `from`: that. A pole that goes once round the line takes
-/// its normal once round too, so that no way of fading it out is free of a jump; this one jumps at one single
-/// direction and weight, and opposite normals, which mirrored poles lead to, are not that.
+/// across `along`; so is the result. If both normals are equal, the result is that normal. A pole that goes
+/// once round the line takes its normal once round too, so that every way of fading it out has a jump; this
+/// function jumps at a single direction and weight, which opposite normals, as mirrored poles have them, do
+/// not meet.
 [[nodiscard]] glm::dvec3 blended_normal(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& along,
                                         double weight);
 
-/// How sure the plane is that a pose bends in, by the sine of its bend: 0 up to 1 degree, 1 from 8 degrees
-/// on.
+/// How well a pose defines the plane that it bends in, by the sine of its bend: 0 up to 1 degree, 1 from 8
+/// degrees on.
 [[nodiscard]] inline double certainty_of_bend(double sine) {
     constexpr double sine_of_1 = 0.01745240643728351;
     constexpr double sine_of_8 = 0.13917310096006544;
     return smooth_step((sine - sine_of_1) / (sine_of_8 - sine_of_1));
 }
 
-/// What the elbow's side depends on. Real: double, or several at once.
+/// The input of the choice of the elbow's side. Real: double, or several doubles (core/wide.hpp).
 template <class Real>
 struct BendSide {
     glm::vec<3, Real> along;  ///< unit, root to target
     glm::vec<3, Real> pole;   ///< from the root
     glm::vec<3, Real> plane;  ///< as in TwoBone
     Real near;                ///< a pole nearer to the root counts as this far away
-    Real band;                ///< sine of the pole's angle to the line from which on it decides alone
+    Real band;                ///< from this sine of its angle to the line on the pole alone decides
     Real bend;                ///< 1 or -1
 };
 
-/// One of several.
+/// The input of one lane of several.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline BendSide<double> side_of(const BendSide<Real>& side, int index) {
     return {lane(side.along, index), lane(side.pole, index), lane(side.plane, index),
             lane(side.near, index),  lane(side.band, index), lane(side.bend, index)};
 }
 
-/// faded_normal() without a plane that decides by itself, and of lengths whose squares do not keep their
-/// digits.
+/// faded_normal() if the plane does not decide by itself, and for lengths whose squares lose digits.
 [[nodiscard]] glm::dvec3 faded_slowly(const BendSide<double>& side);
 
-// Between which squares of lengths keep their digits, and between which their squares do too.
+// Bounds of lengths whose squares keep all digits, and of those whose fourth powers do.
 inline constexpr double least_square = 1e-200, largest_square = 1e200;
 inline constexpr double least_to_square = 1e-100, largest_to_square = 1e100;
 
@@ -67,7 +67,7 @@ struct Start {
     glm::vec<3, Real> along;
 };
 
-/// blended_normal() of normals that need not be divided by their lengths first. share: the weight over the
+/// blended_normal() of normals of any length. share: the weight over the
 /// length of `to`.
 template <class Real>
 inline glm::vec<3, Real> blended(const Start<Real>& from, const glm::vec<3, Real>& to, Real share,
@@ -84,8 +84,8 @@ inline glm::vec<3, Real> blended(const Start<Real>& from, const glm::vec<3, Real
     return select(is_long, sum, from.normal) * (Real(1.0) / select(is_long, sqrt(square), from.length));
 }
 
-/// bend_normal() where the pole is near the line and fades out. Not inlined, for the sake of the frequent
-/// branch there.
+/// bend_normal() if the pole is near the line and fades out. Not inlined, to keep bend_normal()'s frequent
+/// branch short.
 template <class Real>
 [[gnu::noinline]] glm::vec<3, Real> faded_normal(BendSide<Real> side) {
     using std::max, std::sqrt;
@@ -112,8 +112,8 @@ template <class Real>
     return normal;
 }
 
-/// The unit normal n for which n x along points to the elbow's side; see TwoBone::plane. The pole within
-/// 1e100.
+/// The unit normal n for which n x along points to the elbow's side; see TwoBone::plane. Coordinates of the
+/// pole are within 1e100.
 template <class Real>
 [[nodiscard]] inline glm::vec<3, Real> bend_normal(const BendSide<Real>& side) {
     using std::max, std::sqrt;

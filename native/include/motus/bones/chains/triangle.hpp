@@ -7,14 +7,14 @@
 
 namespace motus::bones::chains {
 
-/// tan^2(angle / 2) = opposite / adjacent, both >= 0; their sum is 4 a b where the sides make a triangle.
+/// tan^2(angle / 2) = opposite / adjacent, both >= 0; their sum is 4 a b if the sides make a triangle.
 template <class Real>
 struct HalfAngle {
     Real opposite, adjacent;
 };
 
-/// Between the sides a and b, opposite c. Kahan, "Miscalculating Area and Angles of a Needle-like Triangle"
-/// (2014), section 6: no difference in it loses digits, needles included.
+/// The angle between the sides a and b, opposite c. Kahan, "Miscalculating Area and Angles of a Needle-like
+/// Triangle" (2014), section 6: none of its differences loses digits, not even for needles.
 template <class Real>
 [[nodiscard]] inline HalfAngle<Real> half_angle(Real a, Real b, Real c) {
     using std::max, std::min;
@@ -31,8 +31,8 @@ struct Direction {
     Real cosine, sine;
 };
 
-/// cosine^2 + sine^2 = 1 to the last digits. A right angle where one of the sides is nothing beside the
-/// other.
+/// cosine^2 + sine^2 = 1 to the last digits. A right angle if one of the sides is negligible beside
+/// the other.
 template <class Real>
 [[nodiscard]] inline Direction<Real> direction_of(const HalfAngle<Real>& half) {
     using std::sqrt;
@@ -46,8 +46,8 @@ template <class Real>
 }
 
 /// Direction of the first of two bones, seen from the line to the tip at distance `reach`; longest, shortest:
-/// sum and difference of the lengths. The ends of the reach are asked for by name: there rounding would make
-/// 1e-8 rad of 1e-16.
+/// sum and difference of the lengths. The ends of the reach are compared exactly: near them a rounding of
+/// 1e-16 would become an angle of 1e-8 rad.
 template <class Real>
 [[nodiscard]] inline Direction<Real> shoulder(Real length1, Real length2, Real longest, Real shortest,
                                               Real reach) {

@@ -1,8 +1,8 @@
 // Inverse kinematics of many chains of one rig, beside their animated (FK) pose.
 //
 // A chain starts from its FK pose: the evaluated pose of the first bone's parent and the bones' own
-// transforms. Its bones are turned so that the tip comes to the target; what comes out is relative to the
-// bones' own rotations, so that nothing (the identity) means the FK pose. Bones point along their +Y. Pose
+// transforms. Its bones are turned so that the tip comes to the target; results are relative to the bones'
+// own rotations, so that the identity means the FK pose. Bones point along their +Y. Pose
 // space is the armature's.
 #pragma once
 #include <cstddef>
@@ -18,42 +18,43 @@
 
 namespace motus::bones::ik {
 
-/// Bones from root to tip. The effector is the last of them: the chain's tip is its tail, and it is turned to
-/// the target as far as its place allows; or it is a child of the last one: the tip is its head, and it turns
-/// freely.
+/// Bones from root to tip, and the effector. If the effector is the last of these bones, the chain's tip is
+/// its tail, and it is turned to the target's orientation as far as the tip's place allows. If it is a child
+/// of the last one, the tip is the effector's head, and the effector turns freely.
 struct ChainBones {
     std::vector<int> bones;
     int effector = -1;
 };
 
-/// A bone outside a chain whose parent is one of the chain's bones, to be kept from the chain's stretch.
+/// A bone outside a chain whose parent is one of the chain's bones, and that shall not be stretched with it.
 struct Guard {
     int bone = -1;
     int chain = -1;
 };
 
-/// One chain's settings; a row of numbers, as Python's table of settings has them.
+/// The settings of one chain: a row of numbers in the layout of Python's table of settings.
 struct ChainSettings {
-    double position_weight = 1.0;  ///< 0 to 1, of the solution over the FK rotations
-    double rotation_weight = 0.0;  ///< 0 to 1, of the target's orientation over the effector's
+    double position_weight = 1.0;  ///< 0 to 1, between the FK rotations and the solution
+    double rotation_weight = 0.0;  ///< 0 to 1, between the effector's orientation and the target's
     double softness = 0.0;         ///< see soft_reach(); fraction of the chain's length
-    double stretch = 0.0;          ///< 0 to 1, of what lacks between the chain's reach and the target
+    double stretch = 0.0;          ///< 0 to 1, share of the missing length that the bones stretch by
     double pole_angle = 0.0;       ///< rad, about the line from root to target
     double bend = 1.0;             ///< >= 0: towards the pole; < 0: away from it
     double hinge_angle = 0.0;      ///< rad; the axis that a straight chain bends about is the first bone's X,
-                               ///< turned by this about its Y. Two bones whose FK pose bends otherwise, by
-                               ///< less than 8 degrees, keep to that bend while they are as straight, even
-                               ///< with a pole: so match() is exact. With three times the bend they are on
-                               ///< the pole's side
+                               ///< turned by this about its Y. Two bones whose FK pose bends by less than 8
+                               ///< degrees about another axis keep that axis while they are as straight, even
+                               ///< with a pole, so that match() is exact. From three times that bend on they
+                               ///< are on the pole's side
     double tolerance = 1e-6;    ///< residual that counts as reached, as a fraction of the chain's length
-    double iterations = 100.0;  ///< of chains::solve()
-    double use_limits = 0.0;    ///< not 0: within the limits given
+    double iterations = 100.0;  ///< SolverSettings::max_iterations
+    double use_limits = 0.0;    ///< not 0: joints keep within their limits
     double is_on = 1.0;         ///< 0: the chain stands in its FK pose
-    double left_out = 0.0;      ///< how many of the chain's first bones stay in their FK pose; one is left
+    double left_out =
+        0.0;  ///< how many of the chain's first bones stay in their FK pose; at least one is solved
 };
 
-/// What a chain came to; a row of numbers. Residual, reason, distance, reach and tip are those of the
-/// solution with all its weight on the position, whatever position_weight.
+/// How well a chain was solved: a row of numbers in the layout of Python's table of reports. Residual,
+/// reason, distance, reach and tip are those of the solution with position_weight 1.
 struct ChainDiagnostics {
     double residual = 0.0;  ///< |tip - target|, world
     double angle =
@@ -66,43 +67,44 @@ struct ChainDiagnostics {
 };
 
 /// Which bones of a rig are chains, and where the results of each bone go. Immutable. A copy is the same
-/// plan; one made anew is another, even of the same bones.
+/// plan; one that is constructed anew is a different plan, even if its bones are the same.
 class Plan {
   public:
-    /// std::invalid_argument, with the argument's name, for bones that do not exist or do not hang together.
+    /// std::invalid_argument, with the argument's name, for bones that do not exist or are not parent and
+    /// child.
     Plan(std::vector<int> parents, std::vector<ChainBones> chains, const std::vector<Guard>& guards);
 
     /// Bone of each result row: the chains' bones, chain by chain; effectors that are no chain bones; guards.
     [[nodiscard]] std::span<const int> rows() const noexcept { return rows_; }
-    /// Whether a row is the bone's rotation and scale in pose space, rather than what comes on top of its
-    /// own: so it is with guards, and with effectors that are no chain bones where their chain has a guard
-    /// (the effector itself may be listed as one: it has one row all the same).
+    /// Whether a row is the bone's rotation and scale in pose space, rather than relative to the bone's own
+    /// transform. True of guards, and of effectors outside the chain if their chain has a guard. (The
+    /// effector itself may be listed as a guard; it still has one row.)
     [[nodiscard]] std::span<const unsigned char> is_absolute() const noexcept { return is_absolute_; }
     [[nodiscard]] std::span<const int> parents() const noexcept { return parents_; }
     [[nodiscard]] std::size_t chain_count() const noexcept { return chains_.size(); }
     /// Bones of all chains together: the first rows.
     [[nodiscard]] std::size_t chain_bone_count() const noexcept { return chain_bone_count_; }
     [[nodiscard]] std::size_t longest_chain() const noexcept { return longest_chain_; }
-    /// What the plan and its copies have in common, and no other plan has.
+    /// A token that the plan and its copies share, and no different plan has.
     [[nodiscard]] const std::shared_ptr<const void>& identity() const noexcept { return identity_; }
 
     /// A bone that hangs on a chain, and where its result goes.
     struct Hanging {
         std::size_t bone = 0;
-        std::size_t on = 0;  ///< place of its parent in the chain, with what is left out of it
+        std::size_t on = 0;  ///< index of its parent in the chain, left out bones included
         std::size_t row = 0;
     };
     struct Chain {
         std::span<const int> bones;
         int parent = -1;           ///< of the first bone of all, -1 for none
-        std::size_t left_out = 0;  ///< bones before these that only carry the chain
+        std::size_t left_out = 0;  ///< bones before these that stay in their FK pose
         std::size_t first_row = 0;
-        bool has_free_effector = false;  ///< no chain bone
+        bool has_free_effector = false;  ///< the effector is outside the chain
         bool is_effector_absolute = false;
-        Hanging effector;                 ///< read only where it is free
+        Hanging effector;                 ///< read only if it is free
         std::span<const Hanging> guards;  ///< without the effector
     };
-    /// left_out: as in ChainSettings, whatever it is.
+    /// left_out: as in ChainSettings, any number.
     [[nodiscard]] Chain chain(std::size_t index, double left_out = 0.0) const;
 
   private:
@@ -132,12 +134,12 @@ class Plan {
 struct RestBone;
 struct AnimatedBone;
 
-/// The bones of a plan's rows at rest, each beside its parent. An immutable value, right until the armature
-/// is edited; copies share it.
+/// The bones of a plan's rows at rest, each relative to its parent. An immutable value, valid until the
+/// armature is edited; copies share its data.
 class Rest {
   public:
-    Rest() = default;  // of no plan
-    /// Reads neither poses nor basis. Numbers that are not finite are allowed. std::invalid_argument where
+    Rest() = default;  // belongs to no plan
+    /// Reads neither poses nor basis. Numbers that are not finite are allowed. std::invalid_argument if
     /// the rig's parents are not the plan's, or its arrays do not have as many bones.
     Rest(const Plan& plan, const RigView& rig);
 
@@ -152,12 +154,12 @@ class Rest {
     std::shared_ptr<const std::vector<RestBone>> rows_;
 };
 
-/// The same bones as they are animated (FK): all that a solve reads of them but where their chain's parent
-/// stands. An immutable value, right until a bone's own transform changes; copies share it.
+/// The bones of a plan's rows as they are animated (FK): all that a solve reads except the pose of the
+/// chains' parents. An immutable value, valid until a bone's own transform changes; copies share its data.
 class Bones {
   public:
-    Bones() = default;  // of no plan
-    /// basis: as in RigView, of all bones. std::invalid_argument where `rest` or `basis` are not the plan's.
+    Bones() = default;  // belongs to no plan
+    /// basis: as in RigView, of all bones. std::invalid_argument if `rest` or `basis` are not the plan's.
     Bones(const Plan& plan, Rest rest, std::span<const float> basis);
 
     /// In the order of the plan's rows.
@@ -169,32 +171,32 @@ class Bones {
     std::shared_ptr<const std::vector<AnimatedBone>> rows_;
 };
 
-/// What a solve reads. Sizes are checked by solve(); numbers that are not finite are allowed.
+/// The input of a solve. Sizes are checked by solve(); numbers that are not finite are allowed.
 struct Input {
     Bones bones;                                  ///< of the plan
     std::span<const float> poses;                 ///< as in RigView; read for the parents of chains
     glm::dmat4 world{1.0};                        ///< the rig's matrix_world
     std::span<const ChainSettings> settings;      ///< one per chain
     std::span<const glm::dmat4> targets;          ///< one per chain, world
-    std::span<const glm::dvec3> poles;            ///< one per chain, world; a NaN in it: none
+    std::span<const glm::dvec3> poles;            ///< one per chain, world; a NaN in it: no pole
     std::span<const chains::JointLimits> limits;  ///< one per chain bone, chain by chain; or empty: no limits
 };
 
-/// What a solve writes.
+/// The output of a solve.
 struct Output {
     std::span<glm::dquat> rotations;     ///< one per row
     std::span<glm::dvec3> scales;        ///< one per row
     std::span<ChainDiagnostics> report;  ///< one per chain
 };
 
-/// Solves every chain by itself. std::invalid_argument where sizes do not fit. Always finite; rows of a chain
-/// that is off are neutral (identity and 1; the FK pose where they are absolute), and so are those of one
+/// Solves every chain independently. std::invalid_argument if sizes do not fit. Always finite; rows of a
+/// chain that is off are neutral (identity and 1; the FK pose if they are absolute), and so are those of one
 /// with numbers that are not finite (identity and 1 everywhere).
 void solve(const Plan& plan, const Input& input, const Output& output);
 
 /// Targets (rigid matrices) and poles, world, for which the solution of each chain is the FK pose. With
-/// stretch and softness both, an FK pose almost straight has no such target: the tip is right, the bones are
-/// a little longer. Reads no targets, poles and limits; a chain with numbers that are not finite gets the
+/// both stretch and softness an almost straight FK pose has no such target: the tip is right, but the bones
+/// are a little longer. Reads no targets, poles and limits; a chain with numbers that are not finite gets the
 /// identity and a pole of NaN.
 void match(const Plan& plan, const Input& input, std::span<glm::dmat4> targets, std::span<glm::dvec3> poles);
 

@@ -2,13 +2,13 @@
 // Weights and clamp mean what they mean in Unity's Animator.SetLookAtWeight.
 //
 // All directions are seen from the chest, in a chart of the sphere about the chest's forward direction: the
-// place of a direction is the angle it lies off forward, towards where it lies (azimuthal equidistant). There
-// a turn is a vector, shares are fractions of it, and a way never leads round the back. The one direction
-// without a place of its own is the one exactly behind the chest (every way is equally long; the left one is
-// taken): a target that passes through it makes free turns change sides at once, as a person does. Turns that
-// are limited, by the clamp or by a limit of their own, shrink to none as the target nears it (over the last
-// 45 degrees, where the limit is 90 degrees or less), and so change sides without a jump: the result is then
-// a continuous function of the target everywhere.
+// place of a direction is the angle it lies off forward, towards where it lies (azimuthal equidistant). In
+// this chart a turn is a vector, shares are fractions of it, and no turn leads round the back. The one
+// direction without a place of its own is the one exactly behind the chest (every way is equally long; the
+// left one is taken): a target that passes through it makes free turns change sides at once, as a person
+// does. Turns that are limited, by the clamp or by a limit of their own, shrink to none as the target nears
+// it (over the last 45 degrees, if the limit is 90 degrees or less), and so change sides without a jump: the
+// result is then a continuous function of the target everywhere.
 #pragma once
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
@@ -24,8 +24,8 @@ namespace motus::bones::look_at {
 /// horizon forward) as they near the vertical, so that a gaze may pass straight over the zenith without
 /// spinning.
 enum class Level {
-    all_round,  ///< as said; two directions, about 60 degrees above and below the one behind, have no level.
-                ///< For heads that turn right round
+    all_round,  ///< as above; two directions, about 60 degrees above and below the one behind, have no
+                ///< level. For heads that turn right round
     in_front,  ///< farther than 73 degrees off forward, level passes over to what forward's up becomes by the
                ///< shortest turn: every direction but the one behind has it. For turns that are limited
 };
@@ -33,7 +33,7 @@ enum class Level {
 /// Directions as places in the chest's chart, rad: x to the left, y up, (0, 0) straight ahead.
 class GazeChart {
   public:
-    /// forward: unit. up: any vector not along it; what is across forward counts.
+    /// forward: unit. up: any vector not along forward; its part across forward counts.
     GazeChart(const glm::dvec3& forward, const glm::dvec3& up, Level level = Level::all_round);
 
     /// Place of a unit direction; the length is its angle from forward, 0 to pi.
@@ -46,7 +46,7 @@ class GazeChart {
     [[nodiscard]] glm::dquat level(const glm::dvec2& place) const;
 
     /// Rotation that takes the direction at `from` to the one at `to`, and level to level: a level head stays
-    /// so, another keeps its roll. w >= 0.
+    /// level, a head that is not level keeps its roll. w >= 0.
     [[nodiscard]] glm::dquat turn(const glm::dvec2& from, const glm::dvec2& to) const;
 
     /// Yaw (positive to the left) and pitch (positive up) of a unit direction, rad.
@@ -59,7 +59,7 @@ class GazeChart {
     Level level_;
 };
 
-/// Weights are clamped to [0, 1], limits to >= 0.
+/// How a turn is shared and limited. Weights are clamped to [0, 1], limits to >= 0.
 struct GazeSettings {
     double weight = 1.0;       ///< of the whole turn
     double body_weight = 0.3;  ///< share of the whole turn that the body takes, evenly over its bones
@@ -71,7 +71,7 @@ struct GazeSettings {
     double eyes_limit = std::numbers::pi;  ///< by each eye
 };
 
-/// all_round where nothing keeps the head from turning right round: no clamp, and no limit of the head.
+/// all_round if nothing keeps the head from turning right round: no clamp, and no limit of the head.
 [[nodiscard]] Level level_for(const GazeSettings& settings);
 
 /// A place in the chart, or a step from one to another, and whether a limit made it shorter.
@@ -81,14 +81,14 @@ struct GazeStep {
 };
 
 /// `turn`, a step from the place `from`, by no more than `limit`: as it is up to 0.8 of the limit, then
-/// slower, with two derivatives without a jump; and shrunk towards nothing where `target`, the place of what
-/// is looked at, is nearly behind. The angle between the directions at its ends is within the limit, 5 % more
-/// where `from` is 120 degrees off.
+/// slower, with two derivatives without a jump; and shrunk towards zero if `target`, the place of the
+/// target, is nearly behind. The angle between the directions at its ends is within the limit, 5 % more
+/// if `from` is 120 degrees off.
 [[nodiscard]] GazeStep limited_turn(const glm::dvec2& from, const glm::dvec2& turn, double limit,
                                     const glm::dvec2& target);
 
-/// Where the whole turn ends that starts at the animated gaze: the target, but for weight and clamp. `by` is
-/// the place.
+/// The end of the whole turn that starts at the animated gaze: the target, or nearer by weight and clamp.
+/// `by` is that place in the chart.
 [[nodiscard]] GazeStep gaze_goal(const glm::dvec2& animated, const glm::dvec2& target,
                                  const GazeSettings& settings);
 
@@ -96,7 +96,7 @@ struct GazeStep {
 [[nodiscard]] GazeStep gaze_share(const glm::dvec2& present, const GazeStep& goal, const glm::dvec2& target,
                                   double weight, double limit);
 
-inline constexpr double reached_angle = 1e-6;  ///< rad, between gaze and target: less counts as none
+inline constexpr double reached_angle = 1e-6;  ///< rad; a smaller angle between gaze and target counts as 0
 
 /// Rotations in the space of the chart, each on top of the one before.
 struct Turns {
@@ -108,7 +108,7 @@ struct Turns {
                                       ///< weights does
 };
 
-/// The shares of a turn from the animated gaze to a target far away, where it is in the same direction from
+/// The shares of a turn from the animated gaze to a target far away, if it is in the same direction from
 /// head and eyes, and stays so as the body turns. Unit directions. A share of no weight is exactly the
 /// identity.
 [[nodiscard]] Turns turns_to(const GazeChart& chart, const glm::dvec3& animated, const glm::dvec3& target,

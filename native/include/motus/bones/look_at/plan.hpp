@@ -27,15 +27,16 @@ struct Input {
     glm::dvec3 target{0.0};  ///< world space
     glm::dvec3 head_forward{0.0, 0.0,
                             1.0};  ///< axis of the head bone that points where the face does; not zero
-    std::span<const glm::dvec3> eyes_forward;  ///< the same of each eye, in the order of Bones::eyes
-    glm::dvec3 up{0.0, 0.0, 1.0};  ///< what the rig stands along at rest, armature space; not zero
+    std::span<const glm::dvec3>
+        eyes_forward;  ///< axis of each eye bone that points where the eye looks, in the order of Bones::eyes
+    glm::dvec3 up{0.0, 0.0, 1.0};  ///< the rig's upward direction at rest, armature space; not zero
     bool is_on = true;
 };
 
-/// What came of it. Angles in the rig's space, rad.
+/// How well a head meets its target. Angles in the rig's space, rad.
 struct GazeDiagnostics {
     double angle =
-        0.0;  ///< between gaze and target: of the eyes (the worse) where they have weight, else of the head
+        0.0;  ///< between gaze and target: of the eyes (the worse) if they have weight, else of the head
     std::optional<Reason> reason =
         Reason::reached;  ///< limit: clamp or a limit keeps the gaze off; reached: nothing but
                           ///< weights does. None: input not finite, or a bone of no size
@@ -43,10 +44,10 @@ struct GazeDiagnostics {
     double pitch = 0.0;  ///< positive up
 };
 
-/// Bones of a rig that look at targets, checked once.
+/// Bones of a rig that look at targets. The hierarchy is checked once.
 ///
-/// The chest is what the head stands in: its forward is the head's where the head has no rotation of its own,
-/// its up is Input::up as the animated chest has carried it from rest (where the face looks along up at
+/// The chest is the space that the head bone's own rotation acts in: its forward is the head's without that
+/// rotation, its up is Input::up turned with the animated chest (if the face looks along up at
 /// rest: the head bone's own Y or Z). Every gaze starts at its bone's own place; no bone moves the place it
 /// turns about, so that what the head has to turn is known once the body stands, and what the eyes have to
 /// once the head does. A head (or eye) of weight 1 and no limit therefore meets its target exactly, near ones
@@ -55,7 +56,7 @@ struct GazeDiagnostics {
 class Plan {
   public:
     /// parents: index of each bone's parent, -1 for none, in any order. Throws
-    /// std::invalid_argument where an index is none of a bone's, or the bones are not above each other as
+    /// std::invalid_argument if an index is none of a bone's, or the bones are not above each other as
     /// Bones says.
     Plan(std::span<const int> parents, std::span<const Bones> entries);
 
@@ -66,23 +67,23 @@ class Plan {
     /// How many eyes each entry has.
     [[nodiscard]] std::span<const std::size_t> eye_counts() const noexcept { return eye_counts_; }
 
-    /// One input, and one report, an entry; one rotation a row: of the bone's own rotation, on top of the
-    /// animated one (rotation of PoseBone.matrix_basis * result), w >= 0. Without a turn (weight 0, off,
+    /// One input and one report per entry; one rotation per row, which is applied on top of the bone's
+    /// animated rotation (rotation of PoseBone.matrix_basis * result), w >= 0. Without a turn (weight 0, off,
     /// target at the head itself, input not finite) exactly the identity. world: the rig's matrix_world.
     /// RigView::lengths is not read. Allocates nothing; every result is finite. Throws std::invalid_argument
-    /// where a span has another size, one of Input::eyes_forward included, or the rig's parents are not the
+    /// if a span has another size, one of Input::eyes_forward included, or the rig's parents are not the
     /// plan's.
     void solve(const RigView& rig, const glm::dmat4& world, std::span<const Input> inputs,
                std::span<glm::dquat> rotations, std::span<GazeDiagnostics> reports) const;
 
   private:
-    /// A bone on the way up, and where its result goes; none where it only carries the next one.
+    /// A bone on the way up, and the row of its result; none if the bone does not turn by itself.
     struct Link {
         std::size_t bone = 0;
         std::optional<std::size_t> row;
     };
     struct Entry {
-        std::vector<Link> body;   ///< up to, not with, the head
+        std::vector<Link> body;   ///< up to the head, which is not among them
         std::size_t turning = 0;  ///< how many of them have a row
         Link head;
         std::vector<std::vector<Link>> eyes;  ///< each from above the head up to the eye
