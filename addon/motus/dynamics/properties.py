@@ -1,9 +1,12 @@
 """Settings of dynamics: Object.motus.dynamics, with an entry for the object itself and for each bone."""
 
+from functools import partial
+
 import bpy
 
 from ..core.interface import bone_entries
 from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings.declared import number
 from . import filters, styles
 
 FOLLOWS = (
@@ -25,8 +28,7 @@ SHAPES = (
 _STILL = {"update": touch, "options": set(), "override": OVERRIDABLE}
 
 
-def _number(name, description, default, **options):
-    return bpy.props.FloatProperty(name=name, description=description + NO_KEYS, default=default, **{**_STILL, **options})
+_number = partial(number, tells_no_keys=True)
 
 
 def _seen(name, description, key, **options):

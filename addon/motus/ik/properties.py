@@ -1,12 +1,14 @@
 """Settings of inverse kinematics: Object.motus.ik, with an entry for each chain."""
 
 import math
+from functools import partial
 
 import bpy
 
 from ..core.file.pointers import to_object
 from ..core.interface import bone_entries
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings.declared import factor, number
 from . import chains
 from .checking import results as check_results
 
@@ -30,13 +32,8 @@ def _change_stretch(item, context):
 _WIRED = {"update": rewire, "options": set()}
 
 
-def _number(name, description, default, **options):
-    options = {"update": touch, "options": ANIMATED, **options}
-    return bpy.props.FloatProperty(name=name, description=description, default=default, override=OVERRIDABLE, **options)
-
-
-def _factor(name, description, default, **options):
-    return _number(name, description, default, min=0.0, max=1.0, subtype='FACTOR', **options)
+_number = partial(number, options=ANIMATED)
+_factor = partial(factor, options=ANIMATED)
 
 
 def _angle(name, description, **options):

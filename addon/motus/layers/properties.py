@@ -1,8 +1,11 @@
 """Settings of the layers: Object.motus.layers, with an entry for each layer, the lowest first."""
 
+from functools import partial
+
 import bpy
 
 from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings.declared import choice, number
 
 MODES = (
     ('OVERRIDE', "Override", "The layer takes the place of what lies beneath it"),
@@ -26,30 +29,13 @@ MOST_LAYERS = 64
 """More than that are refused: each costs its time on every frame."""
 
 
-def _enum(name, description, items, default, update=touch):
-    return bpy.props.EnumProperty(
-        name=name, description=description, items=items, default=default, update=update, options=set(), override=OVERRIDABLE
-    )
-
-
-def _frames(name, description, default, **limits):
-    return bpy.props.FloatProperty(
-        name=name,
-        description=description + NO_KEYS,
-        default=default,
-        step=100,
-        precision=1,
-        update=touch,
-        options=set(),
-        override=OVERRIDABLE,
-        **limits,
-    )
+_frames = partial(number, tells_no_keys=True, step=100, precision=1)
 
 
 class LayerKeywords:
     """Mixin of an entry's settings and of the operator, which share these properties; scripts use the names as keywords."""
 
-    mode: _enum("Mode", "How the layer acts on what lies beneath it", MODES, 'OVERRIDE')
+    mode: choice("Mode", "How the layer acts on what lies beneath it", MODES, 'OVERRIDE')
     weight: bpy.props.FloatProperty(
         name="Weight",
         description="How much the layer acts; 0 leaves what lies beneath as it is",
@@ -72,10 +58,10 @@ class LayerKeywords:
         options=set(),
         override=OVERRIDABLE,
     )
-    after: _enum("After", "What follows the last frame of the action", AFTERS, 'STOP')
+    after: choice("After", "What follows the last frame of the action", AFTERS, 'STOP')
     blend_in: _frames("Blend In", "Number of frames from the start over which the weight grows", 0.0, min=0.0)
     blend_out: _frames("Blend Out", "Number of frames before the end over which the weight of a layer that stops fades", 0.0, min=0.0)
-    reference: _enum("Reference", "Pose that an additive layer is compared with", REFERENCES, 'FIRST')
+    reference: choice("Reference", "Pose that an additive layer is compared with", REFERENCES, 'FIRST')
     reference_frame: _frames("Reference Frame", "Frame of the action whose pose an additive layer is compared with", 1.0)
     in_armature: bpy.props.BoolProperty(
         name="Steady in Armature",
@@ -115,7 +101,7 @@ class MOTUS_PG_layers_mask(bpy.types.PropertyGroup):
     """Bones of a layer's mask: later ones of the list count for bones that several name."""
 
     name: bpy.props.StringProperty(name="Name", description="Name of the bone or the collection", update=rewire, override=OVERRIDABLE)
-    kind: _enum("Kind", "Whether the name is that of a bone or of a collection", KINDS, 'BONE', rewire)
+    kind: choice("Kind", "Whether the name is that of a bone or of a collection", KINDS, 'BONE', update=rewire)
     with_children: bpy.props.BoolProperty(
         name="With Children", description="All bones below count as well", default=True, update=rewire, options=set(), override=OVERRIDABLE
     )

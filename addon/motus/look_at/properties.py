@@ -1,6 +1,7 @@
 """Settings of Look At: Object.motus.look_at, with an entry for each head."""
 
 import math
+from functools import partial
 
 import bpy
 
@@ -8,6 +9,7 @@ from ..core.file.pointers import to_object
 from ..core.interface import bone_entries
 from ..core.measures.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings.declared import choice, factor, number
 from . import facing
 
 FORWARDS = (
@@ -18,38 +20,12 @@ ANY_BODY_LENGTH = -1
 """body_length that lets the operator find the spine."""
 
 
-def _weight(name, description, default):
-    return bpy.props.FloatProperty(
-        name=name,
-        description=description,
-        default=default,
-        min=0.0,
-        max=1.0,
-        subtype='FACTOR',
-        update=touch,
-        options=ANIMATED,
-        override=OVERRIDABLE,
-    )
+_weight = partial(factor, options=ANIMATED)
+_axis = partial(choice, update=rewire)
 
 
 def _limit(name, description, degrees):
-    return bpy.props.FloatProperty(
-        name=name,
-        description=description,
-        default=math.radians(degrees),
-        min=0.0,
-        max=math.pi,
-        subtype='ANGLE',
-        update=touch,
-        options=ANIMATED,
-        override=OVERRIDABLE,
-    )
-
-
-def _axis(name, description, items, default):
-    return bpy.props.EnumProperty(
-        name=name, description=description, items=items, default=default, update=rewire, options=set(), override=OVERRIDABLE
-    )
+    return number(name, description, math.radians(degrees), ANIMATED, min=0.0, max=math.pi, subtype='ANGLE')
 
 
 class LookAtKeywords:

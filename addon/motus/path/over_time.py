@@ -18,7 +18,7 @@ from ..core.tracks import world_track
 from ..core.tracks.solved import placed
 from . import curves, members, solve
 
-CHOICES = ("timing", "extend", "pins_by", "orientation", "forward_axis", "up_axis", "lag_by")
+CHOICES = tuple(name for name in solve.SHARED if name not in {"influence", "pins"})
 
 
 def over_time(owner, thing, scene):

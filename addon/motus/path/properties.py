@@ -1,10 +1,13 @@
 """Settings of Follow Path, in Object.motus.path, and the keywords that its operators share with them."""
 
+from functools import partial
+
 import bpy
 
 from ..core.file.pointers import to_object
 from ..core.measures.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings.declared import choice, number
 
 EASE_TOLERANCE = 1e-6  # in single precision 0.7 + 0.3 exceeds 1
 DEFAULT_GAP = 2.0  # gap between objects without extent, m
@@ -61,15 +64,7 @@ def _has_too_much_ease(settings):
     return isinstance(settings, SystemSettings) and settings.ease_in + settings.ease_out > 1.0 + EASE_TOLERANCE
 
 
-def _number(name, description, default, **options):
-    options.setdefault("update", touch)
-    return bpy.props.FloatProperty(name=name, description=description, default=default, options=ANIMATED, override=OVERRIDABLE, **options)
-
-
-def _choice(name, description, items, default, update=touch, options=frozenset()):
-    return bpy.props.EnumProperty(
-        name=name, description=description, items=items, default=default, update=update, options=set(options), override=OVERRIDABLE
-    )
+_number = partial(number, options=ANIMATED)
 
 
 class FollowKeywords:
@@ -84,7 +79,7 @@ class FollowKeywords:
         options=ANIMATED,
         override=OVERRIDABLE,
     )
-    timing: _choice("Timing", "What sets the position at a time", TIMINGS, 'DURATION')
+    timing: choice("Timing", "What sets the position at a time", TIMINGS, 'DURATION')
     duration: _number("Duration", "Time for the whole path", 5.0, min=1e-4, soft_min=0.1, soft_max=60.0, subtype='TIME_ABSOLUTE')
     speed: _number("Speed", "Distance per second; negative goes backwards", 5.0, soft_min=0.0, soft_max=100.0, unit='VELOCITY')
     start_frame: _number("Start", "Frame at which the motion starts", 1.0, step=100)
@@ -98,10 +93,10 @@ class FollowKeywords:
     ease_out: _number(
         "Ease Out", "Fraction of the time that is used to lose speed", 0.0, min=0.0, max=1.0, subtype='FACTOR', update=_push_ease_in
     )
-    extend: _choice("Ends", "What happens beyond the ends of the path", EXTENDS, 'CLAMP')
-    pins_by: _choice("Pins By", "What the pins give", PIN_UNITS, 'FRACTION')
+    extend: choice("Ends", "What happens beyond the ends of the path", EXTENDS, 'CLAMP')
+    pins_by: choice("Pins By", "What the pins give", PIN_UNITS, 'FRACTION')
 
-    orientation: _choice("Orientation", "Direction in which the object's up axis points", ORIENTATIONS, 'WORLD_UP', rewire)
+    orientation: choice("Orientation", "Direction in which the object's up axis points", ORIENTATIONS, 'WORLD_UP', update=rewire)
     curvature_outward: bpy.props.BoolProperty(
         name="Outward",
         description="Up points away from the centre of the bend",
@@ -110,12 +105,12 @@ class FollowKeywords:
         options=ANIMATED,
         override=OVERRIDABLE,
     )
-    forward_axis: _choice("Forward", "Axis of the object that points along the path", AXES, 'POS_Y')
-    up_axis: _choice("Up", "Axis of the object that points up", AXES, 'POS_Z')
+    forward_axis: choice("Forward", "Axis of the object that points along the path", AXES, 'POS_Y')
+    up_axis: choice("Up", "Axis of the object that points up", AXES, 'POS_Z')
     lag_rate: _number(
         "Lag", "Rate, per second and unit of curvature, at which the orientation trails behind; 0 is exact", 0.0, min=0.0, soft_max=10.0
     )
-    lag_by: _choice("Lag By", "What the rate of the lag is proportional to", LAGS, 'ACCELERATION')
+    lag_by: choice("Lag By", "What the rate of the lag is proportional to", LAGS, 'ACCELERATION')
 
     bank_strength: _number(
         "Strength", "Factor on the bank: 1 is that of an aircraft, and negative leans outward", 1.0, soft_min=0.0, soft_max=3.0
@@ -137,7 +132,7 @@ class NewFollowKeywords(FollowKeywords):
     Without a keyword *Ends* is chosen by the curve: closed curves loop, trains line up.
     """
 
-    extend: _choice(
+    extend: choice(
         "Ends",
         "What happens beyond the ends of the path; if it is not given, a closed path loops and a train lines up",
         EXTENDS,

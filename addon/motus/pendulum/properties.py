@@ -1,11 +1,13 @@
 """Settings of pendulums: Object.motus.pendulum of the pivot."""
 
 import math
+from functools import partial
 
 import bpy
 
 from ..core.file.pointers import to_object
-from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings.declared import number, switch
 from . import parts
 
 KINDS = (
@@ -20,27 +22,8 @@ def _fit(settings, context):
     touch(settings, context)
 
 
-def _number(name, description, default, options=frozenset(), **more):
-    more.setdefault("update", touch)
-    return bpy.props.FloatProperty(
-        name=name,
-        description=description + ("" if options else NO_KEYS),
-        default=default,
-        options=set(options),
-        override=OVERRIDABLE,
-        **more,
-    )
-
-
-def _switch(name, description, default, options=frozenset(), update=touch):
-    return bpy.props.BoolProperty(
-        name=name,
-        description=description + ("" if options else NO_KEYS),
-        default=default,
-        options=set(options),
-        update=update,
-        override=OVERRIDABLE,
-    )
+_number = partial(number, tells_no_keys=True)
+_switch = partial(switch, tells_no_keys=True)
 
 
 class PendulumKeywords:

@@ -6,6 +6,7 @@ import bpy
 
 from ..core.file.pointers import to_object
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings.declared import number, switch, whole
 from . import look
 
 SHAPES = (
@@ -45,41 +46,26 @@ def _redress(settings, context):
     _dress(settings, context)
 
 
-def _number(name, description, default, options=frozenset(), **more):
-    more.setdefault("update", touch)
-    return bpy.props.FloatProperty(name=name, description=description, default=default, options=set(options), override=OVERRIDABLE, **more)
-
-
-def _whole(name, description, default, **more):
-    return bpy.props.IntProperty(
-        name=name, description=description, default=default, options=set(), override=OVERRIDABLE, update=touch, **more
-    )
-
-
-def _switch(name, description, default=False, update=touch):
-    return bpy.props.BoolProperty(name=name, description=description, default=default, options=set(), update=update, override=OVERRIDABLE)
-
-
 class SnowKeywords:
     """Mixin of the settings and of the operator, which share these properties; scripts use the names as keywords.
 
     Nearly none has keys: all flakes of all times follow from them, and would be different ones on each frame.
     """
 
-    start_speed: _number("Speed", "Speed at which flakes leave the emitter", 5.0, soft_min=0.0, soft_max=10.0, unit='VELOCITY')
-    lifetime: _number("Lifetime", "Seconds after which a flake is gone", 2.0, min=0.0, soft_min=0.1, soft_max=100.0, unit='TIME_ABSOLUTE')
-    start_size: _number(
+    start_speed: number("Speed", "Speed at which flakes leave the emitter", 5.0, soft_min=0.0, soft_max=10.0, unit='VELOCITY')
+    lifetime: number("Lifetime", "Seconds after which a flake is gone", 2.0, min=0.0, soft_min=0.1, soft_max=100.0, unit='TIME_ABSOLUTE')
+    start_size: number(
         "Size", "Size of the flakes, as a multiple of Flake Width or the scale of an object", 1.0, min=0.0, soft_min=0.1, soft_max=10.0
     )
-    rate: _number("Rate", "Flakes that are born in a second", 5.0, min=0.0, soft_max=1000.0, step=1000)
-    delay: _number(
+    rate: number("Rate", "Flakes that are born in a second", 5.0, min=0.0, soft_max=1000.0, step=1000)
+    delay: number(
         "Delay", "Seconds from the start frame until the first flakes are born", 0.0, min=0.0, soft_max=10.0, unit='TIME_ABSOLUTE'
     )
-    duration: _number("Duration", "Seconds for which flakes are born", 5.0, min=0.0, soft_max=10.0, unit='TIME_ABSOLUTE')
-    looping: _switch("Looping", "Flakes are born for ever, whatever the duration is", True)
-    burst: _whole("Burst", "Flakes that are born all at once, beside those of the rate", 0, min=0, soft_max=1000)
-    burst_time: _number("Burst Time", "Seconds after the delay at which they are born", 0.0, min=0.0, soft_max=10.0, unit='TIME_ABSOLUTE')
-    start_frame: _number(
+    duration: number("Duration", "Seconds for which flakes are born", 5.0, min=0.0, soft_max=10.0, unit='TIME_ABSOLUTE')
+    looping: switch("Looping", "Flakes are born for ever, whatever the duration is", True)
+    burst: whole("Burst", "Flakes that are born all at once, beside those of the rate", 0, min=0, soft_max=1000)
+    burst_time: number("Burst Time", "Seconds after the delay at which they are born", 0.0, min=0.0, soft_max=10.0, unit='TIME_ABSOLUTE')
+    start_frame: number(
         "Start", "Frame at which the snow's time starts; before the scene's first frame, flakes are already in the air there", 1.0, step=100
     )
 
@@ -92,10 +78,10 @@ class SnowKeywords:
         update=rewire,
         override=OVERRIDABLE,
     )
-    cone_radius: _number(
+    cone_radius: number(
         "Radius", "Radius of the disc, ball or cone; half the width of the square or box", 1.0, min=0.0, soft_max=10.0, subtype='DISTANCE'
     )
-    cone_angle: _number(
+    cone_angle: number(
         "Cone Angle",
         "Largest angle by which flakes lean outwards: at the edge of a cone, or at random",
         0.0,
@@ -105,29 +91,29 @@ class SnowKeywords:
         subtype='ANGLE',
     )
 
-    closest: _number(
+    closest: number(
         "Closest", "Smallest distance from the camera at which flakes are born", 0.5, min=0.0, soft_max=10.0, subtype='DISTANCE'
     )
-    farthest: _number(
+    farthest: number(
         "Farthest", "Largest distance from the camera at which flakes are born", 20.0, min=1e-3, soft_max=100.0, subtype='DISTANCE'
     )
 
-    follow_markers: _switch(
+    follow_markers: switch(
         "Follow Markers",
         "Where markers of the timeline bind the camera, flakes are born in the view of whichever camera is bound",
         True,
         update=rewire,
     )
 
-    random_speed: _switch("Random Speed", "Vary the speed by up to 1 m/s")
-    random_orientation: _switch("Random Orientation", "Flakes leave anywhere within the cone angle")
-    random_lifetime: _switch("Random Lifetime", "Vary the lifetime by up to 1 s")
-    random_size: _switch("Random Size", "Vary the size by up to 10 %")
-    random_color: _switch("Random Color", "Each flake has a colour from anywhere on the gradient, not its first one")
-    seed: _whole("Seed", "Seed of all random numbers", 0, min=0)
+    random_speed: switch("Random Speed", "Vary the speed by up to 1 m/s")
+    random_orientation: switch("Random Orientation", "Flakes leave anywhere within the cone angle")
+    random_lifetime: switch("Random Lifetime", "Vary the lifetime by up to 1 s")
+    random_size: switch("Random Size", "Vary the size by up to 10 %")
+    random_color: switch("Random Color", "Each flake has a colour from anywhere on the gradient, not its first one")
+    seed: whole("Seed", "Seed of all random numbers", 0, min=0)
 
-    snow: _switch("Snow", "Flakes steer through the air, as a smooth noise of their age turns them")
-    max_angle: _number(
+    snow: switch("Snow", "Flakes steer through the air, as a smooth noise of their age turns them")
+    max_angle: number(
         "Max Angle",
         "Largest angle by which steering turns the flakes' way about the world's X and Y axes",
         math.radians(80.0),
@@ -135,11 +121,11 @@ class SnowKeywords:
         soft_max=math.pi,
         subtype='ANGLE',
     )
-    snow_frequency: _number("Frequency", "Approximate number of turns of a flake per second", 1.0, min=1e-3, max=1000.0, soft_max=5.0)
-    snow_offsets: _switch("Individual Paths", "Each flake steers along a path of its own; otherwise all flakes of the same age turn alike")
+    snow_frequency: number("Frequency", "Approximate number of turns of a flake per second", 1.0, min=1e-3, max=1000.0, soft_max=5.0)
+    snow_offsets: switch("Individual Paths", "Each flake steers along a path of its own; otherwise all flakes of the same age turn alike")
 
-    gravity: _switch("Gravity", "The scene's gravity pulls flakes down")
-    drag: _number(
+    gravity: switch("Gravity", "The scene's gravity pulls flakes down")
+    drag: number(
         "Air Drag",
         "How quickly flakes take on the velocity of the air, in 1/s; without it there is no wind",
         0.0,
@@ -157,13 +143,11 @@ class SnowKeywords:
         update=touch,
         override=OVERRIDABLE,
     )
-    gusts: _number("Gusts", "Share of the wind by which gusts vary it", 0.0, min=0.0, soft_max=1.0)
-    gust_frequency: _number("Gust Frequency", "Approximate number of gusts per second", 0.3, min=1e-3, max=1000.0, soft_max=5.0)
-    turbulence: _number(
-        "Turbulence", "Velocity of the eddies that carry flakes along", 0.0, min=0.0, max=1e6, soft_max=5.0, unit='VELOCITY'
-    )
-    turbulence_size: _number("Eddy Size", "Diameter of the eddies", 1.0, min=1e-6, soft_min=0.1, soft_max=10.0, subtype='DISTANCE')
-    tumble: _number(
+    gusts: number("Gusts", "Share of the wind by which gusts vary it", 0.0, min=0.0, soft_max=1.0)
+    gust_frequency: number("Gust Frequency", "Approximate number of gusts per second", 0.3, min=1e-3, max=1000.0, soft_max=5.0)
+    turbulence: number("Turbulence", "Velocity of the eddies that carry flakes along", 0.0, min=0.0, max=1e6, soft_max=5.0, unit='VELOCITY')
+    turbulence_size: number("Eddy Size", "Diameter of the eddies", 1.0, min=1e-6, soft_min=0.1, soft_max=10.0, subtype='DISTANCE')
+    tumble: number(
         "Tumble",
         "Largest angle per second by which flakes turn about their own axes",
         0.0,
@@ -173,8 +157,8 @@ class SnowKeywords:
         subtype='ANGLE',
     )
 
-    use_ground: _switch("Ground", "Flakes land on a level plane")
-    ground: _number("Height", "Height of the ground, along the world's Z axis", 0.0, subtype='DISTANCE')
+    use_ground: switch("Ground", "Flakes land on a level plane")
+    ground: number("Height", "Height of the ground, along the world's Z axis", 0.0, subtype='DISTANCE')
     collision: bpy.props.EnumProperty(
         name="Landed",
         description="Behavior of flakes that have landed",
@@ -184,8 +168,8 @@ class SnowKeywords:
         update=touch,
         override=OVERRIDABLE,
     )
-    melt_time: _number("Melt Time", "Seconds in which landed flakes melt", 1.0, min=0.01, max=1e6, soft_max=10.0, unit='TIME_ABSOLUTE')
-    friction: _number(
+    melt_time: number("Melt Time", "Seconds in which landed flakes melt", 1.0, min=0.01, max=1e6, soft_max=10.0, unit='TIME_ABSOLUTE')
+    friction: number(
         "Friction",
         "Friction of what flakes land on; flakes do not slide on slopes whose tangent is smaller",
         0.5,
@@ -203,15 +187,15 @@ class SnowKeywords:
         update=_redress,
         override=OVERRIDABLE,
     )
-    flake_width: _number(
+    flake_width: number(
         "Flake Width", "Width of flakes and points of size 1", 0.05, min=0.0, soft_min=0.001, soft_max=1.0, subtype='DISTANCE'
     )
-    all_attributes: _switch(
+    all_attributes: switch(
         "All Attributes",
         "For nodes of your own, flakes also have what Blender does not need of them: instances a velocity, and bare points a turn",
         update=rewire,
     )
-    preview: _number(
+    preview: number(
         "Preview",
         "Percentage of the flakes that the viewport shows; they are some of those that are rendered",
         100.0,
@@ -219,7 +203,7 @@ class SnowKeywords:
         max=100.0,
         subtype='PERCENTAGE',
     )
-    influence: _number("Influence", "Whether it snows: 0 hides the snow", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')
+    influence: number("Influence", "Whether it snows: 0 hides the snow", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')
 
 
 KEYWORDS = tuple(SnowKeywords.__annotations__)

@@ -1,9 +1,12 @@
 """Settings of a stereo rig, in Object.motus.stereo of the camera."""
 
+from functools import partial
+
 import bpy
 
 from ..core.file.pointers import to_object
 from ..core.settings import ANIMATED, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings.declared import number
 from . import screens
 
 CONVERGENCES = (
@@ -17,10 +20,7 @@ CONVERGENCES = (
 )
 
 
-def _number(name, description, default, options=ANIMATED, **more):
-    return bpy.props.FloatProperty(
-        name=name, description=description, default=default, options=options, update=touch, override=OVERRIDABLE, **more
-    )
+_number = partial(number, options=ANIMATED)
 
 
 class StereoKeywords:
@@ -80,10 +80,12 @@ class StereoKeywords:
         options=set(),
         override=OVERRIDABLE,
     )
-    screen_width: _number("Screen Width", "Width of a custom screen, in metres", 2.0, set(), min=0.01, soft_max=50.0)
-    screen_distance: _number("Seen From", "Distance from the audience to a custom screen, in metres", 3.0, set(), min=0.05, soft_max=50.0)
+    screen_width: _number("Screen Width", "Width of a custom screen, in metres", 2.0, options=set(), min=0.01, soft_max=50.0)
+    screen_distance: _number(
+        "Seen From", "Distance from the audience to a custom screen, in metres", 3.0, options=set(), min=0.05, soft_max=50.0
+    )
     eye_separation: _number(
-        "Eye Separation", "Distance between the eyes of the audience, in metres", 0.065, set(), min=0.01, max=0.2, precision=3
+        "Eye Separation", "Distance between the eyes of the audience, in metres", 0.065, options=set(), min=0.01, max=0.2, precision=3
     )
 
 

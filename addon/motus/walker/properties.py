@@ -1,10 +1,13 @@
 """Settings of walkers: Object.motus.walker of the body that is moved."""
 
+from functools import partial
+
 import bpy
 
 from ..core.file.pointers import to_object
 from ..core.measures.axes import AXES
-from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire
+from ..core.settings.declared import choice, factor, number, switch, vector
 from . import ground
 
 MOST_LEGS = 64
@@ -24,34 +27,12 @@ GAITS = (
 )
 
 
-def _number(name, description, default, options=frozenset(), **more):
-    more.setdefault("update", touch)
-    return bpy.props.FloatProperty(
-        name=name,
-        description=description + ("" if options else NO_KEYS),
-        default=default,
-        options=set(options),
-        override=OVERRIDABLE,
-        **more,
-    )
+_number = partial(number, tells_no_keys=True)
+_factor = partial(factor, tells_no_keys=True)
 
 
 def _length(name, description, default, **more):
     return _number(name, description, default, min=0.0, soft_max=2.0, subtype='DISTANCE', **more)
-
-
-def _factor(name, description, default, options=frozenset(), **more):
-    return _number(name, description, default, options, min=0.0, max=1.0, subtype='FACTOR', **more)
-
-
-def _switch(name, description, default=False):
-    return bpy.props.BoolProperty(name=name, description=description, default=default, options=set(), update=touch, override=OVERRIDABLE)
-
-
-def _choice(name, description, items, default):
-    return bpy.props.EnumProperty(
-        name=name, description=description, items=items, default=default, options=set(), update=touch, override=OVERRIDABLE
-    )
 
 
 class WalkerKeywords:
@@ -60,8 +41,8 @@ class WalkerKeywords:
     Most have no keys: the steps of all frames follow from them.
     """
 
-    gait: _choice("Gait", "Which legs step together, and which after them", GAITS, 'TETRAPOD')
-    use_duty: _switch("Custom Duty", "Set how long feet stand, instead of what the gait says")
+    gait: choice("Gait", "Which legs step together, and which after them", GAITS, 'TETRAPOD')
+    use_duty: switch("Custom Duty", "Set how long feet stand, instead of what the gait says")
     duty: _number("Duty", "Share of a cycle for which each foot stands", 0.6, min=0.05, max=0.95, subtype='FACTOR')
     stride: _length("Stride", "How far the body goes while a foot stands, at most", 0.5)
     cadence: _number(
@@ -75,7 +56,7 @@ class WalkerKeywords:
     )
     reach_up: _length("Reach Up", "How far above the feet's rest positions ground is searched for", 0.5)
     reach_down: _length("Reach Down", "How far below the feet's rest positions ground is searched for", 1.0)
-    use_plane: _switch("Plane", "Walk on a level plane too, beside the meshes")
+    use_plane: switch("Plane", "Walk on a level plane too, beside the meshes")
     plane_height: _number("Height", "Height of the plane, along the world's Z axis", 0.0, subtype='DISTANCE')
     body_height: _factor("Rise", "How much the body rises and sinks with the feet that stand", 1.0)
     body_tilt: _factor("Tilt", "How much the body leans with the feet that stand", 0.7)
@@ -91,8 +72,8 @@ class WalkerKeywords:
         soft_max=10.0,
         subtype='DISTANCE',
     )
-    forward_axis: _choice("Forward", "Axis of the body that points ahead", AXES, 'POS_Y')
-    up_axis: _choice("Up", "Axis of the body that points away from the ground", AXES, 'POS_Z')
+    forward_axis: choice("Forward", "Axis of the body that points ahead", AXES, 'POS_Y')
+    up_axis: choice("Up", "Axis of the body that points away from the ground", AXES, 'POS_Z')
     influence: _factor("Influence", "How much the walk moves feet and body; 0 leaves them to their own animation", 1.0, ANIMATED)
 
 
@@ -116,9 +97,7 @@ NUMBERS = (
 
 
 def _numbers(name, description):
-    return bpy.props.FloatVectorProperty(
-        name=name, description=description, size=3, subtype='XYZ', unit='LENGTH', options=set(), update=touch, override=OVERRIDABLE
-    )
+    return vector(name, description, subtype='XYZ', unit='LENGTH')
 
 
 class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):

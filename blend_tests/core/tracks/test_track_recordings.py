@@ -232,7 +232,7 @@ class Recording(RecordingCase):
 class OutOfDate(RecordingCase):
     def assertOutdated(self, outdated, message=""):
         bpy.context.view_layer.update()
-        self.assertEqual(self.tracks.is_outdated(self.track()), outdated, message)
+        self.assertEqual(self.track_panel.is_outdated(self.track()), outdated, message)
 
     def test_frames_are_no_edits(self):
         self.constraint.influence = 0.5
@@ -322,7 +322,7 @@ class OutOfDate(RecordingCase):
     def assertDamaged(self):
         self.assertFalse(self.track().is_known)
         self.assertIn("Needs recording", self.track().sentence)
-        self.assertFalse(self.tracks.is_outdated(self.track()))
+        self.assertFalse(self.track_panel.is_outdated(self.track()))
 
 
 class Consumer(RecordingCase):
@@ -404,7 +404,7 @@ class Consumer(RecordingCase):
 class Panel(RecordingCase):
     def drawn(self, track, **keywords):
         layout = Layout()
-        self.tracks.draw(layout, track, **keywords)
+        self.track_panel.draw(layout, track, **keywords)
         return layout
 
     def test_what_is_said(self):

@@ -21,6 +21,7 @@ class TrackTestCase(support.SceneTestCase):
         super().setUp()
         self.scene = bpy.context.scene
         self.tracks = support.addon("core.tracks")
+        self.track_panel = support.addon("core.interface.tracks.panel")
         self.random = random.Random(20)
 
     def link(self, name, data=None):

@@ -3,49 +3,25 @@
 import bpy
 
 from ...core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, touch
+from ...core.settings.declared import choice, number, switch, vector
 from ..falloff_curve import CURVE_SAMPLES
 from ..properties import AXES, DISTANCES, FALLOFFS
 
 UNIT_METRIC = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 
 
-def _number(name, description, default, animated=False, **options):
-    return bpy.props.FloatProperty(
-        name=name,
-        description=description,
-        default=default,
-        options=ANIMATED if animated else set(),
-        update=touch,
-        override=OVERRIDABLE,
-        **options,
-    )
-
-
-def _vector(name, description, size, **options):
-    return bpy.props.FloatVectorProperty(
-        name=name, description=description, size=size, options=set(), update=touch, override=OVERRIDABLE, **options
-    )
-
-
-def _flag(name, description, animated=False):
-    return bpy.props.BoolProperty(
-        name=name, description=description, default=False, options=ANIMATED if animated else set(), update=touch, override=OVERRIDABLE
-    )
-
-
-def _choice(name, description, items, default, options=frozenset()):
-    return bpy.props.EnumProperty(
-        name=name, description=description, items=items, default=default, options=set(options), update=touch, override=OVERRIDABLE
-    )
-
-
 class MOTUS_PG_pin(bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(name="Name", description="Name of the pin", options=set(), override=OVERRIDABLE)
-    strength: _number(
-        "Strength", "Share of the pin's displacement that the root moves; negative pushes", 1.0, animated=True, soft_min=-2.0, soft_max=2.0
+    strength: number(
+        "Strength",
+        "Share of the pin's displacement that the root moves; negative pushes",
+        1.0,
+        options=ANIMATED,
+        soft_min=-2.0,
+        soft_max=2.0,
     )
-    is_muted: _flag("Mute", "Switch the pin off", animated=True)
-    radius: _number(
+    is_muted: switch("Mute", "Switch the pin off", options=ANIMATED)
+    radius: number(
         "Radius",
         "Distance from the root that the pull reaches; a number of edges if the distance counts edges",
         1.0,
@@ -53,19 +29,19 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
         soft_min=0.01,
         soft_max=100.0,
     )
-    falloff: _choice("Falloff", "How the force fades from the root to the radius", FALLOFFS, 'SMOOTH')
-    scale_factor: _number("Scale Factor", "Steepness of the classic falloff", 0.0, soft_min=-10.0, soft_max=10.0)
-    curve: _vector("Curve", "Forces at equal steps from the radius to the root", CURVE_SAMPLES)
-    distance: _choice("Distance", "How the distance to the root is measured", DISTANCES, 'STRAIGHT')
-    displacement: _vector("Displacement", "How far the root goes at the strength 1, in the object", 3, subtype='XYZ')
-    mirror: _choice(
-        "Mirror", "Pull on the other side of the object too, mirrored across these axes of the object", AXES, set(), {'ENUM_FLAG'}
+    falloff: choice("Falloff", "How the force fades from the root to the radius", FALLOFFS, 'SMOOTH')
+    scale_factor: number("Scale Factor", "Steepness of the classic falloff", 0.0, soft_min=-10.0, soft_max=10.0)
+    curve: vector("Curve", "Forces at equal steps from the radius to the root", CURVE_SAMPLES)
+    distance: choice("Distance", "How the distance to the root is measured", DISTANCES, 'STRAIGHT')
+    displacement: vector("Displacement", "How far the root goes at the strength 1, in the object", 3, subtype='XYZ')
+    mirror: choice(
+        "Mirror", "Pull on the other side of the object too, mirrored across these axes of the object", AXES, set(), options={'ENUM_FLAG'}
     )
-    use_minimum: _flag("Use Minimum", "Nothing is moved below a height")
-    minimum: _number("Minimum", "Lowest height of moved vertices, in the object", -1.0)
-    use_maximum: _flag("Use Maximum", "Nothing is moved above a height")
-    maximum: _number("Maximum", "Largest height of moved vertices, in the object", 1.0)
-    clamp_axis: _choice("Height Axis", "Axis along which the height is measured", AXES, 'Z')
+    use_minimum: switch("Use Minimum", "Nothing is moved below a height")
+    minimum: number("Minimum", "Lowest height of moved vertices, in the object", -1.0)
+    use_maximum: switch("Use Maximum", "Nothing is moved above a height")
+    maximum: number("Maximum", "Largest height of moved vertices, in the object", 1.0)
+    clamp_axis: choice("Height Axis", "Axis along which the height is measured", AXES, 'Z')
     vertex_group: bpy.props.StringProperty(
         name="Vertex Group",
         description="Vertex group whose weights tell how far each vertex moves; empty moves all vertices alike",
@@ -81,10 +57,10 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
         update=touch,
         override=OVERRIDABLE,
     )
-    metric: _vector(
+    metric: vector(
         "Metric", "Matrix, row by row, that converts vectors of the object to vectors whose lengths are measured", 9, default=UNIT_METRIC
     )
-    place: _vector("Place", "Position of the root in the mesh", 3, subtype='XYZ')
+    place: vector("Place", "Position of the root in the mesh", 3, subtype='XYZ')
     anchor: bpy.props.IntProperty(
         name="Anchor", description="Number by which the mesh marks the root; 0 if the mesh has no mark", options=set(), override=OVERRIDABLE
     )

@@ -5,7 +5,8 @@ import math
 import bpy
 
 from ...core.file.pointers import to_object
-from ...core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from ...core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire
+from ...core.settings.declared import number
 from . import look
 
 
@@ -14,16 +15,10 @@ def _dress(settings, _context):
         look.dress(settings.id_data)
 
 
-def _number(name, description, default, options=frozenset(), **more):
-    return bpy.props.FloatProperty(
-        name=name, description=description, default=default, options=set(options), override=OVERRIDABLE, update=touch, **more
-    )
-
-
 class SnowCoverKeywords:
     """Mixin of the settings and of the operator, which share these properties; scripts use the names as keywords."""
 
-    lump: _number(
+    lump: number(
         "Snow per Flake",
         "Edge of the cube of snow that each flake that lands adds: with larger ones snow grows faster",
         0.1,
@@ -33,7 +28,7 @@ class SnowCoverKeywords:
         soft_max=0.5,
         subtype='DISTANCE',
     )
-    resolution: _number(
+    resolution: number(
         "Resolution",
         "Largest length of the edges of the layer, however large the faces are that it lies on",
         0.1,
@@ -43,7 +38,7 @@ class SnowCoverKeywords:
         soft_max=1.0,
         subtype='DISTANCE',
     )
-    repose: _number(
+    repose: number(
         "Slope",
         "Snow lies where it lands on slopes up to this angle; the steeper the more of it slides down",
         math.radians(50.0),
@@ -51,8 +46,8 @@ class SnowCoverKeywords:
         max=math.radians(89.0),
         subtype='ANGLE',
     )
-    smoothing: _number("Smoothing", "How far snow spreads to what lies beside it", 0.25, min=0.0, max=1e6, soft_max=2.0, subtype='DISTANCE')
-    thinnest: _number(
+    smoothing: number("Smoothing", "How far snow spreads to what lies beside it", 0.25, min=0.0, max=1e6, soft_max=2.0, subtype='DISTANCE')
+    thinnest: number(
         "Thinnest",
         "Snow that is thinner is hidden, so that the surface shows between the first flakes",
         0.004,
@@ -61,7 +56,7 @@ class SnowCoverKeywords:
         soft_max=0.05,
         subtype='DISTANCE',
     )
-    influence: _number(
+    influence: number(
         "Influence",
         "Share of the snow's depth that is shown: snow melts as it goes to 0",
         1.0,
