@@ -1,7 +1,5 @@
 """Systems that make points: at any frame, in files, in copies, taken away, and damaged."""
 
-from unittest import mock
-
 import bpy
 import numpy as np
 
@@ -302,14 +300,12 @@ class PointsFilesTest(PointsTestCase):
         attributes.remove(attributes["turn"])
         attributes.new("turn", 'FLOAT_VECTOR', 'POINT')
         path = self.save()
-        with mock.patch.dict(
-            support.addon("core.wiring.sinks.made_points")._forms, clear=True
-        ):  # as in a session that has seen no other file
-            bpy.ops.wm.open_mainfile(filepath=path)
-            owner = bpy.data.objects["Owner"]
-            self.assert_all_frames(owner)
-            self.assertIsNone(self.problem(owner))
-            self.assertEqual(points_of(owner)["turn"].shape[1], 3)
+        support.addon("core.wiring.sinks.made_points")._forms.clear()  # as in a session that has seen no other file
+        bpy.ops.wm.open_mainfile(filepath=path)
+        owner = bpy.data.objects["Owner"]
+        self.assert_all_frames(owner)
+        self.assertIsNone(self.problem(owner))
+        self.assertEqual(points_of(owner)["turn"].shape[1], 3)
 
     def test_the_file_is_small(self):
         owner = self.sparks(rate=150_000.0)
