@@ -16,9 +16,10 @@ namespace py = pybind11;
 /// A type as Python writes it, for use as a template's argument.
 template <std::size_t size>
 struct TypeName {
-    // NOLINTNEXTLINE(google-explicit-constructor): so that Typed<"float"> can be written
+    // Implicit, so that Typed<"float"> can be written; a literal is a C array, and pybind11 reads one.
+    // NOLINTNEXTLINE(google-explicit-constructor, modernize-avoid-c-arrays)
     consteval TypeName(const char (&name)[size]) { std::copy_n(name, size, text); }
-    char text[size]{};
+    char text[size]{};  // NOLINT(modernize-avoid-c-arrays)
 };
 
 /// An object of any type, for which signatures show the type `name`.
