@@ -1,4 +1,4 @@
-"""What solvers make of the native library, while each setting that may be keyed is keyed: once, not on each frame."""
+"""What solvers make of the native library, and keep, while each setting that may be keyed is keyed: once, not on each frame."""
 
 import collections
 import contextlib
@@ -52,6 +52,15 @@ MADE_ANEW = {
 """(system, setting) that has things of the library made on each frame -> why."""
 
 
+KEPT_ANEW = {
+    "what a walker's first solver leaves for its second one: (moment, group, what was found, which keys were read)": "once an evaluation",
+    "transforms that a system lays over a rig's bones: {key: (rows, (n, 16) float32)}, see lay()": "other ones on each frame",
+    "arrays whose content is undefined, to be filled": "another shape for each rig that a thread solves",
+    "plans of rigs": "a thread makes its own, when it solves a rig for the first time",
+}
+"""Rows of docs/kept.md that are kept anew on each frame -> why. All other rows are counted."""
+
+
 class _Counting:
     """The native module, or a class of it, which counts what is made."""
 
@@ -82,6 +91,30 @@ def counting():
         yield counts
     finally:
         native.module = module
+
+
+@contextlib.contextmanager
+def counting_kept():
+    """{what a declaration of core/keeping.py keeps: how often something was kept by it}, from here to the end of the block."""
+    keeping, counts = support.addon("core.keeping"), collections.Counter()
+
+    def added(self, key, value):
+        of_threads = {id(latest): one.what for mine in list(keeping._threads.values()) for one, latest in list(mine.items())}
+        what = getattr(self, "what", of_threads.get(id(self)))
+        if what is not None:
+            counts[what] += 1
+        return add(self, key, value)
+
+    def stored(self, key, value):
+        counts[self.declaration.what] += 1
+        dict.__setitem__(self, key, value)
+
+    add, keeping.Latest.add, keeping.Room.__setitem__ = keeping.Latest.add, added, stored
+    try:
+        yield counts
+    finally:
+        keeping.Latest.add = add
+        del keeping.Room.__setitem__
 
 
 def owners():
@@ -166,8 +199,9 @@ class MadeOnce(support.SceneTestCase):
                 bpy.context.view_layer.update()
                 for frame in WARM:
                     bpy.context.scene.frame_set(frame)
-                with counting() as counts:
+                with counting() as counts, counting_kept() as kept:
                     for frame in COUNTED:
                         bpy.context.scene.frame_set(frame)
             with self.subTest(owner=owner_name, path=path):
                 self.assertEqual(dict(counts), {})
+                self.assertEqual({what: times for what, times in kept.items() if what not in KEPT_ANEW}, {})

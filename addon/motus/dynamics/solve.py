@@ -8,7 +8,7 @@ from mathutils import Matrix, Vector
 
 from ..core import keeping, native, rigs, wiring
 from ..core.animation import strips
-from ..core.declare import Problem, registered, systems
+from ..core.declare import Problem, laying, registered
 from ..core.evaluated import copies
 from ..core.evaluated.question import answered
 from ..core.file import stored
@@ -300,7 +300,7 @@ def _make(context, copy, scene):
 
 def _are_constrained(thing):
     """Whether constraints act on an evaluated Object or PoseBone that are neither of dynamics nor of what poses bones beneath it."""
-    followed = [registered["dynamics"], *(system for system in systems() if system.lays_pose)]
+    followed = [registered["dynamics"], *laying()]
     return any(
         not one.mute and one.influence > 0.0 and not any(wiring.is_sink(system, one) for system in followed) for one in thing.constraints
     )

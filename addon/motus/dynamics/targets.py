@@ -4,7 +4,7 @@ import re
 
 from ..core import wiring
 from ..core.blender import actions
-from ..core.declare import systems
+from ..core.declare import entries_on, systems
 from ..core.file import libraries
 from ..core.measures import scene_time
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
@@ -158,14 +158,12 @@ def check_free(owner, names):
             raise Refused(
                 tr("{object} is driven by {system} already: let a child of it follow").format(object=owner.name, system=tr(system.label))
             )
-        for entry in system.entries(owner) if system.entries and not system.lays_pose else ():
-            shared = set(names) & {one for one in entry.drives if isinstance(one, str)}
-            if shared:
-                raise Refused(
-                    tr("{bone} is driven by {system} of {other} already").format(
-                        bone=min(shared), system=tr(system.label), other=entry.name
-                    )
-                )
+    for system, entry in entries_on(owner):
+        shared = set(names) & {one for one in entry.drives if isinstance(one, str)}
+        if shared and system.name != "dynamics":
+            raise Refused(
+                tr("{bone} is driven by {system} of {other} already").format(bone=min(shared), system=tr(system.label), other=entry.name)
+            )
 
 
 def loop_of(scene):

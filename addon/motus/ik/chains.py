@@ -4,7 +4,7 @@ import itertools
 from typing import NamedTuple
 
 from ..core.blender import actions
-from ..core.declare import systems
+from ..core.declare import entries_on
 from ..core.settings import entry_keys
 
 
@@ -90,9 +90,7 @@ def driven_elsewhere(rig, name):
     """bone -> (label of the system, entry) of all bones that Motus drives, but for those of the IK entry `name`."""
     return {
         bone: (system.label, entry.name)
-        for system in systems()
-        if system.entries and not system.lays_pose
-        for entry in system.entries(rig)
+        for system, entry in entries_on(rig)
         if (system.name, entry.name) != ("ik", name)
         for bone in entry.drives
     }

@@ -1,7 +1,7 @@
 """Which rig, head and target an operator works on: by name from scripts, else by selection. Refusals are sentences."""
 
 from ..core import wiring
-from ..core.declare import systems
+from ..core.declare import entries_on, systems
 from ..core.file import libraries
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.translations import tr
@@ -117,10 +117,9 @@ def check_free(rig, head, driven):
 
 def _entries_beside(rig, head):
     """(system, entry) of all that Motus does to the rig's bones, but for layers, which act beneath, and for this head."""
-    for system in systems():
-        for entry in system.entries(rig) if system.entries and not system.lays_pose else ():
-            if system.name != "look_at" or entry.name != head:
-                yield system, entry
+    for system, entry in entries_on(rig):
+        if system.name != "look_at" or entry.name != head:
+            yield system, entry
 
 
 def _is_constrained(bone):

@@ -19,6 +19,19 @@ def systems() -> list[System]:
     return [feature for feature in registered.values() if isinstance(feature, System)]
 
 
+def laying() -> list[System]:
+    """The registered systems that pose bones by their own transforms, as keys do: all other systems act on top (System.lays_pose)."""
+    return [system for system in systems() if system.lays_pose]
+
+
+def entries_on(owner: Any) -> Iterator[tuple[System, Any]]:
+    """(system, entry) of all that drives an owner or its bones, but for the systems that lay poses."""
+    for system in systems():
+        if system.entries and not system.lays_pose:
+            for entry in system.entries(owner):
+                yield system, entry
+
+
 def offered(name: str) -> Any:
     """The functions that a registered feature offers to others (Feature.offers)."""
     return registered[name].offers

@@ -8,7 +8,7 @@ from mathutils import Matrix
 from .. import rigs, wiring
 from ..animation import keys
 from ..animation.strips import together
-from ..declare import systems
+from ..declare import laying
 from ..lazy import numpy as np
 from . import solved
 
@@ -17,13 +17,13 @@ def over(own, thing):
     """The transforms.Own of an Object or PoseBone, with what is laid over it."""
     if not isinstance(thing, bpy.types.PoseBone) or not len(thing.constraints):
         return own
-    laying = [source for system in systems() if system.lays_pose and (source := solved.of_bone_by(system, thing, None))]
-    return Laid(own, thing, laying) if laying else own
+    sources = [source for system in laying() if (source := solved.of_bone_by(system, thing, None))]
+    return Laid(own, thing, sources) if sources else own
 
 
 def is_laid(bone):
     """Whether a system lays poses over a PoseBone."""
-    return any(wiring.is_sink(system, one) for system in systems() if system.lays_pose for one in bone.constraints)
+    return any(wiring.is_sink(system, one) for system in laying() for one in bone.constraints)
 
 
 class Laid:

@@ -13,7 +13,7 @@ import threading
 
 from .. import wiring
 from ..animation.reason import Reason
-from ..declare import systems
+from ..declare import laying, systems
 from ..file.pointers import pointed
 from ..lazy import numpy as np
 from . import rotations
@@ -124,5 +124,5 @@ def of_bone_by(system, bone, scene):
 
 def acting_on(thing, beneath=None):
     """The constraints that act on top of the own transform of an Object or PoseBone: none that lays a pose. beneath: as of of_bone()."""
-    skipped = [system for system in systems() if system.lays_pose or system == beneath]
+    skipped = [system for system in (*laying(), beneath) if system]
     return [one for one in thing.constraints if not one.mute and not any(wiring.is_sink(system, one) for system in skipped)]

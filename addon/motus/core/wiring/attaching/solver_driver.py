@@ -3,7 +3,7 @@
 import bpy
 
 from ...blender import drivers
-from ...declare import BonesOwn, Transform, Variable, input_variables, of_owner, systems
+from ...declare import BonesOwn, Transform, Variable, input_variables, laying, of_owner
 from ...evaluated import copies
 from ..hubs import hub_lookup, outbox
 from ..sinks import property_sink
@@ -131,9 +131,9 @@ def _call(system, owner, group, hub):
 def _laid(system, owner, group):
     """Variables that wait for the systems that lay poses over the owner's bones, of a group that starts from these."""
     starts_there = system.entries and not system.lays_pose and any(isinstance(one.thing, bpy.types.PoseBone) for one in group.members)
-    laying = [one for one in systems() if one.lays_pose] if starts_there else ()
+    beneath = laying() if starts_there else ()
     return [
-        Variable('MESH', hub.data, outbox.out_path(one, outbox.STATUS, key)) for one in laying for key, hub in hub_lookup.hubs(one, owner)
+        Variable('MESH', hub.data, outbox.out_path(one, outbox.STATUS, key)) for one in beneath for key, hub in hub_lookup.hubs(one, owner)
     ]
 
 
