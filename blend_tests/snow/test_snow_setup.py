@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 
 import support
-from snow.snow_cases import MANY, SnowTestCase, flakes, go_to, hub_mesh, instances, state, system, wiring
+from snow.snow_cases import MANY, SnowTestCase, flakes, go_to, hub_mesh, instances, state
 
 LISTS = ("objects", "meshes", "materials", "node_groups")
 
@@ -183,26 +183,6 @@ class Setup(SnowTestCase):
             self.assertEqual(
                 {one.object.name for one in depsgraph.object_instances if one.is_instance and shown}, {shown} if shown else set()
             )
-
-    def test_what_an_older_version_has_made(self):
-        """Flakes were put on the points by a modifier of their own."""
-        emitter, shape = self.add(**MANY), self.mesh("Ball", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
-        go_to(40)
-        before = instances(emitter)
-        wiring().set_points_material(system(), emitter, None)
-        nodes, group = support.addon("core.blender.node_groups"), bpy.data.node_groups.new("Motus Flakes", 'GeometryNodeTree')
-        group["motus_flakes"] = "Motus Flakes"
-        nodes.add_sockets(group, (("Flake", 'INPUT', "NodeSocketObject"),))
-        older = emitter.modifiers.new("Motus Flakes", 'NODES')
-        older.node_group = group
-        nodes.set_input(older, "Flake", shape)
-        users = shape.users
-        self.assertEqual(bpy.ops.motus.refresh(object=emitter.name, system="snow"), {'FINISHED'})
-        self.assertEqual([one.name for one in emitter.modifiers], ["Motus Snow"])
-        self.assertNotIn("Motus Flakes", bpy.data.node_groups)
-        self.assertEqual(shape.users, users - 1)
-        go_to(40)
-        np.testing.assert_array_equal(instances(emitter), before)
 
 
 class BadInput(SnowTestCase):

@@ -5,7 +5,7 @@ import math
 import bpy
 
 from ..core import wiring
-from ..core.blender import helpers, node_groups
+from ..core.blender import helpers
 from ..core.declare import registered
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
@@ -32,7 +32,6 @@ def dress(owner):
     What the look before was made of stays until the snow is removed or the file is closed: somebody may have changed the material.
     """
     settings, system = owner.motus.snow, registered["snow"]
-    _drop_older(owner)
     if settings.look == 'POINTS':
         wiring.set_points_material(system, owner, _white())
     elif settings.look == 'COLLECTION':
@@ -46,21 +45,7 @@ def dress(owner):
 def drop(owner):
     """Remove the materials and objects that were made for an emitter."""
     wiring.set_points_material(registered["snow"], owner, None)
-    _drop_older(owner)
     _drop_unused()
-
-
-def _drop_older(owner):
-    """Remove the modifier of its own by which an older version has put flakes on the points."""
-    for found in [one for one in owner.modifiers if one.type == 'NODES' and one.node_group and KEY in one.node_group]:
-        if owner.override_library and found.is_override_data:
-            found.show_viewport = found.show_render = False  # what the library has cannot be removed
-            continue
-        group = found.node_group
-        node_groups.let_go(found)
-        owner.modifiers.remove(found)
-        if group.users == 0:
-            bpy.data.node_groups.remove(group)
 
 
 def _own(collection, what):

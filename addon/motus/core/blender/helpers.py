@@ -12,10 +12,8 @@ import bpy
 
 KEY = "motus_helper"
 """Custom property of a helper: whether it is hidden, or shown by instances, as the shapes of flakes are."""
-_OLD_KEYS = {"motus_proxy": True, "motus_flakes": False}
-_OLD_MESH_KEYS = "motus_owner", "motus_shared"
-_OLD_NAMES = "Motus Order ", "Motus Colliders"
-# Those of versions that had no KEY: custom properties of the object, with the value of KEY; of its mesh; beginnings of names.
+PREFIX = "motus_"
+"""How the names of all custom properties of helpers begin."""
 
 
 def make(name: str, data: Any = None, is_hidden: bool = True) -> Any:
@@ -62,29 +60,6 @@ def put_away() -> None:
 
 
 def _give_away(shape: Any) -> None:
-    for key in (KEY, *_OLD_KEYS):
-        shape.pop(key, None)
+    for key in [key for key in shape.keys() if key.startswith(PREFIX)]:
+        del shape[key]
     shape.name = shape.name.lstrip(".")
-
-
-def adopt_old() -> list[Any]:
-    """Mark and name helpers of this file that older versions have made; returns them."""
-    objects: Any = bpy.data.objects
-    found = {
-        obj: hidden for obj in objects if not obj.library and KEY not in obj for hidden in [_is_hidden_of_old(obj)] if hidden is not None
-    }
-    for obj, is_hidden in found.items():
-        _mark(obj, is_hidden)
-        for named in (obj, obj.data):
-            if named is not None and not named.library:
-                named.name = f".{named.name}"
-    return list(found)
-
-
-def _is_hidden_of_old(obj: Any) -> bool | None:
-    """What KEY is to say of a helper that an older version has made; None of any other object."""
-    of_key = next((hidden for key, hidden in _OLD_KEYS.items() if key in obj), None)
-    if of_key is not None:
-        return of_key
-    is_hub = obj.type == 'MESH' and any(key in obj.data for key in _OLD_MESH_KEYS)
-    return True if is_hub or obj.name.startswith(_OLD_NAMES) else None

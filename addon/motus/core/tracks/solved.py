@@ -99,7 +99,7 @@ def _have_marks(system, _obj, constraints):
 
 
 def _are_known(system, obj, constraints):
-    """The same of those of an older version, and of those that have lost their hub: that takes longer."""
+    """Whether all constraints are sinks of the system, those that have lost their hub among them: slower than _have_marks()."""
     sinks = {constraint for _, constraint, *_ in wiring.on_object(system, obj, has_bones=False)}
     return all(one in sinks for one in constraints)
 

@@ -5,12 +5,13 @@ Reopened, appended, linked, overridden, without Auto Run, without the add-on, re
 
 import json
 import subprocess
+from unittest import mock
 
 import bpy
 
 import support
 import toy_system
-from core.wiring.wiring_cases import KINDS, WiringTestCase, build_followers, build_object, frame_set
+from core.wiring.wiring_cases import KINDS, WiringTestCase, build_followers, build_object, each_kind, frame_set
 
 FRAMES = (12, 40.5)
 MARK = "RESULT "
@@ -78,6 +79,19 @@ class FileTest(WiringTestCase):
         self.assert_same(matrices(addresses), live, 0.0)
         found, _ = self.in_fresh_blender(path, addresses)
         self.assert_same(found, live)
+
+    @each_kind
+    def test_wired_by_another_version(self, build):
+        """Healing wires such an owner anew after the first evaluation, as it does with any other signature."""
+        owner, things = build(toy_system.new_target())
+        addresses, wired = [address(thing) for thing in things], owner.motus.orbit.wired
+        live = matrices(addresses)
+        owner.motus.orbit.wired = f"1 {wired.split()[1]}"
+        with mock.patch.object(support.addon("core.wiring.attaching.attach"), "refresh_changed"):
+            path = self.save()
+        bpy.ops.wm.open_mainfile(filepath=path)
+        self.assert_same(matrices(addresses), live, 0.0)
+        self.assertEqual(bpy.data.objects[address(owner)[0]].motus.orbit.wired, wired)
 
     def test_without_auto_run(self):
         kinds = {name: [address(thing) for thing in things] for name, (_, things) in build_all().items()}

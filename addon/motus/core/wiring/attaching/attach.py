@@ -182,7 +182,7 @@ def _detach(system, owner):
     wait_key = signature.wait_key(system)
     drivers.remove_where(owner, lambda path: path.startswith((f'["{outbox.out_key(system)}', f'["{wait_key}"]')))
     owner.pop(wait_key, None)
-    outbox.remove(system, owner)
+    owner.pop(outbox.out_key(system), None)
     overrides.unmark(system, owner)
     waiting.release_proxy(settings)
     settings.is_active = False

@@ -13,7 +13,7 @@ from ..sinks import proxy_sink
 from . import sharing
 
 VERSION = 2
-"""Of how owners are wired; what an older version has wired, which is noted with it, is wired anew."""
+"""Version of how owners are wired. It is part of the signature, so an owner that another version wired is wired anew."""
 
 
 def uses_attribute(system):
@@ -107,11 +107,6 @@ def signature(system, owner, groups):
     if waits_apart(owner, groups):
         ways = *ways, way_to_wait(owner, groups), properties
     return f"{VERSION} {hashlib.sha1(repr((ways, said)).encode()).hexdigest()}"
-
-
-def is_old(settings):
-    """Whether an owner was wired by an older version."""
-    return not settings.wired.startswith(f"{VERSION} ")
 
 
 def _bone(thing):

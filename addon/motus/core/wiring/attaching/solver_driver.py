@@ -50,12 +50,7 @@ def marked_by(mesh):
 def waits(system, owner, key):
     """(object, bone or "") of a group's reads, as it waits for them: where a bone is renamed Blender renames it here too."""
     hub = hub_lookup.hub_of(system, owner, key)
-    if hub:
-        return waiting.waits(hub)
-    animation = owner.animation_data
-    curve = animation and animation.drivers.find(outbox.out_path(system, group=key), index=outbox.STATUS)
-    targets = [variable.targets[0] for variable in curve.driver.variables if variable.type == 'TRANSFORMS'] if curve else ()
-    return [(target.id if isinstance(target.id, bpy.types.Object) else None, target.bone_target) for target in targets]
+    return waiting.waits(hub) if hub else []
 
 
 def renamed_reads(system, owner):

@@ -1,6 +1,5 @@
 """Wires owners again where somebody has changed what Motus cannot be told of.
 
-- An older version has wired it, which is done when a file is loaded.
 - Settings have become animated, which the owner's outlet cannot wait for, or channels of driven bones driven.
 - An object was copied or overridden, and its sinks read the hubs or proxies of the first one.
 - A file was loaded, or a library again, and Blender has not kept what was wired on an override (see overrides).
@@ -31,7 +30,7 @@ from ..attaching import attach, overrides, sharing, signature, waiting
 from ..attaching.solver_driver import waits
 from ..hubs import hub_lookup, outbox
 from ..sinks import geometry_sink, property_sink, proxy_sink
-from ..sinks.finding import has_sinks, makers, release, sinks
+from ..sinks.finding import has_sinks, makers, release
 from . import relations, remains
 
 log = logging.getLogger(__name__)
@@ -245,20 +244,6 @@ def _attached():
     return [(system, owner) for owner in owners for system in systems() if is_owner(system, owner)]
 
 
-def _adopt_old():
-    """Treat helpers and sinks that older versions have made as new ones are."""
-    for system, owner in _attached() if helpers.adopt_old() else ():
-        for _, constraint in sinks(system, owner):
-            constraint.show_expanded = False
-    helpers.put_away()
-
-
-def _heal_old():
-    for system, owner in _attached() if native.module is not None else ():
-        if signature.is_old(of_owner(system, owner)) and not system.moves_points:
-            attach.refresh(system, owner)
-
-
 def _heal_overrides():
     overrides.forget()
     if native.module is None or not any(obj.override_library and not obj.library for obj in bpy.data.objects):
@@ -390,7 +375,7 @@ def _forget(*_):
 def loaded(*_):
     """Before the first evaluation of a file."""
     _forget()
-    _try(lambda: (overrides.complete_references(), _adopt_old(), _heal_old(), _heal_overrides()))
+    _try(lambda: (overrides.complete_references(), helpers.put_away(), _heal_overrides()))
     _wake_all()
 
 

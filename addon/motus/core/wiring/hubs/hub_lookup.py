@@ -10,7 +10,7 @@ from . import outbox
 
 
 def hub_of(system, owner, group=""):
-    """The hub object of a group; None where that is gone, or the owner carries the outbox itself."""
+    """The hub object of a group; None where that is gone."""
     return dict(hubs(system, owner)).get(group)
 
 
@@ -37,15 +37,14 @@ def lost_hubs(system, owner):
 
 
 def carriers(system, owner):
-    """(group's key, carrier) of everything that is wired: a hub's mesh, or the owner itself."""
-    on_owner = [] if has_outlet(system, owner) else outbox.groups_on(system, owner)
-    return [(key, hub.data) for key, hub in hubs(system, owner)] + on_owner
+    """(group's key, mesh of its hub) of everything that is wired."""
+    return [(key, hub.data) for key, hub in hubs(system, owner)]
 
 
 def carrier_of(system, owner, group=""):
-    """The datablock that carries a group's solver and outbox: its hub's mesh, or the owner."""
+    """The mesh that carries a group's solver and outbox; None where its hub is gone."""
     hub = hub_of(system, owner, group)
-    return hub.data if hub else owner
+    return hub.data if hub else None
 
 
 def is_own_hub(hub, owner):
@@ -57,7 +56,7 @@ def is_own_hub(hub, owner):
 
 
 def has_outlet(system, owner):
-    """Whether an owner, original or evaluated, has an outlet and no outbox of its own."""
+    """Whether an owner, original or evaluated, has an outlet."""
     found = owner.get(outbox.out_key(system)) if system.outputs else None
     return hasattr(found, "typecode") and len(found) == outbox.FIRST_OUTPUT + len(system.outputs)
 

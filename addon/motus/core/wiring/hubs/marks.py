@@ -2,16 +2,14 @@
 
 Both stand in the constraint's custom space, which Blender keeps with it, copies with it and reads for no other space. What
 a file holds there is checked: a sink is a constraint of one of our kinds that names a mesh with an outbox of the system.
-Where the hub is gone the name and the kind are all that is left, as with the sinks of older versions that had none.
+Where the hub is gone the name and the kind are all that is left.
 """
 
 import re
 
 from . import outbox
 
-OLD_KINDS = {'LIMIT_LOCATION', 'LIMIT_ROTATION', 'LIMIT_SCALE', 'TRANSFORM'}
-"""Kinds that drivers bring the values to, or did in an older version."""
-KINDS = OLD_KINDS | {'GEOMETRY_ATTRIBUTE', 'COPY_TRANSFORMS'}
+KINDS = {'LIMIT_LOCATION', 'TRANSFORM', 'GEOMETRY_ATTRIBUTE', 'COPY_TRANSFORMS'}
 CHANNELS = ("location", "rotation", "scale")
 PROXY_KEY = "motus_proxy"
 """Custom property of a proxy: the object that copies it, or a bone of which does."""
@@ -39,13 +37,11 @@ def read(system, constraint):
     """
     if constraint.type not in KINDS:
         return None
-    for hub in (constraint.space_object, getattr(constraint, "target", None)):  # an older version has noted the target alone
-        # Of an evaluated hub nobody here waits for the geometry, until which its data is memory that Blender has freed.
-        mesh = hub.original.data if hub and hub.type == 'MESH' else None
-        key = outbox.key_on_hub(system, mesh) if mesh else None
-        if key is not None:
-            return mesh, key
-    return None
+    hub = constraint.space_object
+    # Of an evaluated hub nobody here waits for the geometry, until which its data is memory that Blender has freed.
+    mesh = hub.original.data if hub and hub.type == 'MESH' else None
+    key = outbox.key_on_hub(system, mesh) if mesh else None
+    return None if key is None else (mesh, key)
 
 
 def index_of(constraint):

@@ -11,8 +11,6 @@ without the add-on nothing acts.
 A system with several groups has an outbox a group. Beside it lies, for such a system, what the group needs to know: the
 names of its outputs and of its members, and Group.data; as text, which is parsed only once.
 
-An owner that an older version has wired may carry solver and outbox itself; one that is linked stays so.
-
 All of that may have been changed by whoever had the file: opened() and owner_of() check it, and raise Damaged.
 """
 
@@ -223,35 +221,18 @@ def add_row(system, mesh):
     mesh[out_key(system)] = slots + [float(SILENT)] + [0.0] * (layout.size - 1)
 
 
-def remove(system, carrier):
-    """Take the outboxes of all groups away."""
-    for key in [key for key in carrier.keys() if _is_ours(system, key)]:
-        del carrier[key]
-
-
-def _is_ours(system, key):
-    return any(key == own or key.startswith(f"{own}_") for own in (out_key(system), info_key(system)))
-
-
 def is_hub(mesh):
     """Whether a mesh is that of a hub."""
     return OWNER_KEY in mesh or SHARED_KEY in mesh
 
 
-def groups_on(system, carrier):
-    """(group's key, carrier) of all outboxes that lie on a datablock."""
-    names = [
-        name[len(prefix) :]
-        for name in carrier.keys()
-        for prefix in (out_key(system), info_key(system))
-        if name == prefix or name.startswith(f"{prefix}_")
-    ]
-    return [(name[1:], carrier) for name in dict.fromkeys(names)]
-
-
 def key_on_hub(system, mesh):
     """Key of the system's group that a hub's mesh serves; None where it serves none."""
-    return "" if out_key(system) in mesh else next((key for key, _ in groups_on(system, mesh)), None)
+    if out_key(system) in mesh:
+        return ""
+    prefixes = out_key(system), info_key(system)
+    names = (name[len(prefix) :] for name in mesh.keys() for prefix in prefixes if name == prefix or name.startswith(f"{prefix}_"))
+    return next((name[1:] for name in names), None)
 
 
 def opened(system, carrier, group="", row=None):
@@ -283,7 +264,7 @@ def _layout_without_info(system, carrier, size):
     base = FIRST_OUTPUT + len(system.outputs)
     if system.has_modifier:
         return Layout(base, 0, False, False, False)
-    if isinstance(carrier, _Mesh) and size == base and not system.same_bits:
+    if size == base and not system.same_bits:
         return Layout(base, len(carrier.vertices), False, system.is_relative, True)
     return Layout(base, max(0, size - base) // POSE_SIZE, False, system.is_relative, False)
 
@@ -294,7 +275,7 @@ def is_in_place(system, carrier, group=""):
     A script may delete the property below the driver, or put a group in its place. To Blender's dependency graph the driver then
     precedes nothing: it may run while other threads read what the solver writes.
     """
-    return isinstance(carrier, (_Mesh, _Object)) and hasattr(carrier.original.get(out_key(system, group)), "typecode")
+    return isinstance(carrier, _Mesh) and hasattr(carrier.original.get(out_key(system, group)), "typecode")
 
 
 def has_room(mesh, count):
@@ -309,7 +290,7 @@ def has_room(mesh, count):
 
 def owner_of(system, carrier):
     """The object whose settings a carrier's solver computes. Raises Damaged without one."""
-    owner = carrier.get(OWNER_KEY) if isinstance(carrier, _Mesh) else carrier
+    owner = carrier.get(OWNER_KEY)
     if not isinstance(owner, _Object) or not has_settings(system, owner):
         raise Damaged("no owner")
     return owner

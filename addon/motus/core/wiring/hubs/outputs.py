@@ -36,7 +36,7 @@ def outlet(system, owner):
 
 def output_names(system, carrier, group=""):
     """Names of a group's outputs."""
-    known = outbox.info(system, carrier, group)
+    known = outbox.info(system, carrier, group) if carrier else None
     return system.outputs if known is None else tuple(known.outputs)
 
 
@@ -50,8 +50,10 @@ def output_path(system, name, owner=None, group=""):
 
 def output(system, owner, name, depsgraph, group=""):
     """Value of an output as last evaluated; None where nothing was."""
-    evaluated = hub_lookup.carrier_of(system, owner, group).evaluated_get(depsgraph)
-    _, values = _told(system, evaluated, group, [name], hub_lookup.row_of(system, owner))
+    carrier = hub_lookup.carrier_of(system, owner, group)
+    if carrier is None:
+        return None
+    _, values = _told(system, carrier.evaluated_get(depsgraph), group, [name], hub_lookup.row_of(system, owner))
     return values[0] if values else None
 
 

@@ -1,11 +1,11 @@
-"""Finding sinks again, on owners and members, on copies of them, and on what was wired by an older version."""
+"""Finding sinks again: on owners, on members, and on copies of both."""
 
 import bpy
 
 from ...blender import drivers
 from ...declare import groups_of, leader_of, of_owner
 from ...file.stored import Damaged
-from ..hubs import hub_lookup, marks, outbox, outputs
+from ..hubs import hub_lookup, marks, outbox
 from . import property_sink, proxy_sink
 
 
@@ -15,40 +15,17 @@ def on_object(system, obj, has_bones=True):
     has_bones: those of its bones too. A solver that waits for the object alone must not look at the hubs of its bones, which other
     threads may evaluate meanwhile.
     """
-    known = set()
     for thing in _things(obj) if has_bones else (obj,):
         for constraint in thing.constraints:
             found = marks.read(system, constraint)
             if found is None and marks.is_bereft(system, constraint):
                 found = obj, ""
             if found is not None:
-                known.add(constraint)
                 yield thing, constraint, *found
-    for thing, constraint, *found in _driven_by_outboxes(system, obj):
-        if constraint not in known and (has_bones or thing == obj):
-            known.add(constraint)
-            yield thing, constraint, *found
 
 
 def _things(obj):
     return (obj, *(obj.pose.bones if obj.pose else ()))
-
-
-def _driven_by_outboxes(system, obj):
-    """The same for sinks of an older version, which had no hub: drivers bring them slots of an outbox that are no outputs."""
-    animation = obj.animation_data
-    for curve in animation.drivers if animation else ():
-        path = curve.data_path.rpartition(".")[0]
-        slot = _slot(system, curve.driver) if path.endswith("]") and "constraints[" in path else None
-        constraint = _resolve(obj, path) if slot else None
-        if constraint is None or constraint.type not in marks.OLD_KINDS:
-            continue
-        carrier, key, index = slot  # type: ignore[misc]
-        if system.groups is not None and outbox.info(system, carrier, key) is None:
-            continue  # nobody knows what the slot is
-        if index == outbox.WEIGHT or index >= outbox.FIRST_OUTPUT + len(outputs.output_names(system, carrier, key)):
-            bone = path.rpartition(".constraints[")[0]
-            yield obj.path_resolve(bone) if bone else obj, constraint, carrier, key
 
 
 def sinks(system, owner):
@@ -129,7 +106,7 @@ def release(system, *objects):
     """Free objects of all sinks of the system, whoever drives them. An owner of its own is detached instead."""
     found = [one for obj in objects for one in on_object(system, obj)]
     for obj in objects:
-        # One of an older version that was joined into the object has left the driver of its solver there.
+        # Blender merges the drivers of a rig that is joined into another one, those of its outlet too.
         drivers.remove_under(obj, f'["{outbox.out_key(system)}')
     remove([(thing, constraint) for thing, constraint, _, _ in found])
     for obj in objects:

@@ -55,7 +55,7 @@ def _fail(error, carrier=None, name="", frame=0.0):
 
 
 def _rest(system, key, carrier, frame):
-    if isinstance(carrier, bpy.types.Mesh) and outbox.SHARED_KEY not in carrier and carrier.get(outbox.OWNER_KEY) is None:
+    if outbox.SHARED_KEY not in carrier and carrier.get(outbox.OWNER_KEY) is None:
         heal.note_orphan(carrier)
     for rest in (_rest_slots, _rest_attribute):
         with suppress(Exception):
@@ -80,7 +80,7 @@ def _rest_slots(system, key, carrier):
 def _rest_attribute(system, key, carrier):
     if system.has_modifier:
         geometry_sink.write_nothing(system, carrier)
-    elif isinstance(carrier, bpy.types.Mesh):
+    else:
         attribute_sink.write_rest(carrier, lambda: groups_of(system, outbox.owner_of(system, carrier))[0].members)
 
 

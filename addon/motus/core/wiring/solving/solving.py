@@ -81,7 +81,7 @@ class Solver:
             rotations=self._poses.rotations,
             scales=self._poses.scales,
             outputs=self._box[outbox.FIRST_OUTPUT : layout.base],
-            member_data=_member_data(system, carrier, owner, layout.members),
+            member_data=_member_data(system, carrier, layout.members),
             group=key,
             data={} if found.info is None else found.info.data,
         )
@@ -315,17 +315,12 @@ def do_nothing(box, layout):
         box[end:] = 1.0
 
 
-def _member_data(system, carrier, owner, count):
+def _member_data(system, carrier, count):
     if system.member_data is None:
         return None
     if count == 0 and not carrier.get(outbox.MEMBER_DATA_KEY):  # no custom property holds an empty list of floats
         return np.empty(0)
-    if carrier != owner:
-        return np.frombuffer(stored.doubles(carrier.get(outbox.MEMBER_DATA_KEY), count))
-    data = system.member_data(owner)
-    if len(data) != count:
-        raise Damaged("another number of members")
-    return data
+    return np.frombuffer(stored.doubles(carrier.get(outbox.MEMBER_DATA_KEY), count))
 
 
 def status_of(error, carrier, name, settings):
