@@ -10,7 +10,7 @@ from .attaching.attach import attach, detach, refresh, set_muted, touch
 from .attaching.levels import depends, hanging, levels
 from .attaching.readers import absent_path
 from .attaching.waiting import waited_for
-from .healing.heal import evaluation
+from .healing.watch import evaluation
 from .hubs.outputs import output, output_path, outputs_of
 from .problems import problem, report_problems
 from .sinks.finding import abandoned, has_sinks, is_sink, on_object, release, sinks

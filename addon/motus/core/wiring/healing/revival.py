@@ -16,7 +16,14 @@ from . import heal
 _NAME = "motus"
 """What all our driver functions, properties and custom properties have in their names."""
 
-_is_due = [False]
+
+class _Revival:
+    """is_due: whether Blender has evaluated the open file without the add-on."""
+
+    is_due = False
+
+
+_revival = _Revival()
 
 
 def revive():
@@ -44,15 +51,15 @@ def _needs_motus(curve):
 @persistent
 def _catch_up(*_):
     """Before the first evaluation that the add-on sees, of a file that was there before it."""
-    if _is_due[0]:
-        _is_due[0] = False
+    if _revival.is_due:
+        _revival.is_due = False
         revive()
         heal.loaded()
 
 
 @persistent
 def _forget(*_):
-    _is_due[0] = False
+    _revival.is_due = False
 
 
 def _watched():
@@ -64,7 +71,7 @@ def _watched():
 
 def register():
     """Revive as soon as Blender lets add-ons see the file, which it does not while they are enabled."""
-    _is_due[0] = True
+    _revival.is_due = True
     handlers.add(_watched())
     bpy.app.timers.register(_catch_up, first_interval=0.0)
 
@@ -74,4 +81,4 @@ def unregister():
     if bpy.app.timers.is_registered(_catch_up):
         bpy.app.timers.unregister(_catch_up)
     handlers.remove(_watched())
-    _is_due[0] = False
+    _revival.is_due = False

@@ -12,6 +12,7 @@ from ...evaluated.per_thread import keep_state
 from ...file.stored import Damaged
 from ...lazy import numpy as np
 from ..healing import heal, revival
+from ..healing.watch import noticed
 from ..hubs import outbox
 from ..sinks import attribute_sink, geometry_sink, property_sink
 from . import solving
@@ -56,7 +57,7 @@ def _fail(error, carrier=None, name="", frame=0.0):
 
 def _rest(system, key, carrier, frame):
     if outbox.SHARED_KEY not in carrier and carrier.get(outbox.OWNER_KEY) is None:
-        heal.note_orphan(carrier)
+        noticed.note_orphan(carrier)
     for rest in (_rest_slots, _rest_attribute):
         with suppress(Exception):
             rest(system, key, carrier)

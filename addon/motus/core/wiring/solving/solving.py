@@ -15,7 +15,7 @@ from ...file.stored import Damaged, Newer
 from ...lazy import numpy as np
 from ...measures import finite
 from ..attaching import sharing
-from ..healing import heal
+from ..healing.watch import noticed
 from ..hubs import outbox, outputs
 from ..sinks import attribute_sink, geometry_sink, property_sink
 
@@ -102,7 +102,7 @@ class Solver:
 
     def _solve(self, frame, depsgraph, values):
         system, carrier, owner, box = self._system, self._carrier, self._owner, self._slots
-        heal.note_use()
+        noticed.note_use()
         if native.module is None:
             self._do_nothing(frame)
             return box[outbox.STATUS]
@@ -133,7 +133,7 @@ class Solver:
             if room.is_full and problem is None:
                 box[outbox.STATUS] = outbox.FULL
             if context.wants_to_settle:
-                heal.ask_to_settle(system, owner)
+                noticed.note_unsettled(system, owner)
         if self._outlet is not None:
             self._outlet[:] = box[: len(self._outlet)]
         self._tell_healing(moves)
@@ -178,16 +178,16 @@ class Solver:
 
     def _tell_healing(self, moves):
         if self._drives_properties:
-            heal.note_properties(self._carrier)
+            noticed.note_properties(self._carrier)
         if self._place is None:
             return
         if self._reads_mesh:
-            heal.watch(self._place)
+            noticed.moved_points.add(self._place)
         if self._reads_several:
-            heal.watch_collections(self._place)
+            noticed.gathering.add(self._place)
         if not self._system.moves_points:
             drivers = copies.drivers_on(self._owner) if self._copy is None else self._copy.drivers
-            heal.note_state(self._place, (drivers, self._counts and moves))
+            noticed.note_state(self._place, (drivers, self._counts and moves))
 
     def _do_nothing(self, frame):
         do_nothing(self._box, self._layout)
@@ -234,7 +234,7 @@ class RowsSolver:
     def solve(self, frame, depsgraph, values):
         """Solve into the hub's mesh; returns the status of the first row, on which the driver sits."""
         table, layout, poses = self._table, self._layout, self._poses
-        heal.note_use()
+        noticed.note_use()
         table[:, outbox.WEIGHT] = 0.0
         if native.module is None:
             return table[0, outbox.STATUS]
@@ -242,7 +242,7 @@ class RowsSolver:
         inputs = _arguments(self._inputs, values, None)
         common, targets = {}, sharing.targets(self._system, self._mesh)
         if self._name is not None:
-            heal.watch_rows(self._system, self._name, self._rows)
+            noticed.note_rows(self._system, self._name, self._rows)
         for row, context, slots in zip(self._rows, self._contexts, table):
             if context is not None:
                 context.begin(frame, depsgraph, row.memo, common, targets)

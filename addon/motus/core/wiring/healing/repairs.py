@@ -1,0 +1,422 @@
+"""The kinds of change that Blender does not report to add-ons, as a table: what tells of each, what repairs it, and when it is looked for.
+
+A sign is cheap and says what the repair is given: a list, a set, or True; nothing that is true means that there is nothing to do.
+A repair happens once for each change, and has the same result whichever owner is evaluated first.
+"""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import bpy
+
+from ... import native
+from ...blender import helpers
+from ...declare import has_settings, is_owner, leader_of, of_owner, registered, systems
+from ...evaluated import copies, read_keys
+from ...file import deleted
+from ...measures.handedness import is_mirrored
+from ..attaching import attach, overrides, sharing, signature, waiting
+from ..attaching.solver_driver import waits
+from ..hubs import hub_lookup, outbox
+from ..sinks import geometry_sink, property_sink, proxy_sink
+from ..sinks.finding import has_sinks, makers, release
+from . import relations, remains
+from .watch import key, noticed
+
+EDIT, FRAME, LOADED, ARRIVED, SAVING, SAVED = "edit", "frame", "loaded", "arrived", "saving", "saved"
+"""When repairs are looked for: an evaluation after an edit or after a change of the frame has ended; a file was loaded; undo, redo or
+an import has brought datablocks; a file will be saved; a file was saved."""
+AFTER_EVALUATION = EDIT, FRAME
+
+
+class Event(NamedTuple):
+    """What a handler of Blender's was called for. depsgraph: None if Blender gives none."""
+
+    moment: str
+    depsgraph: Any = None
+
+    def have_collections_changed(self):
+        """Whether objects may have come into or gone out of collections."""
+        return self.depsgraph is not None and deleted.have_collections_changed(self.depsgraph)
+
+    def has_updated(self, kind):
+        """Whether a datablock of a kind, such as 'OBJECT', was updated."""
+        return self.depsgraph is not None and self.depsgraph.id_type_updated(kind)
+
+
+class Repair(NamedTuple):
+    """One kind of change, in words, and its repair. needs_use: looked for only after a solver of the file was called."""
+
+    change: str
+    moments: tuple
+    sign: Callable[[Event], Any]
+    repair: Callable[[Any, Event], None]
+    needs_use: bool = True
+
+
+def _attached():
+    """(system, owner) of all that is wired in this file."""
+    owners = [obj for obj in bpy.data.objects if not obj.library and obj.is_property_set("motus")]
+    return [(system, owner) for owner in owners for system in systems() if is_owner(system, owner)]
+
+
+def _find(name, owner_name):
+    """The system and the owner of these names; (None, None) if they are gone or not wired in this file."""
+    system, owner = registered.get(name), bpy.data.objects.get((owner_name, None))
+    if not system or not owner or not is_owner(system, owner):
+        return None, None
+    return system, owner
+
+
+def _found_at(places):
+    """(system, owner) of a set of places, from which those that are gone are dropped."""
+    found = []
+    for place in list(places):
+        system, owner = _find(*place)
+        if owner is None:
+            places.discard(place)
+        else:
+            found.append((system, owner))
+    return found
+
+
+def _pop_each(places):
+    """Yields (system, owner) of a set of places until it is empty, those that come into it meanwhile too."""
+    while places:
+        system, owner = _find(*places.pop())
+        if owner is not None:
+            yield system, owner
+
+
+def _refresh_each(found, _event):
+    for system, owner in found:
+        attach.refresh(system, owner)
+
+
+# --- Drivers of properties, which are at rest in a file ------------------------------------------------------------------------------
+
+
+def _resting(_event):
+    return noticed.resting
+
+
+def _wake_resting(keys, _event):
+    while keys:
+        wanted = keys.pop()
+        _wake(next((mesh for mesh in bpy.data.meshes if key(mesh) == wanted), None))
+
+
+def _wake(mesh):
+    owner = mesh and mesh.get(outbox.OWNER_KEY)
+    for system in systems() if isinstance(owner, bpy.types.Object) else ():
+        if outbox.key_on_hub(system, mesh) is not None:
+            property_sink.wake(system, owner, mesh)
+
+
+def _asleep(_event):
+    return [mesh for mesh in bpy.data.meshes if property_sink.KEY in mesh and property_sink.is_resting(mesh)] if native.module else []
+
+
+def _wake_each(meshes, _event):
+    for mesh in meshes:
+        _wake(mesh)
+
+
+def _awake(_event):
+    return [mesh for mesh in bpy.data.meshes if property_sink.KEY in mesh and not mesh.library]
+
+
+def _rest_each(meshes, _event):
+    for mesh in meshes:
+        for system in systems():
+            if outbox.key_on_hub(system, mesh) is not None:
+                property_sink.rest(system, mesh)
+
+
+# --- Owners whose signature may have changed -----------------------------------------------------------------------------------------
+
+
+def _changed(event):
+    if event.depsgraph is not None:
+        _look_at_rows(event)
+    return noticed.changed
+
+
+def _look_at_rows(event):
+    """Note the state of owners that share a hub, whose solver does not read them.
+
+    They cannot go on to share it if settings have become animated, or if scales have come to mirror an owner, which is looked at
+    after an edit.
+    """
+    for place, rows in list(noticed.rows.items()):
+        name, _ = place
+        for owner_name in [row.name for row in rows if isinstance(row, sharing.Row)]:
+            owner = bpy.data.objects.get((owner_name, None))
+            if owner is None:  # it has another name now, or is gone: all rows are looked through
+                noticed.rows.pop(place, None)
+                noticed.object_count = -1
+                continue
+            if event.moment == EDIT and is_mirrored(owner):
+                noticed.changed.add((name, owner_name))
+            animation, seen = owner.animation_data, noticed.states.get((name, owner_name))
+            if animation and (animation.action or animation.nla_tracks or seen is None or seen[0] != len(animation.drivers)):
+                evaluated = owner.evaluated_get(event.depsgraph)
+                moves = bool(registered[name].outputs) and copies.has_moving_settings(evaluated)
+                noticed.note_state((name, owner_name), (copies.drivers_on(evaluated), moves))
+
+
+def _refresh_changed(places, _event):
+    for system, owner in _pop_each(places):
+        attach.refresh_changed(system, owner)
+
+
+# --- Copies --------------------------------------------------------------------------------------------------------------------------
+
+
+def _has_new_objects(event):
+    # To count the objects takes 0.1 ms if there are 5000. What is new stands in a collection, or it is not evaluated.
+    may_have = event.moment == EDIT or event.depsgraph is None or noticed.object_count < 0 or event.have_collections_changed()
+    return may_have and len(bpy.data.objects) != noticed.object_count
+
+
+def _part_copies(_found, _event):
+    helpers.put_away()
+    relations.look()
+    for system in systems():
+        sharing.tidy(system)
+    attached = _attached()
+    deleted.watch(dict.fromkeys(owner for _, owner in attached))
+    for system, owner in attached:
+        place = system.name, owner.name
+        if place in noticed.given_up or not signature.has_strange_carriers(system, owner):
+            continue
+        attach.refresh(system, owner)
+        if signature.has_strange_carriers(system, owner):
+            noticed.given_up.add(place)
+    noticed.object_count = len(bpy.data.objects)
+
+
+# --- Points and collections ----------------------------------------------------------------------------------------------------------
+
+
+def _with_other_mesh(_event):
+    return [(system, owner) for system, owner in _found_at(noticed.moved_points) if geometry_sink.is_stale(system, owner)]
+
+
+def _unsettled(_event):
+    return noticed.unsettled
+
+
+def _settle(places, _event):
+    for system, owner in _pop_each(places):
+        system.settle(owner)
+
+
+def _with_other_collection(event):
+    if not noticed.gathering or not event.have_collections_changed():
+        return []
+    return [(system, owner) for system, owner in _found_at(noticed.gathering) if waiting.is_stale(system, of_owner(system, owner))]
+
+
+# --- Bones ---------------------------------------------------------------------------------------------------------------------------
+
+
+def _edited_armatures(event):
+    """The armatures that were updated, but for those that are in Edit Mode still."""
+    if not event.has_updated('ARMATURE'):
+        return set()
+    edited = [
+        copies.original_of(update.id, bpy.data.armatures, event.depsgraph)
+        for update in event.depsgraph.updates
+        if isinstance(update.id, bpy.types.Armature)
+    ]
+    return {armature for armature in edited if armature is not None and not armature.is_editmode}  # type: ignore[attr-defined]
+
+
+def _grown_armatures(event):
+    return {armature for armature in _edited_armatures(event) if noticed.bone_counts.get(key(armature)) != len(armature.bones)}
+
+
+def _release_joined(grown, _event):
+    """Release the sinks that came along with a rig that was joined into another one, and remove what is left of that rig."""
+    noticed.bone_counts.update((key(armature), len(armature.bones)) for armature in grown)
+    # What is released takes objects out of the file, which Blender must not be going through then.
+    joined, found = {}, [obj for obj in bpy.data.objects if obj.data in grown and not (obj.library or obj.override_library)]
+    for obj in found:
+        for system in systems():
+            is_driven = is_owner(system, obj) or leader_of(system, obj)
+            if system.groups is not None and not is_driven and has_sinks(system, obj):
+                joined |= dict.fromkeys(rig for rig in makers(system, obj) if not rig.users_collection)
+                release(system, obj)
+    for rig in joined:
+        _discard(rig)
+
+
+def _discard(rig):
+    """Remove a rig that is kept alive by its hubs and proxies alone, and they by it."""
+    for system in systems():
+        for hub in [hub for _, hub in hub_lookup.hubs(system, rig) if hub_lookup.is_own_hub(hub, rig)]:
+            bpy.data.meshes.remove(hub.data)
+        proxy_sink.release(of_owner(system, rig))
+    bpy.data.objects.remove(rig)
+
+
+def _follow_bones(edited, _event):
+    touched = [
+        (system, owner) for system, owner in _attached() if system.groups is not None and not edited.isdisjoint(_armatures(system, owner))
+    ]
+    for system, owner in touched:
+        attach.refresh_edited(system, owner)
+    # Once more, now that all of an owner's systems know the names: by them their entries wait for each other.
+    for system, owner in touched:
+        if system.entries is not None:
+            attach.refresh_changed(system, owner)
+
+
+def _armatures(system, owner):
+    """The data of the owner and of all objects that it reads."""
+    read = [pair[0] for group_key, _ in hub_lookup.carriers(system, owner) for pair in waits(system, owner, group_key)]
+    return {owner.data, *(obj.data for obj in read if obj)}
+
+
+# --- Deleted owners, and helpers -----------------------------------------------------------------------------------------------------
+
+
+def _may_be_deleted(event):
+    return event.have_collections_changed()
+
+
+def _always(_event):
+    return True
+
+
+def _remove_soon(_found, _event):
+    remains.remove_soon()
+
+
+def _remove_deleted(_found, _event):
+    remains.remove_deleted()
+
+
+def _put_away(_found, _event):
+    helpers.put_away()
+
+
+# --- Edited actions, overrides, and the order of evaluation --------------------------------------------------------------------------
+
+
+def _has_readings(event):
+    return bool(read_keys.readings) and event.depsgraph is not None
+
+
+def _call_again(_found, event):
+    read_keys.call_again(event.depsgraph)
+
+
+def _complete_references(_found, _event):
+    overrides.complete_references()
+
+
+def _has_new_marks(_event):
+    return overrides.has_new_marks()
+
+
+def _wire_overrides(_found, _event):
+    overrides.forget()
+    if native.module is None or not any(obj.override_library and not obj.library for obj in bpy.data.objects):
+        return
+    _release_overrides()
+    for system, owner in _attached():
+        if overrides.is_lost(system, owner) or geometry_sink.is_cut_off(system, owner):
+            attach.refresh(system, owner)
+            if system.dress is not None:
+                system.dress(owner)
+
+
+def _release_overrides():
+    """Take off overrides again what was taken off them, and came back from their library."""
+    found = [obj for obj in bpy.data.objects if obj.override_library and not obj.library and obj.is_property_set("motus")]
+    for obj in found:
+        for system in [one for one in systems() if has_settings(one, obj)]:
+            settings = of_owner(system, obj)
+            if settings.is_released and not settings.is_active:
+                release(system, obj)
+                overrides.unmark(system, obj)
+
+
+def _have_relations_changed(event):
+    return event.has_updated('OBJECT') and relations.have_changed(event.depsgraph)
+
+
+def _refresh_order(_found, _event):
+    for system, owner in _attached():
+        if system.groups is not None:
+            attach.refresh_changed(system, owner)
+
+
+TABLE = (
+    Repair("What was linked or appended has drivers of properties that are at rest", AFTER_EVALUATION, _resting, _wake_resting),
+    Repair(
+        "Settings have become animated, which the owner's outlet cannot wait for, or channels of driven bones driven",
+        AFTER_EVALUATION,
+        _changed,
+        _refresh_changed,
+    ),
+    Repair(
+        "An object was copied or overridden, and its sinks read the hubs or proxies of the first one",
+        AFTER_EVALUATION,
+        _has_new_objects,
+        _part_copies,
+    ),
+    Repair("An object whose points are moved was given another mesh", AFTER_EVALUATION, _with_other_mesh, _refresh_each),
+    Repair("A solver has asked for its system to settle the owner after the evaluation", AFTER_EVALUATION, _unsettled, _settle),
+    Repair("Objects came into a collection that a solver reads, or left it", AFTER_EVALUATION, _with_other_collection, _refresh_each),
+    Repair(
+        "A rig was joined into another one: its sinks came along, but not its settings", AFTER_EVALUATION, _grown_armatures, _release_joined
+    ),
+    Repair(
+        "Bones of an owner, or of a rig that it reads, were renamed, removed, or given other parents",
+        AFTER_EVALUATION,
+        _edited_armatures,
+        _follow_bones,
+    ),
+    Repair("An owner was deleted, whose helpers go along", AFTER_EVALUATION, _may_be_deleted, _remove_soon),
+    Repair("Keys were edited that a solver has read", (EDIT,), _has_readings, _call_again, needs_use=False),
+    Repair(
+        "Blender takes a group of settings that only an override has for one that it cannot read",
+        (LOADED, SAVING),
+        _always,
+        _complete_references,
+        needs_use=False,
+    ),
+    Repair(
+        "Blender has put helpers into the scene, along with what came into the file", (LOADED, ARRIVED), _always, _put_away, needs_use=False
+    ),
+    Repair(
+        "A file was loaded, and Blender has not kept what was wired on its overrides", (LOADED,), _always, _wire_overrides, needs_use=False
+    ),
+    Repair(
+        "A library was loaded again, or an override undone, and Blender has not kept what was wired",
+        (EDIT,),
+        _has_new_marks,
+        _wire_overrides,
+        needs_use=False,
+    ),
+    Repair(
+        "An object was given another parent, constraint or driver, by which entries may come to wait for each other",
+        (EDIT,),
+        _have_relations_changed,
+        _refresh_order,
+    ),
+    Repair("An owner that was deleted would be saved", (SAVING,), _always, _remove_deleted, needs_use=False),
+    Repair("Drivers of properties are to be at rest in the file that is saved", (SAVING,), _awake, _rest_each, needs_use=False),
+    Repair("Drivers of properties are at rest since the file was saved", (LOADED, SAVED), _asleep, _wake_each, needs_use=False),
+)
+"""All repairs, in the order in which they are made."""
+
+_AT = {moment: tuple(one for one in TABLE if moment in one.moments) for moment in (EDIT, FRAME, LOADED, ARRIVED, SAVING, SAVED)}
+
+
+def at(moment):
+    """The repairs that are looked for at a moment."""
+    return _AT[moment]
