@@ -19,7 +19,7 @@ from ...file.pointers import pointed
 from ...file.stored import Damaged
 from ...lazy import numpy as np
 from ...measures.handedness import is_mirrored
-from ..hubs import outbox
+from ..hubs import hub_lookup, outbox
 from ..sinks import attribute_sink
 
 _known = keeping.OfFile("rows of hubs that owners share (Row), or Damaged", "name of the system, the text of the row", most=4096)
@@ -171,7 +171,44 @@ def write(system, owner):
     return True
 
 
-def hub_for(system, owner, uses_attribute, reads):
+class Place(NamedTuple):
+    """Where an owner has joined others. partner: the other one that is to be wired anew to join, if the hub is new."""
+
+    hub: Any
+    row: int
+    partner: Any
+
+
+def join(system, owner, reads):
+    """Give an owner a row of a shared hub, of a new one if another owner is there to join it; None if it stays alone.
+
+    reads: whether the solver of a hub's mesh reads what one of this owner would.
+    """
+    if not can_share(system, owner):
+        return None
+    uses_attribute = attribute_sink.serves(system)
+    hub = _hub_for(system, owner, uses_attribute, reads)
+    partner = None if hub else _partner_for(system, owner, reads)
+    if hub is None:
+        if partner is None:
+            return None
+        hub = hub_lookup.new_hub(system.label)
+        outbox.create_shared(system, hub.data, uses_attribute)
+        for name, target in pointers(system, owner).items():
+            hub.data[target_key(name)] = target
+        copies.mark(hub.data)
+    return Place(hub, _take(system, owner, hub), partner)
+
+
+def leave(system, owner):
+    """Let an owner's row go."""
+    settings = of_owner(system, owner)
+    mesh = pointed(settings, "hub").data
+    settings.hub = None  # by which the row is free
+    prune(system, mesh)
+
+
+def _hub_for(system, owner, uses_attribute, reads):
     """The hub object that an owner may join: local, whole, and its solver reads the same; None without."""
     for mesh in bpy.data.meshes:
         if mesh.library or mesh.override_library or not outbox.is_shared(system, mesh):
@@ -189,7 +226,7 @@ def hub_for(system, owner, uses_attribute, reads):
     return None
 
 
-def partner_for(system, owner, reads):
+def _partner_for(system, owner, reads):
     """Another owner that has a hub of its own, reads the same and may share one; None without."""
     for mesh in bpy.data.meshes:
         other = mesh.get(outbox.OWNER_KEY)
@@ -200,7 +237,7 @@ def partner_for(system, owner, reads):
     return None
 
 
-def take(system, owner, hub):
+def _take(system, owner, hub):
     """Give an owner a row of a hub; returns it."""
     mesh, settings = hub.data, of_owner(system, owner)
     count, taken = outbox.row_count(system, mesh), holders(system, mesh)

@@ -5,20 +5,15 @@ from typing import Any
 
 import bpy
 
-from ...blender import capabilities, drivers
+from ...blender import drivers
 from ...declare import OwnMatrix, input_variables
 from ...evaluated import copies
 from ..hubs import hub_lookup, outbox
-from ..sinks import proxy_sink
+from ..sinks import attribute_sink, proxy_sink
 from . import sharing
 
 VERSION = 2
 """Version of how owners are wired. It is part of the signature, so an owner that another version wired is wired anew."""
-
-
-def uses_attribute(system):
-    """Whether the members sample an attribute of the hub, and no drivers bring them the result."""
-    return capabilities.has_geometry_attribute_constraint() and not (system.has_modifier or system.same_bits)
 
 
 def has_strange_carriers(system, owner):
@@ -102,7 +97,7 @@ def signature(system, owner, groups):
         )
         for group in (groups if system.groups is not None else ())
     ]
-    ways: tuple[Any, ...] = uses_attribute(system), wants_outlet(system, owner), sharing.can_share(system, owner)
+    ways: tuple[Any, ...] = attribute_sink.serves(system), wants_outlet(system, owner), sharing.can_share(system, owner)
     properties = [(group.key, one.output, _name(one.object, owner), one.path, one.index) for group in groups for one in group.properties]
     if waits_apart(owner, groups):
         ways = *ways, way_to_wait(owner, groups), properties

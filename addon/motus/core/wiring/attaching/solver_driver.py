@@ -7,7 +7,7 @@ from ...declare import BonesOwn, Transform, Variable, input_variables, laying, o
 from ...evaluated import copies
 from ..hubs import hub_lookup, outbox
 from ..sinks import property_sink
-from . import signature, waiting
+from . import sharing, signature, waiting
 
 _OF_PROPERTY = "p"
 """How the names of variables begin that wait for what has driven properties."""
@@ -22,6 +22,23 @@ def add(system, owner, group, hub):
         # meshes are not evaluated anew on every frame; nothing but a subscript is neither.
         call = f'motus_points[self,"{_name(system, group)}"{expression}]'
     drivers.add(hub.data, outbox.out_path(system, group=group.key), call, variables, index=outbox.STATUS, use_self=True)
+
+
+def call_again(system, owner):
+    """Have the owner's solvers called with its present settings; returns whether there are as many members as were wired."""
+    owner.update_tag()
+    for _, hub in hub_lookup.hubs(system, owner):
+        hub.data.update_tag()
+    hub = hub_lookup.hub_of(system, owner)
+    if hub and outbox.is_shared(system, hub.data):
+        return sharing.write(system, owner)
+    if hub and system.member_data:
+        # Reading a list of settings item by item in every solve would be dear where there are many members.
+        data = [float(value) for value in system.member_data(owner)]
+        if not outbox.has_room(hub.data, len(data)):
+            return False
+        hub.data[outbox.MEMBER_DATA_KEY] = data
+    return True
 
 
 def curves_for(system, owner):

@@ -36,7 +36,7 @@ def outlet(system, owner):
 
 def output_names(system, carrier, group=""):
     """Names of a group's outputs."""
-    known = outbox.info(system, carrier, group) if carrier else None
+    known = outbox.info(system, carrier, group) if carrier and system.groups is not None else None
     return system.outputs if known is None else tuple(known.outputs)
 
 

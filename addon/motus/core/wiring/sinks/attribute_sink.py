@@ -14,7 +14,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ... import native
-from ...blender import drivers
+from ...blender import capabilities, drivers
 from ...declare import Variable, groups_of, systems
 from ...evaluated.per_thread import scratch
 from ...file import stored
@@ -27,6 +27,11 @@ ATTRIBUTE = "motus_transform"
 STILL_KEY = "motus_still"
 """Custom property of a hub's mesh: for each member whether it MOVES by itself, is STILL, or is driven RELATIVE to that."""
 MOVES, STILL, RELATIVE = 0, 1, 2
+
+
+def serves(system):
+    """Whether the members of a system sample an attribute of the hub, and no drivers bring them the result."""
+    return capabilities.has_geometry_attribute_constraint() and not (system.has_modifier or system.same_bits)
 
 
 def prepare(system, mesh, owner, group):
