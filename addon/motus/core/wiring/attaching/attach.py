@@ -13,7 +13,7 @@ from ...declare import groups_of, is_owner, of_owner, systems
 from ...evaluated import copies
 from ..hubs import hub_lookup, outbox, outputs
 from ..sinks import attribute_sink, finding, geometry_sink, property_sink, stack
-from . import override_drivers, overrides, readers, renaming, sharing, signature, solver_driver, unwiring, waiting
+from . import override_drivers, overrides, readers, renaming, sharing, signature, solver_driver, unwiring
 
 
 def attach(system, owner):
@@ -30,9 +30,7 @@ def _wire(system, owner, before):
     settings.is_active = True
     if settings.is_released:
         settings.is_released = False
-    waiting.set_proxy(system, settings)
-    copies.prepare(owner)
-    copies.mark(*solver_driver.curves_for(system, owner))
+    solver_driver.prepare(system, owner)
     groups = groups_of(system, owner)
     place = sharing.join(system, owner, lambda mesh: solver_driver.reads_the_same(system, owner, mesh))
     if place:
@@ -41,7 +39,6 @@ def _wire(system, owner, before):
         for group in groups:
             _wire_group(system, owner, group)
     readers.point(system, owner, followers)
-    settings.wired = signature.signature(system, owner, groups)
     overrides.mark(system, owner, groups)
     stack.order(system, owner, groups, before)
     solver_driver.call_again(system, owner)
@@ -51,26 +48,14 @@ def _wire(system, owner, before):
 
 def _wire_group(system, owner, group):
     """Give a group a hub of its own, and let its members follow that."""
-    settings, hub = of_owner(system, owner), hub_lookup.make_hub(system, owner, group)
-    if attribute_sink.serves(system):
-        attribute_sink.prepare(system, hub.data, owner, group)
-    elif system.has_modifier:
-        geometry_sink.prepare(system, hub.data, settings)
+    hub = hub_lookup.make_hub(system, owner, group)
+    stack.prepare(system, owner, group, hub)
     outbox.create(system, hub.data, group, attribute_sink.serves(system))
     copies.mark(hub.data)
     if signature.wants_outlet(system, owner):
         outputs.create_outlet(system, owner, hub.data)
     solver_driver.add(system, owner, group, hub)
-    property_sink.add(system, owner, group, hub, is_off=settings.is_baked)
-    led = [one.object for one in group.properties]
-    if system.has_modifier:
-        geometry_sink.add(system, owner, hub)
-    else:
-        stack.add(system, owner, group, hub)
-        led += [member.thing.id_data for member in group.members]
-    for obj in led:
-        if obj != owner:
-            of_owner(system, obj).leader = owner
+    stack.add(system, owner, group, hub)
 
 
 def _wire_row(system, owner, group, place):
@@ -78,7 +63,7 @@ def _wire_row(system, owner, group, place):
     outputs.create_outlet(system, owner, place.hub.data)
     if place.partner:  # the hub is new
         solver_driver.add(system, owner, group, place.hub)
-    stack.add(system, owner, group, place.hub, place.row)
+    stack.add_constraints(system, owner, group, place.hub, place.row)
 
 
 def detach(system, owner):

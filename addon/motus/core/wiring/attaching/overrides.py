@@ -13,7 +13,7 @@ import hashlib
 import bpy
 from bpy.app.handlers import persistent
 
-from ...declare import groups_of, input_variables, registered
+from ...declare import groups_of, input_variables, of_owner, registered
 from . import override_drivers, signature
 
 _known = {}
@@ -21,7 +21,8 @@ _known = {}
 
 
 def mark(system, owner, groups):
-    """Note on the owner, and on the overrides that it drives, what is wired there now."""
+    """Note what is wired now: in the owner's settings, and on the owner and the overrides that it drives."""
+    of_owner(system, owner).wired = signature.signature(system, owner, groups)
     digest = _digest(system, owner, groups)
     overridden = _overridden(owner, groups)
     for obj in {owner, *overridden}:

@@ -24,6 +24,13 @@ def add(system, owner, group, hub):
     drivers.add(hub.data, outbox.out_path(system, group=group.key), call, variables, index=outbox.STATUS, use_self=True)
 
 
+def prepare(system, owner):
+    """Before an owner is wired: let what its solvers read be there before them, and its evaluated copies be told apart."""
+    waiting.set_proxy(system, of_owner(system, owner))
+    copies.prepare(owner)
+    copies.mark(*_curves_for(system, owner))
+
+
 def call_again(system, owner):
     """Have the owner's solvers called with its present settings; returns whether there are as many members as were wired."""
     owner.update_tag()
@@ -41,7 +48,7 @@ def call_again(system, owner):
     return True
 
 
-def curves_for(system, owner):
+def _curves_for(system, owner):
     """The data of the curves that a system reads for an owner."""
     variables = (variable for _, variable in input_variables(system, owner))
     return [variable.id for variable in variables if variable and variable.id_type == 'CURVE']

@@ -2,13 +2,35 @@
 
 from ...blender import drivers
 from ...declare import of_owner
-from . import attribute_sink, finding, proxy_sink, transform_sink
+from . import attribute_sink, finding, geometry_sink, property_sink, proxy_sink, transform_sink
 
 AIMING = {'TRACK_TO', 'DAMPED_TRACK', 'LOCKED_TRACK'}
 
 
-def add(system, owner, group, hub, row=None):
-    """Let each member of a group follow the hub; row: the owner's, if the hub is shared. The user's active constraints stay active."""
+def prepare(system, owner, group, hub):
+    """Give a hub's mesh what the sinks of a group will read there, besides the outbox. Called before there are sinks."""
+    if attribute_sink.serves(system):
+        attribute_sink.prepare(system, hub.data, owner, group)
+    elif system.has_modifier:
+        geometry_sink.prepare(system, hub.data, of_owner(system, owner))
+
+
+def add(system, owner, group, hub):
+    """Let all that a group drives follow the hub: properties, and the owner's points or the members."""
+    property_sink.add(system, owner, group, hub, is_off=of_owner(system, owner).is_baked)
+    led = [one.object for one in group.properties]
+    if system.has_modifier:
+        geometry_sink.add(system, owner, hub)
+    else:
+        add_constraints(system, owner, group, hub)
+        led += [member.thing.id_data for member in group.members]
+    for obj in led:
+        if obj != owner:
+            of_owner(system, obj).leader = owner
+
+
+def add_constraints(system, owner, group, hub, row=None):
+    """Give each member of a group its sinks; row: the owner's, if the hub is shared. The user's active constraints stay active."""
     driven = drivers.driven_bones(owner)
     for index, member in enumerate(group.members):
         active = member.thing.constraints.active
