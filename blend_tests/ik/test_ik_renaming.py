@@ -150,7 +150,7 @@ class Renaming(IkTestCase):
         self.reach("Arm 0 1", target="Rig", target_bone="Goal 1")
         rig.motus.look_at.entries[0].target, rig.motus.look_at.entries[0].target_bone = rig, "Arm 2 1"
         self.reach("Arm 2 1", target="Rig", target_bone="Goal 2")
-        signature, systems = support.addon("core.wiring.attaching.signature").signature, support.addon("core.declare").registered
+        signature, systems = support.addon("core.wiring.attaching.signature").of, support.addon("core.declare").registered
         for old in ("Goal 1", "Arm 2 1", "Arm 0 1"):
             self.rename(rig, {old: f"New {old}"})
             for name in ("ik", "look_at"):

@@ -50,7 +50,7 @@ def build():
 
 def key(obj, path, index, frame, value):
     """One key of a property."""
-    found = property_sink.place(obj, path, index)
+    found = property_sink.property_place(obj, path, index)
     found.number.write(value)
     found.id_data.keyframe_insert(found.data_path, index=index, frame=frame)
 
@@ -59,7 +59,9 @@ def places(owner, evaluated=False):
     """Where the properties of the entries lie, on the originals or on the evaluated copies."""
     graph = bpy.context.evaluated_depsgraph_get()
     things = [(entry.thing or owner, entry) for entry in owner.motus.dial.entries]
-    return [property_sink.place(thing.evaluated_get(graph) if evaluated else thing, entry.path, entry.index) for thing, entry in things]
+    return [
+        property_sink.property_place(thing.evaluated_get(graph) if evaluated else thing, entry.path, entry.index) for thing, entry in things
+    ]
 
 
 def values(owner):

@@ -14,13 +14,8 @@ from .healing.watch import evaluation
 from .hubs.outputs import output, output_path, outputs_of
 from .problems import problem, report_problems
 from .sinks.finding import abandoned, has_sinks, is_sink, on_object, release, sinks
-from .sinks.geometry_sink import (
-    place as points_place,
-    set_collection as set_points_collection,
-    set_material as set_points_material,
-    set_object as set_points_object,
-)
-from .sinks.property_sink import check as check_property, driven as driven_properties, place as property_place
+from .sinks.geometry_sink import points_place, set_points_collection, set_points_material, set_points_object
+from .sinks.property_sink import check_property, driven_properties, property_place
 from .solving.namespace import register, unregister
 
 __all__ = (

@@ -27,7 +27,7 @@ _OWN_PROBLEMS = {
 
 def problem(system, owner, depsgraph):
     """The Problem that the solvers of the owner reported, a blocking one first; or None."""
-    carried = hub_lookup.carriers(system, owner)
+    carried = hub_lookup.carriers_of(system, owner)
     if not carried:
         is_bereft = of_owner(system, owner).is_active and groups_of(system, owner)
         return _DAMAGED_PROBLEM if is_bereft else None

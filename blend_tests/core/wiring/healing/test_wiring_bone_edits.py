@@ -9,7 +9,7 @@ from core.wiring.bone_cases import BoneTestCase, build, build_few, build_many, d
 from core.wiring.wiring_cases import frame_set
 
 wiring = support.addon("core.wiring")
-carriers = support.addon("core.wiring.attaching.signature")
+signature = support.addon("core.wiring.attaching.signature")
 hub_lookup = support.addon("core.wiring.hubs.hub_lookup")
 SYSTEM = toy_bone_system.SYSTEM
 
@@ -262,8 +262,8 @@ class ArmatureTest(BoneTestCase):
         bpy.context.view_layer.update()
         for system in (SYSTEM, nod):
             settings = getattr(rig.motus, system.name)
-            self.assertEqual(settings.wired, carriers.signature(system, rig, tuple(system.groups(rig))), system.name)
-        self.assertEqual([key for key, _ in hub_lookup.carriers(SYSTEM, rig)], ["1"])
+            self.assertEqual(settings.wired, signature.of(system, rig, tuple(system.groups(rig))), system.name)
+        self.assertEqual([key for key, _ in hub_lookup.carriers_of(SYSTEM, rig)], ["1"])
 
     def check_renamed_entry(self, plays):
         rig = build()
@@ -373,10 +373,10 @@ class DetachTest(BoneTestCase):
     def test_groups_are_compared(self):
         rig = build()
         groups = SYSTEM.groups(rig)
-        same = carriers.signature(SYSTEM, rig, groups)
+        same = signature.of(SYSTEM, rig, groups)
         self.assertEqual(rig.motus.bend.wired, same)
         rig.motus.bend.entries["A.0"]["length"] = 1
-        self.assertNotEqual(carriers.signature(SYSTEM, rig, SYSTEM.groups(rig)), same)
+        self.assertNotEqual(signature.of(SYSTEM, rig, SYSTEM.groups(rig)), same)
 
 
 class UndoTest(BoneTestCase):

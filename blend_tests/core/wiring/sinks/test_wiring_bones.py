@@ -166,12 +166,12 @@ class WaitingTest(BoneTestCase):
     def test_other_system_is_wired_again(self):
         rig = build()
         toy_bone_system.bend(rig, {"A.end": (rig, "B.1")}, system=NOD, length=1)
-        self.assertEqual([key for key, _ in hub_lookup.carriers(NOD, rig)], ["1"])
+        self.assertEqual([key for key, _ in hub_lookup.carriers_of(NOD, rig)], ["1"])
         entry = rig.motus.bend.entries["B.0"]
         rig.motus.bend.entries.remove(list(rig.motus.bend.entries).index(entry))
         rig.motus.bend.entries.remove(0)
         wiring.refresh(SYSTEM, rig)
-        self.assertEqual([key for key, _ in hub_lookup.carriers(NOD, rig)], [""])
+        self.assertEqual([key for key, _ in hub_lookup.carriers_of(NOD, rig)], [""])
         frame_set(5)
         self.assert_bent(rig, (NOD,))
 

@@ -109,7 +109,7 @@ def refresh_others(system, owner):
 
 def refresh_changed(system, owner):
     """Wire again if the groups are others than those wired, or their sinks have copies; returns whether they were."""
-    is_same = of_owner(system, owner).wired == signature.signature(system, owner, groups_of(system, owner))
+    is_same = of_owner(system, owner).wired == signature.of(system, owner, groups_of(system, owner))
     if is_same and not finding.has_strays(system, owner):
         return False
     _wire_anew(system, owner)

@@ -22,7 +22,7 @@ _known = {}
 
 def mark(system, owner, groups):
     """Note what is wired now: in the owner's settings, and on the owner and the overrides that it drives."""
-    of_owner(system, owner).wired = signature.signature(system, owner, groups)
+    of_owner(system, owner).wired = signature.of(system, owner, groups)
     digest = _digest(system, owner, groups)
     overridden = _overridden(owner, groups)
     for obj in {owner, *overridden}:
@@ -117,5 +117,5 @@ def _digest(system, owner, groups):
         for member in group.members
         if member.thing.id_data != owner
     ]
-    text = repr((signature.signature(system, owner, groups), members, variables))
+    text = repr((signature.of(system, owner, groups), members, variables))
     return hashlib.sha1(text.encode()).hexdigest()

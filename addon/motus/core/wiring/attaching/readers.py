@@ -54,7 +54,7 @@ def of(system, owner):
 def _carriers(system, owner):
     """What outputs can be read from, by the groups' keys: the owner's outlet before the hub."""
     outlet = [("", owner)] if hub_lookup.has_outlet(system, owner) else []
-    return outlet + hub_lookup.carriers(system, owner)
+    return outlet + hub_lookup.carriers_of(system, owner)
 
 
 def _is_borrowed(system, owner, carrier):

@@ -74,7 +74,7 @@ def way_to_wait(owner, groups):
     return "settings" if copies.has_driven_settings(owner) else "keys"
 
 
-def signature(system, owner, groups):
+def of(system, owner, groups):
     """A text that changes when a system is to be wired otherwise on an owner: in another way, or in other groups that it declares."""
     driven = drivers.driven_bones(owner)
     said = [

@@ -80,7 +80,7 @@ def waits(system, owner, key):
 def renamed_reads(system, owner):
     """(rig, old name, new name) of bones that the owner reads and that were renamed since it was wired."""
     found = {}
-    for key, carrier in hub_lookup.carriers(system, owner):
+    for key, carrier in hub_lookup.carriers_of(system, owner):
         known, first = outbox.info(system, carrier, key), carrier.get(outbox.OWNER_KEY)
         for old, (rig, new) in zip(known.reads if known else (), waits(system, owner, key)):
             if old != new and rig and rig.pose and new in rig.pose.bones:

@@ -275,7 +275,7 @@ def _follow_bones(edited, _event):
 
 def _armatures(system, owner):
     """The data of the owner and of all objects that it reads."""
-    read = [pair[0] for group_key, _ in hub_lookup.carriers(system, owner) for pair in waits(system, owner, group_key)]
+    read = [pair[0] for group_key, _ in hub_lookup.carriers_of(system, owner) for pair in waits(system, owner, group_key)]
     return {owner.data, *(obj.data for obj in read if obj)}
 
 

@@ -36,7 +36,7 @@ def lost_hubs(system, owner):
     ]
 
 
-def carriers(system, owner):
+def carriers_of(system, owner):
     """(group's key, mesh of its hub) of everything that is wired."""
     return [(key, hub.data) for key, hub in hubs(system, owner)]
 

@@ -63,7 +63,7 @@ def outputs_of(system, owner, entry, names, depsgraph):
     Of a system whose members are relative: its weight is never 0 where it was solved.
     """
     wanted = [f"{entry}.{name}" for name in names]
-    for key, carrier in hub_lookup.carriers(system, owner):
+    for key, carrier in hub_lookup.carriers_of(system, owner):
         weight, values = _told(system, carrier.evaluated_get(depsgraph), key, wanted)
         # Blender 5 may copy the owner anew without solving again (a change of mode): all is 0 for a while.
         if values and weight != 0.0:

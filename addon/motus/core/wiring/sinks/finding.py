@@ -31,12 +31,12 @@ def _things(obj):
 def sinks(system, owner):
     """(Object or PoseBone, constraint) of every sink that the owner drives."""
     driven = _driven_objects(system, owner)
-    carriers = {owner, *(carrier for _, carrier in hub_lookup.carriers(system, owner)), *hub_lookup.lost_hubs(system, owner)}
+    carriers = {owner, *(carrier for _, carrier in hub_lookup.carriers_of(system, owner)), *hub_lookup.lost_hubs(system, owner)}
     # Overrides may have been given sinks of their library again.
     overridden = [obj for obj in driven if obj.override_library]
     carriers.update(overridden)
     for obj in overridden:
-        carriers.update(carrier for _, carrier in hub_lookup.carriers(system, obj.override_library.reference))
+        carriers.update(carrier for _, carrier in hub_lookup.carriers_of(system, obj.override_library.reference))
     return [(thing, constraint) for obj in driven for thing, constraint, carrier, _ in on_object(system, obj) if carrier in carriers]
 
 
@@ -73,7 +73,7 @@ def has_strays(system, owner):
 def _as_wired(system, owner):
     """Yields (PoseBone, name that it had when it was wired) for every sink on the owner's bones of which that can be told."""
     old_names = {}
-    for key, carrier in hub_lookup.carriers(system, owner):
+    for key, carrier in hub_lookup.carriers_of(system, owner):
         known = outbox.info(system, carrier, key)
         if known is not None:
             old_names[carrier] = known.members

@@ -48,7 +48,7 @@ def modifier(system, owner):
     return next((one for one in owner.modifiers if _is_sink(system, one)), None)
 
 
-def place(system, owner):
+def points_place(system, owner):
     """Place of the sink in the owner's stack of modifiers; None where it has none."""
     return next((index for index, one in enumerate(owner.modifiers) if _is_sink(system, one)), None)
 
@@ -97,17 +97,17 @@ def write_nothing(system, carrier):
     _kind(system).write_nothing(system, carrier)
 
 
-def set_material(system, owner, material):
+def set_points_material(system, owner, material):
     """Give the points that the system makes on an owner, or what their shape is, a material."""
     _set_form(system, owner, made_points.MATERIAL, material)
 
 
-def set_object(system, owner, instanced):
+def set_points_object(system, owner, instanced):
     """Let the owner have an instance of an object on each point, scaled by its radius and turned by its quaternion."""
     _set_form(system, owner, made_points.OBJECT, instanced)
 
 
-def set_collection(system, owner, instanced):
+def set_points_collection(system, owner, instanced):
     """The same with the objects of a collection, among which points choose by their ids."""
     _set_form(system, owner, made_points.COLLECTION, instanced)
 

@@ -60,7 +60,7 @@ class Place(NamedTuple):
         return found and found.drivers.find(self.data_path, index=max(self.number.index, 0))
 
 
-def place(obj, path, index=-1):
+def property_place(obj, path, index=-1):
     """The Place of a property by its path from an object, through datablocks that the object uses. Refuses what is no decimal number."""
     try:
         found = obj.path_resolve(path, False)
@@ -73,9 +73,9 @@ def place(obj, path, index=-1):
     return Place(id_data, data_path, number)
 
 
-def check(obj, path, index=-1):
+def check_property(obj, path, index=-1):
     """The Place of a property that may be driven; refuses any other."""
-    found = place(obj, path, index)
+    found = property_place(obj, path, index)
     check_local(found.id_data)
     declared = found.number.holder.bl_rna.properties.get(found.number.name)
     if declared and not declared.is_animatable:
@@ -98,7 +98,7 @@ def add(system, owner, group, hub, is_off=False):
         if one.object != owner:
             hub.data[_object_key(order)] = one.object
         try:
-            found = check(one.object, one.path, one.index)
+            found = check_property(one.object, one.path, one.index)
         except Refused:
             pass
         else:
@@ -129,7 +129,7 @@ def waits(group):
 def _datablocks(group):
     for one in group.properties:
         try:
-            yield check(one.object, one.path, one.index).id_data
+            yield check_property(one.object, one.path, one.index).id_data
         except Refused:
             continue
 
@@ -250,14 +250,14 @@ def _own(obj, note, frame):
     return note.base
 
 
-def driven(system, owner):
+def driven_properties(system, owner):
     """(object, function that gives the Place from it, or from its evaluated copy) of all properties that an owner drives now."""
-    for _, mesh in hub_lookup.carriers(system, owner):
+    for _, mesh in hub_lookup.carriers_of(system, owner):
         for order, note in enumerate(_notes_of(mesh)):
             obj = mesh.get(_object_key(order), owner)
             found = _found(obj, note)
             if found and found.driver and _hub_of(found.driver) == mesh and _reads(system, found.driver, note):
-                yield obj, functools.partial(place, path=note.path, index=note.index)
+                yield obj, functools.partial(property_place, path=note.path, index=note.index)
 
 
 def are_driven(system, owner, mesh):
@@ -272,7 +272,7 @@ def are_driven(system, owner, mesh):
 def renamed_bones(system, owner):
     """(old name, new name) of bones whose properties an owner drives: Blender has renamed them in the drivers' own paths."""
     found = {}
-    for _, mesh in hub_lookup.carriers(system, owner):
+    for _, mesh in hub_lookup.carriers_of(system, owner):
         for holder, curve, _ in _sinks([mesh]):
             note = next((one for one in _notes_of(mesh) if _reads(system, curve, one)), None)
             old, new = note and _OF_BONE.match(note.path), _OF_BONE.match(curve.data_path)
@@ -322,7 +322,7 @@ def _notes_of(mesh):
 
 def _found(obj, note):
     try:
-        return place(obj, note.path, note.index) if isinstance(obj, bpy.types.Object) else None
+        return property_place(obj, note.path, note.index) if isinstance(obj, bpy.types.Object) else None
     except Refused:
         return None
 
