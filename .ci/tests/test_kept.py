@@ -29,9 +29,7 @@ NO_CACHE = {
     "core/registration.py": ("_undo", "how to take back what was registered"),
     "core/tracks/solved.py": ("_asked", "questions that are being answered, by which a loop is noticed"),
     "core/wiring/attaching/overrides.py": ("_known", "healing: marks of overrides, to be compared"),
-    "core/wiring/healing/heal.py": ("*", "healing: what is to be looked after"),
     "core/wiring/healing/relations.py": ("_known", "healing: what objects hang on, to be compared"),
-    "core/wiring/healing/revival.py": ("_is_due", "healing: whether scripts are to be asked for"),
     "drivers/functions.py": ("_said", "which warnings were written"),
     "pull/window/cursor.py": ("_handle _failed", "the handler that draws, and what it has warned of"),
     "pull/window/hover.py": ("_kept _wanted", "the mesh under the tool in hand, until anything changes it"),
@@ -143,12 +141,9 @@ class Kept(unittest.TestCase):
             names, _ = NO_CACHE.get(name, ("", ""))
             found = kept_without_declaration(tree) if name != KEEPING else set()
             with self.subTest(name):
-                if names == "*":
-                    self.assertTrue(found)
-                else:
-                    self.assertEqual(
-                        found, set(names.split()), "declare it by core/keeping.py, or say in NO_CACHE what it is instead of a cache"
-                    )
+                self.assertEqual(
+                    found, set(names.split()), "declare it by core/keeping.py, or say in NO_CACHE what it is instead of a cache"
+                )
                 if name != KEEPING:
                     self.assertEqual(ways(tree), set(), "keep it by core/keeping.py")
         self.assertEqual(NO_CACHE.keys() - self.trees.keys(), set())
