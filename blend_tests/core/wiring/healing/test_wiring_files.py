@@ -84,14 +84,14 @@ class FileTest(WiringTestCase):
     def test_wired_by_another_version(self, build):
         """Healing wires such an owner anew after the first evaluation, as it does with any other signature."""
         owner, things = build(toy_system.new_target())
-        addresses, wired = [address(thing) for thing in things], owner.motus.orbit.wired
+        name, addresses, wired = owner.name, [address(thing) for thing in things], owner.motus.orbit.wired
         live = matrices(addresses)
         owner.motus.orbit.wired = f"1 {wired.split()[1]}"
         with mock.patch.object(support.addon("core.wiring.attaching.attach"), "refresh_changed"):
             path = self.save()
         bpy.ops.wm.open_mainfile(filepath=path)
         self.assert_same(matrices(addresses), live, 0.0)
-        self.assertEqual(bpy.data.objects[address(owner)[0]].motus.orbit.wired, wired)
+        self.assertEqual(bpy.data.objects[name].motus.orbit.wired, wired)
 
     def test_without_auto_run(self):
         kinds = {name: [address(thing) for thing in things] for name, (_, things) in build_all().items()}
