@@ -87,7 +87,7 @@ def complete_reference(owner):
 
 @persistent
 def complete_references(*_):
-    """The same for all overrides of the file."""
+    """Let the library's objects of all overrides of the file have the groups of settings that these have."""
     for owner in bpy.data.objects:
         if owner.override_library and not owner.library:
             complete_reference(owner)

@@ -1,4 +1,4 @@
-"""The hubs: a group's solver and outbox are carried by the mesh of a hidden object that stands in no collection."""
+"""How an owner is to be wired, as a text: the signature, by which a change of that is noticed."""
 
 import hashlib
 from typing import Any

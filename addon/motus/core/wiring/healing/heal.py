@@ -109,7 +109,7 @@ def register():
 
 
 def unregister():
-    """Stop looking."""
+    """Look for no repairs any more, and forget what was noticed."""
     handlers.remove(_watched_handlers())
     remains.stop()
     reset()

@@ -23,7 +23,7 @@ def remove_soon():
 
 
 def stop():
-    """Call it no more."""
+    """Have remove_deleted() called no more."""
     if bpy.app.timers.is_registered(remove_deleted):
         bpy.app.timers.unregister(remove_deleted)
 

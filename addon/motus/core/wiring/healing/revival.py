@@ -77,7 +77,7 @@ def register():
 
 
 def unregister():
-    """Stop waiting for that."""
+    """Wait no more for Blender to let add-ons see the file."""
     if bpy.app.timers.is_registered(_catch_up):
         bpy.app.timers.unregister(_catch_up)
     handlers.remove(_watched())

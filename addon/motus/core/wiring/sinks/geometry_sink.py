@@ -108,7 +108,7 @@ def set_points_object(system, owner, instanced):
 
 
 def set_points_collection(system, owner, instanced):
-    """The same with the objects of a collection, among which points choose by their ids."""
+    """Let the owner have an instance of an object of a collection on each point, which chooses one by its id."""
     _set_form(system, owner, made_points.COLLECTION, instanced)
 
 

@@ -313,7 +313,7 @@ def _notes(mesh):
 
 
 def _notes_of(mesh):
-    """The same, none where they are damaged."""
+    """The Notes of a hub's mesh; none if they are damaged."""
     try:
         return _notes(mesh)
     except stored.Damaged:
