@@ -50,9 +50,9 @@ def _hue(color):
 
 
 def another_color(image, keys):
-    """Colour of a screen in the part of an image that the keys leave; None if there is none.
+    """Find the colour of a further screen in the part of an image that no key makes transparent; None if there is no such screen.
 
-    keys: (colour, black, balance, gain) of each.
+    keys: (colour, black level, balance, gain) of each key that the scene has.
     """
     picture = footage.pixels(image)
     for color, black, balance, gain in keys:

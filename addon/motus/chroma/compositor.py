@@ -19,7 +19,7 @@ def tree_of(scene):
 
 
 def key_of(scene):
-    """Node of the scene's key whose picture is rendered, or None."""
+    """The compositor node of the key whose picture the scene renders; None if the scene has no key."""
     return next(iter(keys_of(scene)), None)
 
 

@@ -106,7 +106,10 @@ def play(image, user, scene):
 
 
 def _holds(numbers):
-    """Frames at which the shown picture's number minus the frame changes: (frame, difference); empty for a sequence without gaps."""
+    """Yield (frame, picture number minus frame) at each frame where that difference changes; nothing for a sequence without gaps.
+
+    At the frame of a missing picture the picture before it is shown.
+    """
     if not numbers or len(numbers) == numbers[-1] - numbers[0] + 1:
         return
     shown, offset, there = numbers[0], None, set(numbers)

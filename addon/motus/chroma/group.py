@@ -58,7 +58,7 @@ def is_of_older_version(tree):
 
 
 def view(group):
-    """View that a group shows; None if the user has connected something else."""
+    """Name of the view, one of VIEWS, that a node group outputs as its image; None if the user has connected a different node."""
     link = next((link for link in group.links if link.to_node.bl_idname == "NodeGroupOutput" and link.to_socket.name == "Image"), None)
     return link.from_node.name if link is not None and link.from_node.name in VIEWS else None
 
@@ -112,7 +112,10 @@ def _picture(sheet):
 
 
 def _differences(sheet, picture):
-    """Nodes of the colour difference m: (1 for a green screen, 1 for a blue screen, m of the picture, m of the screen)."""
+    """Add nodes that compute the colour difference m: the screen's channel minus a mix of the other two channels.
+
+    Returns four sockets: 1 for a green screen, 1 for a blue screen, m of the picture, m of the screen color.
+    """
     sheet.frame("Screen's Channel")
     screen = sheet.separate("Screen Color", sheet.input(settings.COLOR))
     is_blue = sheet.math("Is Blue", 'GREATER_THAN', screen[2], screen[1])

@@ -95,7 +95,7 @@ def _draw_mask(column, kind, name, node):
 
 
 def draw_readouts(layout, context):
-    """Draw what was measured of the screen."""
+    """Draw the measurements of the green or blue screen, the advice that follows from them, and changes of the color management."""
     noted = context.scene.motus.chroma
     ui.draw_readouts(
         layout,

@@ -13,9 +13,10 @@ _KEYING = "Key"
 
 
 class Setting(NamedTuple):
-    """One setting of a key. keyword: in scripts.
+    """One setting of a key, an input of its node group. keyword: name of the operator's property and of the argument in scripts.
 
-    old_socket, old_property: for groups of older versions, input of their Keying node, and its property before Blender 4.5.
+    old_socket, old_property: where node groups of older versions keep the value: a socket of their Keying node, and the
+    property of that node before Blender 4.5.
     """
 
     keyword: str
@@ -29,7 +30,7 @@ class Setting(NamedTuple):
 
     @property
     def is_whole(self):
-        """Whether the setting is a number of pixels."""
+        """Whether the setting is an integer: a number of pixels. All other settings are floats."""
         return isinstance(self.default, int)
 
 

@@ -41,11 +41,11 @@ class _Declaration:
 
     @classmethod
     def declarations(cls) -> list[Any]:
-        """The declarations of this lifetime."""
+        """List of the declarations whose lifetime is that of this class."""
         return [one for one in declared if one.lifetime == cls.lifetime]
 
     def clear(self) -> None:
-        """Let go of all."""
+        """Remove all values that are kept under this declaration."""
 
 
 def _importing() -> str:
@@ -75,7 +75,7 @@ class Latest:
         return len(self._values)
 
     def items(self) -> list[tuple[Any, Any]]:
-        """A list of keys with their values, those that were asked for longest ago first."""
+        """List of the (key, value) pairs of the cache, least recently used first."""
         with self._changing:
             return list(self._values.items())
 
@@ -104,7 +104,10 @@ class Latest:
                 self._values.move_to_end(key)
 
     def add(self, key: Hashable, value: Any) -> Any:
-        """Keep a value; returns it."""
+        """Store a value under a key as the most recently used one; returns the value.
+
+        Least recently used values are removed if the cache exceeds its limits.
+        """
         with self._changing:
             self.drop(key)  # another thread may have added it meanwhile
             self._values[key] = value
@@ -120,20 +123,23 @@ class Latest:
                 self._size -= self._size_of(key, value)
 
     def trim(self, most: float) -> None:
-        """Let go of values until there are no more than `most`, nor larger ones than may be kept."""
+        """Remove least recently used values until at most `most` values remain and their total size is within the cache's limit.
+
+        The last value stays in any case.
+        """
         with self._changing:
             while len(self._values) > 1 and (len(self._values) > most or self._size > self._most_size):
                 self.drop(next(iter(self._values)))
 
     def clear(self) -> None:
-        """Let go of all."""
+        """Remove all values from the cache."""
         with self._changing:
             self._values.clear()
             self._size = 0.0
 
 
 class Room(dict[Any, Any]):
-    """What one declaration keeps with one evaluated copy. declaration: which."""
+    """Dictionary of the values that one OfEvaluation declaration keeps with one evaluated copy. declaration: that declaration."""
 
     __slots__ = ("declaration",)
     declaration: OfEvaluation
@@ -187,15 +193,15 @@ class WhileAnswering(OfEvaluation):
         return found[place]
 
     def clear(self) -> None:
-        """Let go of all."""
+        """Remove the answers that all threads keep."""
         self._threads.clear()
 
 
 class OfThread(_Declaration):
-    """Kept by each thread for itself.
+    """Declaration of caches (Latest), one for each thread.
 
-    Not by threading.local: Blender's evaluation threads have a Python state only while they run Python, unless
-    per_thread.keep_state() has been called, and what is local to the state goes with it.
+    threading.local cannot be used: Blender's evaluation threads drop their Python thread state, and thread-local values with it,
+    after each call into Python, unless per_thread.keep_state() was called.
     """
 
     lifetime = "a thread"
@@ -219,7 +225,7 @@ class OfThread(_Declaration):
         return found
 
     def clear(self) -> None:
-        """Let go of what all threads keep."""
+        """Remove the values of this declaration from the caches of all threads."""
         for mine in list(_threads.values()):
             mine.pop(self, None)
 
@@ -230,9 +236,10 @@ _threads: dict[int, dict[OfThread, Latest]] = {}
 
 @contextmanager
 def aside() -> Iterator[None]:
-    """What the thread keeps is left alone meanwhile, by whoever asks for it.
+    """Context manager that gives the current thread empty OfThread caches, and restores the previous ones on exit.
 
-    While Blender waits for a computation that it has spread over threads, it may evaluate another driver within this one.
+    While a thread waits for a parallel computation, Blender may evaluate another driver on the same thread. That driver must not
+    change the caches that the waiting driver uses.
     """
     thread = threading.get_ident()
     mine = _threads.pop(thread, None)
@@ -245,7 +252,10 @@ def aside() -> Iterator[None]:
 
 
 class OfFile(_Declaration, Latest):
-    """Kept for the open file. most, most_size, size: as of Latest. unit: what size counts."""
+    """Declaration of a cache (Latest) that is emptied when another file is opened or the add-on is disabled.
+
+    most, most_size, size: limits of the cache, as in Latest. unit: unit of the sizes, such as bytes, for docs/kept.md.
+    """
 
     lifetime = "a file"
     until = "another file is opened, or the add-on is disabled"
@@ -269,7 +279,10 @@ class OfFile(_Declaration, Latest):
 
 
 class OfProcess(OfFile):
-    """Kept by its content alone, which means the same in every file."""
+    """Declaration of a cache (Latest) that is emptied only when the add-on is disabled.
+
+    The key is the content that a value is made from, so that values stay valid when another file is opened.
+    """
 
     lifetime = "the process"
     until = "the add-on is disabled"
@@ -285,6 +298,9 @@ def forget_file() -> None:
 
 
 def forget_all() -> None:
-    """Let go of all that is kept; for tests, and for an add-on that is disabled. Results are the same after."""
+    """Remove the kept values of all declarations, when the add-on is disabled and in tests.
+
+    Results of Motus do not depend on kept values.
+    """
     for one in declared:
         one.clear()

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 
 class _Lazy:
-    """Stands for a module until one of its names is asked for, and passes that on."""
+    """Proxy of a module; imports the module at the first access to one of its attributes."""
 
     def __init__(self, name: str) -> None:
         self._name = name

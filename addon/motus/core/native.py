@@ -39,7 +39,10 @@ def addon_version() -> str:
 
 
 def _import_failure(error: str) -> Status:
-    """Status of a failed import, told apart by the files that lie beside the add-on."""
+    """Status of a failed import of the native module: file missing, built for another Python, or failed to load.
+
+    The cause is found from the module's files in the add-on's folder. error: text of the ImportError.
+    """
     this_python = f"{sys.version_info.major}.{sys.version_info.minor}"
     files = sorted(path.name for path in PACKAGE_FOLDER.glob("motus_native.*") if path.suffix in {".so", ".pyd"})
     if not files:

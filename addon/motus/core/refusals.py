@@ -34,7 +34,10 @@ def named_collection(name: str) -> bpy.types.Collection:
 
 
 def named_mesh(name: str) -> Any:
-    """The mesh object of this name, which has faces."""
+    """The mesh object of this name.
+
+    Raises Refused if there is no such object, if the object is no mesh, or if the mesh has neither faces nor modifiers.
+    """
     found: Any = named(name)
     if found.type != 'MESH':
         raise Refused(tr("{object} is no mesh").format(object=found.name))
@@ -62,7 +65,7 @@ def check_unbaked(owner: Any, settings: Any) -> None:
 
 
 def check_finite(operator: Any, names: Iterable[str]) -> None:
-    """Refuse keywords that were given something that is no number."""
+    """Raise Refused if one of these keywords of an operator, or a component of an array keyword, is infinite or NaN."""
     for name in names:
         value = getattr(operator, name)
         parts = value if hasattr(value, "__len__") else (value,)
@@ -71,7 +74,10 @@ def check_finite(operator: Any, names: Iterable[str]) -> None:
 
 
 def check_no_tweak_mode(obj: bpy.types.Object) -> None:
-    """Refuse an object whose actions Blender does not let be exchanged, and whose keys would go into a strip of the NLA."""
+    """Raise Refused if the object is in the tweak mode of the NLA editor.
+
+    In tweak mode Blender does not let scripts exchange the object's action, and new keys go into an NLA strip.
+    """
     if obj.animation_data and obj.animation_data.use_tweak_mode:
         raise Refused(tr("{object} is in the tweak mode of the NLA editor: leave it first").format(object=obj.name))
 

@@ -59,7 +59,8 @@ def motus_double_pendulum(
 ):
     """One value of a double pendulum. which: 0 upper angle, 1 lower angle, 2 upper and 3 lower angular velocity.
 
-    Angles are radians from hanging down; theta1, theta2, omega1 and omega2 are the state at frame 0. Units are those of motus_pendulum.
+    Angles are radians from hanging down, angular velocities radians per second. theta1, theta2, omega1 and omega2 are the state at
+    frame 0. mass1, mass2: kilograms. length1, length2: metres. gravity: m/s^2. damping: 1/s. speed: factor on time.
     """
     try:
         keep_state()
@@ -112,7 +113,7 @@ def motus_second_order(self, data_path, index, frame, f=1.0, zeta=0.5, r=0.0):
 
 
 def _held(value):
-    """Give back the value if a property of Blender can store it. Raises ValueError otherwise."""
+    """Return the value if it is finite and fits into a float property of Blender; raise ValueError otherwise."""
     if not abs(value) < INFINITE:
         raise ValueError("the value is too large for a property")
     return value

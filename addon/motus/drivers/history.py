@@ -15,7 +15,7 @@ MOST = 65536  # most frames after the first; later frames have the last value
 
 
 def track_of(owner, data_path, index):
-    """The Track of a property of the owner's datablock. Raises Refused if the property is no number."""
+    """Track (values at any frame) of a property of the owner's datablock. Raises Refused if the property is no number."""
     id_data = owner.id_data
     value = id_data.path_resolve(data_path)
     return tracks.property_track(id_data, data_path, max(index, 0) if hasattr(value, "__len__") else -1, is_beneath_driver=True)
@@ -69,7 +69,11 @@ def _kept(id_data, data_path, index, what):
 
 
 def _made(track, *what):
-    """Sample a property into a native track; False if nothing animates the property."""
+    """Native Track of the second-order motion that follows an animated property; False if nothing animates the property.
+
+    what: (coefficients of the native SecondOrder, first frame, number of pieces that are sampled, length of a frame in seconds).
+    Raises ValueError if the property's values at other frames are unknown.
+    """
     if track.is_constant:
         return False
     if not track.is_known:

@@ -104,7 +104,10 @@ def of_channel(obj, channel):
 
 
 def free_channel(obj):
-    """The first item of CHANNELS without a driver, rotations first; FIRST if all channels have drivers."""
+    """Identifier of a transform channel of the object that has no driver, such as 'ROTATION_X'; rotations come first.
+
+    If all channels have drivers, the result is FIRST.
+    """
     for channel in sorted((name for name, *_ in CHANNELS if name != BY_PATH), key=lambda name: not name.startswith('ROTATION')):
         try:
             (place,) = find(obj, *of_channel(obj, channel))
@@ -223,7 +226,7 @@ def _within(datablock, within):
 
 
 def there(datablock):
-    """Numbers (Places) on a datablock, or on its node tree, that motion drivers drive."""
+    """Numbers (Places) on a datablock or its node tree that motion drivers drive, for drivers whose property still exists."""
     return [place for one in on(datablock) if not _is_gone(one) for place in one.places()]
 
 

@@ -44,7 +44,11 @@ def seen(entry, key):
 
 
 def put(entry, key, value):
-    """Set frequency, damping and response by another number of an entry; the others of its kind stay."""
+    """Set an entry's frequency, damping and response such that one of the derived numbers, `key`, becomes `value`.
+
+    The derived numbers of the same group (overshoot and settling; mass, stiffness and resistance) keep their values.
+    Nothing is changed if no filter has such numbers.
+    """
     try:
         found = _PUT[key](entry, value)
     except (AttributeError, ValueError):  # no filter overshoots so little with that response

@@ -17,17 +17,17 @@ from .sampling import Samples
 
 
 def of_object(obj, entry, scene):
-    """The input of an entry of the object itself, original or evaluated."""
+    """The input (motion to be filtered) of an object's entry: its world motion or its own channels. obj: original or evaluated."""
     return WorldInput(obj, entry, scene) if follows_parent(obj, entry) else OwnInput(obj, entry, scene)
 
 
 def follows_parent(obj, entry):
-    """Whether what an object's entry follows is more than the object's own channels."""
+    """Whether an object's entry follows its motion in the world, its parent's motion included, instead of its own channels alone."""
     return entry.follow == 'WORLD' and obj.parent is not None
 
 
 def carrier(obj, scene):
-    """The Track of the world matrix of what an object hangs on."""
+    """Track of the world matrix of an object's parent, an object or bone."""
     return tracks.world_track(transforms.parent_of(obj), scene)
 
 

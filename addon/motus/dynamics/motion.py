@@ -132,7 +132,11 @@ def part_of(thing, entry, row, place, scene, reach):
 
 
 def values_of(source, entry, outputs, place, scene, reach):
-    """The Values of an entry, and its property by its ValueInput; None where nothing moves. Raises ValueError for bad numbers."""
+    """Filtered motion of a property over time, as Values; None if the property is not animated.
+
+    source: the ValueInput that reads the property. outputs: slice of the group's outputs that the property's numbers set.
+    place: index of the entry. reach: passed to source.times(). Raises ValueError if the entry's numbers make no filter.
+    """
     if source.extent is None:
         return None
     frames = source.times(reach)

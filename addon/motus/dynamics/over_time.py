@@ -43,7 +43,7 @@ class _OverTime:
 
     @property
     def reason(self):
-        """The Reason for which the motion is not known at other frames; None if it is known."""
+        """The Reason why the motion at other frames cannot be computed; None if it can."""
         if not all(channel.is_constant for channel in self._channels()):
             return Reason(Reason.INFLUENCE, thing=self._owner.name, name=self._owner.name)
         source = self._input
@@ -96,7 +96,7 @@ class OverTime(_OverTime):
         return inputs.of_object(self._owner, self._entry, self._scene)
 
     def applied(self, times, matrices):
-        """See core/tracks/solved.py."""
+        """World matrices (n, 4, 4) of the object with its dynamics, from `matrices` without them, at times (n,) of the scene."""
         part, weight = self._part(self._owner, times)
         if part is None:
             return matrices
@@ -144,11 +144,11 @@ class _OwnBone(_OverTime):
 
     @property
     def reason(self):
-        """The Reason for which the motion is not known at other frames; None if it is known."""
+        """The Reason why the motion at other frames cannot be computed; None if it can."""
         return kept(self._owner, ("dynamics", self._index), lambda: super(_OwnBone, self).reason)
 
     def applied(self, times, transforms):
-        """See core/tracks/solved.py."""
+        """Transforms of the bone with its dynamics, from `transforms` of its own channels, at times (n,) of the scene."""
         part, weight = self._part(self._thing, times)
         if part is None:
             return transforms
@@ -179,7 +179,7 @@ class _Tail(_OverTime):
 
     @property
     def reason(self):
-        """The Reason for which the motion is not known at other frames; None if it is known."""
+        """The Reason why the motion at other frames cannot be computed; None if it can."""
         # Bones between those that follow count by their own transforms.
         held = next(filter(None, map(inputs.transforms.constrained, self._between)), None)
         return held or super().reason or self._rig.reason
@@ -189,12 +189,12 @@ class _Tail(_OverTime):
         return super()._channels([setup.find(settings, thing.name) for thing in self._unit.things])
 
     def applied(self, times, transforms):
-        """See core/tracks/solved.py."""
+        """Transforms of the bone with its dynamics, from `transforms` of its own channels, at times (n,) of the scene."""
         turns = once(self._owner, ("dynamics", self._unit.name), times, lambda: self._turns(times))
         return transforms if turns is None else transforms._replace(rotations=rotations.product(transforms.rotations, turns[:, self._row]))
 
     def _turns(self, times):
-        """(n, bones of the unit, 4); None where nothing moves."""
+        """Quaternions (n, bones, 4) that dynamics add to the unit's bones at times (n,) of the scene; None if nothing moves."""
         names = [bone.name for bone in self._unit.things]
         count, places = len(times), [setup.find(self._owner.motus.dynamics, name) for name in names]
         try:

@@ -116,7 +116,7 @@ def draw_input(layout, context):
 
 
 def input_of(owner, entry, scene):
-    """What an entry of an original owner follows; None where its bone is gone."""
+    """Input (motion to be filtered) of an entry of an original owner; None if the entry's bone does not exist."""
     for unit in units(owner):
         if entry in unit.entries:
             return unit.input(scene)

@@ -10,7 +10,7 @@ def _is_thing(settings):
 
 
 def _has_channels(settings):
-    """Neither of that, nor of a bone that turns to where its tail has come."""
+    """Whether the entry's channels can be chosen: it is on an object, or on a bone whose own transform it follows, not its tail."""
     return _is_thing(settings) and (settings.follow == 'OWN' or not getattr(settings, "name", ""))
 
 

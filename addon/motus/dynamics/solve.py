@@ -112,7 +112,7 @@ def solve(context):
 
 
 def _turn(context, made, seconds, weights):
-    """Let tails point to where they have come."""
+    """Fill context.rotations, so that the tails of bones point to their filtered positions at a time. weights: of all entries."""
     rig = context.owner
     text, members = context.data[PLAN], made.plan
     plan = rigs.plan(rig, f"{text} {members}", lambda rig, rows: Plan(rig, rows, members))
@@ -154,7 +154,7 @@ class Asked(NamedTuple):
 
 
 def _stamp(owner, copy, scene, asked):
-    """Changes whenever the inputs of an owner's entries may; None where nobody can tell."""
+    """Hashable value that changes whenever the inputs of an owner's entries may change; None if changes cannot be detected."""
     if copy is None:
         return None
     found = [copy.number, strips.stamp_of(owner.animation_data), *scene_time.stamp(scene)]
@@ -299,7 +299,7 @@ def _make(context, copy, scene):
 
 
 def _are_constrained(thing):
-    """Whether constraints act on an evaluated Object or PoseBone that are neither of dynamics nor of what poses bones beneath it."""
+    """Whether active constraints move an evaluated Object or PoseBone, other than those by which Motus applies dynamics or poses."""
     followed = [registered["dynamics"], *laying()]
     return any(
         not one.mute and one.influence > 0.0 and not any(wiring.is_sink(system, one) for system in followed) for one in thing.constraints

@@ -69,7 +69,7 @@ def _parted(path, index):
 
 
 def property_indices(owner, path, index):
-    """Indices of the entries of a property, of all its numbers where index is -1."""
+    """Indices of the owner's entries for a property; index -1 selects the entries of all elements of an array. Refuses without any."""
     path, index = _parted(path, index)
     found = [place for place, entry in enumerate(owner.motus.dynamics.entries) if entry.data_path == path and index in (-1, entry.index)]
     if not found:
@@ -181,7 +181,7 @@ def check_loop(context, operator):
 
 
 def check_no_loop(owner, names, follow):
-    """Refuse bones that would hang on something that moves with them."""
+    """Refuse bones that would follow the world motion of an object or bone that depends on these bones."""
     for name in names:
         if name and follow == 'WORLD':
             for obj, bone in unit_reads(owner, name):

@@ -11,7 +11,12 @@ from . import groups, reading
 
 
 class ChainRows(NamedTuple):
-    """A chain in the rows of a group's results. bones: names, and the effector's where it is none of the chain's."""
+    """The rows of one chain in the arrays of results that the solver of a group of chains fills.
+
+    bones: names of the chain's bones from the root, then of the bone whose orientation is set if it is not one of them. rows: one
+    for each of these bones. is_effector_absolute: the last row holds rotation and scale in the rig's space, not on top of the
+    bone's own.
+    """
 
     name: str
     index: int  # type: ignore[assignment]  # a tuple has a method of this name

@@ -23,7 +23,10 @@ _OF_BONE = re.compile(r'^pose\.bones\["((?:[^"\\]|\\.)*)"\]\.(?!constraints\[)')
 
 
 class Found(NamedTuple):
-    """An entry whose bones the rig has. guards: children of a stretching chain that it must not deform."""
+    """An IK entry whose bones exist in the rig. stretches: whether its bones may change length.
+
+    guards: children of a stretching chain's bones that must not inherit the stretch.
+    """
 
     entry: Any
     chain: chains.Chain
@@ -31,7 +34,7 @@ class Found(NamedTuple):
     guards: list
 
     def reads(self, owner):
-        """(object, bone or "") of all whose evaluated transform the entry needs."""
+        """The (object, bone name or "") whose evaluated transforms the chain's solution depends on: its root's parent, targets and poles."""
         parent = owner.data.bones[self.chain.bones[0]].parent
         return [(owner, parent.name if parent else ""), *goals(self.entry)]
 

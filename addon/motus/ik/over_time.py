@@ -46,7 +46,7 @@ class OverTime(SolvedBone):
 
     @property
     def stamp(self):
-        """Changes whenever the motion may."""
+        """A value that changes if the bone's motion may have changed: its name together with the stamp of its chain."""
         return together((self._bone, self._chain.stamp))
 
     def applied(self, times, transforms):
@@ -81,7 +81,7 @@ class _Chain:
 
     @property
     def stamp(self):
-        """Changes whenever the motion may."""
+        """A value that changes if the chain's motion may have changed: which targets and poles exist, and the stamp of the inputs."""
         return together((tuple(goal is not None for goal in self._goals), self.inputs.stamp))
 
     def solved(self, times):

@@ -110,7 +110,7 @@ def selected_goal(context, rig):
 
 
 def chain_for(rig, bone, chain_length, use_tail):
-    """The chain that ends with the bone."""
+    """The chain whose last bone is `bone`. Raises Refused if the chain would have no bone."""
     found = chains.of_bone(rig, bone, chain_length, use_tail)
     if found is None:
         raise Refused(tr("{bone} has no parent whose tail could reach: switch Use Tail on").format(bone=bone))

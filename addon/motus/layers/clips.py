@@ -57,21 +57,21 @@ class Clip:
         return bool(self._given)
 
     def given(self, frame):
-        """Values of the curves that Blender has to be asked for; None where there are none."""
+        """Values at a frame of the F-curves that Blender has to evaluate, because the native module cannot; None if there are none."""
         if not self._given:
             return None
         # An F-curve may give any number where its modifiers have such settings.
         return np.nan_to_num([curve.evaluate(frame) for curve in self._given], posinf=0.0, neginf=0.0)
 
     def reference(self, frame):
-        """LayerClip.pose() of a frame, kept for the next calls."""
+        """LayerClip.pose() at a frame of the action; the last frame's result is cached."""
         return self._found("pose", frame, lambda: self.native.pose(frame, self.given(frame)))
 
     def laps(self, begin, end, reference):
-        """Values at the start, and their change over a lap, of bones that go around in each lap; None without such bones.
+        """Start values, and their change over one lap, of the rotations that do not return to their start; None if there are none.
 
-        begin, end: of what is played, as it is played. reference: frame of the reference; None if that is no pose of the
-        action.
+        begin, end: frames of the played part, in playing order. reference: frame of the reference pose; None if that pose is not taken
+        from the action.
         """
         if not self.native.spins:
             return None
@@ -84,7 +84,7 @@ class Clip:
         return self.native.numbers(frame, self.given(frame))
 
     def _found(self, what, place, make):
-        """The result of make(), kept until it is asked for with another key."""
+        """Result of make(), cached under the name `what` until `place` differs."""
         known, found = self._kept.get(what, (None, None))
         if known != place:
             found = make()

@@ -17,7 +17,10 @@ def collections(rig):
 
 
 def collection_names(rig):
-    """(data, name of a collection of it) that a panel searches for the name of a bone collection."""
+    """(datablock or pose, name of its property) with the rig's bone collections, or bone groups before Blender 4.0.
+
+    Panels pass both to UILayout.prop_search().
+    """
     return (rig.data, "collections") if capabilities.has_bone_collections() else (rig.pose, "bone_groups")
 
 
@@ -46,7 +49,7 @@ def names(rig, entry):
 
 
 def chosen(rig, entry, rows):
-    """(B,) how much of a layer each bone takes, before the border is made soft. rows: {name: row}."""
+    """Weight of each bone in a layer's mask, (B,) in [0, 1], before the edge of the mask is blurred. rows: {bone name: row}."""
     found = np.zeros(len(rows))
     if not entry.mask:
         found[:] = 1.0

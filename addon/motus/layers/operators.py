@@ -28,14 +28,14 @@ class OfALayer(OfARig):
     layer: bpy.props.StringProperty(name="Layer", description="Name of the layer; empty takes the active one", options={'SKIP_SAVE'})
 
     def chosen(self, context):
-        """(rig, index of the layer); refuses a rig whose set-up must not be changed."""
+        """(rig, index of the layer) by the operator's keywords, or from the context. Refuses a rig that cannot be edited."""
         rig = targets.layered_rig(context, self.object)
         targets.check_editable(rig)
         return rig, targets.layer_index(rig, self.layer)
 
 
 class MaskKeywords:
-    """How scripts name what a mask holds."""
+    """Mixin of operators with keywords for the bones and bone collections in a layer's mask."""
 
     bones: bpy.props.StringProperty(name="Bones", description="Names of bones for the mask, with commas between", options={'SKIP_SAVE'})
     collections: bpy.props.StringProperty(
@@ -44,7 +44,10 @@ class MaskKeywords:
     with_children: bpy.props.BoolProperty(name="With Children", description="All bones below those of the mask count as well", default=True)
 
     def items(self, context, rig, selected=True):
-        """(name, kind, with children) of the mask's items that the keywords name, or else of the selection."""
+        """[(name, 'BONE' or 'COLLECTION', with children)] for the mask, by the keywords.
+
+        Without names the selected bones are taken, if `selected` is set.
+        """
         bones = targets.bones_named(rig, self.bones)
         found = targets.collections_named(rig, self.collections)
         if not bones and not found and selected:

@@ -39,7 +39,10 @@ def _inputs(owner, names, is_steady, paths):
 
 
 class OverTime(SolvedBone):
-    """A bone in the mask of a layer; see core/tracks/solved.py. Original or evaluated."""
+    """Transform over time of a bone in the mask of a layer, with all layers applied. bone: original or evaluated.
+
+    Its members are listed in core/tracks/solved.py.
+    """
 
     price = 50
     """As Track.price."""
@@ -70,13 +73,13 @@ class OverTime(SolvedBone):
                 yield entry.start, math.inf if entry.after == 'REPEAT' and length else entry.start + length
 
     def _bounds(self, first, last):
-        """Rising frames between which the motion is smooth, ends of layers between whole frames included."""
+        """Rising frames from first to last; the bone's motion is smooth between neighbours. Ends of layers are among them."""
         ends = {end for span in self._spans for end in span if first < end < last}
         return keys.union([[first, *sorted(ends), last], self._inputs.bounds(first, last)])
 
     @property
     def extent(self):
-        """First and last frame between which the motion changes; None if it does not change."""
+        """First and last frame between which the bone's motion under the layers changes; None if it does not change."""
         return keys.united([self._inputs.extent, *self._spans])
 
     @property

@@ -14,7 +14,7 @@ from .solve import SOME_ARE_OFF
 
 
 def active_entry(rig):
-    """The layer that the list has marked; None where there is none."""
+    """Settings of the layer that is active in the rig's list of layers; None if there is none."""
     return active(rig, "layers")
 
 

@@ -94,7 +94,10 @@ def lay(source, found, settings, frame, basis, locations, rotations, scales):
 
 
 class Playing:
-    """Some layers of a Source, those in these rows, as LayerStack.solve() wants them. found: the Clip of each layer."""
+    """The layers of a Source that have an effect at a frame, prepared as arguments of the native LayerStack.solve().
+
+    found: the Clip or None of each layer of the Source. rows: indices of the layers with an effect.
+    """
 
     def __init__(self, source, found, rows):
         self._wired, self._masks = source.wired, source.masks[rows]

@@ -54,7 +54,7 @@ def action_for(name):
 
 
 def check_slot(action, slot):
-    """Refuse a slot that the action has not, or that is of no object."""
+    """Refuse the identifier of an action slot that does not exist in the action or is not for objects; "" is accepted."""
     if not slot:
         return
     if action is None or not capabilities.has_slotted_actions():

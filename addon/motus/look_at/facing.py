@@ -71,7 +71,10 @@ def turned(forward, up):
 
 
 def _ways(bones, head, vertical):
-    """Directions that point ahead, the one that shows it best first; of any length."""
+    """Yield vectors of any length that point to where the rig faces, the most reliable first: by eyes, face, feet, then the two sides.
+
+    bones: of the armature. head: name of the head bone. vertical: unit vector of the rig's up axis.
+    """
     place = bones[head].head_local
     eyes = names.eyes_of(bones, head)
     if eyes:
@@ -92,7 +95,7 @@ def _ahead(foot):
 
 
 def _told(rig, name):
-    """An axis in the settings of another system that moves the rig; "" without."""
+    """The axis in a setting, such as "up_axis", of any Motus system that is set up on the rig; "" if none has the setting."""
     for system in systems():
         if has_settings(system, rig):
             settings = of_owner(system, rig)

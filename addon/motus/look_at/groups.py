@@ -45,7 +45,7 @@ def groups(owner):
 
 
 def members(owner):
-    """All bones that turn."""
+    """All bones of a rig that its heads turn: spines, heads and eyes."""
     return [member.thing for group in groups(owner) for member in group.members]
 
 

@@ -100,7 +100,10 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
         wiring.report_problems(self, context, setup.system(), [rig])
 
     def _changes(self, context, rig, head, taken):
-        """(settings, eyes, bones that turn) of a head; refuses what cannot be. taken: bones that the spine leaves to others."""
+        """(new settings, names of the eyes, names of all turned bones) of a head. Raises Refused if the settings cannot work.
+
+        taken: bones that the spine must leave out, since other heads turn them.
+        """
         changes = self.given(KEYWORDS)
         check_finite(self, changes)
         before = rig.motus.look_at.entries.get(head)
@@ -139,7 +142,10 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
             setup.remove_unneeded(replaced)
 
     def _eyes(self, rig, head, before):
-        """Names of the eyes; None where the entry keeps those it has."""
+        """Names of the eye bones: those given to the operator, or those found below a new head; None to keep the eyes of the entry.
+
+        before: the head's entry before the operator ran, None for a new head. Raises Refused if a given eye does not fit.
+        """
         if self.is_given("eyes"):
             eyes = [name.strip() for name in self.eyes.split(",") if name.strip()]
             targets.check_eyes(rig, head, eyes)

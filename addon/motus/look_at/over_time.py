@@ -23,7 +23,7 @@ def over_time(owner, thing, scene):
 
 
 def _survey(owner):
-    """(index of the entry, bones) of all heads that look."""
+    """(index of the entry, turned bones) of each head of an owner that is solved."""
     entries = owner.motus.look_at.entries
     return [(entries.find(entry.name), bones) for entry, bones in groups.present(owner)]
 
@@ -37,7 +37,7 @@ class OverTime(SolvedBone):
 
     @property
     def stamp(self):
-        """Changes whenever the motion may."""
+        """A value that changes if the bone's motion may have changed: its place among the head's bones and the stamp of the head."""
         return together((self._row, self._head.stamp))
 
     def applied(self, times, transforms):
@@ -71,7 +71,7 @@ class _Head:
 
     @property
     def stamp(self):
-        """Changes whenever the motion may."""
+        """A value that changes if the head's motion may have changed: whether it has a target, and the stamp of the inputs."""
         return together((self._target is not None, self.inputs.stamp))
 
     def turns(self, times):

@@ -53,7 +53,7 @@ def _batches(rig, entry, point):
 
 
 def _face(rig, entry):
-    """An arrow from the head to where the character faces, and its end's way up, as the head carries them from rest."""
+    """Lines of an arrow that shows the facing direction of a head in its present pose, with a tick at its tip that points up."""
     bone = rig.pose.bones[entry.name]
     carried = (rig.matrix_world @ bone.matrix).to_3x3() @ bone.bone.matrix_local.to_3x3().inverted_safe()
     forward, up = (bone.bone.length * (carried @ Vector(axes.vector(axis))) for axis in (chosen(entry, "forward"), chosen(entry, "up")))

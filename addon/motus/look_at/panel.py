@@ -20,7 +20,7 @@ def active_entry(rig):
 
 
 def outputs_of(context, rig, head):
-    """What the solver told of a head, by name of the output; None where it told nothing."""
+    """Outputs of the solver for a head, {name: value}, at the present frame; None if the solver has not run."""
     found = wiring.outputs_of(system(), rig, head, OUTPUTS, context.view_layer.depsgraph)
     return None if found is None else dict(zip(OUTPUTS, found))
 
@@ -43,7 +43,7 @@ def draw_main(layout, context):
 
 
 def draw_add(layout, context):
-    """The buttons that let the head look, or all selected bones."""
+    """Draw the buttons that set up Look At on the active head bone, or on all selected bones."""
     rig = context.object
     column = layout.column(align=True)
     bone_entries.draw_add(column, "motus.look_at_add", 'HIDE_OFF', _words(context, rig))
@@ -80,7 +80,7 @@ def _draw_entry(layout, rig, entry):
 
 
 def _draw_fault(layout, context, rig, entry):
-    """Why the head does not look as it should."""
+    """Draw a message that says why the head does not look at its target, if it does not."""
     told = outputs_of(context, rig, entry.name)
     if told:
         words = reasons.sentence(told["reason"], told["angle"])
@@ -127,7 +127,7 @@ def _degrees(angle):
 
 
 def draw_limits(layout, context):
-    """How far the parts may turn."""
+    """Draw the limits of how far spine, head and eyes may turn."""
     entry = active_entry(context.object)
     if entry:
         rows.LIMITS.draw(ui.split(layout), entry)

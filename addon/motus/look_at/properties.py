@@ -80,7 +80,7 @@ class MOTUS_PG_look_at_entry(LookAtKeywords, bpy.types.PropertyGroup):
 
 
 def _entry_with(settings, bone):
-    """Index of the entry of a head, or of the head whose eye a bone is; -1 without."""
+    """Index of the entry whose head or eye is the bone of this name; -1 if there is none."""
     index = settings.entries.find(bone)
     return index if index >= 0 else next((index for index, entry in enumerate(settings.entries) if bone in entry.eyes), -1)
 

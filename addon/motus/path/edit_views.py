@@ -128,7 +128,10 @@ class MOTUS_OT_path_edit_views(Operator, bpy.types.Operator):
 
 
 def is_on(context):
-    """Whether the viewport that the operator would act on in this context shows edit views."""
+    """Whether a viewport that the operator would act on in this context shows edit views.
+
+    Edit views are orthographic views of a path from the top, the front and the side.
+    """
     return any(_shown(area) for area in _areas(context))
 
 

@@ -16,7 +16,10 @@ from .operators import follower_for
 
 
 def _pins_by(unit):
-    """A condition for rows of the operator: whether the pins of the active follower are given by this unit (fraction or distance)."""
+    """Make the condition under which a row of the operator's panel is shown: the active follower's pins are given by `unit`.
+
+    A pin sets the place on the path at one frame. unit: 'FRACTION' of the path's length, or 'DISTANCE' along the path.
+    """
     return lambda _operator: bpy.context.object is None or bpy.context.object.motus.path.pins_by == unit
 
 
@@ -116,7 +119,7 @@ class WagonOperator(Operator):
     )
 
     def chosen(self, context):
-        """(leader of the train, index of the wagon). Raises Refused if there is no such wagon."""
+        """(leader of the train, index of the wagon) that the operator's keywords name. Raises Refused if there is no such wagon."""
         obj = follower_for(context, self.object)
         settings = obj.motus.path
         index = settings.active_wagon if self.index < 0 else self.index

@@ -22,9 +22,9 @@ def follower_for(context, name=""):
 
 
 def for_new(context, owner, curve, keywords, is_train=False):
-    """Keywords for a follower, from an operator with NewFollowKeywords.
+    """Complete the keywords of an operator that lets `owner` follow a curve; returns the keywords.
 
-    A new follower also gets the keywords that nobody gave and that depend on the curve or the scene.
+    For an object that is no follower yet, missing keywords whose values depend on the curve or the scene are added.
     """
     settings = owner.motus.path
     if settings.is_active:

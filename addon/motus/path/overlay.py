@@ -121,7 +121,10 @@ def _speed_colors(speed, highest):
 
 
 def _speed_profile(settings, moving, length):
-    """Distances and speeds along the path up to the end of a Motion, by rising distance."""
+    """Arrays (distances, speeds) along the path until the end of the follower's motion, sorted by distance.
+
+    moving: the follower's Motion, or a Problem, for which the speeds are 0. length: length of the path.
+    """
     if isinstance(moving, Problem):
         return np.array([0.0, length]), np.zeros(2)
     times = np.linspace(min(0.0, moving.time), moving.time, SPEED_SAMPLES)

@@ -68,7 +68,10 @@ _number = partial(number, options=ANIMATED)
 
 
 class FollowKeywords:
-    """Properties that the settings and the operators have in common; their names are keywords of scripts."""
+    """Mixin with the properties that the settings of a follower and the operators of Follow Path have in common.
+
+    The names of the properties are the operators' keywords in scripts.
+    """
 
     spline: bpy.props.IntProperty(
         name="Spline",

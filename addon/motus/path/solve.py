@@ -98,7 +98,10 @@ def _still(context, numbers, length):
 
 
 def _mirrored(context):
-    """Indices of the members whose scales mirror them. Owners that share a solver are not mirrored."""
+    """Indices of the owner and its wagons whose scale, together with that of their parents, mirrors them.
+
+    The result is empty if the orientation is off, or if several owners share one solver: their scales are not mirrored.
+    """
     if context.owner is None or chosen(context.settings, "orientation") == 'NONE':
         return ()
     every = members.members(context.owner)[: len(context.rotations)]
@@ -152,7 +155,7 @@ def mode_options(settings, numbers, tilt):
 
 
 def axis_name(identifier):
-    """Name of an axis in the library: 'NEG_Y' is '-Y'."""
+    """Name that the native module has for an axis of the settings: 'POS_Y' becomes 'Y', 'NEG_Y' becomes '-Y'."""
     return identifier.replace("POS_", "").replace("NEG_", "-")
 
 

@@ -24,7 +24,7 @@ def steady(settings):
 
 
 def read(owner, settings, frame, fps):
-    """The Clock at a frame. owner: may be evaluated."""
+    """Clock of the pendulum at a frame of the scene: the time it has been running, from its keys. owner: original or evaluated."""
     start, frame = settings.start_frame, max(settings.start_frame, frame)
     playing, speed = (Channel(owner, f"{settings.path_from_id()}.{name}", -1) for name in ("is_playing", "speed"))
     if playing.reason or speed.reason:

@@ -84,7 +84,7 @@ def _direction(angle):
 
 
 def _reach(settings, angles):
-    """The end of the last rod, in the pivot's space."""
+    """Position of the end of the last rod in the pivot's space, for the `angles` of all rods."""
     found = Vector()
     for length, angle in zip(parts.lengths(settings), angles):
         found = found + length * _direction(angle)

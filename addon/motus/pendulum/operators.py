@@ -181,7 +181,7 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
         return look._replace(**units.defaults(context.scene, self.properties, free))
 
     def _checked(self, context):
-        """The keywords that were given, where they can work, and those that the scene decides."""
+        """The keywords of the operator, completed by defaults from the scene; refuses values with which no pendulum can be made."""
         keywords = self.given(KEYWORDS)
         check_finite(self, (*KEYWORDS, "rod_radius", "bob_radius", "spacing", "hue", "location"))
         positive = ("length1", "length2", "mass1", "mass2", "most_velocity", "most_acceleration")

@@ -23,7 +23,10 @@ def over_time(owner, thing, scene):
 
 
 class OverTime:
-    """A rod of an owner; see core/tracks/solved.py. Both original or both evaluated. numbers: of all its rods."""
+    """Motion of one rod of a pendulum over time. owner, rod: both original or both evaluated. numbers: indices of all its rods.
+
+    Its members are listed in core/tracks/solved.py.
+    """
 
     def __init__(self, owner, rod, number, numbers, scene):
         self._owner, self._rod, self._number, self._numbers, self._scene = owner, rod, number, numbers, scene

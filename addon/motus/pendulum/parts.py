@@ -20,7 +20,7 @@ def rods_each(settings):
 
 
 def members(owner):
-    """The rods that exist and have no other leader: the copy of a pivot lists the first one's."""
+    """Rod objects of a pendulum. Deleted rods, and rods that belong to the pivot from which this one was duplicated, are left out."""
     return [pointed(entry, "object") for entry in own_rods(owner)]
 
 
@@ -39,7 +39,7 @@ def _is_own(rod, owner):
 
 
 def own_trail(owner):
-    """The trail of a pendulum; None without. The copy of a pivot names the first one's."""
+    """Trail object of a pendulum; None if it has none. A duplicated pivot points to the original's trail, which does not count."""
     trail = pointed(owner.motus.pendulum, "trail")
     is_own = trail and libraries.is_free_or_of(trail, pointed(trail.motus.pendulum_trail, "pivot"), owner)
     return trail if is_own else None
@@ -79,7 +79,10 @@ def is_stray_trail(obj):
 
 
 def stray_rod_of(obj):
-    """The rod of no pendulum that an object is, or is the bob or trail of; None without. One rod stands for all of a pendulum."""
+    """Rod without a pendulum to which an object belongs as the rod itself, its bob or its trail; None if there is none.
+
+    All stray rods of one pendulum are represented by the rod whose name sorts first.
+    """
     rod = pointed(obj.motus.pendulum_trail, "rod") if is_stray_trail(obj) else obj.parent if _is_made_bob(obj) else obj
     if rod is None or not is_stray(rod):
         return None

@@ -18,7 +18,7 @@ def _has_one(settings):
 
 
 def _of_rods(name, text):
-    """Rows of a number of each rod: the only rod's number needs no "Upper" before its name."""
+    """Panel rows of a setting that each rod has: one with the label `text` for a single pendulum, two for a double pendulum."""
     return Row(f"{name}1", when=_has_one, text=text), Row(f"{name}1", when=_has_two), Row(f"{name}2", when=_has_two)
 
 

@@ -144,7 +144,7 @@ def gravity_of(settings, scene):
 
 
 def swing_of(settings, scene):
-    """The Swing that the settings say, or the Problem with them."""
+    """Swing, the native model of the pendulum or fan with these settings; a Problem if the settings are invalid."""
     if not all(abs(getattr(settings, name)) < INFINITE for name in NUMBERS):
         return NOT_FINITE
     if not all(length > 0.0 for length in parts.lengths(settings)):

@@ -38,7 +38,10 @@ def check_free(obj):
 
 
 def placed_objects(context, pivot_name, bob_names):
-    """(pivot, bobs from the pivot on) by names, else the active object and the others that are selected."""
+    """(pivot, bobs) by their names; without names, the active object is the pivot and the other selected objects are the bobs.
+
+    Selected bobs are sorted by their distance from the pivot. Refuses more than two bobs, or none.
+    """
     pivot = named(pivot_name) if pivot_name else context.object
     if pivot is None:
         raise Refused(tr("Select the bobs, and the pivot as the active object"))

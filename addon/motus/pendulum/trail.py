@@ -101,7 +101,7 @@ def _fill(points, pivot, ways, ages, looks):
 
 
 def _of_bobs(settings):
-    """({pendulum: colour of its end bob}, {pendulum: where it hangs across the plane})."""
+    """({index of the pendulum in the fan: colour of its end bob}, {index: offset of its upper rod along the pivot's Y axis, m})."""
     each, colors, offsets = parts.rods_each(settings), {}, {}
     for entry in settings.rods:
         number, rod = divmod(entry.number, each)

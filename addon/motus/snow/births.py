@@ -110,7 +110,7 @@ def _over_lives(moved, frame, longest, start_frame, fps):
 
 
 def wind_tracks(owner):
-    """The Tracks of the wind's parts."""
+    """Tracks (values at any frame) of the X, Y and Z components of an emitter's wind."""
     return [tracks.property_track(owner, WIND, axis) for axis in range(3)]
 
 

@@ -41,7 +41,10 @@ def is_emitter(obj):
 
 
 def groups(owner):
-    """What the solver waits for, beside its inputs: the cameras that markers bind, wherever flakes are born in their views."""
+    """Group of the solver's additional inputs: cameras bound to timeline markers, if flakes are born in the camera's view.
+
+    Blender evaluates these cameras before the solver runs.
+    """
     cameras = {camera for scene in owner.users_scene for camera in view.cameras(owner.motus.snow, scene)}
     return (Group(inputs=tuple(Transform(camera) for camera in sorted(cameras, key=lambda one: one.name))),)
 
@@ -53,7 +56,10 @@ def rebuild(emitter):
 
 
 def new_emitter(context, place):
-    """An emitter without settings, that faces down."""
+    """Create a snow emitter that faces down, with all settings at their defaults; returns the object.
+
+    The object is linked to the active collection. place: location in the world, metres.
+    """
     name = tr("Snow")
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(*MARK)

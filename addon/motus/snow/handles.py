@@ -25,7 +25,7 @@ class Handle(NamedTuple):
 
 
 def leans(settings):
-    """Whether the cone angle counts."""
+    """Whether the setting Cone Angle has an effect: the shape is a cone, or Random Orientation is on."""
     return settings.shape == 'CONE' or settings.random_orientation
 
 

@@ -46,11 +46,14 @@ class Search:
 
     @property
     def done(self):
-        """Share of the search that is done, 0 to 1."""
+        """Share of the search that is completed, from 0 to 1."""
         return 1.0 - self._left / self._first
 
     def go_on(self):
-        """Look at some more. Returns (whether to go on, whether to show what there is)."""
+        """Search the next AT_ONCE blocks of flakes for their landing places.
+
+        Returns (whether blocks remain to be searched, whether the viewport has to show the landing places found so far).
+        """
         before, self._left = self._left, self._snow.find_landings(self._seconds, AT_ONCE)
         self.has_no_room = 0 < self._left == before
         is_over = self._left == 0 or self.has_no_room
@@ -61,7 +64,10 @@ class Search:
 
 
 def are_left(context, snow, seconds):
-    """Whether there are flakes of which it is not known where they land. If so, they are looked for after the evaluation."""
+    """Whether the landing places of some flakes at this time are still unknown, after a first part of the search.
+
+    If the result is true, a timer continues the search after the evaluation; in background mode, the next evaluation does.
+    """
     if context.owner.library:  # of which no local object can be evaluated again
         return False
     if bpy.app.background:
@@ -112,7 +118,7 @@ def _go_on():
 
 
 def register():
-    """Nothing is looked for until a solver leaves something."""
+    """Do nothing: the timer of the search is registered by settle(), once a solver leaves landing places unknown."""
 
 
 def unregister():

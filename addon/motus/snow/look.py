@@ -124,7 +124,7 @@ def _petal():
 
 
 def _speck():
-    """An octahedron."""
+    """Vertices and faces of an octahedron of radius 1, the shape of the flakes in the looks Speck and Spark."""
     vertices = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
     return vertices, [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)]
 

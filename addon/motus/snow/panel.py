@@ -9,7 +9,7 @@ from .build import is_emitter, system
 
 
 def draw_main(layout, context):
-    """Draw what is wrong, the kind of snow, and how many flakes there are."""
+    """Draw the emitter's problem if there is one, the menu of presets, and the settings of how many flakes are emitted."""
     emitter = context.object
     ui.draw_problem(layout, context, system(), emitter)
     button = layout.row()
@@ -35,7 +35,7 @@ def draw_emitter(layout, context):
 
 
 def draw_random(layout, context):
-    """Draw what differs from flake to flake."""
+    """Draw the settings that vary flakes at random: speed, orientation, lifetime, size, colour, and the seed."""
     rows.RANDOM.draw(ui.split(layout), context.object.motus.snow)
 
 

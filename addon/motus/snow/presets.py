@@ -186,7 +186,7 @@ def put(settings, identifier, scene):
 
 
 def kind_of(settings):
-    """Label of the preset that an emitter's settings are those of; "" where they are of one's own."""
+    """Label of the preset whose values an emitter's settings have; "" if the settings match no preset."""
     for _, label, _, numbers, gradient in KINDS:
         if all(
             _is_alike(getattr(settings, name), numbers.get(name, _default(settings.bl_rna.properties[name])))

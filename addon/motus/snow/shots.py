@@ -15,9 +15,11 @@ ACROSS = 5
 
 
 def alone(poses, moved, view, frame, start_frame, fps):
-    """Poses as if the camera had always filmed the shot that a frame is in: those that it has within the shot, held beyond.
+    """Poses of a camera within the shot that `frame` is in, as if the camera filmed this shot at all times.
 
-    poses: births.Poses of a track. view: what _places() takes, hashable.
+    Samples outside the shot are dropped; the first and last pose within the shot hold beyond it. A shot lies between two cuts, at
+    which the view jumps. poses: births.Poses of the camera. moved: Track of the camera. view: hashable arguments of _places().
+    start_frame: frame at which the seconds of the poses begin.
     """
     first, last = (start_frame + fps * poses.seconds[at] for at in (0, -1))
     cuts, before = tracks.kept(moved, ("snow shots", view, first, last), lambda: _cuts(moved, view, first, last))

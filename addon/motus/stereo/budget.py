@@ -11,9 +11,10 @@ SHOWN = 1e-4
 
 
 def parallaxes(near, far, lens, screen):
-    """Parallax (in front, behind) in percent for depths from near to far: comfortable, and with natural depth at most.
+    """Parallax limits (in front of the screen, behind it) for depths from near to far, in percent of the image width.
 
-    lens: a lens.Lens. screen: keywords of the library.
+    The limits are comfortable for viewers, and small enough that depth looks no rounder than it is.
+    lens: a lens.Lens. screen: keywords of the native library.
     """
     call = native.module
     limits = [min(most, limit) for most, limit in zip(MOST, call.comfortable_parallax(**screen))]

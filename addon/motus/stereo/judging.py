@@ -49,7 +49,11 @@ def _vertical(depth, lens, eyes):
 
 
 def sentence(kind, worst, frames, screen, pixels):
-    """Sentence on a fault. worst: value on the worst of all frames. frames: text."""
+    """Sentence in the user's language that reports a fault of a stereo rig.
+
+    kind: key of SENTENCES. worst: largest value of the fault, a fraction of the image width. frames: the frames with the fault, as text.
+    screen: keywords of the native library. pixels: width of the image.
+    """
     words = {
         "percent": f"{100.0 * worst:.2g}",
         "pixels": f"{pixels * worst:.0f}",

@@ -31,7 +31,7 @@ def keep(camera, sentences, parallax):
 
 
 def of(camera):
-    """Result of a camera's last check, or None."""
+    """Result of the last check of a camera's stereo rig in this session; None if it was not checked."""
     return _found.get(camera.name_full)
 
 

@@ -43,7 +43,10 @@ def _present(bone):
 
 
 def _posed(chain, bases):
-    """(k, 4, 4) of bones from the lowest to the root, with own transforms (k or 1, 4, 4) each."""
+    """Matrices (k, 4, 4), in the rig's space, by which the lowest bone of a chain moves from its rest pose at k times.
+
+    chain: PoseBones from the lowest one to the root. bases: own transforms (k or 1, 4, 4) of each bone.
+    """
     found = np.eye(4)[None]
     for bone, basis in zip(chain, bases):
         rest = np.array(bone.bone.matrix_local, float)

@@ -24,7 +24,10 @@ def objects(settings):
 
 
 def parts(settings, scene):
-    """(Placed of all that stands still, Problem or None) of evaluated settings."""
+    """Collect the ground of a walker: (Placed of each mesh that stands still, the Problem to show or None).
+
+    settings: evaluated walker settings, with the ground's object and collection.
+    """
     ready = wiring.waited_for(settings)
     found, fault = seen.gathered(_members(settings), ready), None
     ground = pointed(settings, "ground")
@@ -63,7 +66,10 @@ def _leaves_out(settings):
 
 
 def is_walking(obj, feet=frozenset()):
-    """Whether an object is part of a walker: what walks on what walks would wait for itself. feet: originals that count as such."""
+    """Whether an object belongs to a walker and is no ground: ground that moves with the walker would form a dependency cycle.
+
+    feet: original objects that count as parts of a walker, whether it is set up or not.
+    """
     walker = registered["walker"]
     for modifier in obj.modifiers:
         if modifier.type == 'ARMATURE' and modifier.object and _is_part(walker, modifier.object, feet):

@@ -35,6 +35,9 @@ def of_bone(bone, basis, parent, world):
 
 
 def posed(bone, basis, parent):
-    """Pose in the rig's space of a PoseBone with this own transform, without its constraints."""
+    """Matrix, in the rig's space, of a PoseBone with the given own transform and its constraints ignored.
+
+    basis: the own transform. parent: pose of the parent bone, None without a parent.
+    """
     above = {} if parent is None else {"parent_matrix": parent, "parent_matrix_local": bone.parent.bone.matrix_local}
     return bone.bone.convert_local_to_pose(basis, bone.bone.matrix_local, **above)

@@ -52,7 +52,7 @@ def _thing(owner, leg):
 
 
 def stretches(owner, leg):
-    """Whether a leg becomes as long as it has to be: its chain of Inverse Kinematics stretches all the way to the foot."""
+    """Whether a leg can reach any distance: its IK chain has Stretch 1 and the foot as its target."""
     foot = owner if leg.name else pointed(leg, "foot")
     return foot is not None and any(
         target.original == foot.original and (not leg.name or bone == leg.name) for target, bone in offered("ik").stretching_targets(owner)

@@ -67,7 +67,10 @@ class _OverTime:
 
     @property
     def extent(self):
-        """First and last frame between which the motion changes: feet come to rest after the body. Found without the plan, which takes longer."""
+        """First and last frame between which the motion changes. The end is an estimate: the feet come to rest after the body.
+
+        An exact end would need the plan of the walk, which takes longer to compute.
+        """
         moving, settings = self._body.extent, self._owner.motus.walker
         if moving is not None:
             rest = CYCLES / max(SLOWEST, settings.cadence) + FADES / max(SLOWEST, settings.frequency)
@@ -102,7 +105,10 @@ class _Foot(_OverTime):
         return self._plan.walker.feet(self._seconds(times))[:, self._leg]
 
     def applied(self, times, matrices):
-        """See core/tracks/solved.py."""
+        """World matrices of a foot that is an object, moved to where the walk puts the foot, by the influence.
+
+        times: (n,), frames. matrices: (n, 4, 4), by the object's own channels and parents.
+        """
         places = self._places(times)
         if places is None:
             return matrices
@@ -117,7 +123,7 @@ class _Foot(_OverTime):
 
 
 class _OnBone:
-    """The motion of a foot or body that is a bone of the owner."""
+    """Mixin for a foot or body that is a bone of the walker's rig: its motion depends also on that of its parent bone."""
 
     @functools.cached_property
     def _above(self):
@@ -146,7 +152,10 @@ class _BoneFoot(_OnBone, _Foot):
     """A foot that is a bone."""
 
     def applied(self, times, transforms):
-        """See core/tracks/solved.py."""
+        """Own transforms of a foot that is a bone, with the locations that put the foot where the walk needs it, by the influence.
+
+        times: (n,), frames. transforms: Transforms from the bone's own channels.
+        """
         places = self._places(times)
         if places is None:
             return transforms
@@ -175,7 +184,10 @@ class _Body(_Leaning):
     """A body that is an object."""
 
     def applied(self, times, matrices):
-        """See core/tracks/solved.py."""
+        """World matrices of a body that is an object, lifted and leaned by the walk on top of its own motion.
+
+        times: (n,), frames. matrices: (n, 4, 4), by the object's own channels and parents.
+        """
         shares = self._shares(times)
         if shares is None:
             return matrices
@@ -191,7 +203,10 @@ class _BoneBody(_OnBone, _Leaning):
     """A body that is a bone."""
 
     def applied(self, times, transforms):
-        """See core/tracks/solved.py."""
+        """Own transforms of a body that is a bone, lifted and leaned by the walk on top of its own motion.
+
+        times: (n,), frames. transforms: Transforms from the bone's own channels.
+        """
         shares = self._shares(times)
         if shares is None:
             return transforms

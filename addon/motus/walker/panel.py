@@ -98,7 +98,7 @@ def draw_actions(layout, context):
 
 
 def draw_add(layout, context):
-    """The button that lets what is selected walk."""
+    """Draw the buttons that set up a walker on the selected objects or add a walking spider."""
     column = layout.column(align=True)
     column.operator("motus.walker_add", icon='ADD')
     column.operator("motus.spider_add", icon='ADD')

@@ -19,7 +19,10 @@ SHARES = {"stride": 0.5, "clearance": 0.16, "reach_up": 0.8, "reach_down": 1.2}
 
 
 class Leg(NamedTuple):
-    """A leg to be. bone: of the owner, or foot: an Object. hip: place in the owner's space; length: 0 where nobody knows it."""
+    """A leg of a walker that is about to be set up. bone: name of the owner's bone at the foot, or "" and foot: the foot's Object.
+
+    hip: place in the owner's space. length: of the leg, 0 if it is unknown.
+    """
 
     bone: str
     foot: Any
@@ -67,7 +70,7 @@ def _forget_others():
 
 
 def change(owner, changes):
-    """Give an owner other settings, by name, and wire it."""
+    """Set several walker settings of an owner, {name: value}, and wire the owner once."""
     with entries.unwired(owner.motus.walker) as settings:
         for name, value in changes.items():
             setattr(settings, name, value)

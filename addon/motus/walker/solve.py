@@ -27,9 +27,9 @@ class Wired:
 
 
 def solve(context, awaited):
-    """Places of the feet, or what the body does on top of its own animation, at the context's frame.
+    """Solve one group of a walker at the context's frame: the places of the feet, or the lift and lean of the body.
 
-    awaited: meshes of the ground, which are read where they are seen.
+    awaited: ground meshes, declared as input only so that Blender evaluates them first.
     """
     del awaited
     owner, scene = context.owner, context.depsgraph.scene

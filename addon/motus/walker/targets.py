@@ -45,7 +45,11 @@ def check_editable(owner):
 
 
 def legs_for(context, owner, names):
-    """The setup.Legs of an owner: of the feet that are named, else of the chains of an armature, or of the selected objects."""
+    """The legs, as setup.Leg, of an owner that is about to walk. Raises Refused if there are none or they do not fit.
+
+    names: comma-separated names of the feet. If empty, an armature's legs are its IK chains with targets, and another object's
+    feet are the selected objects.
+    """
     listed = [name.strip() for name in names.split(",") if name.strip()]
     if owner.type == 'ARMATURE':
         found = [_named_foot(owner, name) for name in listed] if listed else _legs_of_chains(owner)

@@ -46,7 +46,7 @@ class Number(NamedTuple):
         return float(value if self.index < 0 else value[self.index])
 
     def write(self, value: Any) -> None:
-        """Set it."""
+        """Set the property, or the element of it at `index`, to a value."""
         is_custom = self.name.startswith("[")
         if self.index >= 0:
             (self.holder[_key(self.name)] if is_custom else getattr(self.holder, self.name))[self.index] = value
@@ -65,10 +65,10 @@ class Number(NamedTuple):
 
 
 class Channel:
-    """A number over time. reason: why nobody knows it ahead; None where keys tell it, or nothing animates it.
+    """Value of a number property of a datablock at any time, read from its keys and NLA strips.
 
-    values(times) and bounds(first, last) are there where reason is None; stamp changes whenever what they say may.
-    is_beneath_driver: what keys and strips say is meant, though a driver sets the number in their place.
+    reason: the Reason why the value at other frames cannot be computed; None if it can. values() and bounds() need reason to be None.
+    stamp: changes whenever values() may change. is_beneath_driver: ignore the driver of the property, and read the animation below it.
     """
 
     def __init__(self, id_data: Any, data_path: str, index: int, is_beneath_driver: bool = False) -> None:
@@ -119,7 +119,7 @@ class Channel:
 
     @property
     def extent(self) -> tuple[float, float] | None:
-        """(first, last) time between which it changes, infinite where it goes on; None where nothing animates it."""
+        """(first, last) frame between which the value changes; infinite for NLA strips or extrapolation without end; None if constant."""
         if self._stack is not None:
             return -np.inf, np.inf
         return keys.extent(self._curve) if self._curve is not None else None
@@ -162,7 +162,10 @@ def is_driven(id_data: Any, data_path: str, index: int = 0) -> bool:
 
 
 def is_in_strips(id_data: Any, data_path: str, index: int = 0) -> bool:
-    """Whether strips of the NLA take part in a number's value, or the action above them is more than laid over all."""
+    """Whether a property's value depends on NLA strips, so that the F-curve of the active action alone does not give it.
+
+    An active action that animates the property hides all strips if it replaces them at influence 1 and extrapolation Hold.
+    """
     animation = id_data.animation_data
     if animation is None or not animation.use_nla:
         return False

@@ -39,12 +39,13 @@ def values(curve: Any, times: Array) -> Array:
 
 
 def integral(curve: Any, first: float, last: float) -> float:
-    """Integral of the F-curve from frame `first` to `last`, in frames times the value.
+    """Integral of the F-curve from frame `first` to frame `last`, in frames times the unit of the value.
 
-    Over each frame between the keys; where keys are farther apart than some hundred frames (see MOST), over pieces of
-    several, which tells apart what two keys make of a Bezier or an easing to 1e-6. Beyond the keys straight lines and
-    the laps of a Cycles modifier are taken whole. Other modifiers are followed frame by frame near the keys, and
-    farther away in pieces that grow with the distance: there the mean of a noise counts, not each frame of it.
+    Between keys, each frame is integrated on its own. Between keys that are more than some hundred frames apart (see MOST), a piece
+    has several frames; the result then differs by up to 1e-6 for a Bezier or easing curve.
+    Beyond the keys, straight lines and the laps of a Cycles modifier are integrated as a whole.
+    Other modifiers are sampled in each frame near the keys, and in pieces that grow with the distance farther away. Far away, only
+    the mean of a Noise modifier is therefore correct.
     """
     places = _places(curve)
     cycles = _cycles(curve, places)
@@ -144,7 +145,10 @@ class _Laps:
 
 
 def over_pieces(evaluate: Callable[[Any], Any], edges: Any) -> float:
-    """Integral of evaluate(times), which gives an array, over the pieces between rising frames."""
+    """Integral of a function over time by Gauss-Legendre quadrature, piece by piece.
+
+    evaluate(times): array of the function's values at frames (n,). edges: rising frames, the ends of the pieces.
+    """
     widths = np.diff(edges)[:, None]
     parts = evaluate(_nodes(edges)) * (widths * np.array(WEIGHTS)).ravel()
     # fsum: rounded once, so that the same samples give the same bits in every process.
@@ -156,13 +160,13 @@ def _integral(curve: Any, edges: Any) -> float:
 
 
 def _nodes(edges: Any) -> Array:
-    """Frames at which the F-curve is read for the pieces between rising frames."""
+    """Frames at which an integrand is sampled: the three Gauss-Legendre nodes of each interval between neighbouring `edges`, in frames."""
     edges = np.array(edges)
     return (edges[:-1, None] + np.diff(edges)[:, None] * np.array(NODES)).ravel()
 
 
 def _pieces(curve: Any, places: list[float], first: float, last: float) -> list[float]:
-    """Rising frames from `first` to `last`, between which a piece of the integral lies."""
+    """Rising frames from `first` to `last` that divide the integral of an F-curve into pieces. places: frames of the keys."""
     inner = {*places, *_halves(places)}
     most = max(LEAST, MOST // len(places))
     for place, following in itertools.pairwise(places):
@@ -188,7 +192,7 @@ def _away(start: float, side: float, distance: float) -> Iterator[float]:
 
 
 def whole(first: float, last: float) -> Iterable[float]:
-    """Whole frames, or every so many-th where they would be too many."""
+    """Whole frames from `first` to `last`, or only every n-th one, so that there are at most about MOST."""
     step = max(1, math.ceil((last - first) / MOST))
     return map(float, range(math.ceil(first / step) * step, math.floor(last) + 1, step))
 
@@ -204,7 +208,7 @@ def _before_steps(curve: Any, places: list[float]) -> list[float]:
 
 
 def _halves(places: list[float]) -> list[float]:
-    """The middles between keys that are near each other."""
+    """Middles between neighbouring keys that are less than SHORT frames apart. places: frames of the keys, rising."""
     return [0.5 * (place + following) for place, following in itertools.pairwise(places) if following - place < SHORT]
 
 

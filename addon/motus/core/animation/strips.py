@@ -32,7 +32,7 @@ def acting(curves: Any, data_path: str, index: int) -> Any:
 
 
 def animates(strip: Any, data_path: str, index: int) -> bool:
-    """Whether a strip, or one inside it, animates a number."""
+    """Whether an unmuted NLA strip, or a strip inside a meta strip, has a usable F-curve for an element of a property."""
     if strip.mute:
         return False
     if strip.type == 'META':
@@ -59,9 +59,10 @@ class Stack:
 
     @classmethod
     def of(cls, animation: Any, data_path: str, number: Any, top: Any) -> Stack | Reason:
-        """The Stack of strips and action that animate a number; a Reason if Blender's value is not known ahead.
+        """Stack of the NLA strips and the active action that animate a property; a Reason if Blender's result depends on earlier frames.
 
-        top: the F-curve of the active action, or None.
+        animation: AnimData. number: the property, as a channel.Number. top: the property's F-curve in the active action, or None.
+        A Reason is also returned for tweak mode, solo tracks, and blend modes or strip settings that are not reproduced here.
         """
         unknown = Reason(Reason.STRIPS, thing=animation.id_data.name)
         if animation.use_tweak_mode or any(track.is_solo for track in animation.nla_tracks):
@@ -92,13 +93,13 @@ class Stack:
         return lower
 
     def bounds(self, first: float, last: float) -> list[float]:
-        """Rising frames from first to last, between which the values are smooth."""
+        """Rising frames from first to last; the blended value is smooth between neighbours."""
         inner = {frame for layer in self._layers for frame in layer.bounds(first, last)}
         return keys.union([[first, *inner, last]])
 
     @property
     def stamp(self) -> Any:
-        """Something hashable that changes whenever the values may; None if nobody can tell."""
+        """Hashable value that changes whenever the blended values may change; None if an edit of a layer cannot be detected."""
         return together(layer.stamp for layer in self._layers)
 
 

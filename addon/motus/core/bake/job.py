@@ -14,7 +14,10 @@ from .sampling import NumberTrack, Track
 
 
 def owner_and_systems(thing, name=""):
-    """(owner, systems) to bake where the user names an owner or one of its members; name "" means every system."""
+    """Find what to bake: (owner, [System]) of an object that is an owner or a member of one. Raises Refused if there is nothing.
+
+    name: of the one system to bake; "" for every system.
+    """
     refusals = []
     for owner, systems in declare.wired_on(thing):
         chosen = [one for one in systems if name in ("", one.name)]
@@ -28,7 +31,10 @@ def owner_and_systems(thing, name=""):
 
 
 def bake(scene, view_layer, owner, systems, frames):
-    """Bake in steps: a generator of how many frames are done. Nothing is changed before the last one."""
+    """Bake the systems of an owner to keyframes: a generator that yields the number of frames recorded so far.
+
+    The keyframes are written after the last frame, so closing the generator before that changes nothing.
+    """
     tracks = _tracks(owner, systems)
     _check(tracks, view_layer)
     kept, layer = Kept(scene), view_layer.name
@@ -46,9 +52,10 @@ def bake(scene, view_layer, owner, systems, frames):
 
 
 def unbake(thing, name=""):
-    """Put back what was before baking; returns (objects that were baked together, those that could not be restored whole).
+    """Restore the live set-up of everything that was baked together with an object.
 
-    thing: the owner or one of its members. name: of a system that has to be among the baked ones.
+    Returns (the restored objects, those of them that could not be restored completely). thing: the owner or one of its
+    members. name: of a system that must be among the baked ones; "" for any. Raises Refused.
     """
     owner = _baked_owner(thing)
     systems, baked = check_baked(thing, name)
@@ -74,7 +81,10 @@ def check_baked(thing, name=""):
 
 
 def _baked_owner(thing):
-    """The owner with which an object was baked, or properties of what it uses."""
+    """The owner with whose systems an object was baked; the object itself if there is no such owner.
+
+    An object whose motion is still live counts as well, if its leader's systems are baked.
+    """
     if thing.motus.bake.is_baked:
         return pointed(thing.motus.bake, "owner") or thing
     leaders = [declare.leader_of(one, thing) for one in declare.systems()]
@@ -88,7 +98,7 @@ def objects_of(owner, systems):
 
 
 def inexact(owner, systems):
-    """Names of bones that the systems free of a scale that they inherit, which keyframes cannot do."""
+    """Names of the bones whose baked scale can be wrong: keyframes cannot undo the stretch that they inherit from a stretching chain."""
     return [
         member.thing.name for one in systems for member in _members(one, owner) if member.space == 'POSE' and "scale" in member.channels
     ]

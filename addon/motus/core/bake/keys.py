@@ -32,7 +32,10 @@ def write(id_data, tracks, frames):
 
 
 def write_curves(bag, tracks, frames):
-    """Put the tracks' keyframes in the place of the F-curves that what actions.assign_copy() returned has of them."""
+    """Write the samples of tracks as F-curves, in place of F-curves of the same channels.
+
+    bag: what actions.assign_copy() returned. frames: of the keyframes.
+    """
     for track in tracks:
         for path, index, column in track.curves():
             for curve in [one for one in bag.fcurves if (one.data_path, one.array_index) == (path, index)]:
@@ -101,9 +104,10 @@ def _assign_previous(id_data, state):
 
 
 def _kept(text):
-    """(values by path, paths of constraints, [(data path, index, was muted)] of drivers, whether that is all).
+    """Parse the JSON text in which a baked datablock keeps what it was before baking; skip entries that baking cannot have written.
 
-    Of what the file says only that is taken which baking can have changed.
+    Returns (own values by data path, data paths of `mute` of constraints, (data path, index, was muted) of each driver, whether
+    nothing was skipped).
     """
     try:
         found = json.loads(text)
@@ -159,8 +163,9 @@ def _is_driver(place):
 
 
 def mute(id_data, tracks, sinks):
-    """Switch off whatever would still act on baked channels, but for the sinks; returns what it was, for restore().
+    """Mute the constraints and drivers that would still act on baked channels. Returns their states before, for restore().
 
+    sinks: the constraints that apply the solvers' results, which are left as they are.
     A driver is not only muted but aimed at another property: in Blender 5.2 the value of a key for a property that has a
     muted driver sometimes arrives after the transform was computed (seen in about one frame of a hundred).
     """
@@ -203,7 +208,7 @@ def _drivers(id_data):
 
 
 def _set_muted(id_data, path, muted):
-    """path: of a constraint's `mute`."""
+    """Set whether a constraint is muted; does nothing if the user has removed or renamed it. path: data path of its `mute`."""
     try:
         constraint = id_data.path_resolve(path.removesuffix(".mute"))
     except ValueError:

@@ -83,7 +83,7 @@ class NumberTrack:
         self.id_data, self._path, self.number, self._rows = found.id_data, found.data_path, found.number, []
 
     def record(self, depsgraph):
-        """Append the present evaluated value."""
+        """Append the property's evaluated value at the depsgraph's present frame to the samples."""
         self._rows.append(self._read(self.thing.evaluated_get(depsgraph)).number.present)
 
     def curves(self):
@@ -117,7 +117,10 @@ def _deltas(thing):
 
 
 def _signs(thing, deltas, matrix):
-    """Signs of the scale in a matrix: the thing's own, where the matrix can have them."""
+    """Signs for the scale that is decomposed from a matrix: those of the thing's own scale if they fit the matrix's determinant.
+
+    If they do not fit, all three are -1 for a mirroring matrix and 1 for any other. thing: an Object or PoseBone.
+    """
     signs = [math.copysign(1.0, factor * delta) for factor, delta in zip(thing.scale, deltas.scale)]
     if scale_is_mirrored(signs) != matrix.is_negative:
         return [-1.0 if matrix.is_negative else 1.0] * 3
@@ -125,7 +128,7 @@ def _signs(thing, deltas, matrix):
 
 
 def rotation_path(thing):
-    """The channel that turns it in its own rotation mode."""
+    """Name of the rotation property, such as "rotation_quaternion", that is in effect in the rotation mode of an Object or PoseBone."""
     return ROTATION_PATHS.get(thing.rotation_mode, "rotation_euler")
 
 
@@ -135,7 +138,10 @@ def _paths(thing, channels):
 
 
 def _basis(thing, evaluated):
-    """The evaluated transform relative to what the parents do: what the channels are to give."""
+    """The evaluated matrix of an Object or PoseBone relative to its parent: the transform that its baked channels have to produce.
+
+    thing: the original. evaluated: the evaluated object, of a PoseBone its rig.
+    """
     if isinstance(thing, bpy.types.PoseBone):
         bone = evaluated.pose.bones[thing.name]
         return evaluated.convert_space(pose_bone=bone, matrix=bone.matrix, from_space='POSE', to_space='LOCAL')
@@ -145,7 +151,10 @@ def _basis(thing, evaluated):
 
 
 def _rotation(thing, rotation, last):
-    """A quaternion as values of the rotation channel, next to the values before it."""
+    """A rotation quaternion as values of the rotation channel of a thing, in its rotation mode, continuous with the last sample.
+
+    thing: an Object or PoseBone. last: value of the sample before, None at the first frame.
+    """
     if thing.rotation_mode == 'QUATERNION':
         return -rotation if last is not None and rotation.dot(last) < 0.0 else rotation
     if thing.rotation_mode == 'AXIS_ANGLE':

@@ -21,7 +21,10 @@ _FORMS = {
 
 
 class _Noted:
-    """The attributes of MOTUS_PG_bake, of a datablock that is no object. What a file has otherwise is as if it were not there."""
+    """Baking data of a datablock that is not an object, in a custom property, with the attributes of MOTUS_PG_bake.
+
+    A value of an unexpected type, as a damaged file may have it, reads as the default.
+    """
 
     def __init__(self, id_data):
         self.__dict__["_id"] = id_data
@@ -47,7 +50,10 @@ def of(id_data):
 
 
 def named(remembered, name):
-    """The datablock that what of() gives names; None without."""
+    """The datablock in a property of baking data, such as "owner" or "action"; None if the property is empty.
+
+    remembered: baking data of a datablock, from of(). name: of the property.
+    """
     return getattr(remembered, name) if isinstance(remembered, _Noted) else pointed(remembered, name)
 
 
@@ -60,7 +66,7 @@ def forget(id_data):
 
 
 def baked_with(owner):
-    """All datablocks whose motion by an owner's systems stands in keyframes."""
+    """All datablocks that were baked together with an owner: keyframes replace the motion that its systems gave them."""
     found = [one for one in datablocks.everything() if _may_be_baked(one)]
     return [one for one in found if of(one).is_baked and (named(of(one), "owner") or one) == owner]
 
@@ -71,7 +77,7 @@ def _may_be_baked(one):
 
 
 def owner_of(system, obj):
-    """The object whose settings of the system move this one: its leader, what the system says, or itself."""
+    """The object whose settings of a system control `obj`: its leader, or else what System.owner_of finds, or else `obj` itself."""
     return leader_of(system, obj) or (system.owner_of and system.owner_of(obj)) or obj
 
 

@@ -59,14 +59,20 @@ def line_shader(is_uniform: bool) -> str:
 
 
 def point_shader() -> str:
-    """Name of the built-in shader for points in one colour; one that knows their size has been there since 4.5."""
+    """Name of the built-in GPU shader that draws points in one colour.
+
+    Since Blender 4.5 this is a shader for points only, with a uniform for the size of the points.
+    """
     if bpy.app.version >= (4, 5, 0):
         return "POINT_UNIFORM_COLOR"
     return "UNIFORM_COLOR" if bpy.app.version >= (4, 0, 0) else "3D_UNIFORM_COLOR"
 
 
 def has_textures_in_display_colors() -> bool:
-    """Textures are drawn with the colours that they have (5.0); before they are taken for linear ones."""
+    """Whether draw_texture_2d() of gpu_extras draws the colours of a texture unchanged (since Blender 5.0).
+
+    Before 5.0, Blender takes the colours for scene-linear ones and converts them.
+    """
     import inspect
 
     from gpu_extras.presets import draw_texture_2d
@@ -80,12 +86,12 @@ def has_tree_interface() -> bool:
 
 
 def has_modifier_inputs() -> bool:
-    """Inputs of a Geometry Nodes modifier are properties (5.2), where they were custom properties before."""
+    """Whether inputs of a Geometry Nodes modifier are RNA properties (since Blender 5.2) instead of custom properties."""
     return "properties" in bpy.types.NodesModifier.bl_rna.properties
 
 
 def has_modifier_order() -> bool:
-    """Modifiers can be moved in the stack (4.0) without an operator."""
+    """Whether scripts can reorder modifiers without an operator, by ObjectModifiers.move() (since Blender 4.0)."""
     return "move" in _rna(bpy.types.ObjectModifiers).functions
 
 
@@ -106,7 +112,7 @@ def has_compositor_in_viewport() -> bool:
 
 
 def has_shader_nodes_in_compositor() -> bool:
-    """The compositor has the nodes Math and Mix of shaders (5.0), not its own."""
+    """Whether the compositor uses the shader nodes Math and Mix (since Blender 5.0) instead of nodes of its own."""
     return not hasattr(bpy.types, "CompositorNodeMath")
 
 

@@ -32,7 +32,10 @@ class OfADatablock:
     )
 
     def id_data(self, context: Any) -> Any:
-        """The datablock that is named."""
+        """Datablock that the operator's keywords `datablock` and `collection` name; the active object if `datablock` is empty.
+
+        Raises Refused if there is no such datablock.
+        """
         if not self.datablock:
             if context.object is None:
                 raise Refused(tr("Select an object, or name one"))
@@ -55,7 +58,7 @@ class Named(NamedTuple):
 
     @classmethod
     def of(cls, thing: Any) -> "Named":
-        """The Named of an Object or PoseBone."""
+        """Make the reference to an Object or PoseBone that stays safe if the thing is removed: its object, and its bone's name."""
         return cls(thing.id_data, thing.name if isinstance(thing, bpy.types.PoseBone) else "")
 
     @property

@@ -24,7 +24,11 @@ def copy_value(owner: Any, path: str, source: Any = None, index: int | None = No
 
 
 def _new(owner: Any, path: str, index: int | None, variables: dict[str, Any]) -> bpy.types.Driver:
-    """variables: as in add(); "" leaves the name to Blender."""
+    """Add a driver to a property, without keys or modifiers on the driver's F-curve; returns the Driver.
+
+    variables: {name: Variable}. With an empty name, the variable keeps the name that Blender gives it.
+    index: in an array property; None for a property that is no array.
+    """
     curve = owner.driver_add(path) if index is None else owner.driver_add(path, index)
     # Blender maps a driver's value through its curve, in 5.x by two keys at 0 and 1, and there snaps values that are within
     # 1e-4 above a key onto it. A bare curve passes the value on as it is.

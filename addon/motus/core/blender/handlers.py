@@ -49,7 +49,10 @@ class Forgetting:
 
 
 def take_back(*steps: Callable[[], Any]) -> None:
-    """Call each step. One that fails because its thing is gone already does not keep the others from being called."""
+    """Call each function of `steps`; log an exception of one step and go on with the next.
+
+    A step fails if what it removes from Blender no longer exists.
+    """
     for step in steps:
         try:
             step()

@@ -47,7 +47,10 @@ def _assign(modifier: Any, identifier: str, value: Any) -> None:
 
 
 def inputs_of(modifier: Any) -> list[Any]:
-    """The modifier's values for its group's inputs, without those that Blender keeps elsewhere."""
+    """List of the values that a Geometry Nodes modifier has for the inputs of its node group.
+
+    The value is None for an input that has none on the modifier, such as the geometry.
+    """
     return list(_values(modifier).values())
 
 
@@ -89,14 +92,17 @@ def add_node(group: Any, kind: str, **settings: Any) -> Any:
 
 
 def named_attribute(group: Any, name: str, data_type: str) -> Any:
-    """The socket that an attribute comes out of."""
+    """Add a Named Attribute node for this attribute to a node group; returns the node's output socket."""
     node = add_node(group, "GeometryNodeInputNamedAttribute", data_type=data_type)
     node.inputs["Name"].default_value = name
     return enabled(node.outputs)
 
 
 def enabled(sockets: Any, name: str | None = None) -> Any:
-    """The first socket, of this name where one is given. Before 4.x a node has one for each type, of which all but one are off."""
+    """The first enabled socket of a list; with a name, the first enabled socket of this name.
+
+    Before Blender 4 a node has one socket for each data type, and only the socket of the chosen data type is enabled.
+    """
     return next(socket for socket in sockets if socket.enabled and name in (None, socket.name))
 
 

@@ -38,7 +38,11 @@ class Context:
     common: dict[str, Any] = field(default_factory=dict)
 
     def begin(self, frame: float, depsgraph: Any, memo: Any, common: dict[str, Any] | None = None, targets: Any = None) -> None:
-        """Go to a frame."""
+        """Prepare the context for a solve at a frame.
+
+        memo: storage for kept(), None while the settings are animated. common: data shared by owners that are solved at once.
+        targets: {pointer setting: evaluated object}, None to read them from the settings.
+        """
         self.frame, self.depsgraph, self.memo, self.targets = frame, depsgraph, memo, targets
         self.common = {} if common is None else common
         self.wants_to_settle = False
@@ -53,7 +57,10 @@ class Context:
         return self.memo is not None
 
     def kept(self, name: str, key: Any, make: Callable[[], Any]) -> Any:
-        """The result of `make()`, which depends on settings and `key` alone; made once for a key while nothing animates the settings."""
+        """Result of `make()`, cached under `name` until `key` differs; `make` is called in each solve while the settings are animated.
+
+        `make` may depend on nothing but the settings and `key`.
+        """
         if self.memo is None:
             return make()
         found = self.memo.get(name)

@@ -14,7 +14,10 @@ from ..file.pointers import pointed
 
 @dataclass(frozen=True)
 class Variable:
-    """One driver variable: whose property, and which; or the evaluated transform of an object or its bone."""
+    """Description of a driver variable: a property of a datablock, or the evaluated transform of an object or bone.
+
+    id_type, id, data_path: as those of a DriverTarget. Without data_path the variable reads the transform of the object or its bone.
+    """
 
     id_type: str
     id: Any
@@ -23,7 +26,7 @@ class Variable:
 
     @property
     def is_transform(self) -> bool:
-        """Whether the variable waits for a transform and reads one number of it, which is cheaper than a whole matrix."""
+        """Whether the variable reads a transform channel of an object or bone; reading one float is cheaper than a whole matrix."""
         return not self.data_path
 
 
@@ -111,9 +114,9 @@ class Vertices:
 
 @dataclass(frozen=True)
 class Deformed:
-    """Makes Blender evaluate the geometry of the object that `of` names first (hooks, shape keys, modifiers).
+    """Makes Blender evaluate the geometry (hooks, shape keys, modifiers) of the object that setting `of` points to before the solver.
 
-    The value tells nothing but that the geometry is there: None without it.
+    The input's value is not the geometry: it is None if there is no such geometry, and a matrix without meaning otherwise.
     """
 
     name: str
@@ -154,13 +157,13 @@ class Geometries(Deformed):
 
 @dataclass(frozen=True)
 class Transform:
-    """Waits for an object, or a bone of it, to stand where it is evaluated to stand. No argument of solve."""
+    """Makes the solver run after Blender has evaluated the transform of an object, or of a bone of it. It is not passed to solve()."""
 
     object: Any
     bone: str = ""
 
     def variable(self) -> Variable:
-        """The driver variable that waits."""
+        """Driver variable that makes the solver wait for the evaluated transform of the object or bone."""
         return Variable('OBJECT', self.object, bone=self.bone)
 
 

@@ -26,7 +26,7 @@ class Member:
 
     @property
     def owner_space(self) -> str:
-        """Owner space of the sinks' constraints."""
+        """Owner space of the constraints that apply the solver's result to the driven object or bone."""
         if not self.is_relative:
             return self.space
         # The Local Space of an object without a parent is turned as the object is.
@@ -65,15 +65,16 @@ class Group:
 
     @property
     def reads(self) -> list[tuple[Any, str]]:
-        """(object, bone or "") of the transforms that the solver waits for."""
+        """(object, bone or "") for each transform that the solver reads, each once."""
         return [(one.object, one.bone) for one in dict.fromkeys(self.inputs) if isinstance(one, Transform)]
 
 
 @dataclass(frozen=True)
 class Entry:
-    """One of an owner's settings that drives bones of it or objects, for the order among them (core/wiring/attaching/levels.py).
+    """One item in an owner's list of settings, which drives bones of the owner or objects; used to sort items by their dependencies.
 
-    reads: (object, bone or "") whose evaluated transform it needs. drives: names of the owner's bones, and objects.
+    reads: (object, bone or "") whose evaluated transforms the item needs. drives: names of the owner's bones, and objects.
+    The order is computed in core/wiring/attaching/levels.py.
     """
 
     name: str

@@ -25,7 +25,10 @@ def laying() -> list[System]:
 
 
 def entries_on(owner: Any) -> Iterator[tuple[System, Any]]:
-    """(system, entry) of all that drives an owner or its bones, but for the systems that lay poses."""
+    """Yields (system, Entry) for each Entry of an owner that drives the owner, its bones or other objects.
+
+    Systems that pose bones by their own transforms (System.lays_pose) are left out.
+    """
     for system in systems():
         if system.entries and not system.lays_pose:
             for entry in system.entries(owner):
@@ -48,7 +51,7 @@ def has_settings(system: Feature, obj: Any) -> bool:
 
 
 def is_owner(system: System, obj: Any) -> bool:
-    """Whether the system is wired on an object as its owner (members of others' are not)."""
+    """Whether the system is set up on an object itself; False for an object that another object's settings drive."""
     return has_settings(system, obj) and can_own(system, obj) and of_owner(system, obj).is_active
 
 
@@ -85,13 +88,13 @@ def groups_of(system: System, owner: Any) -> tuple[Group, ...]:
 
 
 def input_variables(system: System, owner: Any) -> Iterable[tuple[Any, Variable | None]]:
-    """(input, Variable or None) for each declared input that is an argument of solve."""
+    """(input, Variable) for each declared input of a system; None instead of the Variable for inputs that need no driver variable."""
     settings = of_owner(system, owner)
     return [(declared, declared.variable(owner, settings)) for declared in system.inputs]
 
 
 def described(system: Feature) -> list[Any]:
-    """The SystemPanels (core/interface/panels.py) that the classes of a system are of."""
+    """SystemPanels (core/interface/panels.py) from which the panel classes of a system were generated, each once."""
     found = (getattr(cls, "of_system", None) for cls in system.classes)
     return list(dict.fromkeys(one for one in found if one is not None))
 

@@ -30,9 +30,10 @@ _latest = [_first - 1]
 
 
 def original_of(evaluated: Any, originals: Any, depsgraph: bpy.types.Depsgraph) -> Any:
-    """The original, among bpy.data.objects or the like, of what a depsgraph says was updated; None where another handler has removed it.
+    """The original of a datablock from depsgraph.updates; None if another handler has removed the original.
 
-    The copy is asked for its name alone: its `original` and `library` point to what Blender may have freed since the evaluation.
+    originals: the collection that holds it, such as bpy.data.objects. The search goes by name, since `original` and `library`
+    of the evaluated datablock point to what Blender may have freed since the evaluation.
     """
     name = evaluated.name
     found = (originals.get((name, path)) for path in (None, *(library.filepath for library in bpy.data.libraries)))
@@ -73,7 +74,7 @@ class _OfCopies(keeping.OfEvaluation):
         self.known.pop(number, None)
 
     def clear(self) -> None:
-        """Let nothing be known."""
+        """Forget everything about all evaluated datablocks."""
         with self._changing:
             self._places.clear()
             self.known.clear()
@@ -106,7 +107,7 @@ class Reach(NamedTuple):
     bones: frozenset[str] | None
 
     def poses(self, names: frozenset[str] | None) -> bool:
-        """Whether animation sets the own transform of a bone among `names`, a frozenset; None for all bones."""
+        """Whether the animation sets the own transform of one of these bones. names: of the bones; None for all bones."""
         if self.bones is None or names is None:
             return self.bones is None or len(self.bones) > 0
         return not self.bones.isdisjoint(names)
@@ -116,7 +117,10 @@ _NOTHING, _ANYTHING = Reach(False, False, frozenset()), Reach(True, True, None)
 
 
 class Copy:
-    """One evaluated copy. number: no other copy has had it. found: rooms of what was read of it, by keeping.OfEvaluation."""
+    """What is known of one evaluated copy of a datablock: what its animation sets, and what solvers have read of it.
+
+    number: different for every copy. found: caches of values read from the copy, by their keeping.OfEvaluation.
+    """
 
     def __init__(self, evaluated: Any, number: int) -> None:
         self.number = number
@@ -129,9 +133,9 @@ class Copy:
 
     @property
     def _acting(self) -> Reach:
-        """Reach of the action, all slots of it, or of the NLA.
+        """The settings, splines and bones that the copy's action sets, in any slot; with NLA tracks, possibly everything.
 
-        An evaluated action, edited without its users, is looked through once for each copy.
+        It is looked up at each use, since an edit makes Blender copy the action anew, but not the datablocks that use it.
         """
         if self._has_strips:
             return _ANYTHING
@@ -144,7 +148,7 @@ class Copy:
 
     @property
     def has_animated_splines(self) -> bool:
-        """Whether one sets what the splines of a curve are made of."""
+        """Whether an action, the NLA or a driver sets a property of a curve's splines or their points."""
         return self._driven.splines or self._acting.splines
 
     def has_animated_poses(self, names: frozenset[str] | None) -> bool:
@@ -153,7 +157,10 @@ class Copy:
 
 
 def prepare(owner: Any) -> None:
-    """Let evaluated copies of an owner be told apart, of a rig its armature's and its scenes' too. Called when it is wired."""
+    """Add the marker property by which evaluated copies of an owner are told apart. Called when the owner is wired.
+
+    A rig's armature and the scenes that use the rig get the marker too.
+    """
     mark(owner, *((owner.data, *owner.users_scene) if owner.type == 'ARMATURE' else ()))
 
 
@@ -219,7 +226,10 @@ def _number_in(mark: Any) -> int:
 
 
 def number_given(evaluated: Any) -> int:
-    """Number of the copy of a datablock that was not prepared, and whose properties no other thread reads."""
+    """The number of an evaluated copy of any datablock; the marker property is added to the copy if prepare() has not made it.
+
+    Only for datablocks whose custom properties no other thread reads at the same time.
+    """
     mark = _mark(evaluated)
     if mark is None:
         evaluated[KEY] = [0]
@@ -239,7 +249,10 @@ def forget(*_: Any) -> None:
 
 
 def number_of_action(action: Any) -> int | None:
-    """A number that no other copy of an evaluated action has had; any edit of its keys brings a fresh copy. None of an original."""
+    """The number of an evaluated copy of an action, different for every copy; None for an original action.
+
+    An edit of keys makes Blender copy the action anew, so that the number changes.
+    """
     if not action.is_evaluated:  # it would hand the number on to all its copies
         return None
     number = action.get(KEY)
@@ -266,7 +279,7 @@ def _mark(datablock: Any) -> memoryview[int] | None:
 
 
 def _is_given(number: Any) -> bool:
-    """Whether a number was given here; a number that a file holds was not."""
+    """Whether a number was assigned in this session; a number that was loaded with a file was not."""
     return isinstance(number, int) and _first <= number <= _latest[0]
 
 
@@ -298,13 +311,13 @@ def has_driven_settings(owner: Any) -> bool:
 
 
 def drivers_on(datablock: Any) -> int:
-    """How many drivers it has."""
+    """Number of drivers of a datablock."""
     animation = datablock.animation_data
     return len(animation.drivers) if animation else 0
 
 
 def has_animation(evaluated: Any) -> bool:
-    """Whether anything animates an object: what nothing does is as it was when Blender copied it."""
+    """Whether an evaluated object has an action, NLA tracks or drivers. Without them it is as it was when Blender copied it."""
     animation = evaluated.animation_data
     return animation is not None and bool(animation.action or animation.nla_tracks or animation.drivers)
 

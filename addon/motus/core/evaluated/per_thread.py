@@ -19,9 +19,9 @@ def keep_state() -> bool:
 
 
 def scratch(name: str, shape: tuple[int, ...], dtype: Any) -> Any:
-    """An array of this shape whose content is undefined; valid until the thread asks for the same name again.
+    """An array with undefined content for reuse on every frame; valid until the same thread asks for the same name again.
 
-    For arrays of every solve: the memory of fresh ones would be mapped anew on each frame.
+    Reuse saves time: the system would map the memory of a fresh large array anew on each frame.
     """
     arrays = _ARRAYS.here()
     array = arrays.get(name)

@@ -63,7 +63,7 @@ class Reading:
             del _at_work[thread]
 
     def is_of(self, depsgraph: bpy.types.Depsgraph) -> bool:
-        """Whether the datablock is there, and this depsgraph's: not another scene's, nor of a render that has ended."""
+        """Whether the datablock still exists and belongs to this depsgraph, not to another scene's or to a render that has ended."""
         if self.original is None or copies.is_gone(self.original) or copies.is_gone(self.datablock):
             return False
         return self.original.evaluated_get(depsgraph) == self.datablock
@@ -77,7 +77,10 @@ class Reading:
 
 
 def reading_of(datablock: Any, name: str, index: int = 0, among: Callable[[Any], Iterable[Any]] | None = None) -> Reading:
-    """The Reading of a system's solver, by its name, or of a property's driver, on an evaluated datablock. among: as of Reading."""
+    """The Reading of a solver or driver on an evaluated datablock; a new one if Blender has copied the datablock anew.
+
+    name: of the solver's system, or of the driven property. index: of an array's element. among: see Reading.
+    """
     place = datablock.as_pointer(), name, index
     found = readings.get(place)
     if found is None or found.datablock is not datablock:
@@ -98,12 +101,15 @@ def number_of(action: Any) -> int | None:
 
 
 def is_noting() -> bool:
-    """Whether anybody notes what is read, in this thread or another."""
+    """Whether some thread is recording which actions a solver or driver reads."""
     return bool(_at_work)
 
 
 def noted() -> dict[int, int] | None:
-    """Actions that this thread has read, for note() by another reader of the same result; None if the thread notes nothing."""
+    """The actions that the solver at work in this thread has read so far; None if no solver in this thread records them.
+
+    Returns {address of an evaluated action: number of its copy}. Another solver that reuses the result passes them to note().
+    """
     waiting = _at_work.get(threading.get_ident())
     return dict(waiting[-1]) if waiting else None
 

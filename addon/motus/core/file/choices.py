@@ -14,5 +14,5 @@ def chosen(settings: Any, name: str) -> str:
 
 
 def number(settings: Any, name: str) -> int:
-    """The number that keys and drivers have for what is chosen."""
+    """Integer value of the chosen item of an enumeration property, as F-curves and drivers use it."""
     return settings.bl_rna.properties[name].enum_items[chosen(settings, name)].value

@@ -31,7 +31,11 @@ _MAIN_THREAD = threading.main_thread().ident
 
 
 def is_deleted(obj: bpy.types.Object) -> bool:
-    """Whether an object, evaluated or not, was deleted."""
+    """Whether an object, original or evaluated, was taken out of all collections while a pointer keeps it in the file.
+
+    Linked objects never count as deleted. For an object that is asked about for the first time, the result is False until a
+    handler has searched the collections.
+    """
     if obj.library:
         return False
     name = obj.name
@@ -41,7 +45,10 @@ def is_deleted(obj: bpy.types.Object) -> bool:
 
 
 def watch(objects: Iterable[bpy.types.Object]) -> None:
-    """Notice from now on if one of these objects is deleted. Not while Blender evaluates."""
+    """Track from now on whether these objects are deleted; search the collections at once if one of them is new.
+
+    Must not be called while Blender evaluates the scene.
+    """
     for obj in objects:
         is_deleted(obj)
     if _is_new[0]:
@@ -49,12 +56,12 @@ def watch(objects: Iterable[bpy.types.Object]) -> None:
 
 
 def which(objects: Iterable[bpy.types.Object]) -> list[int]:
-    """Indices of the objects that were deleted."""
+    """Indices of the objects in a list for which is_deleted() is true."""
     return [index for index, obj in enumerate(objects) if is_deleted(obj)]
 
 
 def changes() -> int:
-    """A number that changes whenever is_deleted() says something else of any object than before."""
+    """Counter that increases whenever the result of is_deleted() changes for any object."""
     return _changes[0]
 
 
@@ -64,7 +71,10 @@ def _ask(name: str) -> None:
 
 
 def look(view_layer: Any = None) -> None:
-    """Find out where the objects that were asked for stand now. view_layer: what can be seen there is found at once."""
+    """Search the collections for all tracked objects, and tag an object for evaluation if it was deleted or restored.
+
+    view_layer: objects that are visible in this view layer are known to be present, which makes the search faster.
+    """
     _is_new[0] = False
     known: dict[str, Any] = {name: bpy.data.objects.get((name, None)) for name in list(_stood)}
     absent = _absent([obj for obj in known.values() if obj], view_layer)
@@ -139,7 +149,7 @@ def _watched() -> list[handlers.Pair]:
 
 
 def register() -> None:
-    """Look after every change of collections, and note what is known when a file is saved."""
+    """Add handlers that search for deleted objects after changes of collections, and mark deleted objects in the saved file."""
     handlers.add(_watched())
 
 

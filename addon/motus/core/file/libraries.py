@@ -8,7 +8,10 @@ import bpy
 
 
 def count_from_library(owner: Any, path: str) -> int:
-    """How many items of a list of the owner, the first ones, are its library's, which Blender does not let it remove."""
+    """Number of items that a collection property of a library override has from its library; these items come first.
+
+    path: data path of the collection property. Blender does not let an override remove items that its library has.
+    """
     reference = owner.override_library and owner.override_library.reference
     if not reference:
         return 0
@@ -19,9 +22,10 @@ def count_from_library(owner: Any, path: str) -> int:
 
 
 def is_free_or_of(obj: bpy.types.ID, named: bpy.types.ID | None, owner: bpy.types.ID) -> bool:
-    """Whether an object that names another one as its owner, or None, may be this owner's.
+    """Whether an object may belong to `owner`. named: the owner that the object's pointer names, or None.
 
-    Of such a pointer Blender saves no override: after loading, the override of an object names the library's owner.
+    The pointer may be None, name `owner`, or name the library's datablock that `owner` overrides. In the last case, the object is
+    an override too: Blender saves no override of such a pointer, which names the library's owner after loading.
     """
     if named is None or named == owner:
         return True

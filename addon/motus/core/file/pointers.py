@@ -17,10 +17,10 @@ _DECLARED = keeping.OfProcess("what a pointer of settings is declared for", "cla
 
 
 def to_object(*types: str, also: Callable[[Any, Any], bool] = lambda _settings, _obj: True, **options: Any) -> Any:
-    """A PointerProperty to objects, of these types where any are given, for the annotations of settings.
+    """A PointerProperty to objects, for annotations of property groups. types: allowed object types; none allows all.
 
-    Pickers offer neither what works for Motus behind the scenes nor objects that were deleted: both stand in no collection.
-    also(settings, obj): what else an object that is offered has to be.
+    The property's search field offers neither Motus's helper objects nor deleted objects: both are in no collection.
+    also(settings, obj): additional condition for an object that is offered.
     """
 
     def poll(settings: Any, obj: Any) -> bool:
@@ -36,9 +36,10 @@ def _stands(obj: bpy.types.Object) -> bool:
 
 
 def to_node_tree(**options: Any) -> Any:
-    """A PointerProperty to node trees.
+    """A PointerProperty to node trees, for annotations of property groups.
 
-    It is declared for any datablock: Blender 3.4 and 4.3 end if they read a datablock of another type as a node tree.
+    The declared type is bpy.types.ID, and a poll function allows node trees only: Blender 3.4 and 4.3 crash if a pointer that is
+    declared for node trees holds a datablock of another type.
     """
 
     def poll(_settings: Any, datablock: Any) -> bool:
@@ -64,7 +65,10 @@ def pointed(settings: Any, name: str) -> Any:
 
 
 def _declared(group: Any, name: str) -> tuple[Any, frozenset[str]]:
-    """(class of the datablocks, types of objects or none) that a pointer of a class of settings is declared for."""
+    """(datablock class, allowed object types) of a pointer property of a property group; no object types means all are allowed.
+
+    The class is NodeTree for a property that to_node_tree() has declared.
+    """
     kind = getattr(bpy.types, group.bl_rna.properties[name].fixed_type.identifier)
     declared = next(base.__annotations__[name] for base in group.__mro__ if name in getattr(base, "__annotations__", ()))
     poll = declared.keywords.get("poll")

@@ -29,7 +29,10 @@ class Newer(Damaged):
 
 
 def doubles(value: Any, count: int | None = None) -> memoryview[float]:
-    """Memory of a custom property that holds float64 numbers, so many where `count` is given."""
+    """Writable memoryview of a custom property that holds an array of float64 numbers.
+
+    count: required length of the array; None allows any length. Raises Damaged if the property is anything else.
+    """
     try:
         memory: memoryview[Any] = memoryview(value)
     except TypeError:
@@ -64,10 +67,12 @@ def parse(text: Any, form: Any) -> Any:
 
 
 def fits(value: Any, form: Any) -> bool:
-    """Whether a parsed value has a form.
+    """Whether a value parsed from JSON has a given form.
 
-    str, bool; int: 0 to LARGEST_NUMBER; float: any finite number; [form]: a list of such; (form, form): a list of just
-    these; {name: form}: an object with just these, but for names that end in "?", which may be missing; a function: tells.
+    str, bool: a value of this type. int: an integer from 0 to LARGEST_NUMBER. float: any finite number.
+    [form]: a list in which each item has this form. (form, form): a list with exactly one item for each of these forms.
+    {name: form}: an object with exactly these fields; a field whose name ends in "?" may be missing.
+    A function: the value fits if the function returns true for it.
     """
     if isinstance(form, list):
         return isinstance(value, list) and all(fits(one, form[0]) for one in value)

@@ -227,9 +227,10 @@ def _plain(value):
 
 
 class OfAnObject(Operator):
-    """Mixin of operators on a system's set-up of one object.
+    """Mixin of operators on an object on which a system is set up.
 
-    found(context, name): the object of this name, or the active one, where it has such a set-up; else raises Refused.
+    found(context, name): the object of this name, or the active object if the name is empty. Raises Refused if the system is not set
+    up on that object.
     """
 
     found: Callable[..., Any]

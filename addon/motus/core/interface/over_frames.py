@@ -135,11 +135,11 @@ class Job(Operator):
 
 
 class OverFrames(Job):
-    """Mixin of an operator that goes through frames.
+    """Mixin of an operator that steps through a range of frames, with a progress indicator and cancelling by Esc.
 
-    steps(context, frames): a generator of how many of self.total steps are done (as many as frames, unless it says
-    otherwise), which puts everything back where it is closed before its end. result(context) reports what came of them.
-    In the window it asks for the range first, unless the caller has given it.
+    steps(context, frames): generator of the number of steps done, out of self.total, by default the number of frames. When it is
+    closed early, it must restore what it has changed. result(context): reports the outcome.
+    If the operator is started in the window without a range, it first shows a dialog that asks for the range.
     """
 
     range: bpy.props.EnumProperty(

@@ -98,7 +98,7 @@ _failed = set()
 
 
 def register():
-    """Start drawing."""
+    """Add the viewport draw handlers that draw the overlays of all systems and their notes."""
     for function, kind in ((_draw, 'POST_VIEW'), (_draw_notes, 'POST_PIXEL')):
         _handler.append(bpy.types.SpaceView3D.draw_handler_add(function, (), 'WINDOW', kind))
 
@@ -123,7 +123,7 @@ def batches(context):
 
 
 def notes(context):
-    """Sentences about the active object, in the user's language."""
+    """The notes that the overlays of the systems give on the active object, as sentences in the user's language."""
     found = [
         system.overlay.note(context, context.object)
         for system in _switched_on(context)

@@ -36,16 +36,18 @@ class Part:
 
 @dataclass(frozen=True, eq=False)
 class SystemPanel:
-    """The content of a system's panels, in each editor.
+    """Declaration of a system's panel, from which a panel class is generated for each editor.
 
-    name: of the system. prefix: how the panels' classes begin. editors: {end of the prefix: mixin that says where}.
-    owner(context): what the panel is of: the active object, or the scene for a feature of scenes. suits(owner): whether the
-    system is for such. is_used(owner): whether it is used there; where this is None, it is a tool, whose panel is there for all
-    that suits, and closed at first. has_settings(owner): whether the owner's own settings are shown, with all parts; else
-    `draw` alone is. draw, readouts and actions: (layout, context). adders:
-    operators that add it, or draw_add(layout, context), which draws them, the same buttons whatever is selected.
-    draw_about(layout, context): what is told of the active object below all these buttons. refresh: operator that wires the owner anew, as a rule REFRESH.
-    labels: {end of the prefix: label} of editors where it is another one.
+    name: of the system. prefix: start of the class names. editors: {end of the class name: mixin that sets space and region}.
+    labels: {end of the class name: label} of editors with a label of their own.
+    owner(context): the object or scene whose settings are shown, by default the active object. suits(owner): whether the system can
+    be used on it. is_used(owner): whether the system is set up on it. Without is_used the panel is shown for every suitable owner,
+    and is closed at first.
+    has_settings(owner): whether all parts of the panel are drawn; otherwise only `draw` is called.
+    draw, readouts, actions: functions of (layout, context). adders: operators that add the system, or a function
+    draw_add(layout, context) that draws their buttons; these do not depend on the selection.
+    draw_about(layout, context): draws facts about the active object below the buttons of all adders.
+    refresh: operator that sets the system up again, usually REFRESH.
     """
 
     name: str

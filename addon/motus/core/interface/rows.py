@@ -67,7 +67,7 @@ class Row:
         return widths.label_fits(label)
 
     def draw(self, layout, settings):
-        """Draw the row, if it matters."""
+        """Draw the property, unless the row's condition `when` is false for these settings."""
         if self.when and not self.when(settings):
             return
         words = {} if self.text is None else {"text": self.text, "text_ctxt": self.text_ctxt}

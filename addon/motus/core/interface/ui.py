@@ -82,7 +82,10 @@ def draw_native_status(layout):
 
 
 def draw_problem(layout, context, system, owner, tell=None):
-    """The solver's sentence on this owner, if it has one; returns its Problem. tell(problem): the sentence, in other words."""
+    """Draw the message of the system's current Problem with an owner, if there is one; returns the Problem or None.
+
+    tell(problem): sentence that replaces the Problem's own one.
+    """
     problem = wiring.problem(system, owner, context.view_layer.depsgraph)
     if problem:
         draw_message(layout, tell(problem) if tell else problem.sentence, 'ERROR' if problem.blocking else 'INFO')
@@ -98,9 +101,10 @@ def draw_bake(layout):
 
 
 def draw_list(layout, kind, settings, name, active, add, remove, rows=3):
-    """A list with the buttons that add and remove; gives these two, and the column that they stand in.
+    """Draw a UIList with an add and a remove button; returns (add button's properties, remove button's properties, column of the buttons).
 
-    kind: class name of the list. name, active: properties of the settings. add, remove: operators.
+    kind: class name of the UIList. name, active: properties of `settings` with the items and the active index.
+    add, remove: names of the operators.
     """
     row = layout.row()
     row.use_property_split = row.use_property_decorate = False  # dots for keys would leave no room for names
@@ -117,7 +121,7 @@ class Readout(NamedTuple):
 
 
 def draw_readouts(layout, readouts):
-    """A box of Readouts."""
+    """Draw a box with a line for each Readout: its label and its value."""
     playback.note()
     labels = [bpy.app.translations.pgettext_iface(readout.text) for readout in readouts]
     texts, values = (max(map(len, words), default=1) for words in (labels, [readout.value for readout in readouts]))
@@ -145,7 +149,7 @@ def split(layout, longest=""):
 
 
 def draw_rig_influence(layout, settings):
-    """Draw the influence that all entries of a rig are multiplied with."""
+    """Draw the slider "Rig Influence", by which the influence of each entry of a rig is multiplied."""
     text = bpy.app.translations.pgettext_iface("Rig Influence")
     row = layout.row()  # apart: what is split stays so
     split(row, text).prop(settings, "influence", text=text, translate=False, slider=True)

@@ -15,7 +15,7 @@ IDENTIFIERS = frozenset(LABELS)
 
 
 def vector(identifier: str) -> tuple[float, float, float]:
-    """(x, y, z) of an item of AXES."""
+    """Unit vector (x, y, z) of an axis. identifier: of an item of AXES, such as 'NEG_Y'."""
     length = 1.0 if identifier.startswith("POS") else -1.0
     x, y, z = (length * (axis == identifier[-1]) for axis in "XYZ")
     return x, y, z

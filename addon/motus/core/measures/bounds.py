@@ -11,5 +11,5 @@ AT_ONCE = 1_500_000
 
 
 def times(price: float) -> int:
-    """How many times what has this price may be done at once."""
+    """How many computations fit into the limit for one frame. price: of one computation, in numbers computed (about 1 microsecond each)."""
     return int(AT_ONCE // max(price, 1))

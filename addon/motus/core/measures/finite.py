@@ -16,7 +16,7 @@ _LOOKED_AT = frozenset(('FLOAT', 'INT', 'COLLECTION', 'POINTER'))
 
 
 def share(value: float) -> float:
-    """An influence as a part of 1, whatever a file holds: what is no number is 0."""
+    """An influence clamped to 0 to 1. NaN, as a damaged file may have it, becomes 0."""
     return min(max(0.0, value), 1.0)
 
 
@@ -31,7 +31,10 @@ def is_finite(numbers: np.ndarray[Any, Any]) -> bool:
 
 
 def has_bad_settings(settings: Any) -> bool:
-    """Whether a number among settings, of entries in their lists too, is not finite, or outside of its limits, as only a file can have it."""
+    """Whether a number in a property group, lists and groups in it included, is not finite or outside its limits.
+
+    Only a damaged file can have such a number.
+    """
     return any(
         _is_bad(declared, getattr(settings, declared.identifier))
         for declared in settings.bl_rna.properties

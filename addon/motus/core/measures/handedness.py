@@ -13,7 +13,10 @@ def scale_is_mirrored(scale: Any) -> bool:
 
 
 def is_mirrored(obj: bpy.types.Object | None) -> bool:
-    """Whether an object's own scale and those of its parents, bones left aside, mirror it, by properties that need no evaluation."""
+    """Whether the scale of an object together with that of its parent objects mirrors it; the scale of parent bones does not count.
+
+    Reads the properties of the objects, without an evaluation.
+    """
     found = False
     while obj is not None:
         found ^= scale_is_mirrored(obj.scale) ^ scale_is_mirrored(obj.delta_scale)

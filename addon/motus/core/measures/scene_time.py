@@ -13,45 +13,48 @@ import bpy
 
 
 def fps(scene: bpy.types.Scene) -> float:
-    """Frames in a second of the keys' time."""
+    """Frames per second of the scene, in the keys' time: the frames after Time Stretching, at which Blender evaluates F-curves."""
     return scene.render.fps / scene.render.fps_base
 
 
 def seconds(scene: bpy.types.Scene, times: Any) -> Any:
-    """Seconds of the keys' time, a number or an array."""
+    """Convert frames of the keys' time (after Time Stretching) to seconds. times: a number or an array."""
     return times * (scene.render.fps_base / scene.render.fps)
 
 
 def keys_time(scene: bpy.types.Scene, frame: float) -> float:
-    """The keys' time of a frame of the time line."""
+    """Convert a frame of the time line to the keys' time: the frame after Time Stretching, at which Blender evaluates F-curves."""
     return frame * scene.render.frame_map_old / scene.render.frame_map_new
 
 
 def time_line(scene: bpy.types.Scene, time: float) -> float:
-    """The frame of the time line that shows this keys' time."""
+    """Convert a frame of the keys' time (after Time Stretching) to the frame of the time line that shows it."""
     return time * scene.render.frame_map_new / scene.render.frame_map_old
 
 
 def present(scene: bpy.types.Scene) -> float:
-    """The keys' time that is shown."""
+    """The scene's current frame in the keys' time: after Time Stretching, at which Blender evaluates F-curves."""
     return scene.frame_current_final
 
 
 def first(scene: bpy.types.Scene) -> float:
-    """The keys' time of the scene's first frame."""
+    """The scene's first frame in the keys' time: after Time Stretching, at which Blender evaluates F-curves."""
     return keys_time(scene, scene.frame_start)
 
 
 def beginning(scene: bpy.types.Scene) -> float:
-    """The keys' time at which a motion begins that is set up newly: frame 1, or where the scene begins instead."""
+    """The frame, in the keys' time (after Time Stretching), at which a new motion begins: the scene's first frame.
+
+    It is 1 if the scene begins at frame 1 of the time line, with any Time Stretching.
+    """
     return 1.0 if scene.frame_start == 1 else first(scene)
 
 
 def last(scene: bpy.types.Scene) -> float:
-    """The keys' time of the scene's last frame."""
+    """The scene's last frame in the keys' time: after Time Stretching, at which Blender evaluates F-curves."""
     return keys_time(scene, scene.frame_end)
 
 
 def stamp(scene: bpy.types.Scene) -> tuple[float, float, float]:
-    """Changes when seconds do, or the scene's first frame in the keys' time."""
+    """A tuple that changes with the scene's frame rate and with its first frame in the keys' time (after Time Stretching)."""
     return scene.render.fps, scene.render.fps_base, first(scene)

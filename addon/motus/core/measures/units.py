@@ -19,7 +19,10 @@ def metres(scene: bpy.types.Scene) -> float:
 
 
 def in_scene(scene: bpy.types.Scene, prop: Any, value: Any) -> Any:
-    """A value that is meant in metres as an RNA property has it in the scene; of a property that is no length the value itself."""
+    """Convert a length, speed or acceleration from metres to the scene's unit; returns values of other properties unchanged.
+
+    prop: the RNA property that the value is for; its unit tells whether it is a length. value: a number, or a sequence for an array.
+    """
     if getattr(prop, "unit", 'NONE') not in LENGTHS:
         return value
     unit = metres(scene)
@@ -27,7 +30,10 @@ def in_scene(scene: bpy.types.Scene, prop: Any, value: Any) -> Any:
 
 
 def defaults(scene: bpy.types.Scene, item: Any, names: Container[str]) -> dict[str, Any]:
-    """{name: default in the scene's unit} of the properties among `names` that are lengths; {} in a scene of metres. item: settings, or Operator.properties."""
+    """Defaults of the lengths, speeds and accelerations among `names`, converted from metres to the scene's unit.
+
+    item: settings or Operator.properties, which have the properties. Returns {name: default}; {} if the unit is a metre.
+    """
     if metres(scene) == 1.0:
         return {}
     properties = [prop for prop in item.bl_rna.properties if prop.identifier in names and getattr(prop, "unit", 'NONE') in LENGTHS]
@@ -35,5 +41,5 @@ def defaults(scene: bpy.types.Scene, item: Any, names: Container[str]) -> dict[s
 
 
 def is_gravity_meant(scene: Any) -> bool:
-    """Whether the scene's gravity is one that somebody has set, or Blender's own in a scene of metres, for which that is meant."""
+    """Whether the scene's gravity fits the scene's unit: the unit is a metre, or the user has changed gravity from Blender's default."""
     return metres(scene) == 1.0 or any(abs(one - own) > 1e-4 for one, own in zip(scene.gravity, FACTORY_GRAVITY))

@@ -33,7 +33,10 @@ class Still(NamedTuple):
 
 
 class Arrays(NamedTuple):
-    """One rig at one moment, in armature space; valid until the thread reads the next rig."""
+    """What solvers read of one rig at one moment, as arrays with a row for each bone; poses and rest pose are in armature space.
+
+    Arrays share memory between rigs: they are valid until the same thread reads the next rig.
+    """
 
     names: tuple
     rest: Any  # (B, 16) float32, column by column: Bone.matrix_local
@@ -50,7 +53,7 @@ def names_of(rig):
 
 
 def still(rig, names):
-    """The Still of a rig."""
+    """Read the Still of a rig: what changes only if the armature is edited. names: names of the bones, row by row."""
     bones = rig.data.bones
     order = bones.keys()
     places = None
@@ -65,9 +68,9 @@ def still(rig, names):
 
 
 def is_still(rig, known):
-    """Whether the rig's bones are those of a Still: as many, each as it was at rest and inheriting what it did.
+    """Whether the rig's bones match a Still: same number, rest matrices, lengths and inheritance from the parent.
 
-    Cheaper than to compare names; a bone that is only renamed keeps its row.
+    Bone names are not compared, which is slower and not needed: a renamed bone keeps its row.
     """
     bones, count = rig.data.bones, len(known.names)
     # foreach_get says nothing where the array is longer than need be.
@@ -82,12 +85,15 @@ def _at_rest(bones, count):
 
 
 def inheritance(bone):
-    """How a bone inherits from its parent: motus::InheritScale with the flags above."""
+    """Bit field of how a Bone inherits from its parent, for the native module.
+
+    The number of motus::InheritScale, with the flags INHERITS_ROTATION and HAS_LOCAL_LOCATION.
+    """
     return _INHERIT_SCALE[bone.inherit_scale] | INHERITS_ROTATION * bone.use_inherit_rotation | HAS_LOCAL_LOCATION * bone.use_local_location
 
 
 def read(rig, known=None):
-    """Arrays of an evaluated rig. known: its Still, where plan() has just given that."""
+    """Read the Arrays of an evaluated rig. known: the rig's current Still, for example from plan(); None reads the Still too."""
     known = known or still(rig, names_of(rig))
     return Arrays(
         known.names, known.rest, poses(rig, known), basis(rig, known), known.lengths, known.inheritance, columns(rig.matrix_world)
@@ -99,7 +105,10 @@ FEW = 5
 
 
 def poses(rig, known, rows=None):
-    """Arrays.poses alone. rows: a list of the only ones that are needed, others may be anything; None for all."""
+    """Pose matrices of the bones in armature space, (B, 16) float32, as Arrays.poses.
+
+    rows: list of the rows that are needed; the values of the other rows are then undefined. None reads all rows.
+    """
     pose, count = rig.pose.bones, len(known.names)
     if rows is None or FEW * len(rows) > count:
         return _matrices("poses", pose, "matrix", count)
@@ -110,7 +119,7 @@ def poses(rig, known, rows=None):
 
 
 def basis(rig, known):
-    """Arrays.basis alone: the bones' own transforms, after systems that lay poses over the bones."""
+    """Own transforms of all bones, (B, 16) float32: PoseBone.matrix_basis, replaced by what lay() has stored for some bones."""
     found = own_basis(rig, known)
     for rows, matrices in _LAID.on(copies.of(rig)).get("laid", {}).values():
         found[rows] = matrices
@@ -118,14 +127,15 @@ def basis(rig, known):
 
 
 def own_basis(rig, known):
-    """PoseBone.matrix_basis, as keys and drivers have it."""
+    """PoseBone.matrix_basis of all bones, (B, 16) float32, as keys and drivers set it: without what lay() has stored."""
     return _matrices("basis", rig.pose.bones, "matrix_basis", len(known.names))
 
 
 def lay(rig, key, rows, matrices):
-    """Note what the own transforms of some bones of an evaluated rig become, (n, 16) float32.
+    """Store transforms that replace the own transforms (matrix_basis) of some bones of an evaluated rig, for solvers that run later.
 
-    For a system that lays poses; others wait for its solver. The note stands until this is called again with the same key.
+    rows: rows of these bones. matrices: (n, 16) float32, column by column. key: name of the caller's layer of transforms; a later
+    call with the same key replaces them. Only for systems that lay poses: the rig's other solvers wait for theirs.
     """
     kept = _LAID.on(copies.of(rig))
     # A new dictionary each time: other threads may go through the one that is there.
@@ -133,14 +143,14 @@ def lay(rig, key, rows, matrices):
 
 
 def laid_bones(rig):
-    """Names of the bones of an evaluated rig whose own transforms are other ones now by what lay() was told."""
+    """Names of the bones of an evaluated rig whose own transforms (matrix_basis) are changed by what lay() has stored."""
     known = still(rig, names_of(rig))
     own = own_basis(rig, known).copy()
     return {known.names[row] for row in np.flatnonzero((basis(rig, known) != own).any(axis=1))}
 
 
 def is_laid(copy):
-    """Whether a system lays poses over bones of an evaluated rig's Copy."""
+    """Whether lay() has stored transforms for bones of an evaluated rig. copy: the rig's Copy (core/evaluated/copies.py)."""
     return bool(_LAID.on(copy))
 
 

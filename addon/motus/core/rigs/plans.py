@@ -13,17 +13,17 @@ _SOURCES = keeping.OfEvaluation("what is read of a rig for its plan", "what was 
 
 
 def fingerprint(rig):
-    """A number that changes when a bone is given another parent or row, or inherits otherwise."""
+    """Checksum (CRC-32) of a rig's bones: names, parents, order, and how each bone inherits from its parent."""
     lines = [f"{bone.name}\t{bone.parent.name if bone.parent else ''}\t{inheritance(bone)}" for bone in rig.data.bones]
     lines += names_of(rig)
     return zlib.crc32("\n".join(lines).encode())
 
 
 def plan(rig, key, make):
-    """The result of `make(rig, rows)`, kept for the same `key` and bones; it has a Still as `still`. rows: name -> row.
+    """Plan of a solver for a rig: the result of `make(rig, rows)`, kept until `key` or the bones change. rows: {bone name: row}.
 
-    key: a string that stands for all that the plan is made of, the rig's fingerprint included. Kept by each thread for
-    itself: a plan is not shared between threads.
+    key: text that stands for everything that the plan is made from, the rig's fingerprint() included. The plan's attribute `still`
+    is the rig's Still. Each thread makes and keeps its own plans. Raises Damaged if the object has no pose or `key` is no text.
     """
     if rig.pose is None or not isinstance(key, str):
         raise Damaged("no rig, or nothing that is known of it")
@@ -46,10 +46,10 @@ def plan(rig, key, make):
 
 
 def source(rig, key, make, read):
-    """The result of `read(rig, plan)` for an evaluated rig and plan(rig, key, make).
+    """Result of `read(rig, plan)` for an evaluated rig, kept between frames; `plan` is the result of plan(rig, key, make).
 
-    Kept for as long as Blender keeps these copies of the rig and of its armature; where the armature's cannot be told apart,
-    for as long as its bones stay what they are.
+    The result is kept as long as Blender keeps the evaluated copies of the rig and of its armature. If the armature's copy cannot
+    be identified, the result is kept as long as the rest pose and inheritance of the bones stay the same.
     """
     armature = rig.data and copies.stamp_of_data(rig)
     kept = _SOURCES.on(copies.of(rig))
@@ -61,7 +61,10 @@ def source(rig, key, make, read):
 
 
 class _Source(NamedTuple):
-    """An entry that source() keeps. armature: the armature's stamp. still: the plan's Still."""
+    """Result that source() keeps for a rig. made: what read(rig, plan) returned.
+
+    armature: stamp of the evaluated armature, or None. still: the Still of the plan.
+    """
 
     armature: Any
     still: Any

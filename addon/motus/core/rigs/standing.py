@@ -31,9 +31,10 @@ class Standing:
         self._every = self._rows = self._room = self._scene = None
 
     def matrices(self, depsgraph):
-        """World matrices, (n, 16) float32 column by column; None: they are to be asked one by one.
+        """World matrices of the objects, (n, 16) float32, column by column; None if the caller has to read them one by one.
 
-        So it is where one of the objects is not in the evaluated view layer, and where that has a great many others.
+        The result is None if one of the objects is not in the evaluated view layer, or if the view layer has more than LARGE_SCENE
+        objects for each object that is read.
         """
         # Which objects stand in a view layer is part of the scene's own copy.
         scene, view_layer = copies.of(depsgraph.scene_eval), depsgraph.view_layer_eval

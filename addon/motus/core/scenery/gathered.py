@@ -7,9 +7,9 @@ DEEPEST = 16
 
 
 class Gathered(NamedTuple):
-    """A mesh object, original.
+    """An original mesh object that was found in a collection, directly or through collection instances.
 
-    instancers: the empties by which it is seen, the outermost first; none where it stands in the collection.
+    instancers: empties that instance the collections in which it was found, outermost first; empty for a direct member.
     """
 
     object: Any
@@ -17,10 +17,11 @@ class Gathered(NamedTuple):
 
 
 def meshes(collection, leaves_out=lambda _obj: False, above=()):
-    """Yields what is Gathered of a collection, hidden objects too. leaves_out: says which objects do not count.
+    """Yields a Gathered for each mesh object in a collection and in collections that its empties instance, hidden objects included.
 
-    The collection of an evaluated pointer is evaluated too, and those within it: solvers, which run in threads, go through
-    these, since the main thread may edit the originals meanwhile.
+    leaves_out(obj): whether an object is skipped. above: empties through which `collection` itself is instanced.
+    A collection read from evaluated settings is evaluated, and so are the collections within it. Solvers, which run in threads, have
+    to use these, since the main thread may edit the originals at the same time.
     """
     for obj in collection.all_objects:
         if obj.type == 'MESH':

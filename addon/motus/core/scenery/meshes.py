@@ -23,12 +23,12 @@ _temporary_mesh = threading.RLock()
 
 
 def is_same(one, other):
-    """__eq__ of a named tuple with a `stamp` of all that it holds."""
+    """Whether two named tuples have equal stamps; used as __eq__ of classes whose `stamp` changes with their content."""
     return other is not None and one.stamp == other.stamp
 
 
 def hash_of(one):
-    """__hash__ of such a tuple."""
+    """Hash of a named tuple by its `stamp`; used as __hash__ of classes whose __eq__ is is_same()."""
     return hash(one.stamp)
 
 
@@ -48,7 +48,7 @@ class Faces(NamedTuple):
 
 
 class Placed(NamedTuple):
-    """Faces and where they stand. stamp: of both."""
+    """A triangle mesh with the world matrix of its object. stamp: hashable, equal for equal mesh and matrix."""
 
     stamp: Any
     faces: Any
@@ -58,12 +58,12 @@ class Placed(NamedTuple):
 
     @property
     def area(self):
-        """m^2 in the world: of what is scaled unevenly as much as it is at most."""
+        """Upper bound of the mesh's area in world space, m^2, for any scale of the object."""
         *_, larger, largest = sorted(axis.length for axis in self.matrix.to_3x3().col)
         return self.faces.area * larger * largest
 
     def chosen(self, which):
-        """The mesh of the chosen triangles alone, (t,) bool; None if none is chosen."""
+        """This Placed with only the triangles that `which`, (t,) bool, selects; None if it selects none."""
         if not which.any():
             return None
         faces = self.faces._replace(triangles=np.ascontiguousarray(self.faces.triangles[which]))
@@ -112,15 +112,15 @@ def _read(mesh):
 
 
 def placed(obj, matrix):
-    """The faces of an evaluated mesh object, Placed; None where it has none."""
+    """Triangles of an evaluated mesh object together with its world matrix, as Placed; None if the mesh has no faces."""
     found, matrix = faces(obj), matrix.copy()  # each row of which is not asked of Blender then
     return found and Placed((found.stamp, np.array(matrix, float).tobytes()), found, matrix)
 
 
 def joined(parts):
-    """(positions (v, 3) in the world, float32; triangles (t, 3), int32) of several that are Placed.
+    """(positions (v, 3) in world space, float32; triangles (t, 3), int32) of several Placed meshes as one mesh.
 
-    The corners of what is mirrored turn as those of the others do, counter-clockwise seen from outside.
+    The vertex order of mirrored meshes is reversed, so that all triangles are counter-clockwise seen from outside.
     """
     positions, triangles, count = [], [], 0
     for part in parts:

@@ -9,7 +9,10 @@ from . import meshes, stillness
 
 
 class Seen(NamedTuple):
-    """An evaluated mesh where it is seen. objects: it, and the empties that instance it."""
+    """One occurrence of an evaluated mesh object in the scene: the object itself, or an instance of it.
+
+    matrix: world matrix of the occurrence. objects: the mesh object, followed by the empties that instance it.
+    """
 
     matrix: Any
     objects: tuple
@@ -20,17 +23,17 @@ class Seen(NamedTuple):
 
     @property
     def placed(self):
-        """The object's faces, Placed; None without faces."""
+        """Faces of the object at the place of this instance, as a meshes.Placed; None if the object has no faces."""
         return meshes.placed(self.objects[0], self.matrix)
 
 
 def awaited(members):
-    """Objects that have to be evaluated before what is Gathered can be seen."""
+    """Objects that Blender has to evaluate before the Gathered `members` can be read: the mesh objects and their instancers."""
     return [one for each in members for one in (each.object, *each.instancers)]
 
 
 def gathered(members, ready):
-    """[Seen] of those Gathered that are evaluated. ready: {original: evaluated}, see wiring.waited_for."""
+    """List of the Seen of those Gathered whose objects are evaluated. ready: {original: evaluated}, from wiring.waited_for()."""
     found = []
     for each in members:
         objects = ready.get(each.object), *map(ready.get, each.instancers)
@@ -46,12 +49,12 @@ def alone(obj):
 
 
 def still(found, scene):
-    """The Seen that do not move. Parents that several of them share are asked once."""
+    """The Seen in `found` that do not move over time. A parent that several objects share is examined once."""
     return answered(object(), lambda: [one for one in found if not one.moves(scene)])
 
 
 def matrix(each, ready):
-    """World matrix of a Gathered object."""
+    """World matrix of a Gathered object or instance. ready: {original object: evaluated object}."""
     found = ready[each.object].matrix_world
     for instancer in reversed(each.instancers):
         found = ready[instancer].matrix_world @ Matrix.Translation(-instancer.instance_collection.instance_offset) @ found

@@ -122,7 +122,7 @@ def _objects_of(value):
 
 
 def _deforms(obj, scene, seen):
-    """Whether what reads an object may be another one on another frame."""
+    """Whether a modifier that reads `obj` may give a different result on another frame; for an armature its bones count too."""
     if obj.type == 'ARMATURE' and (_is_animated(obj) or any(len(bone.constraints) for bone in obj.pose.bones)):
         return True
     return moves(obj, scene, seen)

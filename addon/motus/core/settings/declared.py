@@ -16,22 +16,22 @@ def _common(name, description, default, options, tells_no_keys, more):
 
 
 def number(name, description, default, options=frozenset(), tells_no_keys=False, **more):
-    """A FloatProperty."""
+    """Declare a FloatProperty that library overrides may change."""
     return bpy.props.FloatProperty(**_common(name, description, default, options, tells_no_keys, more))
 
 
 def factor(name, description, default, options=frozenset(), tells_no_keys=False, **more):
-    """A FloatProperty from 0 to 1."""
+    """Declare a FloatProperty from 0 to 1, drawn as a slider, that library overrides may change."""
     return number(name, description, default, options, tells_no_keys, **{"min": 0.0, "max": 1.0, "subtype": 'FACTOR'} | more)
 
 
 def whole(name, description, default, options=frozenset(), tells_no_keys=False, **more):
-    """An IntProperty."""
+    """Declare an IntProperty that library overrides may change."""
     return bpy.props.IntProperty(**_common(name, description, default, options, tells_no_keys, more))
 
 
 def switch(name, description, default=False, options=frozenset(), tells_no_keys=False, **more):
-    """A BoolProperty."""
+    """Declare a BoolProperty that library overrides may change."""
     return bpy.props.BoolProperty(**_common(name, description, default, options, tells_no_keys, more))
 
 
@@ -41,5 +41,5 @@ def choice(name, description, items, default, options=frozenset(), tells_no_keys
 
 
 def vector(name, description, size=3, options=frozenset(), tells_no_keys=False, **more):
-    """A FloatVectorProperty of zeros."""
+    """Declare a FloatVectorProperty that library overrides may change. Its default is all zeros."""
     return bpy.props.FloatVectorProperty(size=size, **_common(name, description, (0.0,) * size, options, tells_no_keys, more))

@@ -10,7 +10,10 @@ from . import entry_keys
 
 
 def wire(system, owner, name="entries"):
-    """Wire an owner as its list of this name is now; without anything in it as if there had never been any."""
+    """Create, update or remove the drivers and constraints of a system on an owner, as the list in its settings requires.
+
+    If the list is empty, the system's settings are removed as well. name: of the list's property.
+    """
     settings = of_owner(system, owner)
     if not getattr(settings, name):
         if settings.is_active:
@@ -23,7 +26,7 @@ def wire(system, owner, name="entries"):
 
 
 def active(obj, name):
-    """The chosen entry of a system's list on an object, or None. name: of the system."""
+    """The selected entry of a system's list on an object; None without an object, a set-up or entries. name: of the system."""
     settings = obj and getattr(obj.motus, name)
     if not settings or not settings.is_active or not 0 <= settings.active_entry < len(settings.entries):
         return None
@@ -32,7 +35,7 @@ def active(obj, name):
 
 @contextmanager
 def unwired(settings):
-    """Changes within do not wire the owner again, each by itself."""
+    """Context manager in which changes of a system's settings do not wire the owner: the settings count as inactive inside."""
     was_active, settings.is_active = settings.is_active, False
     try:
         yield settings
@@ -42,16 +45,17 @@ def unwired(settings):
 
 @contextmanager
 def at_once(system, owner):
-    """Wire once at the end, instead of at every change of a setting within."""
+    """Context manager for several changes of an owner's settings: the owner is wired once at the end, not at every change."""
     with unwired(of_owner(system, owner)) as settings:
         yield settings
     wire(system, owner)
 
 
 def remove(system, owner, indices, active):
-    """Take entries back: wiring, keys and drivers of their settings; with the last one the settings themselves.
+    """Remove entries from a system's list on an owner, with keys and drivers of their settings, and wire the owner again.
 
-    active: name of the settings' property that tells which entry is chosen.
+    With the last entry the system's settings are removed too. active: name of the property that holds the index of the
+    selected entry.
     """
     prefix = f"motus.{system.name}."
     with at_once(system, owner) as settings:

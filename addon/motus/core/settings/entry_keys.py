@@ -15,7 +15,10 @@ def prefixes(path, entries, index):
 
 
 def animated_prefix(owner, path, entries, index):
-    """The data-path prefix under which this entry is animated. Uses the index form unless an F-curve or driver uses the name."""
+    """The data-path prefix under which an entry of the list at `path` is animated: with its index, or with its name.
+
+    The name is used only if an F-curve or driver uses it.
+    """
     by_index, by_name = prefixes(path, entries, index)
     copy = copies.of(owner) if owner.is_evaluated else None
     if entries.find(entries[index].name) != index or (copy and not copy.has_animated_settings):
@@ -33,7 +36,10 @@ def forget(owner, path, entries, index):
 
 
 def exchange(owner, path, first, second):
-    """Let keys and drivers of two entries of the list at `path` follow these, which are about to change places."""
+    """Exchange the data paths of the keys and drivers of two list entries that are about to swap places.
+
+    path: data path of the list. first, second: indices of the entries.
+    """
     _move_all(owner, {f"{path}[{one}].": f"{path}[{other}]." for one, other in ((first, second), (second, first))})
 
 
@@ -46,7 +52,7 @@ def _move_all(owner, places):
 
 
 def _move(curve, places):
-    """places: beginning of a data path -> what it is to be."""
+    """Replace the beginning of an F-curve's data path. places: {old beginning: new beginning}."""
     for old, new in places.items():
         if curve.data_path.startswith(old):
             curve.data_path = new + curve.data_path[len(old) :]

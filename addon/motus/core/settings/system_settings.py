@@ -18,12 +18,12 @@ NO_KEYS = ". Cannot be keyed: the whole motion follows from it"
 
 
 def _system_of(item):
-    """The system of a group of settings, or of one within it, such as an entry of a list."""
+    """The System that settings belong to. item: the property group of the settings, or one inside it, such as an entry of a list."""
     return registered[item.path_from_id().split(".")[1].partition("[")[0]]
 
 
 def rewire(item, _context):
-    """`update` of a property whose change needs other drivers or sinks (targets, members, channels)."""
+    """`update` callback of a property that decides which drivers and constraints a system needs, such as a target: wire the owner again."""
     if not _is_keyword(item):
         wiring.refresh(_system_of(item), item.id_data)
 
@@ -38,18 +38,21 @@ def touch(item, _context):
 
 
 def _is_keyword(item):
-    """Whether the item belongs to an operator, which may have the same properties as the settings but has nothing to evaluate."""
+    """Whether an `update` callback was called for an operator's property and not for a setting.
+
+    Operators may have the same properties as settings, but nothing to evaluate.
+    """
     return not isinstance(item, bpy.types.PropertyGroup)
 
 
 class MOTUS_PG_helper(bpy.types.PropertyGroup):
-    """A hidden object that the wiring has made."""
+    """List item that refers to a hidden helper object, created when a system is set up on its owner."""
 
     object: to_object(name="Object", description="Hidden object that computes for this one", override={'LIBRARY_OVERRIDABLE'})
 
 
 class SystemSettings:
-    """Mixin for every system's PropertyGroup: what the wiring itself keeps with the owner."""
+    """Mixin for the settings of every system: the state of its set-up on an owner, and the hidden objects that belong to it."""
 
     is_active: bpy.props.BoolProperty(
         name="Active", description="This system drives the object", options=set(), override={'LIBRARY_OVERRIDABLE'}

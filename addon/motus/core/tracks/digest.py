@@ -54,7 +54,7 @@ class _Digest:
         self._animated = ()
 
     def want(self, id_data):
-        """Look at a datablock too, unless there are too many."""
+        """Add a datablock to those that the digest covers, unless the digest already covers MOST datablocks."""
         if id_data is not None and id_data not in self._seen and len(self._seen) < MOST:
             self._seen.add(id_data)
             self._waiting.append(id_data)
@@ -176,7 +176,7 @@ def _still(target):
 
 
 def _plain(value):
-    """A number, text, or tuple of what an array holds."""
+    """Convert an array property to nested tuples and a set to a sorted list; a number or text is returned unchanged."""
     if isinstance(value, (str, int, float, set)):
         return sorted(value) if isinstance(value, set) else value
     return tuple(map(_plain, value))

@@ -48,7 +48,7 @@ class Laid:
 
     @property
     def stamp(self):
-        """Something hashable that changes whenever the values may; None if nobody can tell."""
+        """Hashable value that changes whenever the bone's transform may change at any time; None if changes cannot be detected."""
         return together([part.stamp for part in self._parts])
 
     @property
@@ -64,7 +64,7 @@ class Laid:
         return found
 
     def bounds(self, first, last):
-        """Rising frames from first to last, between which the values are smooth."""
+        """Ascending frames from first to last; between two neighbouring frames the bone's transform changes smoothly."""
         return keys.union([part.bounds(first, last) for part in self._parts])
 
     @property

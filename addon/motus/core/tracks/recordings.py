@@ -61,7 +61,7 @@ class Recording(NamedTuple):
 
     @property
     def end(self):
-        """Time of the last sample."""
+        """Time of the last sample of the recording, in frames."""
         return self.start + self.step * (len(self.samples) - 1)
 
     def between(self, times):
@@ -98,7 +98,11 @@ def _opened(head, data, width):
 
 
 def write(id_data, what, start, step, samples, digest):
-    """Keep samples (n, width) with an original datablock, in single precision, as Blender has them; returns how many bytes."""
+    """Store samples (n, width) as float32 in an original datablock's list of recordings; returns the number of bytes stored.
+
+    what: name of the recorded property or transform. start, step: frame of the first sample, and frames between samples.
+    digest: text that tells what the recording was made from (see digest.py).
+    """
     listed = getattr(id_data, LIST)
     entry = listed.get(what)
     if entry is None:

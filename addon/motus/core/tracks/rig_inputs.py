@@ -35,7 +35,7 @@ class RigInputs:
 
     @functools.cached_property
     def own(self):
-        """{name: Own or Laid} of the bones."""
+        """Own transforms of the bones over time: {bone name: Own, or Laid if a system lays poses over the bone}."""
         bones = {name: self._rig.pose.bones[name] for name in self._bones}
         return {name: Own(bone) if self._lays_pose else laid.over(Own(bone), bone) for name, bone in bones.items()}
 
@@ -54,7 +54,7 @@ class RigInputs:
 
     @functools.cached_property
     def reason(self):
-        """The Reason for which the values are not known at other frames; None if they are known."""
+        """Reason why an input is unknown at frames other than the present one; None if all inputs are known."""
         mine = kept(self._rig, (*self._name, "reason"), lambda: _first_reason([*self.settings.values(), *self.own.values()]))
         return mine or _first_reason(self._others)
 
@@ -64,17 +64,17 @@ class RigInputs:
 
     @property
     def extent(self):
-        """First and last frame between which the values change; None if they do not."""
+        """(first, last) frame between which any of the inputs changes; None if all inputs are constant."""
         return keys.united(part.extent for part in self._parts)
 
     @property
     def stamp(self):
-        """Something hashable that changes whenever the inputs may; None if nobody can tell."""
+        """Hashable value that changes whenever one of the inputs may change at any time; None if changes cannot be detected."""
         lying = [own for own in self.own.values() if isinstance(own, laid.Laid)]
         return together((stamp_of(self._rig), *(part.stamp for part in (*lying, *self._others))))
 
     def numbers(self, times):
-        """{name: (n,)} of the settings."""
+        """Values of the numeric settings at times (n,), as {name: array (n,)}."""
         return {name: channel.values(times) for name, channel in self.settings.items()}
 
     def worlds(self, times):
@@ -112,12 +112,12 @@ class SolvedBone:
 
     @property
     def reason(self):
-        """The Reason for which the values are not known at other frames; None if they are known."""
+        """Reason why the bone's transform is unknown at frames other than the present one; None if it is known."""
         return self._inputs.reason
 
     @property
     def extent(self):
-        """First and last frame between which the values change; None if they do not."""
+        """(first, last) frame between which any input of the bone's solver changes; None if all inputs are constant."""
         return self._inputs.extent
 
 

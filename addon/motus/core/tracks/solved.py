@@ -47,7 +47,7 @@ class Solved:
 
     @property
     def stamp(self):
-        """Something hashable that changes whenever the values may; None if nobody can tell."""
+        """Hashable value that changes whenever the system's result may change at any time; None if changes cannot be detected."""
         return self._source.stamp
 
     @property

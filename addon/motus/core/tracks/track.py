@@ -35,11 +35,11 @@ class Kind(enum.Enum):
 
 
 class Track:
-    """A number or transform at any times of the scene (frames as drivers see them, with their fractions), in any order.
+    """Values of a property or transform at any times, in any order; times are frames of the scene, fractions included.
 
-    Reading it in a solver is right if the thing itself is one of the declared inputs, so that Blender has made the copies
-    that are read here before, and `thing` or `id_data` is the evaluated one. Built anew for each use, as it refers to
-    Blender's data; kept() keeps what was made of it.
+    A solver may read a Track if the property's owner, object or bone is one of the solver's declared inputs: Blender then has
+    evaluated it before. `thing` or `id_data` has to be the evaluated one in this case. A Track refers to Blender's data, so that
+    it is built anew for each use; kept() keeps what a solver has computed from it.
     """
 
     def __init__(self, source, id_data, what, width):
@@ -47,7 +47,7 @@ class Track:
 
     @functools.cached_property
     def reason(self):
-        """The Reason for which it has to be recorded; None where it is exact."""
+        """Reason why the input has to be recorded; None if keys or a system of Motus give the input at any time."""
         return self._source.reason
 
     @property
@@ -70,7 +70,7 @@ class Track:
 
     @property
     def is_constant(self):
-        """Whether nothing animates it, so that its present value is all that there is."""
+        """Whether nothing animates the input, so that its present value holds at all times."""
         return getattr(self._source, "is_constant", False)
 
     @property
@@ -121,7 +121,7 @@ class Track:
 
     @property
     def price(self):
-        """Price of values() for each time (see core/measures/bounds.py)."""
+        """Price of one time in values(), in units of core/measures/bounds.py: about a microsecond each."""
         return getattr(self._source, "price", 1) if self.reason is None else self.width
 
     @property

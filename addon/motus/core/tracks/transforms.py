@@ -91,7 +91,7 @@ class Own:
 
     @property
     def stamp(self):
-        """Something hashable that changes whenever the values may; None if nobody can tell."""
+        """Hashable value that changes whenever the values of the channels may change; None if changes cannot be detected."""
         if not self._id.is_evaluated:
             return None
         if not self._is_simple:
@@ -175,7 +175,10 @@ class Own:
 
     @functools.cached_property
     def _keys_at(self):
-        """({property: indices that have no keys}, whether the rotation mode has some)."""
+        """({property: indices of its components without keys}, whether the rotation mode has keys).
+
+        The properties are location, rotation and scale of the object or bone, and the delta transforms of an object.
+        """
         if self._id.animation_data is None:
             return {name: range(size) for name, size in self._names().items()}, False
         place = (self._action, self._prefix, self._mode) if self._id.is_evaluated and self._action else None
@@ -290,7 +293,7 @@ class World:
 
     @property
     def stamp(self):
-        """Something hashable that changes whenever the values may; None if nobody can tell."""
+        """Hashable value that changes whenever the world matrix may change at any time; None if changes cannot be detected."""
         return answered(
             (self, "stamp"), lambda: strips.together([self._of(link, "stamp", lambda link=link: link.stamp) for link in self._links])
         )
@@ -369,7 +372,7 @@ class _Link:
         return [*laying, *self._driving]
 
     def matrices(self, times, parent):
-        """World matrices of the bone or object; parent: of what it hangs on, or None."""
+        """World matrices (n, 4, 4) of the bone or object at times (n,). parent: world matrices of its parent, or None."""
         obj = self._object
         found = self._own.values(times).matrices
         if parent is not None:

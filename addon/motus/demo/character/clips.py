@@ -187,7 +187,10 @@ def _sink(share):
 
 
 def _add_leg(turns, side, frame, ahead, sink, sole, lean=0.0):
-    """Keys of a leg whose ankle is so far ahead of the hip, and nearer to it than at rest by `sink`. lean: of the hips."""
+    """Add keys at a frame that put a leg's ankle `ahead` of the hip and raise it by `sink` towards the hip, in metres.
+
+    turns: {(bone, axis): [(frame, degrees)]}, extended. sole, lean: degrees by which the sole and the hips tilt.
+    """
     thigh, shin, foot = _leg(ahead, sink, sole, lean)
     for name, angle in (("thigh", thigh), ("shin", shin), ("foot", foot)):
         turns.setdefault((f"{name}.{side}", 0), []).append((frame, angle))

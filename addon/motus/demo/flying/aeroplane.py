@@ -99,7 +99,7 @@ def _add_fuselage(builder, rows=44, points=40):
 
 
 def _cowl_slots(rows, segments):
-    """The lip in cream, the inside dark, the rest red."""
+    """Material slots of the engine cowling's faces: cream at the lip, dark inside, red for the rest."""
     along = np.arange(rows - 1) / (rows - 1)
     slots = np.where(along < 0.18, DARK, np.where(along < 0.46, CREAM, RED))
     return np.repeat(slots, segments)

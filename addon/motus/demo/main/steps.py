@@ -91,7 +91,10 @@ def foot(side, frame):
 
 
 def _standing(side, number, since):
-    """A foot that stands, so many frames after it has come down: it rolls over its heel and then over its ball."""
+    """The Step of a foot on the ground, which rolls over its heel and then over its ball.
+
+    side: "L" or "R". number: of the foot's contact with the ground. since: frames after that contact.
+    """
     is_last = number == len(CONTACTS[side]) - 1
     sole = 0.0 if _closes(side, number) else _smooth(ROLL, since)[0]
     pivot, turn = HEEL if sole > 0.0 else BALL, math.radians(sole)
@@ -121,7 +124,7 @@ def _matrix(side, step):
 
 
 def _smooth(rows, place):
-    """The values of rows (place, value, ...) at a place, by cubics whose slopes are those of the neighbours; held outside."""
+    """Interpolate rows (place, value, ...) at a place with cubic Hermite splines; constant before the first and after the last row."""
     places = [row[0] for row in rows]
     if place <= places[0]:
         return rows[0][1:]

@@ -35,7 +35,7 @@ def build(collection, rig):
 
 
 def place():
-    """The box's matrix in the armature, at rest."""
+    """Rest matrix of the remote control's box, in the armature's space."""
     return Matrix.Translation(PLACE) @ Matrix.Rotation(TILT, 4, "X")
 
 
@@ -87,7 +87,10 @@ def _box_mesh():
 
 
 def _bow(count):
-    """The least of bends, without which a tube does not know the plane that it lies in."""
+    """Offsets (count, 3) that bend a straight line of points by less than a millimetre.
+
+    On an exactly straight line the plane in which a tube's cross-section turns would be undefined.
+    """
     return np.outer(np.sin(np.linspace(0.0, math.pi, count)), (0.0004, 0.0, 0.0002))
 
 

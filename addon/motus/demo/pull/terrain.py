@@ -71,7 +71,7 @@ HEIGHTS = (
 
 
 def build(context, collection):
-    """Tray, sea and land, and the pins that raise it."""
+    """Add a tray with a sea and a land, and pins that raise the land into hills over time. Returns the land's object."""
     tray = shapes.link_object(collection, "Tray", _tray_mesh())
     tray.location, tray.rotation_euler.z = PLACE, TURN
     sea = shapes.link_object(collection, "Sea", _sea_mesh(), tray)
@@ -169,7 +169,7 @@ def _key(land):
 
 
 def _ground_material():
-    """Colours by the height above the sea and by the slope, as they are at the moment."""
+    """Material of the ground, coloured by height above the sea and by slope, both read from the deformed mesh at each frame."""
     material, shader, output = materials.new_material("Raised Ground")
     geometry = shader.add("ShaderNodeNewGeometry").outputs
     place = geometry["Position"]

@@ -35,7 +35,10 @@ BEAT_MIDDLE, BEAT_SWING = math.radians(30.0), math.radians(46.0)
 
 
 def build(collection, carrier, cycle):
-    """The butterfly on its carrier, nose along +Y; `cycle` frames hold a whole number of wing beats."""
+    """Add a butterfly, nose along +Y, as a child of the object that carries it along its path. Returns the body's object.
+
+    cycle: length of the animation's loop in frames, which holds a whole number of wing beats.
+    """
     body = shapes.link_object(collection, "Butterfly Body", _body_mesh(), carrier)
     mesh = _wing_mesh()
     for side, sign in (("Left", -1.0), ("Right", 1.0)):

@@ -93,7 +93,7 @@ def key_weight(entry):
 
 
 def pin_pace(carrier):
-    """Meeting pins: where on its course the butterfly is, and when."""
+    """Add meeting pins that fix at which frames the butterfly is at which fraction of its path. carrier: the object on the path."""
     for turn in (-1, 0, 1):
         for frame, fraction in PACE:
             result = bpy.ops.motus.path_pin_add(object=carrier.name, frame=frame + turn * CYCLE, fraction=fraction + turn)

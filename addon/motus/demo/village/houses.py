@@ -14,7 +14,11 @@ WINDOW_HEIGHT, FRONT = 1.35, 0.12
 
 
 class House(NamedTuple):
-    """place: x, y. size: of the walls. rise: of the roof. windows: places along the front, of its width."""
+    """One house of the village; lengths in metres.
+
+    place: x and y on the ground. turn: radians about Z. size: width, depth and height of the walls. rise: height of the roof
+    above the walls. windows, door: their places along the front, from its middle.
+    """
 
     place: tuple
     turn: float

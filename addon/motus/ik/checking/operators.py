@@ -73,7 +73,7 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
             )
 
     def _chosen(self, rig):
-        """The entries that are checked: looked up each time, since a script may change their list meanwhile."""
+        """The rig's IK entries that the operator checks. They are looked up by name each time, since a script may change the list."""
         return [rig.motus.ik.entries[name] for name in self._findings]
 
     def _without_good(self, told):

@@ -49,5 +49,5 @@ def register():
 
 
 def unregister():
-    """Take it back."""
+    """Unregister the Drag Chain tool."""
     toolbar.unregister(TOOLS)

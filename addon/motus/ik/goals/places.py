@@ -16,7 +16,7 @@ from . import stations
 
 
 class Others:
-    """Targets or poles that are no bones of the rig itself, by the rows of the entries that go to them."""
+    """Targets or poles of chains that are not bones of the rig itself: other objects and bones of other rigs, read together."""
 
     def __init__(self, goals, objects):
         """goals: as wired. objects: evaluated, one for each of the goals' other rows, or None."""
@@ -45,7 +45,7 @@ class Others:
 
 
 def read_targets(wired, others, posed, depsgraph, off):
-    """(C, 16) world matrices."""
+    """World matrices (C, 16) of the targets of all C chains of a group. off: {row: reason} gets the chains whose target is missing."""
     found = wired.no_targets.copy()
     if wired.targets.has_own:
         _take_own(found, wired.targets, posed)

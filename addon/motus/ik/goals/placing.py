@@ -131,10 +131,10 @@ def _pole_of_solution(solver, rows, entry, root, turned):
 
 
 def _poles_from(pole, solver, rows, root, wanted):
-    """(How far the chain comes to stand turned, pole), from a first pole on.
+    """Yield (error, pole) of rounds that improve a pole until the first bone has the wanted orientation.
 
-    The first one is right for a target at the animated pose's tip. Elsewhere, and within limits, the chain comes to it
-    turned: so much the pole is turned back.
+    error: sine of half the angle by which the first bone is off. pole: the place in world space, turned about the root against
+    the error of the round before. The first pole is exact only for a target at the tip of the animated pose, without limits.
     """
     for _ in range(ROUNDS):
         turn = _frame_of_first(solver, rows, pole) @ wanted.inverted()

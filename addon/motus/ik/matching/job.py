@@ -198,7 +198,10 @@ class _Wanted:
         )
 
     def passes(self):
-        """The controls, those that hang on others after these."""
+        """Lists of controls in the order in which to place them: a control comes after those that it depends on.
+
+        The controls of one list do not depend on each other.
+        """
         depth = {}
         by_place = {(control.object, control.bone): control for control in self._places}
         above = wiring.hanging(self._rig, by_place)

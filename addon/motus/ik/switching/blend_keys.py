@@ -39,7 +39,10 @@ def check_other(entry, number, goal):
 
 
 def place_next(entry, number, goal):
-    """Let `goal`, (object, bone), be the target after this number; returns whether it had to be put between others."""
+    """Make `goal`, (object, bone name), the further target after target `number` of a chain's Blend; add one if it is not there.
+
+    Returns whether a target was inserted before existing ones, whose numbers rise by 1.
+    """
     extras = entry.extra_targets
     if number < len(extras) and (pointed(extras[number], "object"), extras[number].bone) == goal:
         return False

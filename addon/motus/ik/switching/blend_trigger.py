@@ -87,9 +87,10 @@ def property_source(owner, path):
 
 
 def switch(rig, entry, goal, source, start, end, interpolation):
-    """Let Blend pass from the last target that there is a way to, to `goal`, while the source goes from start to end.
+    """Extend the driver of Blend so that it passes from its last target to `goal` while a trigger goes from start to end.
 
-    source: as output_source() gives it, or None for the frame. Returns the number of the target that it leaves.
+    source: the trigger, from output_source(); None for the scene's frame. Returns the number of the target that Blend leaves.
+    Raises Refused if the trigger cannot drive Blend.
     """
     if source:
         _check_no_own_setting(rig, *source[1:])

@@ -65,7 +65,10 @@ class Shape:
         return (topology is None) == (self._topology is None) and all(map(_same, *zip(*pairs)))
 
     def find(self, row):
-        """Find a pin's root and reach: (root or None, status, Reached or None)."""
+        """Find the vertex that a pin pulls and the vertices that it reaches: (vertex or None, status, Reached or None).
+
+        status: OK, or why the vertex cannot be found.
+        """
         return self._found.made(row.where, lambda: self._find(row))
 
     def _find(self, row):

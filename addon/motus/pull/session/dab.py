@@ -166,7 +166,10 @@ class Session:
             self._build_on_start()
 
     def displacement(self, vertex, sign=1.0, view=None):
-        """World vector by which the brush moves a root. view: world direction to the viewer. May raise Refused."""
+        """World-space vector by which the brush moves the vertex that is pulled. May raise Refused.
+
+        vertex: its index. sign: -1 to push. view: world direction to the viewer, for the direction View.
+        """
         brush, space = self.brush, self.space
         if brush.direction in AXIS_INDEX:
             local = np.eye(3)[AXIS_INDEX[brush.direction]]
@@ -236,7 +239,7 @@ class Session:
         return True
 
     def flush(self):
-        """Write the changes into the mesh that pull(write=False) and smooth(write=False) have left."""
+        """Write shape changes that pull(write=False) and smooth(write=False) have only computed into the mesh."""
         if not self._unwritten:
             return
         moved = None
@@ -264,7 +267,7 @@ class Session:
         self._history = History()
 
     def finish(self):
-        """Finish the mesh; returns whether anything has changed. The session may begin again afterwards."""
+        """Write all changes into the mesh and update it; returns whether anything has changed. Another stroke may begin afterwards."""
         self.flush()
         self.mesh.finish()
         return self.has_changed

@@ -19,7 +19,10 @@ class Puller:
         self.reopen(mesh, space)
 
     def reopen(self, mesh, space):
-        """Continue on a newly opened view of the same mesh: hidden and masked vertices are read again, vertex groups are not."""
+        """Continue with the same mesh after it was opened anew; reads hidden and masked vertices again, but not vertex groups.
+
+        mesh: access to the mesh's data, from open_mesh(). space: the object's transform.
+        """
         self._mesh, self._space = mesh, space
         self._planes = clipping.planes(mesh.obj)
         self._weights = {}

@@ -66,7 +66,7 @@ def read_now(context):
 
 
 def take(context):
-    """Take the kept session for a stroke that begins now; None if there is none. Raises Refused."""
+    """Hand over the session that was kept under the resting mouse for a stroke; None if it does not fit the object. Raises Refused."""
     if _kept.get("key") != _key(context.object):
         return None
     found = _kept.pop("session")

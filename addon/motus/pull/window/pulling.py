@@ -172,7 +172,7 @@ class Pulling:
         return status.GRABBING_KEYS if self.brush.direction == 'CURSOR' else status.SESSION_KEYS
 
     def close(self, context):
-        """Remove the texts from the headers, and the timer."""
+        """End the modal operation: the stroke with its timer, and the texts in the viewports' headers and the status bar."""
         self._end_stroke()
         stage.leave(self)
         for area in self._viewports():

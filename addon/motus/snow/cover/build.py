@@ -11,7 +11,7 @@ from . import look, sources
 
 
 def system():
-    """The registered System."""
+    """The System of snow covers in the registry of systems."""
     return registered["snow_cover"]
 
 

@@ -14,10 +14,10 @@ _grounds = keeping.OfFile(
 
 
 class Ground(NamedTuple):
-    """Surfaces that snow lies on, with what shelters them.
+    """Surfaces that carry a snow cover, together with the objects that shelter these surfaces from flakes.
 
-    collider: the native SnowCollider of the surfaces and what shelters them. layer: the SnowLayer of the surfaces alone,
-    whose vertices come first among the vertex_count ones of the collider.
+    collider: native SnowCollider of surfaces and sheltering objects, with vertex_count vertices; those of the surfaces come first.
+    layer: native SnowLayer of the surfaces alone.
     """
 
     collider: Any

@@ -122,7 +122,10 @@ def _check_emitter(obj):
 
 
 def _let_land(emitters, surfaces, collection):
-    """Let flakes land that land on nothing as yet."""
+    """Let the flakes of each emitter without colliders land on these surfaces; linked emitters are left unchanged.
+
+    collection: collection of colliders that the emitters get, or None. surfaces: list of objects.
+    """
     for emitter in emitters:
         snow = emitter.motus.snow
         if emitter.library or colliders.are_any(snow):

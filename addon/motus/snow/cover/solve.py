@@ -185,6 +185,6 @@ def _fall(context, emitter, pull, scenery):
 
 
 def births_until(snow, seconds):
-    """How many flakes an emitter lets fall until then, about."""
+    """Approximate number of flakes that an emitter has released by a time. seconds: time since the emitter's start frame."""
     since = max(0.0, seconds - snow.delay)
     return snow.rate * (since if snow.looping else min(since, snow.duration)) + snow.burst

@@ -50,7 +50,12 @@ class Fall(NamedTuple):
 
 
 class Plan(NamedTuple):
-    """All that a cover follows from, hashable, but for the time."""
+    """Everything that a snow cover is computed from, except the time; hashable.
+
+    lain_on, shelters: meshes that carry snow, and meshes that only shelter them. resolution: edge length of the refined surface, m.
+    up: direction against gravity. falls: a Fall for each emitter. volume: of the snow of one flake, m^3.
+    repose: angle of repose, radians. smoothing: rounds of smoothing.
+    """
 
     lain_on: tuple
     shelters: tuple
@@ -158,7 +163,7 @@ def steps(name, plan):
 
 
 def part_count(plan):
-    """How many parts the work has."""
+    """Number of parts in which the cover's computation is done, for the progress of an operator."""
     return 1 + (PARTS + 1) * len(plan.falls)
 
 

@@ -79,7 +79,10 @@ class _Parts:
         self.add(rings.reshape(-1, 3), faces + ends, found + last, bone, is_smooth)
 
     def ball(self, middle, radii, material, bone, **keywords):
-        """An ellipsoid, along Y. material: one, or a function of the ring and the side."""
+        """Add an ellipsoid whose poles lie along Y. middle, radii: x, y and z of its centre and half-axes.
+
+        material: index of a material slot, or a function of (ring, side) that gives one. bone: the bone that it moves with.
+        """
         turns = np.linspace(0.08, math.pi - 0.08, _RINGS + 1)
         angles = 0.5 * math.pi - np.arange(_SIDES + 1) * 2.0 * math.pi / (_SIDES + 1)
         rings = np.stack(

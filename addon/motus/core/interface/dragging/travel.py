@@ -34,7 +34,7 @@ class Travel:
         self._grabbed = self._under()
 
     def follow(self, event):
-        """The mouse has moved."""
+        """Update the displacement of the dragged point after a mouse move; a number that is being typed keeps it fixed."""
         mouse = Vector((event.mouse_x, event.mouse_y))
         self._pointed = self._pointed + (mouse - self._mouse) * (FINE if event.shift else 1.0)
         self._mouse = mouse

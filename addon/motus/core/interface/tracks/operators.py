@@ -26,7 +26,7 @@ _WHAT = Rows((Row("transform", when=lambda operator: not operator.data_path),))
 
 
 class _OfATrack(OfADatablock, Operator):
-    """Mixin with the keywords that name a track."""
+    """Mixin of operators on a track: the motion of an object, bone or property over time. It declares the keywords that name the track."""
 
     bone: bpy.props.StringProperty(name="Bone", description="Name of a bone; empty means the object itself", options={'SKIP_SAVE'})
     transform: bpy.props.EnumProperty(

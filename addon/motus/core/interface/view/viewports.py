@@ -137,11 +137,11 @@ def seen_place(context, place):
 
 
 class PerViewport:
-    """Something of each 3D viewport, for as long as that is there.
+    """Storage of one value for each 3D viewport, removed when the viewport is closed.
 
-    A viewport is its space, which stays what it is where an area is maximised, and is known by its address. Another one may have
-    the address afterwards. So what is kept of those that are gone is dropped whenever anything is asked for, as headers do that
-    are drawn, and when a file was opened, whose viewports Blender makes before it takes the old ones away.
+    The key is the memory address of the SpaceView3D, which stays the same while the area is maximised. Blender may reuse the address
+    of a closed viewport. Values of closed viewports are therefore removed before each access, and after a file was loaded: Blender
+    creates the viewports of a new file before it frees the old ones.
     """
 
     _all = []
@@ -165,7 +165,7 @@ class PerViewport:
         return self._kept.pop(space.as_pointer(), None)
 
     def drop_gone(self):
-        """Drop what is kept of viewports that are there no more."""
+        """Remove the stored values of viewports that were closed."""
         if self._kept:
             there = {space.as_pointer() for space in all_spaces()}
             for gone in self._kept.keys() - there:
@@ -209,7 +209,7 @@ class _Named(NamedTuple):
     library: Any
 
     def object(self):
-        """The object; None where there is none of the name any more."""
+        """The object with this name and library; None if it was deleted or renamed."""
         return bpy.data.objects.get((self.name, self.library))
 
 

@@ -60,7 +60,10 @@ def depends(obj, bone, rig, bones):
 
 
 def hanging(rig, places):
-    """{place: those of the others that it moves with} of places (object, bone or ""), with the entries on a rig wired."""
+    """{place: the other places on which its transform depends}, with the dependencies through the entries that are set up on `rig`.
+
+    places: (object, bone or "").
+    """
     graph, found = _Graph(rig), {}
     nodes = {place: set(_place(*place)) for place in places}
     for place in places:
@@ -232,7 +235,7 @@ class _Graph:
         return self._solved[obj]
 
     def _is_sink(self, obj, constraint):
-        """Whether a constraint is a sink of an entry: what that depends on, the entry says itself."""
+        """Whether a constraint of `obj` applies the result of an Entry; its dependencies are those that the Entry declares."""
         found = (marks.read(system, constraint) for system in _with_entries())
         if any(self._has_entries(mesh) for mesh, _ in filter(None, found)):
             return True

@@ -32,7 +32,10 @@ def prepare(system, owner):
 
 
 def call_again(system, owner):
-    """Have the owner's solvers called with its present settings; returns whether there are as many members as were wired."""
+    """Tag an owner, so that its solvers run again with the present settings.
+
+    Returns False if the number of members has changed since the owner was set up, which has to be set up again then.
+    """
     owner.update_tag()
     for _, hub in hub_lookup.hubs(system, owner):
         hub.data.update_tag()

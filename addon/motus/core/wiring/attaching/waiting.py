@@ -55,7 +55,7 @@ def _proxy_for(targets):
 
 
 def release_proxy(settings):
-    """Let go of the proxy; the last one to do so removes it."""
+    """Unset the order proxy in the settings, and remove its object from the file if nothing else uses it."""
     proxy = pointed(settings, "order_proxy")
     settings.property_unset("order_proxy")
     if proxy and proxy.users == 0:

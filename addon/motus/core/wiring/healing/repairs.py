@@ -253,7 +253,7 @@ def _release_joined(grown, _event):
 
 
 def _discard(rig):
-    """Remove a rig that is kept alive by its hubs and proxies alone, and they by it."""
+    """Remove a rig that is in no collection, with its hubs and order proxies; only these helpers still use the rig."""
     for system in systems():
         for hub in [hub for _, hub in hub_lookup.hubs(system, rig) if hub_lookup.is_own_hub(hub, rig)]:
             bpy.data.meshes.remove(hub.data)
@@ -418,5 +418,5 @@ _AT = {moment: tuple(one for one in TABLE if moment in one.moments) for moment i
 
 
 def at(moment):
-    """The repairs that are looked for at a moment."""
+    """The repairs whose conditions are tested at a moment, such as LOADED or SAVING, in the order in which they are made."""
     return _AT[moment]

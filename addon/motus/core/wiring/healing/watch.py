@@ -16,7 +16,7 @@ class Noticed:
         self.reset()
 
     def reset(self):
-        """Forget what belongs to the file."""
+        """Discard all that was noticed, since a different file is open."""
         self.in_use = False
         """Whether any solver was called. Until then nothing of Motus in the file can need a repair."""
         self.object_count = -1
@@ -47,9 +47,10 @@ class Noticed:
         self.in_use = True
 
     def note_state(self, place, state):
-        """Called by an owner's solver, or after the evaluation if owners share one, with what tells changes.
+        """Compare the state of an owner with the last one noted; mark the owner as changed if they differ.
 
-        state: (number of the owner's drivers, whether animation moves settings that count).
+        place: (name of the system, name of the owner). state: (number of the owner's drivers, whether relevant settings are animated).
+        Solvers call it; if several owners share one solver, it is called after the evaluation.
         """
         if self.states.get(place) != state:
             self.states[place] = state
@@ -65,13 +66,13 @@ class Noticed:
         self.rows[system.name, name] = rows
 
     def note_orphan(self, hub):
-        """Called by the solver with an evaluated hub's mesh whose owner is gone: copies of that owner may hang on the hub."""
+        """Note a hub whose owner was deleted; copies of that owner may still depend on the hub. hub: evaluated mesh of the hub."""
         if hub.name not in self.orphans:
             self.orphans.add(hub.name)
             self.object_count = -1
 
     def note_unsettled(self, system, owner):
-        """Called by the solver of an evaluated owner: System.settle is called with the original after the evaluation."""
+        """Request that System.settle is called with the original of an evaluated owner after the evaluation. Solvers call it."""
         if not owner.library:
             self.unsettled.add((system.name, owner.name))
 

@@ -73,7 +73,7 @@ class Info:
 
 
 class Layout(NamedTuple):
-    """What lies where in an outbox. base: where the poses begin."""
+    """Arrangement of the values in an outbox, the float array with a solver's results. base: index of the first pose."""
 
     base: int
     members: int

@@ -35,7 +35,10 @@ def serves(system):
 
 
 def prepare(system, mesh, owner, group):
-    """Give a hub's mesh one point and one matrix a member. Called before the members have sinks."""
+    """Give the helper mesh of a hub one vertex and one 4x4 matrix attribute value for each member of a group.
+
+    It has to be called before the members get their Geometry Attribute constraints.
+    """
     mesh.vertices.add(len(group.members))
     mesh.attributes.new(ATTRIBUTE, 'FLOAT4X4', 'POINT')
     mesh[STILL_KEY] = [_kind(system, member, owner) for member in group.members]

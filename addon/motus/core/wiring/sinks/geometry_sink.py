@@ -78,7 +78,10 @@ def is_stale(system, owner):
 
 
 def is_cut_off(system, owner):
-    """Whether the modifier brings in what another hub holds: an override that has another node group loses what it was given (5.2)."""
+    """Whether the owner's Geometry Nodes modifier reads a hub object that is not the owner's own.
+
+    In Blender 5.2 a library override loses the input of a modifier whose node group it replaces.
+    """
     found = modifier(system, owner)
     return (
         found is not None
@@ -149,7 +152,7 @@ def _move_first(owner, found):
 
 
 def _form_of(system, group):
-    """Which of its kind's forms a group is, by its inputs; None where somebody has removed one of them."""
+    """Variant of the system's node group to which `group` belongs, told by its input sockets; None if sockets were removed."""
     return next(
         (
             form

@@ -38,7 +38,11 @@ _known = keeping.OfProcess("what a hub's mesh notes of driven properties, or Dam
 
 
 class Note(NamedTuple):
-    """slot: of the outbox. path, index: of the Property. base: the property's value without keys."""
+    """Record of one driven property, stored in the hub.
+
+    slot: index of its value in the outbox, the float array of the solver's results. path, index: as those of a Property.
+    base: value of the property without keys.
+    """
 
     slot: int
     path: str
@@ -55,7 +59,7 @@ class Place(NamedTuple):
 
     @property
     def driver(self):
-        """Its driver, or None."""
+        """F-curve of the driver on the property; None if it has no driver."""
         found = self.id_data.animation_data
         return found and found.drivers.find(self.data_path, index=max(self.number.index, 0))
 
@@ -88,7 +92,10 @@ def check_property(obj, path, index=-1):
 
 
 def add(system, owner, group, hub, is_off=False):
-    """Drive the properties of a group that may be driven by its outputs. is_off: know them, but leave them alone."""
+    """Add drivers to the properties of a group, so that the group's outputs set them; properties that cannot be driven are skipped.
+
+    is_off: store the list of properties in the hub, but add no drivers.
+    """
     if not group.properties:
         return
     notes = []
@@ -119,7 +126,11 @@ def _drive(system, group, found, mesh, slot):
 
 
 def waits(group):
-    """Variables that wait for the copies of what the properties lie on, from which their keys are read, but not for the properties."""
+    """Yields driver Variables that make the solver wait until Blender has copied the datablocks of a group's driven properties.
+
+    The solver reads the properties' keys from these evaluated copies. It does not wait for the properties themselves: that would be
+    a dependency cycle.
+    """
     for id_data in dict.fromkeys(_datablocks(group)):
         copies.mark(id_data)
         holder, path = datablocks.named_by(id_data, f'["{copies.KEY}"][0]')

@@ -53,7 +53,7 @@ def solver_of(carrier, name):
 
 
 class Solver:
-    """Solves one group of a system for the owner of the carrier."""
+    """Computes one group of a system in each evaluation. carrier: the evaluated mesh with the solver's driver and results."""
 
     def __init__(self, system, key, carrier):
         found = outbox.opened(system, carrier, key)
