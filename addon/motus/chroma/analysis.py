@@ -1,4 +1,4 @@
-"""Measure the screen of a footage: its colour, its quality for keying, and warnings on it."""
+"""Measure the green or blue screen in footage: its colour, how well it can be keyed, and warnings."""
 
 from mathutils import Color
 
@@ -8,13 +8,16 @@ from ..core.translations import tr
 from . import footage
 
 UNEVEN, COLORED, SMALL, SPILLED = 0.6, 0.12, 0.1, 0.15
-"""Thresholds of a report; a screen beyond one of them gets a warning."""
+"""Limits of values in a measurement report; a screen with a value beyond one of the limits gets a warning."""
 _MARGIN = 1.25
-"""Factor on the distance of the clip levels from the measured ones, since other frames differ from the measured frame."""
+"""Factor on the clip levels' distances from 0 and 1: frames that were not measured differ from the measured frame."""
 
 
 def measure(image, color=None, balance=0.0, gain=1.0):
-    """Measure the screen of an image: (colour, report). The colour can be given; otherwise it is found. Raises Refused."""
+    """Measure the green or blue screen in an image: (colour, report of the native screen_report()).
+
+    color: the screen's colour; None to search for it. Raises Refused if no screen is found, or the colour is neither green nor blue.
+    """
     picture = footage.pixels(image)
     found = native.module.screen_color(picture) if color is None else color
     if found is None:
@@ -24,7 +27,7 @@ def measure(image, color=None, balance=0.0, gain=1.0):
 
 
 def is_keyable(color):
-    """Whether a colour is green or blue enough to be a screen's."""
+    """Whether a colour is green or blue enough to be a screen's colour."""
     try:
         native.module.screen_matte(_PIXEL, color)
     except ValueError:
@@ -33,7 +36,7 @@ def is_keyable(color):
 
 
 def check_color(color):
-    """Refuse a colour that is not green or blue enough to be a screen's."""
+    """Raise Refused if a colour is not green or blue enough to be a screen's colour."""
     if not is_keyable(color):
         raise Refused(tr("A screen is green or blue: this colour is {hue}").format(hue=_hue(color)))
 
@@ -42,7 +45,7 @@ _PIXEL = (((0.0, 0.0, 0.0, 1.0),),)
 
 
 def _hue(color):
-    """Name of the hue of a colour that is neither green nor blue."""
+    """Name, in the language of the user, of the hue of a colour that is neither green nor blue."""
     hue, saturation, _ = Color([min(max(part, 0.0), 1e6) for part in color]).hsv
     if saturation < 0.1:
         return tr("grey or white")
@@ -61,17 +64,17 @@ def another_color(image, keys):
 
 
 _LEFT = 0.1
-"""Pixels whose matte is at most this much above a key's clip black belong to that key's screen."""
+"""Pixels whose matte exceeds a key's black level by at most this value count as that key's screen."""
 
 
 def clip_levels(report):
-    """Clip levels (black, white) that make the screen transparent and leave the subject opaque."""
+    """Return clip levels (black, white) that make the measured screen transparent and leave the subject opaque."""
     black = min(_MARGIN * report["black"], 0.9)
     return black, max(1.0 - _MARGIN * (1.0 - report["white"]), black + 0.05)
 
 
 def sentences(noted):
-    """Warnings on the measured screen. noted: settings of the scene."""
+    """Yield the warnings about the measured screen. noted: settings of the scene that store the measurements."""
     if noted.share < SMALL:
         yield tr("The screen fills only {percent} % of the picture").format(percent=f"{100.0 * noted.share:.0f}")
     if noted.luminance_spread > UNEVEN:

@@ -1,4 +1,4 @@
-"""Insert the key's nodes into a scene's compositor tree, before its output, and remove them again."""
+"""Insert the nodes of a chroma key into a scene's compositor tree, before its output node, and remove them again."""
 
 import bpy
 
@@ -8,13 +8,13 @@ from ..core.translations import tr
 from . import footage, group, settings
 
 FOREGROUND, BACKGROUND, MASK, RENDER, VIEWER = "Footage", "Background", settings.MASK, "Render", "Viewer"
-"""Roles of nodes: those that read the pictures and the mask, and the viewer of the result."""
+"""Roles of nodes (values of the custom property group.KEY): footage, background, mask, render, and the viewer of the result."""
 _KEY, _ANOTHER = "Key", "Another Key"
-"""Roles of key nodes: the key whose picture is rendered, and keys of more colours, which the footage passes through first."""
+"""Roles of key nodes: the key whose picture is rendered, and keys of further colours, which the footage passes first."""
 
 
 def tree_of(scene):
-    """Compositor tree of a scene, or None. Before Blender 5 the tree may be switched off."""
+    """Compositor tree of a scene; None if there is none. Before Blender 5 the tree may exist while nodes are switched off."""
     return scene.compositing_node_group if capabilities.has_compositing_group() else scene.node_tree
 
 
@@ -24,33 +24,39 @@ def key_of(scene):
 
 
 def keys_of(scene):
-    """Nodes of all keys of a scene: the key whose picture is rendered, then the others in the order in which they were added."""
+    """Return the nodes of all keys of a scene: the key whose picture is rendered, then the remaining keys in the order of adding."""
     tree = tree_of(scene)
     found = [node for node in tree.nodes if node.type == 'GROUP' and group.is_group(node.node_tree)] if tree else []
     return sorted(found, key=lambda node: node.get(group.KEY) == _ANOTHER)
 
 
 def active_key(scene):
-    """Node of the key that the panel shows, or None."""
+    """Node of the key that the panel shows; None if the scene has no key."""
     found = keys_of(scene)
     return found[min(max(scene.motus.chroma.active_key, 0), len(found) - 1)] if found else None
 
 
 def show(scene, view):
-    """Show a view of the scene's key. For the view of the footage all other keys pass the footage through."""
+    """Make the keys of a scene output a view, one of group.VIEWS.
+
+    Further keys output their composite; for the view SOURCE they pass the footage through unchanged.
+    """
     for node in keys_of(scene):
         is_rendered = node.get(group.KEY) != _ANOTHER
         group.show(node.node_tree, view if is_rendered or view == group.SOURCE else group.COMPOSITE)
 
 
 def node_of(scene, role):
-    """The node of a role that was added to the scene's tree, or None."""
+    """The node that was added to the scene's compositor tree with this role; None if there is none."""
     tree = tree_of(scene)
     return next((node for node in tree.nodes if node.get(group.KEY) == role), None) if tree else None
 
 
 def prepared(scene, noted):
-    """The scene's compositor tree, created if there is none. noted: settings of the scene, which store what was created."""
+    """Return the compositor tree of a scene; create it, or switch nodes on, if necessary.
+
+    noted: settings of the scene, which store what was created. Raises Refused if the tree is linked from a different file.
+    """
     tree = tree_of(scene)
     if tree is not None and tree.library:
         raise Refused(tr("The compositor's nodes are linked from another file"))
@@ -70,7 +76,7 @@ def prepared(scene, noted):
 
 
 def _is_as_made(scene, tree):
-    """Whether a tree has nothing but the scene's render and an output, as Blender creates it."""
+    """Whether a tree only has a Composite node and a Render Layers node for the scene, as Blender creates it."""
     kinds = sorted(node.bl_idname for node in tree.nodes)
     return kinds == ["CompositorNodeComposite", "CompositorNodeRLayers"] and all(
         node.scene == scene and node.layer == scene.view_layers[0].name for node in tree.nodes if node.type == 'R_LAYERS'
@@ -78,7 +84,7 @@ def _is_as_made(scene, tree):
 
 
 def _show_render(scene, tree):
-    """Connect the output of a new tree with the scene's render."""
+    """Add a Render Layers node to a new tree if it has none, and connect it with the tree's output."""
     if not any(node.type == 'R_LAYERS' for node in tree.nodes):
         node = tree.nodes.new("CompositorNodeRLayers")
         node.scene = scene
@@ -86,9 +92,11 @@ def _show_render(scene, tree):
 
 
 def insert(scene, tree, key_group, image, background, wanted, mask, noted):
-    """Insert the key into a tree before its output; returns the key's node.
+    """Insert a key into a compositor tree before its output; returns the key's node.
 
-    wanted: what lies underneath. background: image that lies underneath if wanted is 'FOOTAGE'.
+    key_group: node group of the key. image: the footage. wanted: what lies behind the keyed footage: 'RENDER', 'FOOTAGE' or 'NOTHING'.
+    background: image behind it if wanted is 'FOOTAGE'. mask: garbage mask, or None. noted: settings of the scene, which store the previous
+    source of the output.
     """
     target = _target(tree)
     if noted.is_tree_made and wanted != 'RENDER':
@@ -117,13 +125,13 @@ def insert(scene, tree, key_group, image, background, wanted, mask, noted):
 
 
 def add_mask(scene, key, name, mask):
-    """Connect a mask, or the picture of an image, to an input of a key."""
+    """Connect a Mask datablock, or the picture of an image, to the input `name` of a key's node; a previous mask is removed."""
     tree = tree_of(scene)
     remove_mask(scene, key, name)
     if isinstance(mask, bpy.types.Image):
         _link_image(scene, tree, name, mask, 'FIT', key.inputs[name])
     else:
-        # In 4.3 a Mask node without a mask is white everywhere.
+        # In Blender 4.3 a Mask node without a mask is white everywhere.
         node = _mark(tree.nodes.new("CompositorNodeMask"), name, name)
         node.mask = mask
         node_groups.link(tree, node.outputs[0], key.inputs[name])
@@ -131,7 +139,7 @@ def add_mask(scene, key, name, mask):
 
 
 def mask_of(scene, key, name):
-    """Node that brings the mask of one input of a key; None without a mask."""
+    """Mask or Image node that is connected to the input `name` of a key's node, directly or through nodes; None if there is none."""
     socket = key.inputs.get(name)
     node = next((link.from_node for link in tree_of(scene).links if link.to_socket == socket), None)
     while node is not None and not (hasattr(node, "mask") or hasattr(node, "image")):
@@ -140,7 +148,7 @@ def mask_of(scene, key, name):
 
 
 def remove_mask(scene, key, name):
-    """Remove the mask of one input of a key, and the nodes that were added for the mask."""
+    """Disconnect the input `name` of a key's node, and remove the nodes that were added for its mask."""
     tree = tree_of(scene)
     node, socket = mask_of(scene, key, name), key.inputs.get(name)
     for link in [link for link in tree.links if link.to_socket == socket]:
@@ -152,7 +160,7 @@ def remove_mask(scene, key, name):
 
 
 def add_key(scene, key_group):
-    """Add a key that the footage passes through before the key whose picture is rendered; returns its node."""
+    """Insert a further key between the footage and the key whose picture is rendered; returns the new key's node."""
     tree, first = tree_of(scene), key_of(scene)
     count = len(keys_of(scene))
     source = next((link.from_socket for link in tree.links if link.to_socket == first.inputs["Image"]), None)
@@ -166,7 +174,7 @@ def add_key(scene, key_group):
 
 
 def remove_key(scene, key):
-    """Remove one of several keys with its masks, and connect its source to its targets."""
+    """Remove one of several keys with its masks, and connect the nodes before it with the nodes behind it."""
     tree = tree_of(scene)
     for name in (settings.MASK, settings.CORE_MASK):
         remove_mask(scene, key, name)
@@ -180,7 +188,10 @@ def remove_key(scene, key):
 
 
 def exchange(scene, key, key_group):
-    """Replace the node group of a key's node; links to sockets with the same names stay. Remove the old group with drop_group()."""
+    """Replace the node group of a key's node, and restore links to sockets whose names both groups have.
+
+    The old group is not removed; drop_group() removes it.
+    """
     tree = tree_of(scene)
     sources = [(link.from_socket, link.to_socket.name) for link in tree.links if link.to_node == key]
     targets = [(link.from_socket.name, link.to_socket) for link in tree.links if link.from_node == key]
@@ -194,13 +205,13 @@ def exchange(scene, key, key_group):
 
 
 def drop_group(key_group):
-    """Remove a key's node group if no node uses it any more."""
+    """Remove a key's node group from the file if no node uses it any more."""
     if key_group.users == 0:
         bpy.data.node_groups.remove(key_group)
 
 
 def underneath(scene):
-    """What lies underneath a scene's key: 'RENDER', 'FOOTAGE' or 'NOTHING'."""
+    """What lies behind the keyed footage of a scene: 'RENDER', 'FOOTAGE' or 'NOTHING'."""
     key = key_of(scene)
     link = next((link for link in tree_of(scene).links if link.to_node == key and link.to_socket.name == "Background"), None)
     if link is None:
@@ -209,7 +220,10 @@ def underneath(scene):
 
 
 def lay_underneath(scene, wanted, noted):
-    """Replace what lies underneath a scene's key. With 'FOOTAGE' the new Image node has no image yet: the user chooses one in the panel."""
+    """Change what lies behind the keyed footage of a scene. wanted: 'RENDER', 'FOOTAGE' or 'NOTHING'.
+
+    For 'FOOTAGE' the new Image node has no image: the user chooses one in the panel.
+    """
     tree, key = tree_of(scene), key_of(scene)
     if "Background" in key.inputs:
         _lay(scene, tree, key, wanted, None, noted)
@@ -217,7 +231,7 @@ def lay_underneath(scene, wanted, noted):
 
 
 def _lay(scene, tree, key, wanted, background, noted):
-    """Connect the wanted background, and remove the nodes of the previous one."""
+    """Connect the wanted background to the key's node, after the nodes of the previous background are removed."""
     target = key.inputs["Background"]
     for link in [link for link in tree.links if link.to_socket == target]:
         tree.links.remove(link)
@@ -235,7 +249,7 @@ def _lay(scene, tree, key, wanted, background, noted):
 
 
 def remove(scene, noted):
-    """Remove the key's nodes, and connect the output with its previous source."""
+    """Remove all key nodes from a scene's compositor tree, and connect its output with the source that it had before."""
     tree = _own_tree(scene)
     groups = {node.node_tree for node in keys_of(scene)}
     if tree is not None:
@@ -254,9 +268,9 @@ def remove(scene, noted):
 
 
 def _drop_viewed():
-    """Remove the picture that Blender keeps for all Viewer nodes, if the file has no Viewer node any more.
+    """Remove the image datablock of Viewer nodes, if no Viewer node of the file remains.
 
-    Blender 3.4 counts one user too many for this picture.
+    Blender 3.4 counts one user too many for this image.
     """
     trees = [tree for tree in map(tree_of, bpy.data.scenes) if tree is not None]
     if any(node.bl_idname == "CompositorNodeViewer" for tree in trees for node in tree.nodes):
@@ -266,7 +280,7 @@ def _drop_viewed():
 
 
 def _own_tree(scene):
-    """Compositor tree that only this scene uses: a copy if scenes share the tree, as copies of a scene do from Blender 5 on."""
+    """Return a scene's compositor tree; if scenes share the tree (copied scenes do from Blender 5 on), give this scene a copy."""
     tree = tree_of(scene)
     if tree is not None and any(other != scene and tree_of(other) == tree for other in bpy.data.scenes):
         tree = scene.compositing_node_group = tree.copy()
@@ -274,7 +288,7 @@ def _own_tree(scene):
 
 
 def _take_back_tree(scene, tree, noted):
-    """Remove a tree that was created for the key, unless the user has added nodes; switch a tree off that was switched off before."""
+    """Remove a compositor tree that was created for the key, unless it has more nodes now; switch nodes off if they were off before."""
     if noted.is_tree_made:
         if len(tree.nodes) > 2 or outlet(tree) is None:
             return
@@ -294,7 +308,7 @@ def _noted_source(tree, noted):
 
 
 def outlet(tree):
-    """Input socket of the output node that is rendered, or None."""
+    """Input socket of the tree's active output node; None if there is none."""
     kind = "NodeGroupOutput" if capabilities.has_compositing_group() else "CompositorNodeComposite"
     ends = [node for node in tree.nodes if node.bl_idname == kind]
     ends.sort(key=lambda node: not getattr(node, "is_active_output", True))
@@ -303,7 +317,7 @@ def outlet(tree):
 
 
 def _target(tree):
-    """Input socket of the output node that is rendered; the socket and its node are created if they are missing."""
+    """Return the input socket of the tree's active output node; create the node and the socket if they are missing."""
     found = outlet(tree)
     if found is not None:
         return found
@@ -329,7 +343,7 @@ def _mark(node, role, label):
 
 
 def show_image(scene, node, image):
-    """Set the image of an Image node; a film plays at its own speed."""
+    """Assign an image to an Image node; a film plays at its own frame rate."""
     node.image = image
     if image is None:
         node.frame_duration, node.frame_start, node.use_auto_refresh = footage.LAST_FRAME, 1, True
@@ -341,7 +355,10 @@ def show_image(scene, node, image):
 
 
 def _link_image(scene, tree, role, image, framing, target):
-    """Add an Image node for a picture or film, with the nodes that scale it to the size of the render."""
+    """Add an Image node and the nodes that scale it to the render size, and connect them to the socket `target`.
+
+    role: name for the new nodes. framing: 'FIT' or 'CROP'.
+    """
     node = _mark(tree.nodes.new("CompositorNodeImage"), role, role)
     source = node.outputs["Image"]
     if not capabilities.has_premultiplied_images():
@@ -376,11 +393,11 @@ _COLUMNS = {
     _KEY: (420.0, 60.0),
     VIEWER: (700.0, -60.0),
 }
-"""Positions of nodes relative to the key, by their roles."""
+"""Positions of nodes in the key's frame, by role."""
 
 
 def _arrange(tree, key):
-    """Place new nodes around a key, in the key's frame."""
+    """Move new nodes into the frame of a key's node, to the positions that belong to their roles."""
     left, low = key.location.x - _COLUMNS[_KEY][0], key.location.y - _COLUMNS[_KEY][1]
     for node in tree.nodes:
         if node.get(group.KEY) in _COLUMNS and node != key and node.parent is None:

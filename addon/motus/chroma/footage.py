@@ -1,4 +1,4 @@
-"""Footage: films, image sequences and stills, all kept as image datablocks, and their scene-linear pixels."""
+"""Footage (films, image sequences and stills, all kept as Image datablocks) and its scene-linear pixels."""
 
 import contextlib
 import os
@@ -14,14 +14,17 @@ from ..core.translations import tr
 from . import group
 
 MOST = 512
-"""Most pixels across and down that are measured; of a larger picture evenly spread pixels are taken."""
+"""Largest number of pixels across and down that are measured; a larger picture is thinned out evenly."""
 LAST_FRAME = 1048574
-"""Largest frame number in Blender."""
+"""Blender's largest frame number."""
 _LINEAR = {"Linear", "Linear Rec.709", "scene_linear", "Non-Color", "Raw"}
 
 
 def find(name):
-    """Image of this name, image of the movie clip of this name, or image from the file at this path. Raises Refused."""
+    """Return the image of this name, the image of the movie clip of this name, or an image loaded from the file at this path.
+
+    Raises Refused if nothing is found or the picture cannot be read.
+    """
     found = bpy.data.images.get(name)
     if found is None and name in bpy.data.movieclips:
         name = bpy.data.movieclips[name].filepath
@@ -33,7 +36,10 @@ def find(name):
 
 
 def find_chosen(folder, names):
-    """Image from files that the user has chosen together: a sequence if several files are numbered. Raises Refused."""
+    """Return an image for the files that a user has chosen in a folder; several numbered files give an image sequence.
+
+    Raises Refused if several files are no numbered sequence.
+    """
     if len(names) == 1:
         return find(os.path.join(folder, names[0]))
     parts = [_numbered(name) for name in names]
@@ -42,7 +48,7 @@ def find_chosen(folder, names):
     first = os.path.join(folder, min(zip(parts, names), key=lambda one: int(one[0][1]))[1])
     found = next((image for image in bpy.data.images if image.source == 'SEQUENCE' and bpy.path.abspath(image.filepath) == first), None)
     if found is None:
-        found = _loaded(first, check_existing=False)  # an image of this file that is a still remains a still
+        found = _loaded(first, check_existing=False)  # do not turn an existing still of this file into a sequence
         found.source = 'SEQUENCE'
     return found
 
@@ -65,19 +71,19 @@ def _loaded(name, check_existing=True):
 
 
 def drop_unused():
-    """Remove unused images that were loaded for a key."""
+    """Remove the unused images that were loaded for a chroma key."""
     for image in [image for image in bpy.data.images if group.KEY in image and image.users == 0]:
         bpy.data.images.remove(image)
 
 
 def size(image):
-    """Width and height of an image in pixels; 0 if the file cannot be read."""
+    """Width and height of an image in pixels; (0, 0) if the file cannot be read."""
     with _first(image) as picture:
         return tuple(picture.size) if picture else (0, 0)
 
 
 def duration(image):
-    """Number of frames of a film or sequence; 1 for a still."""
+    """Number of frames of a film or an image sequence; 1 for a still."""
     if image.source == 'SEQUENCE':
         numbers = _numbers(image)
         return numbers[-1] - numbers[0] + 1 if numbers else 1
@@ -85,9 +91,10 @@ def duration(image):
 
 
 def play(image, user, scene):
-    """Play footage from frame 1 of a scene on, in a node or image user: films at their own rate, sequences picture by picture.
+    """Let an Image node or ImageUser play footage from frame 1 of a scene on.
 
-    A picture that a sequence lacks is replaced by the previous one: Blender would make a black or empty frame, and 3.4 would hang.
+    A film plays at its own rate, by a driver; a sequence shows one picture for each frame. If a picture of a sequence is missing, keys hold
+    the previous one: Blender would show a black or empty picture, and Blender 3.4 would hang.
     """
     path = f"{user.path_from_id()}.frame_offset"
     actions.remove(user.id_data, (path,))
@@ -121,11 +128,12 @@ def _holds(numbers):
 
 
 def _drive(curve, scene, film_rate, frames):
-    """Drive a property by the film's frame at the scene's time, minus the scene's frame.
+    """Add an expression for the frame offset of a film to its driver: the film's frame at the scene's time minus the scene's frame.
 
-    The driver is a simple expression, which Blender evaluates without Python.
+    curve: F-curve of the driver. film_rate: frames per second of the film. frames: its number of frames. Blender evaluates the simple
+    expression without Python.
     """
-    # Blender 5 gives new drivers keys, which would map the driver's value.
+    # Blender 5 adds keyframes to new drivers, which would map the driver's value.
     for key in reversed(curve.keyframe_points):
         curve.keyframe_points.remove(key)
     for modifier in reversed(curve.modifiers):
@@ -140,14 +148,17 @@ def _drive(curve, scene, film_rate, frames):
 
 
 def gap(image):
-    """Gap of a sequence as texts: (missing pictures, frames that show the previous picture); None without a gap."""
+    """Describe the missing pictures of an image sequence as texts: (numbers of pictures, frames that show a previous picture).
+
+    Returns None if no picture is missing.
+    """
     numbers = _numbers(image) if image.source == 'SEQUENCE' else []
     missing = sorted(set(range(numbers[0], numbers[-1] + 1)) - set(numbers)) if numbers else []
     return (_ranges(missing), _ranges([number - numbers[0] + 1 for number in missing])) if missing else None
 
 
 def _ranges(numbers, most=8):
-    """Text of sorted whole numbers with ranges, such as "3, 7-9", cut off after `most` ranges."""
+    """Text of rising whole numbers, with ranges such as "3, 7-9"; ends with "..." after `most` ranges."""
     parts = []
     for number in numbers:
         if parts and number == parts[-1][1] + 1:
@@ -159,14 +170,20 @@ def _ranges(numbers, most=8):
 
 
 def _numbered(name):
-    """Split a file's name at its last number: (before, digits, behind); None without a number that fits into Blender's frames."""
+    """Split a file name at its last number: (text before, digits, text behind).
+
+    Returns None if there is no number, or the number exceeds LAST_FRAME.
+    """
     stem, ending = os.path.splitext(name)
     found = re.fullmatch(r"(.*?)(\d+)(\D*)", stem)
     return (found[1], found[2], found[3] + ending) if found and int(found[2]) <= LAST_FRAME else None
 
 
 def _numbers(image):
-    """Numbers of a sequence's files, sorted: all files in the folder whose names differ from the first one's only by the number."""
+    """Rising numbers of the files of an image sequence; [] if the image's file name has no number.
+
+    The files are those in the folder whose names differ from the name of the image's file only by the number.
+    """
     path = Path(bpy.path.abspath(image.filepath, library=image.library))
     own = _numbered(path.name)
     if own is None or not path.parent.is_dir():
@@ -177,9 +194,10 @@ def _numbers(image):
 
 @contextlib.contextmanager
 def _first(image):
-    """Image with the pixels of the first frame, removed afterwards if it is a temporary still; None if there are no pixels.
+    """Context manager that yields an image with the pixels of the first frame; None if the file cannot be read.
 
-    Blender knows size and pixels of a sequence only while something shows one of its frames.
+    Blender knows the size and pixels of a sequence only while something shows one of its frames. So a sequence gives a temporary still,
+    which is removed at the end.
     """
     if image.source != 'SEQUENCE':
         yield image
@@ -197,7 +215,7 @@ def _first(image):
 
 
 def rate(image):
-    """Frame rate of a film, or None."""
+    """Frame rate of a film; None if the image is no film or its rate is unknown."""
     if image.source != 'MOVIE':
         return None
     try:
@@ -210,7 +228,10 @@ def rate(image):
 
 
 def pixels(image):
-    """Scene-linear pixels of the first frame, (rows, columns, 4) float32, thinned out if the picture is large."""
+    """Scene-linear pixels of an image's first frame, (rows, columns, 4) float32; a large picture is thinned out evenly.
+
+    Raises Refused if the picture cannot be read or has no colours.
+    """
     with _first(image) as picture:
         if picture is None or not all(picture.size):
             raise Refused(tr("{object} cannot be read as a picture").format(object=image.name))
@@ -227,13 +248,13 @@ def _pixels(image):
         raise Refused(tr("{object} has no colours").format(object=image.name))
     found = np.ones((*values.shape[:2], 4), np.float32)
     found[..., : values.shape[2]] = np.nan_to_num(values, posinf=0.0, neginf=0.0)  # type: ignore[misc]
-    # Pixels of 8 bits are stored as in the file, others scene-linear.
+    # 8-bit images keep the encoding of the file; float images are scene-linear.
     if not image.is_float and image.colorspace_settings.name not in _LINEAR:
         found[..., :3] = linear(found[..., :3])
     return np.clip(found, -1e6, 1e6)
 
 
 def linear(encoded):
-    """Convert sRGB-encoded values to scene-linear ones."""
+    """Convert sRGB-encoded values to linear values (Rec. 709 primaries)."""
     encoded = np.maximum(encoded, 0.0)
     return np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)

@@ -1,7 +1,8 @@
-"""Node group that computes a key: inputs are picture and background; outputs are the chosen view and the matte.
+"""Node group that computes a chroma key. Inputs are picture and background; outputs are the chosen view and the matte.
 
-With the screen's channel g, the screen's colour S and m(C) = C_g - mix(larger, smaller of the other channels), the key is
-alpha = clamp(1 - gain m(C) / m(S)), and the premultiplied foreground is C - (1 - alpha) S. The library's screen_matte computes the same.
+Let g be the screen's channel (green or blue), S the screen's colour, and m(C) = C_g - mix(larger, smaller of the two remaining channels).
+The key is alpha = clamp(1 - gain m(C) / m(S)), and the premultiplied foreground is C - (1 - alpha) S. The native function screen_matte()
+computes the alpha by this formula too.
 """
 
 import bpy
@@ -11,21 +12,21 @@ from . import settings
 from .sheet import Sheet
 
 KEY = "motus_chroma"
-"""Custom property that marks the group, the nodes around it, and images that were loaded for it."""
+"""Custom property that marks the key's node group, the nodes that were added around it, and images that were loaded for it."""
 COMPOSITE, MATTE, STATUS, SOURCE = VIEWS = 'COMPOSITE', 'MATTE', 'STATUS', 'SOURCE'
-"""Names of the nodes whose first outputs are the views."""
+"""Names of the nodes whose first outputs are the views: composite, matte, status (a check of the matte) and source footage."""
 _CLEAR, _OPAQUE = 0.002, 0.998
-"""Mattes below and above which the status view shows a pixel as transparent or opaque."""
+"""The status view shows a pixel black if its matte is at most the first value, white above the second, and grey between."""
 _CORE, _WRAP = 0.01, 0.05
-"""Shares of the picture's width: distance of the core from the edge, and width of the light wrap."""
+"""Shares of the picture's width: by how much the core matte is inset from the edge, and the width of the light wrap."""
 _GREEN, _BLUE = 0.7152, 0.0722
 """Luminance of green and of blue (Rec. 709)."""
 _LEAST = 1e-6
-"""Least distance between the two clip levels."""
+"""Least difference between the white and the black clip level, which avoids a division by 0."""
 
 
 def build(width):
-    """Create a group for pictures of this width in pixels."""
+    """Create the node group of a key for pictures of this width in pixels; returns the group."""
     group = bpy.data.node_groups.new("Chroma Key", 'CompositorNodeTree')
     group[KEY] = True
     _add_sockets(group)
@@ -48,12 +49,12 @@ def build(width):
 
 
 def is_group(tree):
-    """Whether a node tree is a group of a chroma key."""
+    """Whether a node tree is the node group of a chroma key."""
     return tree is not None and KEY in tree
 
 
 def is_of_older_version(tree):
-    """Whether a group keys by Blender's node Keying, as groups of older versions do."""
+    """Whether a key's node group uses Blender's Keying node, as groups of older Motus versions do."""
     return any(node.bl_idname == "CompositorNodeKeying" for node in tree.nodes)
 
 
@@ -64,7 +65,7 @@ def view(group):
 
 
 def show(group, wanted):
-    """Connect a view with the group's output."""
+    """Connect a view (one of VIEWS) with the image output of a key's node group."""
     end = next((node for node in group.nodes if node.bl_idname == "NodeGroupOutput"), None)
     source = group.nodes.get(wanted)
     if end is not None and source is not None and "Image" in end.inputs:
@@ -72,7 +73,7 @@ def show(group, wanted):
 
 
 def _add_sockets(group):
-    """Add the group's sockets. Their order must not change: keys of inputs have the index in their data paths."""
+    """Add the sockets of the group. Their order must not change: the data paths of keyed inputs contain the index of the socket."""
     has_whole = capabilities.has_compositor_sockets()
     shown = [one for one in settings.OF_KEYING if has_whole or one.keyword != "grow"]
     node_groups.add_sockets(
@@ -103,7 +104,7 @@ def _limit(socket, default, least, most):
 
 
 def _picture(sheet):
-    """Nodes that prepare the picture: (straight colours, colours smoothed for the key, alpha of the picture)."""
+    """Add the nodes that prepare the picture; returns sockets: (straight colours, colours smoothed for keying, alpha of the picture)."""
     sheet.frame("Picture, Straight")
     image = sheet.kept(sheet.input("Image"))
     covered = sheet.separate("Own Alpha", image)[3]
@@ -130,7 +131,7 @@ def _differences(sheet, picture):
 
 
 def _channels(sheet, parts, is_green, is_blue, balance):
-    """Nodes that give the screen's channel of a colour, and the mixture of the two other channels."""
+    """Add nodes that split a colour: (the screen's channel, a mixture of the two remaining channels by `balance`), as sockets."""
     red, green, blue, _ = parts
     own = _either(sheet, "Own Channel", green, is_green, blue, is_blue)
     other = _either(sheet, "Other Channel", blue, is_green, green, is_blue)
@@ -140,12 +141,12 @@ def _channels(sheet, parts, is_green, is_blue, balance):
 
 
 def _either(sheet, label, first, is_first, second, is_second):
-    """Nodes that choose one of two values by factors that are 0 or 1."""
+    """Add nodes that choose one of two values; is_first and is_second are 0 or 1. Returns the socket of the chosen value."""
     return sheet.math(label, 'MULTIPLY_ADD', second, is_second, sheet.math("", 'MULTIPLY', first, is_first))
 
 
 def _key(sheet, difference, screen_difference):
-    """Nodes of alpha by the colour difference; alpha is 1 everywhere if the screen is neither green nor blue."""
+    """Add the nodes that compute alpha from the colour differences; alpha is 1 everywhere if the screen is neither green nor blue."""
     sheet.frame("Key: 1 - Gain m(Picture) / m(Screen)")
     share = sheet.math("m / m(Screen)", 'DIVIDE', difference, screen_difference)
     is_keyable = sheet.math("Is Green or Blue", 'GREATER_THAN', screen_difference, 0.0)
@@ -159,21 +160,25 @@ def _levels(sheet, alpha):
 
 
 def _between(sheet, matte, black, white):
-    """Nodes of a matte that rises from 0 at one level to 1 at another."""
+    """Add the nodes that remap a matte: 0 at the level `black`, 1 at the level `white`, clamped. Returns the output socket."""
     width = sheet.math("Width", 'MAXIMUM', sheet.math("White - Black", 'SUBTRACT', white, black), _LEAST)
     return sheet.math("Leveled", 'DIVIDE', sheet.math("- Black", 'SUBTRACT', matte, black), width, clamp=True)
 
 
 def _edge(sheet, matte):
     sheet.frame("Edge: Grow and Feather")
-    # Before 4.5 the node has a property instead of a socket.
+    # Before Blender 4.5 the Dilate/Erode node has a property instead of a socket.
     pixels = sheet.input("Grow Matte") if capabilities.has_compositor_sockets() else 0
     grown = sheet.dilate("Grow Matte", matte, pixels, settings.GROW)
     return sheet.blur("Feather", grown, sheet.input("Feather"))
 
 
 def _core(sheet, alpha, width):
-    """Nodes of the core matte, which fills holes inside the subject up to a level; 0 everywhere if the level is 0."""
+    """Add the nodes of the core matte, which fills holes inside the subject; returns its socket.
+
+    The setting *Core Fill* says up to which level holes are filled; if it is 0, the core matte is 0 everywhere. width: of the picture, in
+    pixels.
+    """
     sheet.frame("Core: Holes Inside Are Filled")
     fill, black = sheet.input("Core Fill"), sheet.input("Clip Black")
     filled = _between(sheet, alpha, black, sheet.math("1 - Fill", 'SUBTRACT', 1.0, fill))
@@ -183,7 +188,7 @@ def _core(sheet, alpha, width):
 
 
 def _masks(sheet, edge, core):
-    """Nodes that combine edge matte and core matte with the garbage mask and the core mask."""
+    """Add the nodes that combine the edge matte and the core matte with the garbage mask and the core mask; returns the matte."""
     sheet.frame("Masks")
     kept = sheet.math("Edge or Core", 'MAXIMUM', edge, core)
     kept = sheet.math("Or Core Mask", 'MAXIMUM', kept, sheet.input(settings.CORE_MASK))
@@ -191,9 +196,9 @@ def _masks(sheet, edge, core):
 
 
 def _foreground(sheet, straight, alpha, inside):
-    """Nodes of the foreground: (picture without the screen's share, factor on it).
+    """Add the nodes of the foreground; returns sockets: (picture without the screen's light, factor on it).
 
-    Where the matte is above alpha, more of the picture stays; where the matte is below alpha, the foreground is scaled with the matte.
+    If the matte `inside` is greater than alpha, more of the picture stays. If it is less than alpha, the factor scales the foreground.
     """
     sheet.frame("Foreground: Picture - (1 - Alpha) Screen")
     greater = sheet.math("Alpha or Matte", 'MAXIMUM', alpha, inside)
@@ -204,7 +209,10 @@ def _foreground(sheet, straight, alpha, inside):
 
 
 def _despill(sheet, picture, is_green, is_blue):
-    """Nodes of despill: limit the screen's channel by the others, and add the light that is removed as grey of the same luminance."""
+    """Add the nodes that remove the screen's light from the subject; returns sockets for red, green and blue.
+
+    The screen's channel is limited by the remaining channels. The removed light is added again as grey of equal luminance.
+    """
     sheet.frame("Despill")
     red, green, blue, alpha = sheet.separate("Foreground", picture)
     own, limit = _channels(sheet, (red, green, blue, alpha), is_green, is_blue, sheet.input("Despill Limit"))
@@ -220,7 +228,7 @@ def _despill(sheet, picture, is_green, is_blue):
 
 
 def _light_wrap(sheet, foreground, matte, width):
-    """Nodes that add the background's light around the foreground's edge."""
+    """Add the nodes that let the background shine on the edge of the foreground; returns the foreground's socket."""
     sheet.frame("Light Wrap")
     size = min(100, max(1, round(_WRAP * width)))
     light = sheet.blur("Background's Light", sheet.input("Background"), size)
@@ -230,7 +238,7 @@ def _light_wrap(sheet, foreground, matte, width):
 
 
 def _views(sheet, foreground, matte):
-    """Nodes whose first outputs are the views, and the group's outputs."""
+    """Add the nodes whose first outputs are the views, and connect the outputs of the group."""
     sheet.frame("Views")
     over = sheet.node("CompositorNodeAlphaOver", "Over")
     background, above = _layers(over)
@@ -247,14 +255,14 @@ def _views(sheet, foreground, matte):
 
 
 def _status(sheet, matte):
-    """Nodes of the status view: black for transparent, white for opaque, grey between."""
+    """Add the nodes of the status view: black for transparent, white for opaque, grey between. Returns the output socket."""
     is_not_clear = sheet.math("Not Clear", 'GREATER_THAN', matte, _CLEAR)
     is_opaque = sheet.math("Opaque", 'GREATER_THAN', matte, _OPAQUE)
     return sheet.math("Half", 'MULTIPLY', sheet.math("Sum", 'ADD', is_not_clear, is_opaque), 0.5)
 
 
 def _layers(over):
-    """Sockets of background and foreground of an Alpha Over node."""
+    """Return the input sockets (background, foreground) of an Alpha Over node, whose names differ between Blender versions."""
     if "Background" in over.inputs:
         return over.inputs["Background"], over.inputs["Foreground"]
     return over.inputs[1], over.inputs[2]

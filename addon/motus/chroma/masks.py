@@ -1,15 +1,15 @@
-"""New masks that the user reshapes, beginning as rectangles."""
+"""Create Mask datablocks with a rectangle, which the user then reshapes."""
 
 import bpy
 
 _WIDE, _SMALL = 0.9, 0.3
-"""Sides of the rectangles, as shares of the picture's sides."""
+"""Sides of the wide and the small rectangle, as shares of the picture's sides."""
 
 
 def new(name, size, is_outside):
-    """Create a mask with a rectangle, for pictures of a size in pixels.
+    """Create a Mask datablock with a rectangle, for pictures of `size` (width, height) in pixels.
 
-    is_outside: the mask is white outside a wide rectangle; otherwise it is white inside a small one.
+    is_outside: if True, the mask is white outside a wide rectangle; otherwise white inside a small rectangle.
     """
     mask = bpy.data.masks.new(name)
     layer = mask.layers.new()

@@ -1,4 +1,4 @@
-"""Operators that set up a chroma key, measure its screen again, and remove it."""
+"""Operators that set up a chroma key, measure its screen again, change it, and remove it."""
 
 import bpy
 
@@ -196,7 +196,7 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         return footage.find(self.clip or self.filepath)
 
     def _background(self):
-        """(what lies underneath, its image or None) from the keywords."""
+        """Return (what lies behind the keyed footage, its image or None) as the operator's keywords say."""
         if self.background:
             if self.is_given("underneath") and self.underneath != 'FOOTAGE':
                 raise Refused(tr("With a background, footage lies underneath"))
@@ -216,14 +216,14 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
 
 
 def _warn(operator, scene):
-    """Report warnings on the footage."""
+    """Report the warnings about a scene's measured screen through an operator."""
     noted = scene.motus.chroma
     for sentence in (*analysis.sentences(noted), *([noted.gap] if noted.gap else ())):
         operator.report({'WARNING'}, sentence)
 
 
 class _OnKey(Operator):
-    """Mixin of operators on the scene's key."""
+    """Mixin of the operators that act on the chroma key of the scene."""
 
     @classmethod
     def check_offer(cls, context):

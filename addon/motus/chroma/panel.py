@@ -1,4 +1,4 @@
-"""The panel of a chroma key: in the sidebars of the viewport and of the compositor."""
+"""Panel of a chroma key, in the sidebars of the 3D viewport and of the compositor."""
 
 import bpy
 
@@ -9,7 +9,7 @@ from . import analysis, compositor, group, operators, scene_settings, settings, 
 
 
 def draw_main(layout, context):
-    """Draw the keys, the view, the screen colour, and the levels of the matte."""
+    """Draw the keys of the scene, the shown view, the screen's colour, and the clip levels of the matte."""
     noted = context.scene.motus.chroma
     key = compositor.active_key(context.scene)
     if any(group.is_of_older_version(node.node_tree) for node in compositor.keys_of(context.scene)):
@@ -29,7 +29,7 @@ def draw_main(layout, context):
 
 
 def _draw_keys(layout, context, active):
-    """Draw a button for each key, and the buttons that add and remove a key."""
+    """Draw a button for each key of the scene, and the buttons that add and remove a key."""
     keys = compositor.keys_of(context.scene)
     row = layout.row(align=True)
     for index, node in enumerate(keys if len(keys) > 1 else ()):
@@ -44,7 +44,7 @@ def _draw_background(layout, context):
     if node is None:
         return
     noted = context.scene.motus.chroma
-    # Keys of older versions have their background in the node alone.
+    # Keys of older Motus versions store the background only in the node, not in the scene's settings.
     holder = (noted, "background") if node.image == pointed(noted, "background") else (node, "image")
     if node.image is None:
         ui.draw_message(layout, tr("Choose the clip or image that lies underneath"), 'INFO')
@@ -52,13 +52,13 @@ def _draw_background(layout, context):
 
 
 def draw_edge(layout, context):
-    """Draw the settings of the matte's edge and of the core."""
+    """Draw the settings of the matte's edge and of the core matte, which fills holes inside the subject."""
     key = compositor.active_key(context.scene)
     _draw_settings(ui.split(layout), key, ("grow", "feather", "core"))
 
 
 def draw_light(layout, context):
-    """Draw the settings of despill and light wrap."""
+    """Draw the settings of despill (removal of the screen's light from the subject) and light wrap."""
     key = compositor.active_key(context.scene)
     column = ui.split(layout)
     _draw_settings(column, key, ("despill",))
@@ -69,7 +69,7 @@ def draw_light(layout, context):
 
 
 def draw_pictures(layout, context):
-    """Draw the footage and the masks."""
+    """Draw the key's footage, its background and its masks."""
     scene = context.scene
     key, node = compositor.active_key(scene), compositor.node_of(scene, compositor.FOREGROUND)
     if node is not None:

@@ -1,4 +1,4 @@
-"""Plane before the camera that shows the keyed footage in the viewport; it is not rendered."""
+"""Plane in front of the camera that shows the keyed footage in the viewport; the plane is not rendered."""
 
 from typing import NamedTuple
 
@@ -10,7 +10,7 @@ from . import footage, group
 
 
 class Key(NamedTuple):
-    """Settings of a key that the plane shows."""
+    """Values of a chroma key that the plane's material needs."""
 
     color: tuple
     black: float
@@ -20,11 +20,14 @@ class Key(NamedTuple):
 
 
 DISTANCE = 10.0
-"""Default distance from the camera to the plane."""
+"""Default distance from the camera to the plane, in metres."""
 
 
 def add(scene, camera, image, key, distance):
-    """Add a plane that fills the camera's view at a distance, as a child of the camera. key: a Key."""
+    """Add a plane that fills the camera's view at a distance, as a child of the camera; returns the object.
+
+    image: the footage. key: a Key.
+    """
     mesh = bpy.data.meshes.new("Chroma Key")
     obj = bpy.data.objects.new("Chroma Key", mesh)
     scene.collection.objects.link(obj)
@@ -37,7 +40,7 @@ def add(scene, camera, image, key, distance):
         data.uv = places[loop.vertex_index]
     mesh.materials.append(_material(scene, image, key))
     obj.parent = camera
-    # A render takes a camera without its scale; the plane must do so too.
+    # Renders ignore the camera's scale, and so the plane must ignore it too.
     lengths = (axis.length for axis in camera.matrix_world.to_3x3().col)
     obj.matrix_parent_inverse = Matrix.Diagonal((*(1.0 / length if length else 1.0 for length in lengths), 1.0))
     obj.hide_render = True
@@ -46,7 +49,7 @@ def add(scene, camera, image, key, distance):
 
 
 def update(obj, key):
-    """Set colour and levels of a plane to those of another Key."""
+    """Set the values in a plane's material to those of a Key."""
     material = next((one for one in obj.data.materials if one is not None), None) if obj.type == 'MESH' else None
     if material is not None and material.node_tree is not None:
         _set(material.node_tree, key)
@@ -74,7 +77,7 @@ def _material(scene, image, key):
     screen.name = _COLOR
     matte = _math(tree, 'MULTIPLY', _matte(tree, texture.outputs["Color"], screen.outputs[0]), texture.outputs["Alpha"])
     rest = _math(tree, 'SUBTRACT', 1.0, matte)
-    # The picture without the screen's share is added as light to what shines through.
+    # The picture without the screen's light is added, as emission, to the transparent background.
     taken, least = (add_node("ShaderNodeMixRGB") for _ in range(2))
     taken.blend_type, least.blend_type = 'SUBTRACT', 'LIGHTEN'
     least.inputs["Fac"].default_value, least.inputs["Color2"].default_value = 1.0, (0.0, 0.0, 0.0, 1.0)
@@ -103,7 +106,7 @@ _COLOR, _LEVELS, _IS_BLUE, _BALANCE, _GAIN = "Screen Color", "Levels", "Is Blue"
 
 
 def _matte(tree, color, screen):
-    """Nodes of the matte: 1 - gain m(pixel) / m(screen), mapped by the levels, with the formula of the key."""
+    """Add the nodes of the matte to a material: 1 - gain m(pixel) / m(screen), mapped by the clip levels, as in chroma/group.py."""
     is_blue, balance, gain = (_value(tree, name) for name in (_IS_BLUE, _BALANCE, _GAIN))
     amount = _math(tree, 'DIVIDE', *(_difference(tree, one, is_blue, balance) for one in (color, screen)))
     matte = _math(tree, 'SUBTRACT', 1.0, _math(tree, 'MULTIPLY', amount, gain))
@@ -120,7 +123,7 @@ def _value(tree, name):
 
 
 def _difference(tree, color, is_blue, balance):
-    """Nodes of the colour difference m: the screen's channel minus a mixture of the other channels."""
+    """Add the nodes of the colour difference m: the screen's channel minus a mixture of the two remaining channels."""
     parts = tree.nodes.new("ShaderNodeSeparateColor")
     tree.links.new(color, parts.inputs[0])
     red, green, blue = parts.outputs[:3]

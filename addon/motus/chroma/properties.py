@@ -1,4 +1,4 @@
-"""Settings of a scene's chroma key in Scene.motus.chroma: the shown view, the measured values, and the scene's previous settings."""
+"""Settings of a scene's chroma key in Scene.motus.chroma: shown view, measured values, and the scene settings to be restored."""
 
 import bpy
 
@@ -71,7 +71,7 @@ def _before(kind, name, **more):
 
 
 class MOTUS_PG_chroma(bpy.types.PropertyGroup):
-    # Stored as the link in the group, which undo and copies of the scene keep right.
+    # The view is stored as a link in the node group, so that undo and copied scenes stay consistent.
     view: bpy.props.EnumProperty(
         name="View", description="Picture that the compositor shows", items=VIEWS, get=_view, set=_show, options=set()
     )

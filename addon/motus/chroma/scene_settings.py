@@ -1,4 +1,4 @@
-"""Set size, frames, frame rate and colour management of a scene for its footage, and restore them."""
+"""Set a scene's size, frame range, frame rate and colour management for footage, and restore the previous values."""
 
 from . import footage
 
@@ -10,11 +10,11 @@ _NEUTRAL = {
     "use_curve_mapping": False,
     "use_white_balance": False,
 }
-"""View settings that leave colours as they are."""
+"""Colour management settings with which colours stay unchanged."""
 
 
 def take(scene, image, noted):
-    """Store the scene's settings, and set them for the image."""
+    """Store a scene's render and colour management settings in `noted`, and change them to suit the footage `image`."""
     render, view = scene.render, scene.view_settings
     noted.is_scene_set = True
     noted.before_resolution = render.resolution_x, render.resolution_y, render.resolution_percentage
@@ -32,13 +32,13 @@ def take(scene, image, noted):
     if frames > 1:
         scene.frame_start, scene.frame_end = 1, frames
         _set_rate(render, footage.rate(image))
-    # Other settings would change the colours of the footage.
+    # Different view settings would change the colours of the footage.
     for name, value in _NEUTRAL.items():
         _assign(view, name, value)
 
 
 def restore(scene, noted):
-    """Restore the scene's settings that were stored."""
+    """Restore the scene settings that take() has stored in `noted`; nothing happens if none are stored."""
     if not noted.is_scene_set:
         return
     render, view = scene.render, scene.view_settings
@@ -49,7 +49,7 @@ def restore(scene, noted):
     _assign(view, "view_transform", noted.before_transform)
     _assign(view, "look", noted.before_look)
     if not noted.is_property_set("before_exposure"):
-        return  # a key of an older version, which left the view settings alone
+        return  # keys of older Motus versions did not change the view settings
     _assign(view, "exposure", noted.before_exposure)
     _assign(view, "gamma", noted.before_gamma)
     _assign(view, "use_curve_mapping", noted.before_curves)
@@ -57,7 +57,7 @@ def restore(scene, noted):
 
 
 def changes(scene):
-    """Labels of the scene's settings that change the footage's colours in the viewport or in rendered files."""
+    """Return the labels of a scene's colour management settings that change the footage's colours in the viewport or in renders."""
     view = scene.view_settings
     return [view.bl_rna.properties[name].name for name, value in _NEUTRAL.items() if getattr(view, name, value) != value]
 
@@ -70,7 +70,7 @@ def _set_rate(render, rate):
 
 
 def _assign(view, name, value):
-    """Set a view setting if this Blender has it and, for an enum, if the colour configuration has the item."""
+    """Set a colour management setting, if this Blender has it and, for an enum, if the colour configuration has the item."""
     if not hasattr(view, name):
         return
     try:

@@ -1,15 +1,15 @@
-"""Settings of a key: the place of each setting in the nodes, and its keyword in scripts.
+"""Settings of a chroma key: which node stores each setting, and its keyword in scripts.
 
-The settings are inputs of the node group, so that Blender itself keys, drives and saves them. Before 4.5 *Grow Matte* is a property of a
-node in the group. Groups of older versions have a Keying node, whose properties or inputs are the settings.
+The settings are inputs of the key's node group, so that Blender itself keys, drives and saves them. Before Blender 4.5 *Grow Matte* is a
+property of a node in the group. Node groups of older Motus versions contain a Keying node, whose properties or inputs are the settings.
 """
 
 from typing import NamedTuple
 
 GROW = "Grow"
-"""Name of the node in the group that grows the matte."""
+"""Name of the node, in the key's node group, that grows or shrinks the matte."""
 _KEYING = "Key"
-"""Name of the Keying node in groups of older versions."""
+"""Name of the Keying node in node groups of older Motus versions."""
 
 
 class Setting(NamedTuple):
@@ -99,13 +99,13 @@ OF_KEYING = (
 )
 BY_KEYWORD = {one.keyword: one for one in OF_KEYING}
 COLOR, MASK, CORE_MASK, WRAP = "Screen Color", "Garbage Mask", "Core Mask", "Light Wrap"
-"""Names of inputs that the group has in every Blender."""
+"""Names of inputs that the key's node group has in every Blender version."""
 LIMITS = {'MAXIMUM': 0.0, 'DOUBLE': 1.0 / 3.0, 'AVERAGE': 0.5}
-"""Values of the despill limit, by their names."""
+"""Values of the setting *Despill Limit* by name: which mixture of the remaining channels limits the screen's channel."""
 
 
 def place(key, setting):
-    """Place of a setting: (holder, name of the holder's property); None if the user has removed it.
+    """Where a setting is stored: (node or socket, name of its property); None if the user has removed it.
 
     key: the key's node in the compositor.
     """
@@ -116,18 +116,21 @@ def place(key, setting):
 
 
 def place_of_input(key, name):
-    """Place of an input that the group has in every Blender: (socket, name of its property); None if the user has removed it."""
+    """Where an input of the key's node is stored: (socket, "default_value"); None if the user has removed the input.
+
+    name: one of the inputs that the node group has in every Blender version.
+    """
     return _input(key.inputs, name)
 
 
 def value(key, keyword):
-    """Value of a setting; its default if the user has removed it."""
+    """Value of a key's setting; the setting's default if the user has removed its input."""
     found = place(key, BY_KEYWORD[keyword])
     return getattr(*found) if found else BY_KEYWORD[keyword].default
 
 
 def assign(key, setting, value):
-    """Set a setting to a value, if the key has the setting."""
+    """Assign a value to a setting of a key; nothing happens if the key does not have the setting."""
     found = place(key, setting)
     if found is not None:
         owner, name = found
@@ -135,7 +138,10 @@ def assign(key, setting, value):
 
 
 def _of_node(key, name, property_name, identifier):
-    """Place of a setting on a node within the group."""
+    """Where a setting is stored on the node `name` within the key's node group: (holder, name of its property), or None.
+
+    identifier: of the node's socket. property_name: the node's property in Blender versions without that socket.
+    """
     node = key.node_tree.nodes.get(name)
     if node is None or not property_name:
         return None

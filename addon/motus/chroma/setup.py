@@ -1,4 +1,4 @@
-"""Functions that set up, measure, upgrade and remove a key, used by the operators."""
+"""Functions that set up, measure, upgrade and remove a chroma key; the operators call them."""
 
 import bpy
 
@@ -10,20 +10,20 @@ from . import analysis, compositor, footage, group, plane, scene_settings, setti
 
 
 def check_free(scene):
-    """Refuse a linked scene, and a scene that has a key already."""
+    """Raise Refused if a scene is linked from a different file, or has a chroma key already."""
     check_own(scene)
     if compositor.key_of(scene) is not None:
         raise Refused(tr("{scene} has a chroma key already: add another color to it, or remove it first").format(scene=scene.name))
 
 
 def check_own(scene):
-    """Refuse a linked scene."""
+    """Raise Refused if a scene is linked from a different file."""
     if scene.library or scene.override_library:
         raise Refused(tr("{scene} is linked from another file").format(scene=scene.name))
 
 
 def key(scene):
-    """Node of the scene's key that the panel shows. Raises Refused if there is none."""
+    """Return the node of the scene's key that the panel shows. Raises Refused if the scene has no key."""
     check_own(scene)
     found = compositor.active_key(scene)
     if found is None:
@@ -32,13 +32,16 @@ def key(scene):
 
 
 def note(noted, report):
-    """Store the measured values in the scene's settings."""
+    """Store the values of a measurement report in `noted`, the chroma settings of a scene."""
     for name in ("share", "luminance_spread", "chroma_spread", "spill"):
         setattr(noted, name, report[name])
 
 
 def note_gaps(scene, *images):
-    """Store a sentence on the gaps of sequences in the scene's settings; empty if there are no gaps."""
+    """Store a sentence on missing pictures of image sequences in the scene's chroma settings; "" if none are missing.
+
+    images: images, or None for no image.
+    """
     found = [(image, gap) for image in images if image is not None and (gap := footage.gap(image))]
     scene.motus.chroma.gap = " ".join(
         tr("{object} lacks pictures {numbers}: frames {frames} show the ones before").format(
@@ -49,13 +52,16 @@ def note_gaps(scene, *images):
 
 
 def color_of(node):
-    """Screen colour of a key's node; None if the user has removed the input."""
+    """Screen colour (red, green, blue) of a key's node; None if the user has removed the input."""
     place = settings.place_of_input(node, settings.COLOR)
     return tuple(getattr(*place))[:3] if place else None
 
 
 def apply_measured(node, noted, found, levels):
-    """Set screen colour and clip levels of a key. found: (colour, report) of analysis.measure()."""
+    """Set the screen colour and the clip levels of a key's node, store the report, and update the plane that shows the key.
+
+    noted: chroma settings of the scene. found: (colour, report) of analysis.measure(). levels: (black, white).
+    """
     color, report = found
     note(noted, report)
     place = settings.place_of_input(node, settings.COLOR)
@@ -69,12 +75,12 @@ def apply_measured(node, noted, found, levels):
 
 
 def _shown(node):
-    """Settings of a key's node that the plane shows."""
+    """Return the values of a key's node that the plane in front of the camera needs, as a plane.Key."""
     return plane.Key(color_of(node), *(settings.value(node, name) for name in ("black", "white", "balance", "gain")))
 
 
 def image_of(scene):
-    """Footage of a scene's key. Raises Refused if it is missing."""
+    """Return the footage of a scene's key. Raises Refused if its node or image is missing."""
     source = compositor.node_of(scene, compositor.FOREGROUND)
     if source is None or source.image is None:
         raise Refused(tr("The key has lost its footage"))
@@ -82,7 +88,10 @@ def image_of(scene):
 
 
 def measure(scene, color=None):
-    """Measure the footage of a scene's key again."""
+    """Measure the screen in the footage of a scene's key again, and set the key's colour and clip levels.
+
+    color: the screen's colour; None to search for it. Returns (colour, report).
+    """
     node, image = key(scene), image_of(scene)
     found = analysis.measure(image, color, settings.value(node, "balance"), settings.value(node, "gain"))
     apply_measured(node, scene.motus.chroma, found, analysis.clip_levels(found[1]))
@@ -93,7 +102,10 @@ def measure(scene, color=None):
 
 
 def add_key(scene, color=None):
-    """Add a key for another colour of the footage: the given one, or the next screen that the keys leave. Returns the node."""
+    """Add a further key to a scene, for a different colour of the screen in its footage; returns the key's node.
+
+    color: the colour; None to search for a screen that the present keys do not make transparent.
+    """
     first, image = key(scene), image_of(scene)
     if color is not None:
         analysis.check_color(color)
@@ -111,7 +123,7 @@ def add_key(scene, color=None):
 
 
 def upgrade(scene):
-    """Give keys of older versions the present node group with their settings, and measure the levels again."""
+    """Replace the node groups of keys of older Motus versions by the present group, keep the settings, and measure the levels again."""
     for node in compositor.keys_of(scene):
         if not group.is_of_older_version(node.node_tree):
             continue
@@ -131,7 +143,10 @@ def upgrade(scene):
 
 
 def _keep_animation(before, now):
-    """Copy keys and driver of a setting from its place in an older group. before, now: as settings.place() gives them."""
+    """Copy the keys and the driver of a setting from an old node group to the present one.
+
+    before, now: results of settings.place() for the two groups; None for either copies nothing.
+    """
     if before is not None and now is not None:
         holder, name = before
         copied_animation.copy_all(holder.id_data, f"{holder.path_from_id()}.{name}", *now)
@@ -142,7 +157,7 @@ def _copied(value):
 
 
 def add_plane(scene):
-    """Show a scene's key on a new plane before the scene's camera, with the key's colour and levels."""
+    """Add a plane in front of the scene's camera that shows the key's footage with the key's colour and levels."""
     check_own(scene)
     node, image = compositor.key_of(scene), image_of(scene)
     if color_of(node) is None:
@@ -154,10 +169,10 @@ def add_plane(scene):
 
 
 def remove(scene):
-    """Remove a scene's key, and restore the scene."""
+    """Remove the chroma key of a scene with its plane and its unused images, and restore the scene's settings."""
     noted = scene.motus.chroma
     others = [other for other in bpy.data.scenes if other != scene]
-    # A copy of the scene may show the same plane.
+    # A copied scene may use the plane too.
     shown = pointed(noted, "plane")
     if shown is not None and group.KEY in shown and all(pointed(other.motus.chroma, "plane") != shown for other in others):
         datablocks.remove_objects([shown])

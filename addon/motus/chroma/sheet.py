@@ -1,43 +1,46 @@
-"""Layout of a node group: labelled frames from left to right with nodes in columns, and one input node for each frame."""
+"""Add nodes to a node group in a readable layout: labelled frames from left to right, nodes in columns, one input node per frame."""
 
 from ..core.blender import capabilities, node_groups
 
 _ROWS, _COLUMN, _ROW, _GAP = 7, 220.0, 70.0, 90.0
 MOST_BLUR = 100
-"""Largest width of a blur, in pixels."""
+"""Largest width of a blur in pixels, in Blender versions whose Blur node has no socket for the size in pixels."""
 
 
 class Sheet:
-    """Adds nodes to a group, into the frame that was begun last."""
+    """Adds nodes to a node group, inside the frame that was begun last."""
 
     def __init__(self, group):
         self.group = group
         self._frame, self._inputs, self._count, self._left = None, None, 0, 0.0
 
     def frame(self, label):
-        """Begin a frame to the right of the present nodes."""
+        """Begin a frame with this label, to the right of the present nodes."""
         self._tidy()
         self._left += _COLUMN * -(-self._count // _ROWS) + (_GAP if self._count else 0.0)
         self._frame, self._inputs, self._count = self.group.nodes.new("NodeFrame"), None, 0
         self._frame.label = label
 
     def input(self, name):
-        """Socket of one of the group's inputs, on the input node of the present frame."""
+        """Socket of the group's input `name`, on the Group Input node of the present frame."""
         if self._inputs is None:
             self._inputs = self.node("NodeGroupInput")
-            self._count += 2  # the input node is higher than other nodes
+            self._count += 2  # the input node is higher than most nodes
         return self._inputs.outputs[name]
 
     def output(self):
-        """The group's output node."""
+        """Add the Group Output node to the present frame; returns the node."""
         return self.node("NodeGroupOutput")
 
     def finish(self):
-        """Hide the unused sockets of the last frame's input node."""
+        """Hide the unused sockets of the Group Input node in the last frame; called after the last node."""
         self._tidy()
 
     def node(self, kind, label="", name="", **settings):
-        """Add a node to the present frame."""
+        """Add a node of type `kind` to the present frame; returns the node.
+
+        settings: values of the node's properties.
+        """
         node = node_groups.add_node(self.group, kind, label=label, **settings)
         if name:
             node.name = name
@@ -47,7 +50,7 @@ class Sheet:
         return node
 
     def math(self, label, operation, *values, clamp=False):
-        """Add a Math node; returns its output. values: sockets or numbers."""
+        """Add a Math node; returns its output socket. values: sockets or numbers. clamp: limit the result to 0 to 1."""
         kind = "ShaderNodeMath" if capabilities.has_shader_nodes_in_compositor() else "CompositorNodeMath"
         node = self.node(kind, label, operation=operation, use_clamp=clamp)
         node.hide = True
@@ -56,7 +59,10 @@ class Sheet:
         return node.outputs[0]
 
     def mix(self, label, blending, factor, first, second):
-        """Add a Mix node for colours; returns its output. Alpha is that of the first colour."""
+        """Add a Mix node for colours; returns its output socket.
+
+        blending: Blender's blend type. factor, first, second: sockets or values. The alpha is the first colour's alpha.
+        """
         if capabilities.has_shader_nodes_in_compositor():
             node = self.node("ShaderNodeMix", label, data_type='RGBA', blend_type=blending)
         else:
@@ -68,14 +74,14 @@ class Sheet:
         return node_groups.enabled(node.outputs)
 
     def separate(self, label, color):
-        """Sockets of red, green, blue and alpha of a colour."""
+        """Add a Separate Color node; returns its sockets for red, green, blue and alpha."""
         node = self.node("CompositorNodeSeparateColor", label)
         node.hide = True
         node_groups.link(self.group, color, node.inputs[0])
         return tuple(node.outputs[name] for name in ("Red", "Green", "Blue", "Alpha"))
 
     def combine(self, label, *parts):
-        """Colour from red, green, blue and alpha."""
+        """Add a Combine Color node; returns its output socket. parts: red, green, blue and optionally alpha."""
         node = self.node("CompositorNodeCombineColor", label)
         node.hide = True
         for socket, part in zip(node.inputs, parts):
@@ -83,7 +89,10 @@ class Sheet:
         return node.outputs[0]
 
     def blur(self, label, source, pixels):
-        """Blur a picture or matte by a number of pixels, which may be a socket; 0 leaves it as it is."""
+        """Add a Blur node for a picture or matte; returns its output socket.
+
+        pixels: width of the blur, a number or a socket; 0 leaves the picture unchanged; None leaves the node's default.
+        """
         if pixels is None:
             node = self.node("CompositorNodeBlur", label)
         elif capabilities.has_compositor_sockets():
@@ -98,7 +107,10 @@ class Sheet:
         return node.outputs[0]
 
     def dilate(self, label, source, pixels, name=""):
-        """Grow a matte by a number of pixels, or shrink it if the number is below 0. pixels: number; from 4.5 on a socket too."""
+        """Add a Dilate/Erode node that grows a matte by a number of pixels, or shrinks it if the number is negative.
+
+        pixels: a number; from Blender 4.5 on also a socket. Returns the output socket.
+        """
         node = self.node("CompositorNodeDilateErode", label, name)
         node_groups.link(self.group, source, node.inputs["Mask"])
         if capabilities.has_compositor_sockets():
@@ -108,9 +120,10 @@ class Sheet:
         return node.outputs[0]
 
     def kept(self, source):
-        """Output of a node that caches a socket's value for all nodes that read it.
+        """Return a socket with the value of `source` that is computed once, however many nodes read it.
 
-        Before 4.0 Blender computes a pixel anew along every path through the nodes, except for nodes that read several pixels.
+        Before Blender 4.0 the compositor computes a pixel anew along every path through the nodes, except behind nodes that read several
+        pixels; such a node is added there.
         """
         if capabilities.computes_nodes_once():
             return source

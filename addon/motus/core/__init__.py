@@ -1,1 +1,1 @@
-"""The machinery all systems share; it never imports a system."""
+"""Code that all systems (features such as Follow Path or Pendulums) share. It never imports a system."""

@@ -1,13 +1,13 @@
-"""Everything that Motus keeps to be found again is declared here, with one of four lifetimes and no others.
+"""Declarations of all values that Motus keeps in memory to use them again: caches with one of four lifetimes.
 
-    OfEvaluation    what was read of an evaluated copy, until Blender makes another copy of the datablock or frees it
-    OfThread        what one thread of Blender's uses again from call to call
-    OfFile          until another file is opened
+    OfEvaluation    what was read of an evaluated copy, until Blender makes a new copy of the datablock or frees the copy
+    OfThread        what one thread of Blender uses again from call to call
+    OfFile          until a different file is opened
     OfProcess       until the add-on is disabled
 
-A declaration is made once, when its module is imported, and says what is kept and by which key. The key holds all that the
-value is made from: what is keyed over time is there as its keys (a stamp, all samples), not as the value of the present frame.
-docs/kept.md lists the declarations; .ci/tests/test_kept.py finds what is kept without one. Results are the same with nothing kept.
+A declaration is made once, when its module is imported. It says what is kept and by which key. The key holds all that the value is made
+from: for animated input it holds the keys (a stamp, all samples), not the value at the present frame. docs/kept.md lists the declarations.
+.ci/tests/test_kept.py finds values that are kept without a declaration. Results do not depend on kept values.
 """
 
 from __future__ import annotations
@@ -25,11 +25,15 @@ _PACKAGE = __name__.rpartition(".core.")[0]
 _NOTHING = object()
 
 declared: list[_Declaration] = []
-"""All declarations."""
+"""All declarations of kept values, in the order in which their modules were imported."""
 
 
 class _Declaration:
-    """what: is kept, key: by what it is found, bound: how much is kept at most, until: when it is let go; phrases for docs/kept.md."""
+    """Base of the declarations of kept values, which docs/kept.md lists.
+
+    what: what is kept. key: by which key a value is found. bound: how much is kept at most. until: when values are removed. All four are
+    phrases for docs/kept.md.
+    """
 
     lifetime = until = ""
 
@@ -41,7 +45,7 @@ class _Declaration:
 
     @classmethod
     def declarations(cls) -> list[Any]:
-        """List of the declarations whose lifetime is that of this class."""
+        """List of all declarations that have the lifetime of this class."""
         return [one for one in declared if one.lifetime == cls.lifetime]
 
     def clear(self) -> None:
@@ -49,7 +53,7 @@ class _Declaration:
 
 
 def _importing() -> str:
-    """Name of the module that is being imported."""
+    """Name of the module that is being imported at the moment, read from the call stack."""
     frame: Any = sys._getframe()
     while frame.f_code.co_name != "<module>":
         frame = frame.f_back
@@ -57,11 +61,11 @@ def _importing() -> str:
 
 
 class Latest:
-    """A cache of values by key, from which the least recently used ones are let go (LRU).
+    """A cache of values by key, from which the least recently used values are removed (LRU).
 
-    most: how many values may stay. most_size: how large all of them together may be, by size(key, value). The value that was
-    added last stays in any case. get(key): as of a dict, without noting that the value is in use. Threads share the cache, so that
-    nobody may change a value.
+    most: how many values may stay. most_size: how large all values together may be, measured by size(key, value). The value that was added
+    last stays in any case. get(key): like dict.get; does not mark the value as used. Threads share the cache, so values must not be
+    changed.
     """
 
     def __init__(self, most: float = math.inf, most_size: float = math.inf, size: Callable[[Any, Any], float] | None = None) -> None:
@@ -80,21 +84,27 @@ class Latest:
             return list(self._values.items())
 
     def find(self, key: Hashable, default: Any = None) -> Any:
-        """The value of a key, which is in use from now on."""
+        """Return the value of a key, or `default` if the key has no value.
+
+        The key is marked as the most recently used one if the cache is more than half full.
+        """
         found = self.get(key, _NOTHING)
         if found is _NOTHING:
             return default
-        # As long as there is much room left nobody needs to know what is in use, and to note it takes as long as to find it.
+        # Below half of the limits no key is marked: no value is removed soon, and marking takes as long as finding.
         if 2 * len(self._values) > self._most or 2 * self._size > self._most_size:
             self._use(key)
         return found
 
     def made(self, key: Hashable, make: Callable[[], Any]) -> Any:
-        """The value of a key; where there is none, what make() gives, kept from now on."""
+        """Return the value of a key; if the key has no value, store and return what make() returns.
+
+        The key is marked as the most recently used one if the cache is more than half full.
+        """
         found = self.get(key, _NOTHING)
         if found is _NOTHING:
             return self.add(key, make())
-        if 2 * len(self._values) > self._most or 2 * self._size > self._most_size:  # as in find(), without another call
+        if 2 * len(self._values) > self._most or 2 * self._size > self._most_size:  # the condition of find(), without a call
             self._use(key)
         return found
 
@@ -109,14 +119,14 @@ class Latest:
         Least recently used values are removed if the cache exceeds its limits.
         """
         with self._changing:
-            self.drop(key)  # another thread may have added it meanwhile
+            self.drop(key)  # a different thread may have added the key meanwhile
             self._values[key] = value
             self._size += self._size_of(key, value) if self._size_of else 0
             self.trim(self._most)
         return value
 
     def drop(self, key: Hashable) -> None:
-        """Let go of the value of a key, if there is one."""
+        """Remove the value of a key from the cache, if there is one."""
         with self._changing:
             value = self._values.pop(key, _NOTHING)
             if value is not _NOTHING and self._size_of:
@@ -125,7 +135,7 @@ class Latest:
     def trim(self, most: float) -> None:
         """Remove least recently used values until at most `most` values remain and their total size is within the cache's limit.
 
-        The last value stays in any case.
+        The value that was added last stays in any case.
         """
         with self._changing:
             while len(self._values) > 1 and (len(self._values) > most or self._size > self._most_size):
@@ -139,14 +149,17 @@ class Latest:
 
 
 class Room(dict[Any, Any]):
-    """Dictionary of the values that one OfEvaluation declaration keeps with one evaluated copy. declaration: that declaration."""
+    """Dictionary of the values that a declaration keeps with one evaluated copy of a datablock. declaration: the OfEvaluation."""
 
     __slots__ = ("declaration",)
     declaration: OfEvaluation
 
 
 class OfEvaluation(_Declaration):
-    """Kept with an evaluated copy (core/evaluated/copies.py), and with nobody else: a reference to the copy's data is allowed."""
+    """Declaration of values that are kept with an evaluated copy of a datablock (core/evaluated/copies.py) and removed with it.
+
+    Nothing else refers to the values, so a value may refer to data of the copy.
+    """
 
     lifetime = "an evaluation"
     until = "Blender copies the datablock anew, or frees it"
@@ -155,14 +168,21 @@ class OfEvaluation(_Declaration):
         super().__init__(what, key, bound, until)
 
     def on(self, copy: Any) -> dict[Any, Any]:
-        """The dict of what is kept with a Copy. Without a Copy, as of what is no evaluated one: empty, and kept by nobody."""
+        """Dictionary of the values that this declaration keeps with an evaluated copy of a datablock.
+
+        copy: Copy (core/evaluated/copies.py) of the datablock. None stands for a datablock that is not evaluated: the dictionary is new
+        then, and nothing keeps it.
+        """
         if copy is None:
             return {}
         mine: Room | None = copy.found.get(self)
         return self.within(copy.found) if mine is None else mine
 
     def within(self, found: dict[Any, Any]) -> Room:
-        """The dict of what is kept among `found` of a copy."""
+        """Dictionary of this declaration's values among all values that are kept with one evaluated copy; created if missing.
+
+        found: {declaration: its dictionary} of the copy.
+        """
         mine: Room | None = found.get(self)
         if mine is None:
             mine = Room()
@@ -172,14 +192,17 @@ class OfEvaluation(_Declaration):
 
 
 class WhileAnswering(OfEvaluation):
-    """Kept while a thread answers one question, which leads to others."""
+    """Declaration of values that are kept while a thread answers one question, including all questions that it leads to."""
 
     def __init__(self, what: str, key: str) -> None:
         super().__init__(what, key, "those of one question in each thread", "the outermost question is answered")
         self._threads: dict[int, dict[Hashable, Any]] = {}
 
     def answered(self, place: Hashable, make: Callable[[], Any]) -> Any:
-        """What make() gives, the same for the same place until the outermost question is answered. It must not be changed."""
+        """Return make(), which is called once for each `place` until the thread's outermost question is answered.
+
+        The returned value must not be changed.
+        """
         thread = threading.get_ident()
         found = self._threads.get(thread)
         if found is None:
@@ -193,7 +216,7 @@ class WhileAnswering(OfEvaluation):
         return found[place]
 
     def clear(self) -> None:
-        """Remove the answers that all threads keep."""
+        """Remove the answers that are kept for the questions of all threads."""
         self._threads.clear()
 
 
@@ -212,12 +235,12 @@ class OfThread(_Declaration):
         self._most = most
 
     def here(self) -> Latest:
-        """The Latest of the thread that asks."""
+        """The cache (Latest) that this declaration has for the current thread; created if missing."""
         thread = threading.get_ident()
         mine = _threads.get(thread)
         if mine is None:
             if len(_threads) >= MOST_THREADS:
-                _threads.clear()  # of threads that are gone, mostly; the others make theirs again
+                _threads.clear()  # most caches are of ended threads; running threads create theirs again
             mine = _threads[thread] = {}
         found = mine.get(self)
         if found is None:
@@ -231,15 +254,15 @@ class OfThread(_Declaration):
 
 
 _threads: dict[int, dict[OfThread, Latest]] = {}
-"""Thread -> {OfThread: its Latest}."""
+"""{identifier of a thread: {OfThread declaration: its cache for the thread}}."""
 
 
 @contextmanager
 def aside() -> Iterator[None]:
-    """Context manager that gives the current thread empty OfThread caches, and restores the previous ones on exit.
+    """Context manager that gives the current thread empty OfThread caches, and restores the previous caches on exit.
 
-    While a thread waits for a parallel computation, Blender may evaluate another driver on the same thread. That driver must not
-    change the caches that the waiting driver uses.
+    While a thread waits for a parallel computation, Blender may evaluate a different driver on this thread. That driver must not change the
+    caches that the waiting driver uses.
     """
     thread = threading.get_ident()
     mine = _threads.pop(thread, None)
@@ -252,7 +275,7 @@ def aside() -> Iterator[None]:
 
 
 class OfFile(_Declaration, Latest):
-    """Declaration of a cache (Latest) that is emptied when another file is opened or the add-on is disabled.
+    """Declaration of a cache (Latest) that is emptied when a different file is opened or the add-on is disabled.
 
     most, most_size, size: limits of the cache, as in Latest. unit: unit of the sizes, such as bytes, for docs/kept.md.
     """
@@ -281,7 +304,7 @@ class OfFile(_Declaration, Latest):
 class OfProcess(OfFile):
     """Declaration of a cache (Latest) that is emptied only when the add-on is disabled.
 
-    The key is the content that a value is made from, so that values stay valid when another file is opened.
+    The key is the content that a value is made from, so that values stay valid when a different file is opened.
     """
 
     lifetime = "the process"
@@ -292,7 +315,7 @@ LIFETIMES = OfEvaluation, OfThread, OfFile, OfProcess
 
 
 def forget_file() -> None:
-    """Let go of what is kept for the open file."""
+    """Remove the values that all OfFile declarations keep for the open file."""
     for one in OfFile.declarations():
         one.clear()
 

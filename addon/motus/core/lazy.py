@@ -1,4 +1,4 @@
-"""NumPy, imported where it is first used: that takes longer than enabling the whole add-on."""
+"""NumPy, imported at its first use, because the import takes longer than enabling the whole add-on."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class _Lazy:
 
     def __getattr__(self, name: str) -> Any:
         value = getattr(importlib.import_module(self._name), name)
-        setattr(self, name, value)  # found without this detour from now on
+        setattr(self, name, value)  # later accesses do not call __getattr__
         return value
 
 

@@ -1,4 +1,7 @@
-"""The one place that imports the native module: `module` (None where it is unusable) and `status` (why, for the user)."""
+"""The only module that imports the native C++ module.
+
+`module`: the native module; None if it cannot be used. `status`: the Status of the import, with the reason as a sentence for the user.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,10 @@ PACKAGE_FOLDER = Path(__file__).resolve().parent.parent
 
 
 class Status(NamedTuple):
-    """Result of importing the native module, and a sentence about what the user should do: a template and its values."""
+    """Result of importing the native module, and a sentence about what the user should do.
+
+    code: OK, or the kind of failure. template: the English sentence, with {placeholders}. values: {placeholder: text}.
+    """
 
     code: str
     template: str
@@ -28,18 +34,18 @@ class Status(NamedTuple):
 
     @property
     def sentence(self) -> str:
-        """One sentence in the user's language."""
+        """The template with its values filled in, as one sentence in the user's language."""
         return tr(self.template).format(**self.values)
 
 
 def addon_version() -> str:
-    """The version in the manifest, which both kinds of zip contain."""
+    """Version of the add-on, read from blender_manifest.toml, which the extension's zip and the legacy zip both contain."""
     manifest = (PACKAGE_FOLDER / "blender_manifest.toml").read_text(encoding="utf-8")
     return re.findall(r'^version\s*=\s*"([^"]+)"', manifest, re.MULTILINE)[0]
 
 
 def _import_failure(error: str) -> Status:
-    """Status of a failed import of the native module: file missing, built for another Python, or failed to load.
+    """Status of a failed import of the native module: file missing, built for a different Python, or failed to load.
 
     The cause is found from the module's files in the add-on's folder. error: text of the ImportError.
     """

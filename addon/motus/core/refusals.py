@@ -1,4 +1,4 @@
-"""Checks that operators of all systems share; each raises Refused with a sentence that says why."""
+"""Checks that operators of all systems share. Each check raises Refused with a sentence that says why."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ import bpy
 from .translations import tr
 
 INFINITE = 3.4e38
-"""What Blender makes of an infinite number lies above."""
+"""Limit from which on a number counts as infinite. What Blender stores if a script sets an infinite number lies above the limit."""
 
 
 class Refused(Exception):
-    """Raised if an operator cannot do what was asked; the sentence says why."""
+    """Exception of an operator that cannot do what was asked. Its text is a sentence that says why, in the user's language."""
 
 
 def named(name: str) -> bpy.types.Object:
-    """The object of this name."""
+    """Find the object of this name in the file. Raises Refused if there is none."""
     found = bpy.data.objects.get(name)
     if found is None:
         raise Refused(tr("There is no object {object}").format(object=name))
@@ -26,7 +26,7 @@ def named(name: str) -> bpy.types.Object:
 
 
 def named_collection(name: str) -> bpy.types.Collection:
-    """The collection of this name."""
+    """Find the collection of this name in the file. Raises Refused if there is none."""
     found = bpy.data.collections.get(name)
     if found is None:
         raise Refused(tr("There is no collection {collection}").format(collection=name))
@@ -34,7 +34,7 @@ def named_collection(name: str) -> bpy.types.Collection:
 
 
 def named_mesh(name: str) -> Any:
-    """The mesh object of this name.
+    """Find the mesh object of this name in the file.
 
     Raises Refused if there is no such object, if the object is no mesh, or if the mesh has neither faces nor modifiers.
     """
@@ -47,25 +47,25 @@ def named_mesh(name: str) -> Any:
 
 
 def check_bone(rig: bpy.types.Object, name: str) -> None:
-    """Refuse a bone that the rig has not."""
+    """Raise Refused if an object has no bone of this name, or is no armature."""
     if rig.pose is None or name not in rig.pose.bones:
         raise Refused(tr("{object} has no bone {bone}").format(object=rig.name, bone=name))
 
 
 def check_local(obj: bpy.types.Object) -> None:
-    """Refuse an object that is another file's."""
+    """Raise Refused if an object is linked from a library file."""
     if obj.library:
         raise Refused(tr("{object} is linked from another file: make a library override of it first").format(object=obj.name))
 
 
 def check_unbaked(owner: Any, settings: Any) -> None:
-    """Refuse an owner whose set-up must not be changed. settings: of the system."""
+    """Raise Refused if an owner is baked, since the set-up of a baked owner must not change. settings: of a system on the owner."""
     if settings.is_baked or owner.motus.bake.is_baked:
         raise Refused(tr("{object} is baked: unbake it first").format(object=owner.name))
 
 
 def check_finite(operator: Any, names: Iterable[str]) -> None:
-    """Raise Refused if one of these keywords of an operator, or a component of an array keyword, is infinite or NaN."""
+    """Raise Refused if a keyword of an operator, or a component of an array keyword, is infinite or NaN. names: of the keywords."""
     for name in names:
         value = getattr(operator, name)
         parts = value if hasattr(value, "__len__") else (value,)
@@ -83,16 +83,16 @@ def check_no_tweak_mode(obj: bpy.types.Object) -> None:
 
 
 def check_evaluated(obj: bpy.types.Object, view_layer: bpy.types.ViewLayer) -> None:
-    """Refuse an object that Blender does not evaluate: of what it does over time nothing is known."""
+    """Raise Refused if Blender does not evaluate an object in a view layer, since its motion over time cannot be read then."""
     view_layer.update()
     if not obj.evaluated_get(view_layer.depsgraph).is_evaluated:
         _refuse_hidden(obj)
 
 
 def check_posed(rig: Any, view_layer: Any) -> None:
-    """Refuse a rig whose bones are not evaluated in the view layer, or that shows its rest pose."""
+    """Raise Refused if a rig's bones are not evaluated in a view layer, or if the rig shows its rest pose."""
     check_evaluated(rig, view_layer)
-    # Of a hidden rig Blender evaluates those bones that something visible needs, and lists it nowhere.
+    # Blender evaluates those bones of a hidden rig that something visible needs. Depsgraph.ids does not list such a rig.
     evaluated = rig.evaluated_get(view_layer.depsgraph)
     if all(one != evaluated for one in view_layer.depsgraph.ids):
         _refuse_hidden(rig)

@@ -1,4 +1,4 @@
-"""Registers everything in a stated order, and takes everything back in the reverse one."""
+"""Register all classes, properties, handlers and menus of the add-on in a fixed order; unregister them in reverse order."""
 
 import bpy
 
@@ -15,9 +15,10 @@ _FORGETTING = handlers.Forgetting(keeping.forget_file, keeping.forget_all)
 
 
 def register(systems, languages, extra_classes=(), extra_add_menu=()):
-    """Register all systems and the shared classes. On an error what was registered is taken back.
+    """Register all systems and the classes that they share. If an error is raised, everything registered so far is unregistered.
 
-    languages: {language: {context: {English: translation}}}.
+    languages: {language: {context: {English: translation}}}. extra_classes: further classes for bpy.utils.register_class. extra_add_menu:
+    operators, or names of menus, at the end of the Add menu.
     """
     try:
         _register(systems, languages, tuple(extra_classes), tuple(extra_add_menu))
@@ -27,13 +28,13 @@ def register(systems, languages, extra_classes=(), extra_add_menu=()):
 
 
 def unregister():
-    """Take back what register() did, last first."""
+    """Unregister everything that register() has registered, in reverse order."""
     while _undo:
         handlers.take_back(_undo.pop())
 
 
 def _register(systems, languages, extra_classes, extra_add_menu):
-    # Property groups before the groups that point to them, and all of them before the panels that draw them.
+    # Property groups are registered before the groups that point to them, and all of them before the panels that draw them.
     _register_classes(settings.classes)
     for one in systems:
         declare.registered[one.name] = one
@@ -59,7 +60,7 @@ def _register(systems, languages, extra_classes, extra_add_menu):
     _call(_FORGETTING.register, _FORGETTING.unregister)
     _call(viewports.register, viewports.unregister)
     _call(overlay.register, overlay.unregister)
-    _call(lambda: None, playback.unregister)  # read-outs that are drawn begin to follow playback
+    _call(lambda: None, playback.unregister)  # drawing a read-out adds the handler
     _call(lambda: menus.register(systems, extra_add_menu), menus.unregister)
     _call(lambda: panels.menus_of_scenes.extend(extra_add_menu), panels.menus_of_scenes.clear)
     _call(lambda: translations.register(languages), translations.unregister)
@@ -80,7 +81,11 @@ def _register_classes(classes):
 
 
 def _register_settings(systems):
-    """Object.motus holds one group a system and what baking remembers; Scene.motus the viewport switches and tools."""
+    """Register the property groups Object.motus and Scene.motus.
+
+    Object.motus holds one property group for each system, and what unbaking needs. Scene.motus holds the switches of the viewport overlay
+    and the settings of tools.
+    """
     annotations = {
         one.name: bpy.props.PointerProperty(type=one.settings, override={'LIBRARY_OVERRIDABLE'})
         for one in systems

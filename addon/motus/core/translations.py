@@ -1,15 +1,18 @@
-"""Hands the add-on's translations to Blender, and gives sentences in the user's language."""
+"""Register the add-on's translations with Blender, and translate sentences into the user's language."""
 
 from __future__ import annotations
 
 import bpy
 
 OWN_SENSE = "Motus"
-"""Context of words that Blender has too, in another sense: without it they come out in Blender's translation."""
+"""Translation context of words that Blender's interface uses in a different sense.
+
+Without this context, Blender's own translation of the word would be shown.
+"""
 
 
 def register(languages: dict[str, dict[str, dict[str, str]]]) -> None:
-    """Register languages: {language: {context: {English: translation}}}."""
+    """Register the translations of all languages with Blender. languages: {language: {context: {English: translation}}}."""
     bpy.app.translations.register(
         _KEY,
         {
@@ -20,19 +23,19 @@ def register(languages: dict[str, dict[str, dict[str, str]]]) -> None:
 
 
 def tr(text: str) -> str:
-    """A report or other sentence in the user's language; fill its {placeholders} afterwards."""
-    # Reports have a preference of their own since 4.1.
+    """Translate a report or a different sentence into the user's language. Fill {placeholders} after the translation, not before."""
+    # Since Blender 4.1 the user's preferences have a separate switch for the translation of reports.
     translate = getattr(bpy.app.translations, "pgettext_rpt", bpy.app.translations.pgettext_tip)
     return translate(text)
 
 
 def counted(number: int, one: str, many: str) -> str:
-    """A translated text for a number of things: `one` for 1, else `many` with the number for its {count}."""
+    """Choose a translated text for a number of things: `one` if the number is 1, otherwise `many` with {count} filled in."""
     return one if number == 1 else many.format(count=number)
 
 
 def unregister() -> None:
-    """Forget all languages."""
+    """Remove the add-on's translations from Blender."""
     bpy.app.translations.unregister(_KEY)
 
 

@@ -1,4 +1,4 @@
-"""Demo scenes: examples that the add-on's own public operators build, each in a new scene of its own."""
+"""Demo scenes: examples that are built by the add-on's own public operators, each in a new scene."""
 
 from .operators import MOTUS_MT_demo, classes
 

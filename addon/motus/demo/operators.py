@@ -1,4 +1,4 @@
-"""The operator that builds a demo scene."""
+"""The operator that builds a demo scene, and its menu."""
 
 from importlib import import_module
 
@@ -37,17 +37,17 @@ class MOTUS_OT_demo_scene(Operator, bpy.types.Operator):
     def run(self, context):
         previous, known = context.window.scene, set(bpy.data.scenes)
         try:
-            # Imported when one is built, and NumPy with it: most users build none.
+            # The module and NumPy are imported only when a scene is built, because most users never build one.
             folder = next(scene.name for scene in SCENES if scene.identifier == self.system)
             scene = import_module(f"{__package__}.{folder}").build(context)
-        except RuntimeError as error:  # one of the operators it calls refused
+        except RuntimeError as error:  # an operator that the scene's build() calls has refused
             _discard(context.window, previous, set(bpy.data.scenes) - known)
             raise Refused(tr("The demo scene could not be finished: {error}").format(error=error)) from error
         self.report({"INFO"}, tr("Built {scene}").format(scene=scene.name))
 
 
 def _discard(window, previous, unfinished):
-    """Remove the half-built scenes, and show the previous one."""
+    """Remove the unfinished scenes with their objects, and show the previous scene in the window."""
     window.scene = previous
     for scene in unfinished:
         for thing in list(scene.objects):

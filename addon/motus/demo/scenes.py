@@ -1,23 +1,23 @@
-"""The list of the demo scenes, the one place to add another to. Pure Python: `./motus demo` reads it without Blender."""
+"""The list of the demo scenes. A new scene is added here only. Pure Python, so that `./motus demo` can read the list without Blender."""
 
 from typing import NamedTuple
 
 
 class DemoScene(NamedTuple):
-    """A scene, and what `./motus demo` renders of it. Times are seconds into the scene."""
+    """A demo scene, and the pictures and film that `./motus demo` renders from it. Times are in seconds from the scene's start."""
 
-    name: str  # for `./motus demo` and the files that it writes; the folder here whose build(context) makes the scene and shows it
-    identifier: str  # for motus.demo_scene
+    name: str  # name for `./motus demo` and its files, and the folder whose scene.build(context) builds the scene
+    identifier: str  # value of the operator motus.demo_scene for this scene
     label: str
     description: str
     stills: tuple  # (camera, time), the most beautiful first
     film: tuple  # (time of its start, time of its end)
-    ambience: float  # m up to which things darken each other
-    # Of a stereo camera: how each still is written, and then the film, by motus.stereo_output's names; "" from between the eyes.
+    ambience: float  # greatest distance at which ambient occlusion acts, m
+    # For a stereo camera: format of each still and then of the film, as motus.stereo_output names it; "" renders from between the eyes.
     stereo: tuple = ()
 
 
-# The first one's still is rendered before all others, and its film is the one that `./motus demo` without a name makes.
+# The first scene's still is rendered first, and its film is the one that `./motus demo` without a name makes.
 SCENES = (
     DemoScene(
         name="flight",
@@ -25,7 +25,7 @@ SCENES = (
         label="Banked Flight",
         description="An aeroplane on a curved course over a lake, with a chasing camera",
         stills=(("Wide Camera", 1.05), ("Fly-By Camera", 9.5), ("Chase Camera", 6.2)),
-        film=(5.9, 9.8),  # the markers cut between cameras on the way
+        film=(5.9, 9.8),  # timeline markers cut between cameras during the film
         ambience=3.0,
     ),
     DemoScene(

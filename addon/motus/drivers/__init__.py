@@ -1,4 +1,4 @@
-"""Motion drivers: functions for any driver expression, and operators that put them on any property."""
+"""Motion drivers: functions that any driver expression can call, and operators that add such drivers to properties."""
 
 from ..core.declare import Feature
 from ..core.interface.view import graph

@@ -1,4 +1,4 @@
-"""Driver expressions that call Motus functions: composed from the keywords of an operator, and parsed back into keywords."""
+"""Compose driver expressions that call Motus functions from keywords of an operator, and parse such expressions back into keywords."""
 
 import ast
 import re
@@ -9,11 +9,13 @@ LONGEST = 255  # most characters that Blender accepts in an expression
 
 @dataclass(frozen=True)
 class Function:
-    """One of the functions that a driver can call.
+    """Description of a function that driver expressions can call.
 
-    identifier: value of the operator's keyword `function`. name: in expressions. arguments: keywords that follow `frame`, in their order.
-    defaults: of the last arguments, which are left out of the expression if they have these values. has_start: whether the function counts
-    frames from a start frame. follows: whether the function follows a property (`source`, `source_index`), and so has no base.
+    identifier: value of the keyword `function` of motus.driver_add. name: name of the function in expressions.
+    arguments: keywords of the operator that follow the argument `frame`, in their order.
+    defaults: default values of the last arguments, which an expression leaves out if they have these values.
+    has_start: whether the function counts frames from a start frame.
+    follows: whether the function follows a property (keywords `source`, `source_index`); such a function has no base value.
     """
 
     identifier: str
@@ -68,16 +70,16 @@ BY_IDENTIFIER = {one.identifier: one for one in FUNCTIONS}
 BY_NAME = {one.name: one for one in FUNCTIONS}
 _CALL = re.compile(r"motus_\w+\(")
 _ENUMS = {"which": ('THETA1', 'THETA2', 'OMEGA1', 'OMEGA2')}
-"""Keywords whose enum items are numbers in expressions."""
+"""Items of the enum keywords that an expression writes as a number: the index of the item."""
 
 
 def names_ours(expression):
-    """Whether an expression calls one of the Motus functions."""
+    """Whether a driver expression calls one of the Motus functions."""
     return any(found.group()[:-1] in BY_NAME for found in _CALL.finditer(expression))
 
 
 def compose(keywords):
-    """Compose the expression of an operator's keywords: `base` plus `amplitude` times the function's value."""
+    """Return the driver expression for the operator's keywords: `base` plus `amplitude` times the function's value."""
     function = BY_IDENTIFIER[keywords["function"]]
     if function.follows:
         numbers = ", ".join(_text(keywords[name]) for name in function.arguments)
@@ -104,7 +106,7 @@ def _text(value):
 
 
 def read(expression):
-    """Parse an expression that compose() has made into its keywords; None for any other expression."""
+    """Parse a driver expression that compose() has made; returns the operator's keywords, or None for all different expressions."""
     try:
         tree = ast.parse(expression, mode='eval').body
     except (SyntaxError, ValueError, MemoryError, RecursionError):
@@ -145,7 +147,10 @@ def _read_follower(function, given):
 
 
 def _split(tree, operator, neutral):
-    """Split `number + x` or `number * x` into (number, x), with None for another left side; other trees into (neutral, tree)."""
+    """Split the syntax tree of `number + x` or `number * x` into (number, x); the number is None if the left side is no number.
+
+    All different trees give (neutral, tree).
+    """
     if isinstance(tree, ast.BinOp) and isinstance(tree.op, operator):
         return _constant(tree.left), tree.right
     return neutral, tree

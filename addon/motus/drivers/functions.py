@@ -1,7 +1,7 @@
-"""Functions for driver expressions; they work also in files whose scripts Blender does not run by itself.
+"""Functions for driver expressions; they also work in files whose Python scripts Blender does not run automatically.
 
-Blender stops calling a driver whose function has raised. So the functions never raise: without a valid result they return the value at
-rest, and print the reason to the console once. `problem` gives the reason to the panel.
+Blender disables a driver whose function has raised an exception. So the functions never raise: if there is no valid result, they return the
+value at rest, and print the reason to the console once. The panel shows the reason too.
 """
 
 import logging
@@ -25,7 +25,7 @@ _said = set()
 
 
 def seconds(frame):
-    """Time in seconds of a frame, in the scene that is being evaluated."""
+    """Time of a frame in seconds, by the frame rate of the scene that the depsgraph is evaluating."""
     # Blender passes the depsgraph to each driver; users' expressions do not pass it on to the functions.
     return scene_time.seconds(bpy.app.driver_namespace["depsgraph"].scene, frame)
 
@@ -77,7 +77,7 @@ def motus_double_pendulum(
 def motus_ease(frame, start, end, ease_in=0.3, ease_out=0.3):
     """Ease from 0 at frame `start` to 1 at frame `end`.
 
-    ease_in, ease_out: fractions of the time in which the value speeds up and slows down.
+    ease_in, ease_out: fractions of the duration in which the value accelerates and slows down.
     """
     try:
         keep_state()
@@ -89,7 +89,7 @@ def motus_ease(frame, start, end, ease_in=0.3, ease_out=0.3):
 
 
 def motus_noise(frame, speed=1.0, seed=0):
-    """Smooth noise in [-1, 1]. speed: approximate number of ups and downs per second."""
+    """Smooth noise in [-1, 1] at a frame. speed: approximate number of ups and downs per second. seed: chooses the noise."""
     try:
         keep_state()
         return native.module.noise1(seconds(frame) * speed, seed)
@@ -98,10 +98,10 @@ def motus_noise(frame, speed=1.0, seed=0):
 
 
 def motus_second_order(self, data_path, index, frame, f=1.0, zeta=0.5, r=0.0):
-    """Follow the keys of a property of the driven datablock by second-order dynamics.
+    """Value of a property of the driven datablock, followed by second-order dynamics (like a mass on a spring).
 
-    f: frequency, Hz. zeta: damping ratio. r: initial response. index: component of an array property. The property may be the driven one,
-    whose keys are followed then. Up to the scene's first frame the result is at rest.
+    self, data_path, index: the driven struct, and the property with its array index. f: frequency, Hz. zeta: damping ratio. r: initial
+    response. If the property is the driven property, its keys are followed. Until the scene's first frame the result is at rest.
     """
     try:
         keep_state()
@@ -120,7 +120,7 @@ def _held(value):
 
 
 def _at_rest(name, error, value):
-    # The library's message on arguments of a wrong type names C++ types.
+    # A TypeError of the native module names C++ types, so that a plain sentence replaces its message.
     sentence = f"{name}: {'an argument is no number' if isinstance(error, TypeError) else error}"
     if native.module is not None and sentence not in _said and len(_said) < MOST_SAID:
         _said.add(sentence)

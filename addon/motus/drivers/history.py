@@ -1,4 +1,4 @@
-"""Second-order dynamics on the keys of a property, computed up to any frame."""
+"""Second-order dynamics that follow the keys of a property, computed from the scene's first frame up to any frame."""
 
 from ..core import native, tracks
 from ..core.blender import actions
@@ -9,7 +9,7 @@ from ..core.refusals import Refused
 from ..core.translations import tr
 
 PARTS = 8
-"""Samples per frame of the followed value; between samples the value is taken as linear."""
+"""Samples of the followed property per frame; between samples its value is taken as linear."""
 PIECE = 1024  # frames of the shortest sampled range, which is doubled until it reaches the frame
 MOST = 65536  # most frames after the first; later frames have the last value
 
@@ -22,7 +22,7 @@ def track_of(owner, data_path, index):
 
 
 def check(id_data, data_path, index):
-    """Refuse a property whose value is not known at every frame."""
+    """Raise Refused if a property does not exist, has no keys, or has no known value at every frame."""
     try:
         track = track_of(id_data, data_path, index)
     except ValueError as error:
@@ -34,9 +34,10 @@ def check(id_data, data_path, index):
 
 
 def followed(owner, data_path, index, frame, scene, numbers):
-    """The followed value on a frame.
+    """Value at a frame of second-order motion that follows a property; the present value if nothing animates the property.
 
-    numbers: frequency, damping, response. Raises ValueError for invalid numbers, and Refused if the property is not known at all frames.
+    numbers: (frequency in Hz, damping ratio, response). Raises ValueError if the numbers are invalid or the values at all frames are
+    unknown, and Refused if the property is no number.
     """
     first, length = scene_time.first(scene), scene_time.seconds(scene, 1)
     pieces = 1
@@ -59,7 +60,7 @@ def _own_actions(id_data):
 
 
 def _kept(id_data, data_path, index, what):
-    """Native track that _made() returns, kept until the property's keys change."""
+    """Native Track from _made(), cached until the keys of the property change. what: arguments of _made() behind the track."""
     stamp = tracks.keys_stamp(id_data)
     if stamp is None:
         track = track_of(id_data, data_path, index)
@@ -88,7 +89,7 @@ def _followed(track, numbers, first, pieces, length):
 
 
 def present(owner, data_path, index):
-    """Present value of a property; 0 if the property does not exist."""
+    """Present value of a property of the owner; 0.0 if the property does not exist or is no number."""
     try:
         value = owner.id_data.path_resolve(data_path)
         return float(value[max(index, 0)] if hasattr(value, "__len__") else value)

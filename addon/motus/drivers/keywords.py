@@ -1,4 +1,4 @@
-"""The keywords of motus.driver_add, which are the arguments of its functions."""
+"""Properties of the operator motus.driver_add: the driver function and its arguments."""
 
 import bpy
 
@@ -14,7 +14,7 @@ WHICH = (
 
 
 class DriverKeywords:
-    """Mixin of operators: keywords that choose the driver function and give its arguments."""
+    """Mixin of operators, with the properties that choose a driver function and give its arguments."""
 
     function: bpy.props.EnumProperty(
         name="Motion",
@@ -148,9 +148,9 @@ REDO = (
         )
     ),
 )
-"""Rows of keywords in the dialog and in the redo panel."""
+"""Rows of properties in the operator's dialog and in its Adjust Last Operation panel."""
 
 
 def given(operator):
-    """Keywords of the operator with their values, by name."""
+    """Return {name: value} of the operator's keywords that choose a driver function and give its arguments."""
     return {name: getattr(operator, name) for name in NAMES}

@@ -1,4 +1,4 @@
-"""Entries for motion drivers in the menu that a right click on a property opens."""
+"""Entries that add and remove motion drivers, in the context menu of a property."""
 
 import bpy
 
@@ -26,10 +26,10 @@ def _draw(menu, context):
 
 
 def register():
-    """Add the entries to Blender's menu."""
+    """Add the entries for motion drivers to Blender's context menu of properties."""
     bpy.types.UI_MT_button_context_menu.append(_draw)
 
 
 def unregister():
-    """Remove the entries from Blender's menu."""
+    """Remove the entries for motion drivers from Blender's context menu of properties."""
     bpy.types.UI_MT_button_context_menu.remove(_draw)

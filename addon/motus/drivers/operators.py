@@ -16,7 +16,7 @@ WIDTH = 360
 
 
 class _OnProperty(datablocks.OfADatablock):
-    """Mixin of operators: keywords that name the property."""
+    """Mixin of the operators that act on one property, with the keywords that name it."""
 
     channel: bpy.props.EnumProperty(
         name="Channel",
@@ -27,7 +27,7 @@ class _OnProperty(datablocks.OfADatablock):
     )
 
     def properties_meant(self, context):
-        """Places of the property that the keywords name. Raises Refused."""
+        """Return the numbers (Places) of the property that the keywords name. Raises Refused if there is no such property."""
         datablock = self.id_data(context)
         check_local(datablock)
         path, index = self.data_path, self.index
@@ -38,7 +38,10 @@ class _OnProperty(datablocks.OfADatablock):
         return places.find(datablock, path, index)
 
     def take_hovered(self, context):
-        """Store the property under the mouse in the keywords, so that the redo panel finds it again; False if there is none."""
+        """Store the property under the mouse in the keywords, so that the operator finds it again when it is redone.
+
+        If the keywords name a property already, nothing is stored. Returns False if no property is known.
+        """
         found = None if self.data_path else hovered.find(context)
         if found is None:
             return bool(self.data_path)
@@ -78,7 +81,11 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
         return manager.invoke_props_dialog(self, width=WIDTH)
 
     def _take_up(self, context, found):
-        """Set the keywords to those of the motion driver that the property has; without such a driver to the property's own value."""
+        """Copy the keywords of the motion driver that the property has into the operator.
+
+        Without a driver, `base` becomes the property's present value, and the remaining keywords get defaults that suit the scene. Raises
+        Refused if the property has a driver that is no motion driver.
+        """
         curve = found[0].curve if self.data_path else None
         known = curve and expressions.read(curve.driver.expression)
         if curve and not known:
@@ -96,7 +103,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
             self.gravity = context.scene.gravity.length
 
     def _in_unit(self, scene):
-        """Default keywords converted to the scene's unit."""
+        """Return {keyword: default} with defaults converted to the scene's unit, for keywords that the caller has not given."""
         return units.defaults(scene, self.properties, [name for name in NAMES if not self.is_given(name)])
 
     def draw_below(self, _context):
@@ -135,7 +142,11 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
         return text
 
     def _for_component(self, keywords, place, number):
-        """Keywords for one component of an array: each component swings about its own value, and each noise gets a seed of its own."""
+        """Return the keywords for one component of an array property.
+
+        place: the component. number: its position among the driven components. Each component has its own value as base, and each noise has
+        its own seed.
+        """
         keywords = dict(keywords)
         if not self.is_given("base"):
             known = place.curve and expressions.read(place.curve.driver.expression)
@@ -146,7 +157,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
         return keywords
 
     def _check(self):
-        """Refuse arguments that the driver function refuses, with the function's message."""
+        """Raise Refused with the driver function's message if the function does not accept the arguments."""
         try:
             preview.sample(given(self), [0.0])
         except ValueError as error:

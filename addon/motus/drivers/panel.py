@@ -1,4 +1,4 @@
-"""Panel of the motion drivers on the active object, its data and its materials."""
+"""Panel with the motion drivers on the active object, its data and its materials."""
 
 from ..core import native
 from ..core.blender.datablocks import collection_of, label_of
@@ -22,7 +22,7 @@ def _draw_driver(layout, obj, found):
     row.label(text=label, icon='DRIVER', translate=False)
     for operator, icon in ((MOTUS_OT_driver_add, 'PREFERENCES'), (MOTUS_OT_driver_remove, 'X')):
         if operator is MOTUS_OT_driver_add and not keywords:
-            continue  # an expression that the user has written
+            continue  # the user has written or changed the expression
         button = row.operator(operator.bl_idname, text="", icon=icon)
         button.datablock, button.collection = found.datablock.name, collection_of(found.datablock)
         button.data_path, button.index = found.path, found.index
@@ -32,7 +32,7 @@ def _draw_driver(layout, obj, found):
 
 
 def _problem(found, keywords):
-    """Why a motion driver stays at its value at rest; "" if the driver works."""
+    """Sentence that says why a motion driver only returns its value at rest; "" if the driver works. keywords: its parsed expression."""
     try:
         preview.sample(keywords, [0.0])
         if expressions.BY_IDENTIFIER[keywords["function"]].follows:

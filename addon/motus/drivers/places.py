@@ -1,4 +1,4 @@
-"""Find the property that gets a motion driver by its data path, and the drivers that it has."""
+"""Find a property by its data path, its driver, and all motion drivers (drivers that call Motus functions) on a datablock."""
 
 import re
 from dataclasses import dataclass
@@ -20,12 +20,16 @@ CHANNELS = [(BY_PATH, "By Path", "The property that the data path names")] + [
     for kind, label, where in (('LOCATION', "Location", "along"), ('ROTATION', "Rotation", "about"), ('SCALE', "Scale", "along"))
     for axis in "XYZ"
 ]
-"""Enum items: channels of an object that an operator drives if no property is under the mouse."""
+"""Enum items: transform channels of an object, one of which an operator drives if no property is under the mouse."""
 
 
 @dataclass(frozen=True)
 class Place:
-    """One number that can be driven. struct: owner of the property. name: of the property, or ["name"]. index: in an array, else -1."""
+    """One number that can be driven.
+
+    struct: owner of the property. name: name of the property, or ["name"] for a custom property. index: index in an array; -1 if the
+    property is no array.
+    """
 
     struct: Any
     name: str
@@ -33,28 +37,28 @@ class Place:
 
     @property
     def holder(self):
-        """The datablock that has the driver."""
+        """The datablock that holds the property, and so its driver."""
         return self.struct.id_data
 
     @property
     def path(self):
-        """Data path of the property from its datablock."""
+        """Data path of the property, relative to its datablock."""
         own = "" if self.struct == self.holder else self.struct.path_from_id()
         return own + self.name if self.name.startswith("[") or not own else f"{own}.{self.name}"
 
     @property
     def curve(self):
-        """F-curve of the property's driver; None if the property has no driver."""
+        """Driver F-curve of the property; None if the property has no driver."""
         animation = self.holder.animation_data
         return animation and animation.drivers.find(self.path, index=max(self.index, 0))
 
     @property
     def value(self):
-        """Present value of the property."""
+        """Present value of the number."""
         return _at(_values(self.struct, self.name), self.index)
 
     def rest_at(self, number):
-        """Set the property's value."""
+        """Assign a value to the number."""
         if self.index >= 0:
             _values(self.struct, self.name)[self.index] = number
         elif self.name.startswith("["):
@@ -63,14 +67,14 @@ class Place:
             setattr(self.struct, self.name, number)
 
     def evaluated(self, depsgraph):
-        """The property's value on the evaluated copy of its datablock; the original value if there is no evaluated copy."""
+        """Value of the number on the evaluated copy of its datablock; the original value if there is no evaluated copy."""
         try:
             return _at(self.holder.evaluated_get(depsgraph).path_resolve(self.path), self.index)
         except (ValueError, TypeError, IndexError, RuntimeError):
             return self.value
 
     def add(self, expression):
-        """Drive the property by an expression, replacing the driver that it has."""
+        """Add a driver with this expression to the number, in place of the driver that it has."""
         if self.curve:
             self.remove()
         made = self.struct.driver_add(self.name, self.index)
@@ -83,18 +87,21 @@ class Place:
         made.driver.expression = expression
 
     def remove(self):
-        """Remove the property's driver."""
+        """Remove the driver of the number."""
         self.struct.driver_remove(self.name, self.index)
 
 
 def label(found):
-    """Interface label of a property, from its Places: one number, or all components of an array."""
+    """Label of a property in the interface. found: its Places, either one number or all components of an array."""
     first = found[0]
     return datablocks.label_of(first.holder, first.path, first.index if len(found) == 1 else -1)
 
 
 def of_channel(obj, channel):
-    """Data path and index of the object's channel that an item of CHANNELS names."""
+    """Return (data path, index) of the transform channel of an object that an item of CHANNELS names.
+
+    Raises Refused if `obj` is no object, or if the channel is an Euler rotation that the object does not use.
+    """
     kind, axis = channel.split("_")
     if not isinstance(obj, bpy.types.Object):
         raise Refused(tr("Only objects and bones have a transform: give a data path"))
@@ -131,7 +138,10 @@ def _at(value, index):
 
 
 def find(id_data, data_path, index=-1):
-    """Numbers (Places) of a property: one, or with index -1 one for each component of an array. Raises Refused if the property is no number."""
+    """Return the Places of a property: one number; with index -1 one Place for each component of an array.
+
+    The data path may end with an array index. Raises Refused if the property does not exist or is no number.
+    """
     path = data_path
     found = _INDEX.search(path)
     if found and index < 0:
@@ -164,7 +174,7 @@ def _unknown(id_data, data_path):
 
 
 def _size(struct, name, value):
-    """Number of components of a property, 0 for a single number; None if the property cannot be driven."""
+    """Number of components of an array property; 0 for a single number; None if the property cannot be driven."""
     if name.startswith("["):
         if isinstance(value, (int, float)):
             return 0
@@ -179,9 +189,10 @@ def _size(struct, name, value):
 
 @dataclass(frozen=True)
 class Found:
-    """A driver that calls a Motus function.
+    """A driver whose expression calls a Motus function.
 
-    holder: datablock or node tree that has the driver. path: data path of the property from the named datablock. index: component, or -1.
+    datablock: datablock on which the driver was searched. holder: the datablock, or its node tree, that has the driver.
+    path: data path of the driven property, relative to `datablock`. index: component of an array, or -1.
     """
 
     datablock: Any
@@ -191,26 +202,26 @@ class Found:
     expression: str
 
     def remove(self):
-        """Remove the driver, also if its property no longer exists."""
+        """Remove the driver, even if the driven property no longer exists."""
         path = self.path if self.holder == self.datablock else self.path.partition(".")[2]
         drivers = self.holder.animation_data.drivers
         for curve in [curve for curve in drivers if curve.data_path == path and self.index in (-1, curve.array_index)]:
             drivers.remove(curve)
 
     def places(self):
-        """The driven numbers of the property, as Places. Raises Refused if the property no longer exists or is no longer a number."""
+        """Return the driven numbers as Places. Raises Refused if the property no longer exists or is no longer a number."""
         return find(self.datablock, self.path, self.index)
 
 
 def of_object(obj):
-    """Motion drivers on an object, its data, its shape keys and its materials."""
+    """Return the motion drivers (Found) on an object, its data, its shape keys and its materials."""
     data = obj.data
     holders = obj, data, getattr(data, "shape_keys", None), *(slot.material for slot in obj.material_slots)
     return [one for datablock in dict.fromkeys(holders) if datablock for one in on(datablock)]
 
 
 def on(datablock):
-    """Motion drivers on a datablock and on its node tree."""
+    """Yield the motion drivers (Found) on a datablock and on its node tree."""
     yield from _within(datablock, "")
     if getattr(datablock, "node_tree", None):
         yield from _within(datablock, "node_tree")
@@ -226,12 +237,12 @@ def _within(datablock, within):
 
 
 def there(datablock):
-    """Numbers (Places) on a datablock or its node tree that motion drivers drive, for drivers whose property still exists."""
+    """Return the Places that motion drivers on a datablock or its node tree drive, leaving out properties that no longer exist."""
     return [place for one in on(datablock) if not _is_gone(one) for place in one.places()]
 
 
 def gone(datablock):
-    """Motion drivers on a datablock, or on its node tree, whose property no longer exists or is no longer a number."""
+    """Return the motion drivers (Found) on a datablock or its node tree whose property no longer exists or is no longer a number."""
     return [one for one in on(datablock) if _is_gone(one)]
 
 

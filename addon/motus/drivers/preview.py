@@ -1,4 +1,4 @@
-"""Graph of the chosen motion in the dialog of motus.driver_add."""
+"""Graph of a driver function's motion, drawn in the dialog of motus.driver_add."""
 
 from ..core import native
 from ..core.interface import ui
@@ -11,7 +11,10 @@ COUNT = 256
 
 
 def sample(keywords, times):
-    """Values of the function without base and amplitude, at times in seconds. Raises ValueError that names the wrong argument."""
+    """Values (n,) of a driver function at times in seconds, without base and amplitude.
+
+    keywords: the function and its arguments. Raises ValueError with the name of the wrong argument.
+    """
     call = getattr(native.module, _NATIVE[keywords["function"]][0])
     return _NATIVE[keywords["function"]][1](call, keywords, np.asarray(times, dtype=float))
 
@@ -59,7 +62,7 @@ _NATIVE = {
 
 
 def draw(layout, operator):
-    """Draw the graph of some seconds of the motion, or the sentence that says why there is no graph."""
+    """Draw the graph of the first SECONDS of the operator's motion; if its arguments are invalid, draw the reason instead."""
     if not ui.draw_native_status(layout):
         return
     function = expressions.BY_IDENTIFIER[operator.function]

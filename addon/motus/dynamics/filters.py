@@ -1,4 +1,7 @@
-"""The numbers of a filter in the three ways to set it: frequency, damping, response; overshoot, settling; mass, spring."""
+"""The second-order filter of dynamics, and three sets of numbers that describe it.
+
+The sets are frequency, damping and response; overshoot and settling time; mass, stiffness and resistance of a spring.
+"""
 
 import math
 
@@ -9,21 +12,24 @@ GREATEST_DAMPING = 100.0
 GREATEST_RESPONSE = 100.0
 LEAST_SETTLING, GREATEST_SETTLING = 1e-3, 1e4  # s
 LEAST_OVERSHOOT = 1e-3
-"""Below it the critical damping is meant, which does not overshoot."""
+"""Smallest overshoot as a fraction of a step: a smaller one stands for critical damping, which does not overshoot."""
 NUMBERS = ("frequency", "damping", "response")
 
 
 def numbers(entry):
-    """(frequency, damping, response) of an entry or operator."""
+    """Return (frequency in Hz, damping, response) of an entry of the dynamics list or of an operator."""
     return tuple(getattr(entry, name) for name in NUMBERS)
 
 
 FORGOTTEN = 20.0
-"""Time constants of its slowest part after which a filter has forgotten how it swung: less is left than single precision tells."""
+"""Number of time constants of a filter's slowest part after which its oscillation has decayed below single precision."""
 
 
 def memory(found):
-    """Seconds after which the filter of (frequency, damping, response) has forgotten what was; infinite without damping."""
+    """Return the seconds after which an input no longer affects a filter's output; infinite if the damping is 0.
+
+    found: (frequency, damping, response) of the filter.
+    """
     frequency, damping, _ = found
     slowest = damping if damping <= 1.0 else 1.0 / (damping + math.sqrt(damping * damping - 1.0))
     rate = math.tau * frequency * slowest
@@ -31,15 +37,18 @@ def memory(found):
 
 
 def second_order(found):
-    """The native filter of (frequency, damping, response). Raises ValueError."""
+    """Make a native SecondOrder filter. found: (frequency, damping, response). Raises ValueError for numbers out of range."""
     return native.module.SecondOrder(*found)
 
 
 def seen(entry, key):
-    """What frequency, damping and response make of another number of an entry."""
+    """Compute a derived number of an entry from its frequency, damping and response; 0.0 if it cannot be computed.
+
+    key: "overshoot", "settling", "stiffness" or "resistance".
+    """
     try:
         return _SEEN[key](entry)
-    except (AttributeError, ValueError):  # without the native module
+    except (AttributeError, ValueError):  # AttributeError: the native module could not be loaded
         return 0.0
 
 
@@ -51,14 +60,14 @@ def put(entry, key, value):
     """
     try:
         found = _PUT[key](entry, value)
-    except (AttributeError, ValueError):  # no filter overshoots so little with that response
+    except (AttributeError, ValueError):  # ValueError: no filter with this response has so small an overshoot
         return
     for name, number in zip(NUMBERS, found):
         setattr(entry, name, number)
 
 
 def from_overshoot(overshoot, settling, response):
-    """(frequency, damping, response) of what overshoots and settles so. Raises ValueError where nothing does."""
+    """Return (frequency, damping, response) of the filter with an overshoot and settling time (s). Raises ValueError if there is none."""
     if overshoot < LEAST_OVERSHOOT:
         return _scaled((1.0, 1.0, response), settling)
     made = native.module.SecondOrder.from_overshoot(overshoot, settling, response)
@@ -66,20 +75,29 @@ def from_overshoot(overshoot, settling, response):
 
 
 def from_spring(mass, stiffness, resistance):
-    """(frequency, damping, response) of a mass (kg) on a spring (N/m) and a damper (N s/m). Raises ValueError."""
+    """Return (frequency, damping, response) of a mass (kg) on a spring (N/m) with a damper (N s/m).
+
+    Raises ValueError for numbers out of range.
+    """
     made = native.module.SecondOrder.from_mass_spring(mass, stiffness, resistance)
     return made.frequency, made.damping, 2.0
 
 
 def seconds_shown(found):
-    """How long a graph of the step response is, in s: until it has come to rest, or for some swings."""
+    """Return the duration of a graph of a filter's step response, in s: until it rests, but at most 12 periods.
+
+    found: (frequency, damping, response) of the filter.
+    """
     settling = second_order(found).settling_time()
     longest = 12.0 / found[0]
     return min(1.25 * settling, longest) if math.isfinite(settling) and settling > 0.0 else longest
 
 
 def _scaled(found, settling):
-    """The filter with a frequency such that it settles within `settling` seconds. Raises ValueError if `settling` is not above 0."""
+    """Return a filter's (frequency, damping, response) with the frequency changed so that it settles within `settling` seconds.
+
+    Raises ValueError if `settling` is not above 0.
+    """
     if not settling > 0.0:
         raise ValueError("settling")
     return found[0] * second_order(found).settling_time() / settling, *found[1:]

@@ -1,4 +1,8 @@
-"""What is wired on an owner: the object itself, its bones and properties that follow, and which of them are solved together."""
+"""Declare what dynamics drive on an object: the object itself, its bones and its properties, in groups that are solved together.
+
+An object with dynamics is the owner of a list of entries; each entry makes the object, one bone or one property follow its animation
+like a mass on a spring.
+"""
 
 import json
 from typing import NamedTuple
@@ -12,21 +16,26 @@ from ..core.tracks import transforms
 from . import inputs
 
 PLAN = "plan"
-"""Key of a group's data: a JSON object that solve.Plan is read from."""
+"""Key of a group's data: JSON text with the units and properties of the group, which solve._make() parses."""
 LOOPED = "looped"
-"""Key of a group's data: how many bones are left out, because what they hang on moves with them."""
+"""Key of a group's data: number of units that are left out, because their parent depends on the bones that they drive."""
 MISSING = "missing"
-"""Key of a group's data: how many entries' bones the rig has not."""
+"""Key of a group's data: number of entries whose bones do not exist in the rig."""
 OBJECT = "object"
-"""Name of the object's own unit; bones' are called "bone " and the topmost bone, properties' by their path."""
+"""Name of the unit of the object itself.
+
+Units of bones are named "bone " and the name of the topmost bone, units of properties by data path and index.
+"""
 PROPERTIES = "properties"
 TURN = frozenset({"rotation"})
 
 
 class Unit(NamedTuple):
-    """What is solved at once: the object, a bone by its own animation, bones that hang on each other by their tails, a property.
+    """What the solver handles in one step: the object, one bone, a chain of bones, or one property.
 
-    entries: of the things, the topmost bone first. kind: 'OBJECT', 'OWN', 'TAILS' or 'PROPERTY', whose thing is its owner.
+    kind: 'OBJECT', 'OWN' (a bone that follows its own animation), 'TAILS' (parent and child bones whose tails follow their motion in
+    the world) or 'PROPERTY'.
+    things: the Object or PoseBones; of a property, its owner. entries: one for each thing, the topmost bone's first.
     """
 
     name: str
@@ -35,7 +44,7 @@ class Unit(NamedTuple):
     things: tuple
 
     def reads(self, owner):
-        """(object, bone or "") whose evaluated transform it needs."""
+        """List the evaluated transforms that the unit needs, as [(object, bone name or "")]."""
         if self.kind == 'OBJECT':
             parent = transforms.parent_of(owner)
             if parent == owner.parent and not inputs.follows_parent(owner, self.entries[0]):
@@ -46,7 +55,7 @@ class Unit(NamedTuple):
         return unit_reads(owner, self.things[0].name)
 
     def input(self, scene):
-        """What it follows, over time."""
+        """Make the input of the unit: the animation over time that the dynamics filter."""
         entry = self.entries[0]
         if self.kind == 'TAILS':
             return inputs.TailInput(self.things, entry, scene)
@@ -58,18 +67,21 @@ class Unit(NamedTuple):
 
     @property
     def drives(self):
-        """What it drives: names of bones, or the object."""
+        """Tuple of what the unit drives: names of bones, or the object."""
         return tuple(thing.name if isinstance(thing, bpy.types.PoseBone) else thing for thing in self.things)
 
 
 def unit_reads(owner, bone):
-    """What a chain of tails needs to stand whose topmost bone is the one of this name."""
+    """List the transforms that a chain of bones needs: [(owner, name of the parent of its topmost bone)].
+
+    bone: name of the topmost bone. The name of the parent is "" if the topmost bone has no parent.
+    """
     parent = owner.pose.bones[bone].parent
     return [(owner, parent.name if parent else "")]
 
 
 def units(owner):
-    """The Units of an owner, as far as its bones are there, without two for a thing."""
+    """List the Units of an owner. Entries of missing bones, and further entries of one object or bone, are skipped."""
     found, tails, taken = [], {}, set()
     for entry in owner.motus.dynamics.entries:
         if entry.data_path:
@@ -90,7 +102,10 @@ def units(owner):
 
 
 def _tail_units(owner, tails, others):
-    """Units of the bones whose tails follow; others: names of bones that follow otherwise, between which chains end."""
+    """Yield a 'TAILS' Unit for each chain of bones whose tails follow.
+
+    tails: {bone name: entry}. others: names of bones with a different kind of entry, at which chains end.
+    """
     by_top = {}
     for name in tails:
         top = name
@@ -106,17 +121,20 @@ def _tail_units(owner, tails, others):
 
 
 def entries(owner):
-    """For the order of evaluation: what each unit reads and drives."""
+    """List an Entry with what it reads and drives for each unit but the properties; the order of evaluation is found from them."""
     return [Entry(unit.name, tuple(unit.reads(owner)), unit.drives) for unit in units(owner) if unit.kind != 'PROPERTY']
 
 
 def is_missing(owner, entry):
-    """Whether the rig has not the bone of an entry."""
+    """Whether an entry names a bone that does not exist in the rig."""
     return bool(entry.name) and (owner.pose is None or entry.name not in owner.pose.bones)
 
 
 def groups(owner):
-    """One group for the object, one for the bones of each level, and one for properties: they are solved by one call."""
+    """Return the Groups of an owner: one for the object, one for the bones of each level, one for properties.
+
+    Each group is solved by one call. A level holds bones that do not depend on each other's results.
+    """
     present = units(owner)
     levels = wiring.levels(owner)
     placed = [(levels.get(("dynamics", unit.name)), unit) for unit in present if unit.kind != 'PROPERTY']
@@ -126,7 +144,7 @@ def groups(owner):
             by_key.setdefault(OBJECT if unit.kind == 'OBJECT' else f"bones{level}", []).append(unit)
     parts = [(key, by_key[key], ()) for key in sorted(by_key, key=lambda key: (key != OBJECT, key))]
     properties = [unit.entries[0] for unit in present if unit.kind == 'PROPERTY']
-    if properties or not parts:  # without any there is one group, to say what is wrong
+    if properties or not parts:  # if nothing is driven, an empty group still reports problems
         parts.append((PROPERTIES, (), properties))
     wrong = {
         LOOPED: sum(level is None for level, _ in placed),
@@ -136,7 +154,7 @@ def groups(owner):
 
 
 def channels(entry, thing):
-    """What of a thing its entry drives."""
+    """Return the channels of an object or bone that its entry drives: a subset of "location", "rotation" and "scale"."""
     is_bone = isinstance(thing, bpy.types.PoseBone)
     if is_bone and entry.follow == 'WORLD':
         return TURN
@@ -145,7 +163,10 @@ def channels(entry, thing):
 
 
 def bone_renamed(owner, rig, old, new):
-    """Let the entries follow a bone that was given another name. The wiring wires the rig again by itself."""
+    """Rename a bone in the owner's entries after the user has renamed the bone. The wiring is renewed separately.
+
+    rig: armature object of the bone. old, new: names of the bone.
+    """
     if rig != owner:
         return
     with unwired(owner.motus.dynamics) as settings:

@@ -1,4 +1,7 @@
-"""What entries follow, over time: read from tracks, beneath what dynamics themselves make of it."""
+"""Inputs of dynamics: the animation over time that an entry filters, without the effect of the dynamics themselves.
+
+An entry is one item in an owner's list of dynamics. Inputs read tracks: a track gives a property or transform at any times.
+"""
 
 import functools
 from collections.abc import Sequence
@@ -17,7 +20,7 @@ from .sampling import Samples
 
 
 def of_object(obj, entry, scene):
-    """The input (motion to be filtered) of an object's entry: its world motion or its own channels. obj: original or evaluated."""
+    """Make the input (motion to be filtered) of an object's entry: its world motion or its own channels. obj: original or evaluated."""
     return WorldInput(obj, entry, scene) if follows_parent(obj, entry) else OwnInput(obj, entry, scene)
 
 
@@ -27,29 +30,31 @@ def follows_parent(obj, entry):
 
 
 def carrier(obj, scene):
-    """Track of the world matrix of an object's parent, an object or bone."""
+    """Return the track of the world matrix of an object's parent, which is an object or a bone."""
     return tracks.world_track(transforms.parent_of(obj), scene)
 
 
 MOST_NUMBERS = 32
-"""Numbers of an array property that can follow: Blender's own arrays have no more."""
+"""Greatest number of elements of an array property that can have dynamics: Blender's own arrays are not longer."""
 
 
 PARENT = None
-"""Among names of bones: what the object hangs on, object or bone. The name of the object itself is ""."""
+"""Stands for the parent of the object (an object or bone) in lists of bone names, in which "" stands for the object itself."""
 
 
 class _Input:
-    """What an entry follows, read from tracks. Built anew for each use.
+    """Base class of the inputs of entries: the motion that an entry filters, read from tracks. Made anew for each use.
 
-    carriers: names whose world tracks count for it, and change though neither the owner nor its keys are edited.
+    carriers: names (of bones, "" or PARENT) of what the input reads world tracks of. These tracks may change although neither the
+    owner nor its keys are edited.
+    Subclasses define `listed`, [(track, keywords of the operator motus.track_record or None)].
     """
 
     carriers: Sequence[Any] = ()
 
     @property
     def laid(self):
-        """Names of bones whose own transforms count for it, and other systems lay poses over."""
+        """Names of bones whose own transforms the input reads and over which different systems of Motus lay poses."""
         names = [keywords["bone"] for _, keywords in self.listed if keywords and keywords["transform"] == 'OWN' and "bone" in keywords]
         return [name for name in names if laid.is_laid(self._rig.pose.bones[name])]
 
@@ -62,53 +67,53 @@ class _Input:
 
     @property
     def reason(self):
-        """A Reason for which nobody knows it, recorded or not; None without."""
+        """The Reason why the input is unknown even if it is recorded; None if there is none."""
         return None
 
     @property
     def unknown(self):
-        """(track, keywords of motus.track_record) of what has to be recorded, or was."""
+        """[(track, keywords of motus.track_record)] of the tracks that have to be recorded, or have been recorded."""
         return [(track, keywords) for track, keywords in self.listed if track.reason is not None]
 
     @property
     def is_known(self):
-        """Whether all of it can be read."""
+        """Whether the whole input can be read."""
         return self.reason is None and all(track.is_known for track, _ in self.listed)
 
     @property
     def tracks(self):
-        """All tracks that it is made from."""
+        """List of all tracks from which the input is computed."""
         return [track for track, _ in self.listed]
 
     @property
     def extent(self):
-        """First and last frame between which any of the input's tracks changes; None if none does."""
+        """First and last frame between which any of the input's tracks changes; None if no track changes."""
         return extent_of(self.tracks)
 
     def times(self, reach):
-        """Frames at which it is looked at for a sampling.Reach."""
+        """Return the frames, rising, at which the input is sampled for a sampling.Reach."""
         return times_of(self._entry, self.tracks, self._scene, reach)
 
 
 def has_loop(entry):
-    """Whether an entry loops over some frames."""
+    """Whether an entry is set to loop over a range of frames that is not empty."""
     return entry.use_loop and entry.loop_end > entry.loop_start
 
 
 def extent_of(found):
-    """First and last frame between which any of several tracks changes; None if none does."""
+    """Return the first and last frame between which any of several tracks changes; None if no track changes."""
     return keys.united(track.extent for track in found)
 
 
 def times_of(entry, found, scene, reach):
-    """Frames at which the tracks of an entry are looked at for a sampling.Reach."""
+    """Return the frames, rising, at which the tracks of an entry's input are sampled. found: the tracks. reach: a sampling.Reach."""
     if has_loop(entry):
         return np.array(sampling.between(found, float(entry.loop_start), float(entry.loop_end), scene))
     return sampling.times(found, _span_of(entry, found, scene, reach), scene)
 
 
 def is_cut(entry, found, scene, reach):
-    """Whether more of the tracks of an entry would count than may be looked at for a sampling.Reach."""
+    """Whether an entry's input would need more samples than a sampling.Reach allows. found: tracks of the input."""
     return not has_loop(entry) and extent_of(found) is not None and _span_of(entry, found, scene, reach).is_cut
 
 
@@ -117,35 +122,35 @@ def _span_of(entry, found, scene, reach):
 
 
 def price_of(source):
-    """Price of sampling one piece of an input (see core/measures/bounds.py)."""
+    """Return the price of sampling one piece of an input, sampling.PIECE seconds (for its unit see core/measures/bounds.py)."""
     return sampling.RATE * sampling.PIECE * sum(track.price for track in source.tracks)
 
 
 def past_of(entry):
-    """Seconds of its input that count for an entry at a time."""
+    """Return how many seconds of its past input affect an entry's output: the filter's memory and the delay."""
     return filters.memory(filters.numbers(entry)) + entry.delay
 
 
 def seconds_of(frames, scene):
-    """Times in seconds."""
+    """Convert frames of the scene to seconds."""
     return scene_time.seconds(scene, frames)
 
 
 class OwnInput(_Input):
-    """The own transform of an Object or PoseBone."""
+    """Input that is an Object's or PoseBone's own transform: its location, rotation and scale channels without its parents."""
 
     @functools.cached_property
     def listed(self):
-        """[(track, keywords of motus.track_record)]."""
+        """[(track of the transform, keywords of the operator motus.track_record that records it)]: one pair."""
         thing = self._thing
         names = {"datablock": thing.id_data.name, "transform": 'OWN'}
         parts = {name.lower() for name in self._entry.channels}
         if "rotation" in parts:
-            parts.add("scale")  # what is mirrored turns otherwise
+            parts.add("scale")  # negative scales change the rotation that the matrix contains
         return [(tracks.own_track(thing, parts), names if thing == thing.id_data else names | {"bone": thing.name})]
 
     def samples(self, frames):
-        """Samples at frames (n,)."""
+        """Return the Samples of the input at frames (n,): locations, rotations and scales of the thing's own transform."""
         found = self.tracks[0].values(frames)
         turns = rotations.product(found.rotations, _mirrored(found.scales))
         return Samples(
@@ -158,13 +163,14 @@ class OwnInput(_Input):
 
 
 def _mirrored(scales):
-    """Quaternions by which a transform with these scales (n, 3) turns more than its rotation, as Blender takes it apart.
+    """Return quaternions (n, 4) by which Blender's decomposition of a matrix turns further than the keyed rotation.
 
-    Blender makes a mirrored matrix one with three negative scales, any other one with none.
+    scales: (n, 3) keyed scales. Blender decomposes a mirroring matrix into three negative scales, and any other matrix into three
+    positive ones. The remaining signs become half a turn.
     """
     signs = np.where(scales < 0.0, -1.0, 1.0)
     signs *= np.prod(signs, axis=1, keepdims=True)
-    # Half a turn about the axis that keeps its sign, or none.
+    # Two negative signs are left, which are half a turn about the third axis; or no sign is left, which is no turn.
     turned = (signs < 0.0).any(axis=1)
     found = np.zeros((len(scales), 4))
     found[~turned, 0] = 1.0
@@ -173,13 +179,13 @@ def _mirrored(scales):
 
 
 class WorldInput(_Input):
-    """An object's motion in the world: its own transform on top of its parent's."""
+    """Input that is an object's motion in the world: its own transform on top of its parent's world matrix."""
 
     carriers = (PARENT,)
 
     @functools.cached_property
     def listed(self):
-        """(track, keywords of motus.track_record) of the tracks that the input is made from."""
+        """[(track, keywords of the operator motus.track_record)]: of the object's own transform and of its parent's world matrix."""
         obj, parent = self._thing, transforms.parent_of(self._thing)
         names = {"datablock": obj.parent.name, "transform": 'WORLD'}
         if parent != obj.parent:
@@ -191,7 +197,7 @@ class WorldInput(_Input):
         return transforms.of_parent(self._thing)
 
     def samples(self, frames):
-        """The Samples at frames: locations and rotations in world space, scales as they are keyed."""
+        """Return the Samples of the input at frames (n,): locations and rotations in world space, scales as keyed."""
         own, carried = (track.values(frames) for track in self.tracks)
         space = rotations.chained(carried, transforms.parent_offset(self._thing))
         found = rotations.chained(space, own.matrices)
@@ -206,11 +212,14 @@ class WorldInput(_Input):
 
 
 class ValueInput(_Input):
-    """The numbers of a property by its own keys, beneath the drivers through which it follows; no tracks where it is gone."""
+    """Input that is a property's value by its own keys, without the drivers by which dynamics change it.
+
+    `tracks` is empty if the property does not exist any more.
+    """
 
     @functools.cached_property
     def listed(self):
-        """The tracks of the property's numbers; without keywords, since a property cannot be recorded while it is driven."""
+        """[(track, None)] for each element of the property: None because a property cannot be recorded while it is driven."""
         places = numbers_of(self._thing, self._entry)
         return [
             (tracks.property_track(place.id_data, place.data_path, place.number.index, is_beneath_driver=True), None) for place in places
@@ -221,17 +230,24 @@ class ValueInput(_Input):
         return next((track.reason for track in self.tracks if track.reason), None)
 
     def values(self, frames):
-        """Their values, (n, numbers)."""
+        """Return the values of the property's elements at frames (n,), as an array (n, elements)."""
         return np.stack([track.values(frames) for track in self.tracks], axis=1)
 
 
 def numbers_of(owner, entry):
-    """The Places of an entry's property, by its path from an original or evaluated owner; [] where that is gone."""
+    """List the Places of the elements of an entry's property; [] if the property does not exist.
+
+    owner: original or evaluated; the entry's data path starts from the owner. A Place says where an element lies in its datablock.
+    """
     return [wiring.property_place(owner, entry.data_path, index) for index in indices_of(owner, entry.data_path, entry.index)]
 
 
 def indices_of(owner, path, index, most=MOST_NUMBERS):
-    """Indices of the numbers that are meant at a path from an object, -1 of what is no array; [] where there are none."""
+    """List the indices of the elements of a property that can be driven; [] if the property does not exist or is no number.
+
+    path: data path from the owner. index: of one element; -1 selects all elements of an array, at most `most`.
+    The result is [-1] for a property that is not an array.
+    """
     try:
         value = owner.path_resolve(path)
         count = len(value) if index < 0 and hasattr(value, "__len__") and not isinstance(value, str) else 0
@@ -243,9 +259,9 @@ def indices_of(owner, path, index, most=MOST_NUMBERS):
 
 
 class TailInput(_Input):
-    """The motion of bones' tails in the world, by the animation of their rig and of the rig's parents.
+    """Input that is the motion of bones' tails in world space, from the animation of their rig and of the rig's parents.
 
-    Of the bones that hang on each other all are given together. Bones above them may be moved by other systems.
+    bones: all bones of one chain that follow, topmost first. Parent bones of the chain may be moved by different systems of Motus.
     """
 
     def __init__(self, bones, entry, scene):
@@ -257,14 +273,17 @@ class TailInput(_Input):
 
     @functools.cached_property
     def listed(self):
-        """(track, keywords of motus.track_record) of the tracks that the input is made from."""
+        """[(track, keywords of the operator motus.track_record)] of the rig, the bones of the chain and the bones above.
+
+        Bones above all bones that follow are read by the world track of the lowest of them.
+        """
         rig, scene = self._rig, self._scene
         found = {"": (tracks.world_track(rig, scene), {"datablock": rig.name, "transform": 'WORLD'})}
         names = {bone.name for bone in self._thing}
         for bone in self._thing:
             while bone is not None and bone.name not in found:
                 if names.isdisjoint(one.name for one in (bone, *bone.parent_recursive)):
-                    # Above all that follow.
+                    # The first bone above all bones that follow.
                     found[bone.name] = (
                         tracks.world_track(bone, scene, registered["dynamics"]),
                         {"datablock": rig.name, "bone": bone.name, "transform": 'WORLD'},
@@ -277,16 +296,20 @@ class TailInput(_Input):
 
     @property
     def carriers(self):
-        """Names of the bones that constraints turn above the ones that follow, and "" for the rig: their world tracks count for the input."""
+        """Names of parent bones of the chain whose world tracks the input reads because constraints act on them.
+
+        The list also has "" if the rig itself is constrained, or PARENT if the rig has a parent: unless the world track of a
+        listed bone is known, which depends on the rig's motion anyway.
+        """
         rig = self._rig
         bases = {keywords["bone"]: track for track, keywords in self.listed if keywords["transform"] == 'WORLD' and "bone" in keywords}
         found = [name for name in bases if _is_turned(rig.pose.bones[name])]
-        if any(bases[name].is_known for name in found):  # what is read of them says the same of the rig
+        if any(bases[name].is_known for name in found):  # the stamps of these world tracks change with the rig's motion as well
             return found
         return [*found, *([""] if len(rig.constraints) else [PARENT] if rig.parent else [])]
 
     def tails(self, frames):
-        """{bone's name: places of its tail (n, 3) in world space} at frames (n,)."""
+        """Return {bone name: positions of its tail in world space, (n, 3)} at frames (n,)."""
         return answered((self, frames.tobytes()), lambda: self._tails(frames))
 
     def _tails(self, frames):
@@ -301,7 +324,10 @@ class TailInput(_Input):
         return tails
 
     def _pose(self, bone, frames, inverse, poses):
-        """The bone's matrices (n, 4, 4) in the rig's space."""
+        """Return the pose matrices of a bone in the rig's space, (n, 4, 4).
+
+        inverse: inverses of the rig's world matrices. poses: {bone name: matrices} of bones computed before, which is filled.
+        """
         way = []
         while bone is not None and bone.name not in poses:
             way.append(bone)
@@ -322,12 +348,15 @@ class TailInput(_Input):
 
 
 def _is_turned(bone):
-    """Whether constraints that are not of dynamics act on a PoseBone, or on one above it."""
+    """Whether a PoseBone or one of its parents has constraints that do not belong to dynamics."""
     return any(not wiring.is_sink(registered["dynamics"], one) for above in (bone, *bone.parent_recursive) for one in above.constraints)
 
 
 def _inverse(matrices):
-    """Inverses of affine matrices (n, 4, 4); zeros for a singular one. Summed by hand, so that the bits do not depend on how the arrays are aligned."""
+    """Return the inverses of affine matrices (n, 4, 4). The upper 3 x 3 part of the inverse of a singular matrix is zero.
+
+    The sums are written out, so that the result does not depend on the alignment of the arrays to the last bit.
+    """
     x, y, z = (matrices[:, :3, column] for column in range(3))
     rows = [_cross(y, z), _cross(z, x), _cross(x, y)]
     volume = (x * rows[0]).sum(axis=1)

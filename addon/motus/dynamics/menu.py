@@ -1,4 +1,4 @@
-"""Entries in the menu that the right mouse button opens on a property."""
+"""Operators of dynamics in the context menu of a property, which the right mouse button opens."""
 
 import bpy
 
@@ -25,7 +25,7 @@ def _draw(menu, context):
 
 
 def _is_keyed_decimal(id_data, path):
-    """Whether keys animate a decimal number at a path, or an array of such."""
+    """Whether F-curves animate a property whose value is a float or an array of floats. path: data path from id_data."""
     curves = (curve for player in actions.players(id_data) for curve in actions.curves_of(player))
     if all(curve.data_path != path for curve in curves):
         return False
@@ -38,10 +38,10 @@ def _is_keyed_decimal(id_data, path):
 
 
 def register():
-    """Show them."""
+    """Add the operators to the context menu."""
     bpy.types.UI_MT_button_context_menu.append(_draw)
 
 
 def unregister():
-    """Hide them."""
+    """Remove the operators from the context menu."""
     bpy.types.UI_MT_button_context_menu.remove(_draw)

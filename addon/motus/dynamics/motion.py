@@ -1,4 +1,7 @@
-"""What the inputs of a group's entries make of its members at any time: native tracks, made once and kept."""
+"""Filtered motion of the members of a group at any time, from native tracks that are made once from the entries' inputs and kept.
+
+A member is an object or bone that dynamics drive. A native track holds a filtered input in a form that can be evaluated at any time.
+"""
 
 from typing import Any, NamedTuple
 
@@ -8,18 +11,19 @@ from ..core.tracks import rotations
 from . import filters, inputs
 
 CLOSED = 1e-3
-"""How far a rotation may be from where its loop began, as a part of a turn, and still be meant to be there again."""
+"""Tolerance of a closed loop: the dot product of its first and last quaternion must be at least 1 - CLOSED / 2."""
 
 
 class OpenLoop(Exception):
-    """A rotation does not come back to where its loop began."""
+    """Raised if the last rotation of a loop differs from its first rotation."""
 
 
 class Part(NamedTuple):
-    """What one entry does to one member: native tracks, None for what does not follow.
+    """Filtered motion of one member, by one entry.
 
-    row: of the member. delay: s. in_world: whether locations are those in world space. place: index of the entry.
-    swings_through: whether the input jumps, which a loop cannot leave out.
+    row: index of the member in its group. place: index of the entry. delay: in seconds. in_world: whether locations are in world
+    space. swings_through: whether the input of a loop has jumps, at which a loop cannot restart its filter.
+    locations, rotations, scales: native tracks; None for a channel without dynamics.
     """
 
     row: int
@@ -33,7 +37,10 @@ class Part(NamedTuple):
     scales: Any
 
     def at(self, seconds, weight):
-        """(moves, turns, ratios of the scale) of the member at a time, or times (n,); None for what does not follow."""
+        """Return (moves, turns, ratios of scale) by which dynamics change the member; None for a channel without dynamics.
+
+        seconds: one time, or times (n,). weight: share of the dynamics, from 0 to 1.
+        """
         moves = None if self.locations is None else weight * moved(self.locations, seconds, self.delay)
         turns = None if self.rotations is None else _shares(_turned(self.rotations, seconds, self.delay), weight)
         if self.scales is None:
@@ -44,7 +51,10 @@ class Part(NamedTuple):
         return moves, turns, 1.0 + weight * (ratios - 1.0)
 
     def write(self, seconds, weight, context, to_local):
-        """Let the member's row be what it is at a time. to_local(moves, in_world): in the axes that the sinks add them in."""
+        """Write the member's move, turn and scale at a time into its row of the context's arrays.
+
+        to_local(moves, in_world): function that converts an object's moves to the axes in which its constraint adds them.
+        """
         moves, turns, ratios = self.at(seconds, weight)
         if moves is not None:
             context.locations[self.row] = to_local(moves, self.in_world) if self.is_object else moves
@@ -55,7 +65,11 @@ class Part(NamedTuple):
 
 
 class Values(NamedTuple):
-    """What one entry does to a property. outputs: of the group, one a number; place: of the entry; track: of all numbers."""
+    """Filtered motion of one property, by one entry.
+
+    outputs: slice of the group's outputs, one output for each element of the property. place: index of the entry. delay: in seconds.
+    swings_through: whether the input of a loop has jumps, at which a loop cannot restart its filter. track: native track of all elements.
+    """
 
     outputs: slice
     place: int
@@ -64,19 +78,19 @@ class Values(NamedTuple):
     track: Any
 
     def write(self, seconds, weight, outputs):
-        """Let the outputs be what the property is at a time."""
+        """Write the values of the property at a time, in seconds, into its outputs. weight: share of the dynamics, from 0 to 1."""
         own = self.track.evaluate(seconds) - self.track.offsets(seconds)
         outputs[self.outputs] = own + weight * moved(self.track, seconds, self.delay)
 
 
 def moved(track, seconds, delay):
-    """Offset of a native Track, which follows its input with a delay, from that input, at one time or at times (n,)."""
+    """Return the offset of a delayed native Track from its undelayed input. seconds: one time, or times (n,)."""
     found = track.offsets(seconds)
     return found + (track.evaluate(seconds - delay) - track.evaluate(seconds)) if delay else found
 
 
 def _turned(track, seconds, delay):
-    """Offset of a RotationTrack, which follows its input with a delay, from that input, as rotations in the input's own frame."""
+    """Return the offset of a delayed native RotationTrack from its undelayed input, as quaternions in the input's own axes."""
     found = track.offsets(seconds)
     if not delay:
         return found
@@ -86,7 +100,11 @@ def _turned(track, seconds, delay):
 
 
 class Tails(NamedTuple):
-    """Tails that go the same way of filtering: the native track of all their places. rows: of bones; places: of entries."""
+    """Filtered positions of the tails of bones whose entries have equal filters, delays, loops and jumps.
+
+    track: native track of all positions. delay: in seconds. rows: indices of the bones. places: indices of their entries.
+    swings_through: whether the input of a loop has jumps, at which a loop cannot restart its filter.
+    """
 
     track: Any
     delay: float
@@ -96,7 +114,7 @@ class Tails(NamedTuple):
 
 
 def _shares(turns, weight):
-    """A share of the turns of unit quaternions (4,) or (n, 4), by the shorter way."""
+    """Scale the rotations of unit quaternions (4,) or (n, 4) by a weight from 0 to 1, along the shorter way."""
     if weight == 1.0:
         return turns
     mixed = weight * turns
@@ -105,14 +123,18 @@ def _shares(turns, weight):
 
 
 def part_of(thing, entry, row, place, scene, reach):
-    """The Part of an entry and its member; None where nothing moves. Raises OpenLoop, and ValueError for bad numbers."""
+    """Make the Part of a member by its entry; None if the input of the entry does not move.
+
+    row: index of the member in its group. place: index of the entry. reach: the sampling.Reach.
+    Raises OpenLoop if a rotation does not close its loop, and ValueError if the entry's numbers make no filter.
+    """
     is_object = thing == thing.id_data
     source = inputs.of_object(thing, entry, scene) if is_object else inputs.OwnInput(thing, entry, scene)
     extent = source.extent
     if extent is None:
         return None
     samples = source.samples(source.times(reach))
-    # An object that is moved has its filter for each channel that it has.
+    # One filter serves all channels of the member.
     follower = filters.second_order(filters.numbers(entry))
     is_loop = inputs.has_loop(entry)
     module, resets = native.module, [] if is_loop else samples.resets
@@ -149,7 +171,7 @@ def values_of(source, entry, outputs, place, scene, reach):
 
 
 def _closed(turns):
-    """Rotations (n, 4) with the last one replaced by the first, so that they close a loop. Raises OpenLoop if the two differ."""
+    """Return a copy of rotations (n, 4) whose last one equals the first, so that they close a loop. Raises OpenLoop if the two differ."""
     if abs((turns[0] * turns[-1]).sum()) < 1.0 - 0.5 * CLOSED:
         raise OpenLoop
     turns = turns.copy()
@@ -158,7 +180,11 @@ def _closed(turns):
 
 
 def tails_of(bones, entries, rows, places, scene, reach):
-    """Tails of the bones whose entries go the same way; [] where nothing moves. Raises ValueError for bad numbers."""
+    """Make a list of Tails, one for the bones that share the filter, delay, loop and jump of their entries; [] if nothing moves.
+
+    bones, entries, rows, places: of equal length; rows: indices for Tails.rows, places: indices of the entries.
+    Raises ValueError if the numbers of an entry make no filter.
+    """
     ways = {}
     for index, entry in enumerate(entries):
         loop = (entry.loop_start, entry.loop_end) if inputs.has_loop(entry) else None

@@ -1,4 +1,4 @@
-"""Operators that give objects and bones dynamics, and take them back."""
+"""Operators that add dynamics to objects, bones and properties, remove dynamics, and set their loops."""
 
 import bpy
 
@@ -12,7 +12,7 @@ from .properties import KEYWORDS, DynamicsKeywords
 OF_OVERSHOOT = "overshoot", "settling"
 OF_SPRING = "mass", "stiffness", "resistance"
 WAYS = filters.NUMBERS[:2], OF_OVERSHOOT, OF_SPRING
-"""Keywords that say the same motion in different numbers."""
+"""Groups of the operator's keywords, each of which alone determines the filter."""
 NOT_OF_A_PROPERTY = "bones", "whole_chains", "chain_delay", "follow", "channels"
 
 
@@ -27,7 +27,7 @@ def _only_active():
 
 
 class _OnProperty:
-    """Mixin: the keywords that name a single property."""
+    """Mixin of operators with the keywords that name a single property of the object."""
 
     data_path: bpy.props.StringProperty(
         name="Data Path",
@@ -69,7 +69,7 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
         unit='TIME_ABSOLUTE',
         precision=3,
     )
-    # Not in presets, which keep all that is saved: each of these ways says what frequency and damping say as well.
+    # SKIP_SAVE keeps the following numbers out of presets: each group of them sets frequency and damping a second time.
     overshoot: bpy.props.FloatProperty(
         name="Overshoot",
         description="How far the motion goes beyond a step, as a part of the step; with Settling in place of frequency and damping",
@@ -120,7 +120,7 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
         self._report(context, made)
 
     def _changes(self, context):
-        """Settings of an entry that were given, by name."""
+        """Return {name: value} of the settings of an entry that the operator's keywords give."""
         given = [*KEYWORDS, *OF_OVERSHOOT, *OF_SPRING, "chain_delay"]
         check_finite(self, given)
         self._check_one_way()
@@ -134,11 +134,11 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
         return changes
 
     def _check_one_way(self):
-        """Refuse numbers that say the same motion in two ways."""
+        """Refuse keywords of two groups that both determine the filter, such as frequency and mass."""
         given = [next(filter(self.is_given, names)) for names in WAYS if any(map(self.is_given, names))]
         if any(map(self.is_given, OF_SPRING)) and self.is_given("response"):
             given.append("response")
-        # Beside a style the redo panel hides frequency, damping and response, which it was given before: they count for nothing.
+        # If a style is chosen, the redo panel hides frequency, damping and response, and earlier values of these are ignored.
         if any(map(self.is_given, (*OF_OVERSHOOT, *OF_SPRING))) and self.style != styles.CUSTOM:
             given.append("style")
         if len(given) > 1:
@@ -149,7 +149,7 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
         return tr(self.properties.bl_rna.properties[name].name)
 
     def _numbers(self):
-        """(frequency, damping, response) as they were given; () where none of them was."""
+        """Return (frequency, damping, response) from the overshoot, spring or style keywords; () if none of these was given."""
         try:
             if any(map(self.is_given, OF_OVERSHOOT)):
                 return filters.from_overshoot(self.overshoot, self.settling, self.response)
@@ -160,7 +160,7 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
         return styles.NUMBERS.get(self.style, ()) if self.is_given("style") else ()
 
     def _entries(self, owner, names, changes):
-        """{name: settings of the entry}; refuses what cannot follow."""
+        """Return {name: settings of its new entry} for bones, or for the object by the name ""; refuses what cannot have dynamics."""
         targets.check_editable(owner)
         targets.check_free(owner, names)
         found, chains = {}, targets.chains(owner, names)
@@ -177,7 +177,7 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
         return found
 
     def _property(self, context, changes):
-        """{owner: {(path, index): settings of the entry}} of a single property."""
+        """Return {owner: {(path, index): settings of the entry}} for the property that the keywords name."""
         for name in NOT_OF_A_PROPERTY:
             if self.is_given(name):
                 raise Refused(tr("{name} does not go with a single property").format(name=self._label(name)))
@@ -186,7 +186,7 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
         return {owner: {followed: changes}}
 
     def _show_used(self, made):
-        """The redo panel's values: those of the first entry that was made."""
+        """Copy the settings of the first new entry to the operator, so that the redo panel shows them."""
         owner, found = next(iter(made.items()))
         settings = owner.motus.dynamics
         self.show_used(settings.entries[setup.find(settings, next(iter(found)))], KEYWORDS)
@@ -212,7 +212,10 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
 
 
 def _what_to_follow(thing):
-    """The motion that is meant where nobody says: a bone's in the world; an object's own, where it has one."""
+    """Return the default of `follow` for an Object or PoseBone: 'WORLD' for a bone.
+
+    An object with a parent and without its own animation follows in the 'WORLD' as well, any other object its 'OWN' channels.
+    """
     if thing != thing.id_data:
         return 'WORLD'
     return 'WORLD' if thing.parent and not targets.has_own_animation(thing) else 'OWN'

@@ -1,4 +1,4 @@
-"""Where an object or bone with dynamics is at any times, for systems that need its past."""
+"""Motion of an object or bone with dynamics at any times, for systems of Motus that need its past."""
 
 import functools
 
@@ -18,7 +18,10 @@ from .properties import KEYWORDS
 
 
 def over_time(owner, thing, scene):
-    """System.over_time; None where the object or bone itself has no dynamics."""
+    """Return the motion over time of an object or bone with its dynamics; None if it has no dynamics itself.
+
+    This is the function System.over_time. owner, thing: both original or both evaluated.
+    """
     if thing != owner:
         index = setup.find(owner.motus.dynamics, thing.name)
         surveyed = answered((hash(owner), "dynamics"), lambda: groups.units(owner)) if index >= 0 else ()
@@ -29,7 +32,10 @@ def over_time(owner, thing, scene):
 
 
 class _OverTime:
-    """The motion of an object or bone with dynamics, as core/tracks/solved.py asks for it. The owner is original or evaluated."""
+    """Base class of the motion over time of an object or bone with dynamics. owner: original or evaluated.
+
+    Its members are listed in core/tracks/solved.py. index: of the entry.
+    """
 
     def __init__(self, owner, index, scene):
         self._owner, self._index, self._scene = owner, index, scene
@@ -50,13 +56,19 @@ class _OverTime:
         return source.reason or next((track.reason for track in source.tracks if not track.is_known), None)
 
     def bounds(self, first, last):
-        """Rising frames from first to last between which the motion is smooth: every whole frame, and where its inputs bend."""
+        """Return rising frames from first to last; the motion is smooth between neighbours.
+
+        They are the whole frames and the frames at which a track of the input is not smooth.
+        """
         found = [track.bounds(first, last) for track in self._input.tracks]
         return inputs.keys.union([[first, *inputs.keys.whole(first, last), last], *found])
 
     @property
     def extent(self):
-        """First and last frame between which the motion changes: without end if anything moves, since it swings on for ever; None if nothing moves."""
+        """First and last frame between which the motion changes; None if nothing moves.
+
+        They are infinite if anything moves, because a filter's oscillation never ends exactly.
+        """
         found = self._input.extent
         return None if found is None else (-np.inf, np.inf)
 
@@ -64,7 +76,7 @@ class _OverTime:
         return 0.0 if entry.is_muted else self._owner.motus.dynamics.influence * entry.weight
 
     def _part(self, thing, times):
-        """(motion.Part or None, its weight) for times."""
+        """Return (motion.Part, weight) of a member for times (n,); (None, 0.0) if the weight is 0 or there are no times."""
         weight = self._weight(self._entry)
         if weight <= 0.0 or len(times) == 0:
             return None, 0.0
@@ -72,7 +84,7 @@ class _OverTime:
         return answered((hash(thing), hash(self._scene), "dynamics", reach), lambda: self._made(thing, reach)), weight
 
     def _reach(self, times):
-        """The sampling.Reach of times (n,), one or more."""
+        """Return the sampling.Reach for times (n,), n > 0."""
         most = bounds.times(inputs.price_of(self._input))
         return sampling.reach_of(self._scene, float(np.min(times)), float(np.max(times)), max(sampling.FEW, most))
 
@@ -84,12 +96,12 @@ class _OverTime:
 
     @property
     def _time(self):
-        """Stamp of what seconds are, and where motions begin."""
+        """Tuple that changes whenever the scene's frame rate or first frame does."""
         return scene_time.stamp(self._scene)
 
 
 class OverTime(_OverTime):
-    """An object."""
+    """Motion over time of an object with dynamics."""
 
     @functools.cached_property
     def _input(self):
@@ -112,7 +124,7 @@ class OverTime(_OverTime):
         return matrices
 
     def _in_world(self, times, moves):
-        """Moves (n, 3) in the space of the object's own location, in world space."""
+        """Convert moves (n, 3) from the space of the object's location channels to world space."""
         if self._owner.parent is None:
             return moves
         carried = inputs.carrier(self._owner, self._scene).values(times)
@@ -121,7 +133,7 @@ class OverTime(_OverTime):
 
     @property
     def stamp(self):
-        """Changes whenever the motion may; parents are left out, since whoever asks for the object asks for its parents too."""
+        """Hashable value that changes whenever the object's motion may. Its parents do not count: callers read them separately."""
         entry = self._entry
         settings = (getattr(entry, name) for name in KEYWORDS)
         return together(
@@ -136,7 +148,7 @@ class OverTime(_OverTime):
 
 
 class _OwnBone(_OverTime):
-    """A bone that follows its own animation."""
+    """Motion over time of a bone whose dynamics follow its own channels."""
 
     def __init__(self, owner, index, unit, bone, scene):
         super().__init__(owner, index, scene)
@@ -161,12 +173,12 @@ class _OwnBone(_OverTime):
 
     @property
     def stamp(self):
-        """Changes whenever the motion may."""
+        """Hashable value that changes whenever the bone's motion may."""
         return together((*self._time, self._index, stamp_of(self._owner), *(track.stamp for track in self._input.tracks)))
 
 
 class _Tail(_OverTime):
-    """A bone whose tail follows, one of the bones that are solved together."""
+    """Motion over time of a bone whose tail has dynamics; all such bones of its chain are solved together."""
 
     def __init__(self, owner, index, unit, bone, scene):
         super().__init__(owner, index, scene)
@@ -180,7 +192,7 @@ class _Tail(_OverTime):
     @property
     def reason(self):
         """The Reason why the motion at other frames cannot be computed; None if it can."""
-        # Bones between those that follow count by their own transforms.
+        # Bones without dynamics between bones of the chain are read by their own channels, so constraints on them make them unknown.
         held = next(filter(None, map(inputs.transforms.constrained, self._between)), None)
         return held or super().reason or self._rig.reason
 
@@ -224,7 +236,7 @@ class _Tail(_OverTime):
 
     @property
     def stamp(self):
-        """Changes whenever the motion may."""
+        """Hashable value that changes whenever the bone's motion may."""
         above = [track.stamp for track, keywords in self._input.listed if keywords["transform"] == 'WORLD']
         return together((*self._time, self._row, self._rig.stamp, *above))
 
@@ -233,7 +245,7 @@ _OF_BONES = {'OWN': _OwnBone, 'TAILS': _Tail}
 
 
 def _down_to(bone, top):
-    """A bone and those above it, up to the topmost one."""
+    """Yield a bone and its parents up to the bone `top`, which is included."""
     while bone != top:
         yield bone
         bone = bone.parent

@@ -1,4 +1,4 @@
-"""The panel of dynamics, in the sidebar's tab, and in the constraint properties of objects and bones."""
+"""The panel of dynamics in the sidebar and in the constraint properties of objects and bones."""
 
 import bpy
 
@@ -12,12 +12,12 @@ from . import filters, presets, rows, styles, told
 from .groups import units
 from .setup import active_entry, label, system
 
-POINTS = 256  # of the graph
-BEFORE = 0.06  # of its width: before the step
+POINTS = 256  # number of points of the graph
+BEFORE = 0.06  # part of the graph before the step, relative to the part after the step
 
 
 def draw_main(layout, context):
-    """The list of what follows, what is wrong, and of the active entry what it follows and how."""
+    """Draw the list of entries, the problem of the dynamics if there is one, and settings of the active entry."""
     owner = context.object
     settings = owner.motus.dynamics
     if owner.type == 'ARMATURE':
@@ -42,7 +42,7 @@ def _icon_of(entry):
 
 
 def draw_motion(layout, context):
-    """The numbers, and what they make of a step."""
+    """Draw the numbers of the active entry's filter and the graph of its step response."""
     entry = active_entry(context.object)
     if entry is None:
         return
@@ -51,7 +51,7 @@ def draw_motion(layout, context):
     label_of_row = row.row()
     label_of_row.alignment = 'RIGHT'
     label_of_row.label(text="Style")
-    # An operator, and not the property, since the style is given to all that is selected.
+    # An operator instead of the property, because the style is given to all selected objects or bones.
     row.operator_menu_enum(presets.USE.bl_idname, "preset", text=styles.label_of(entry), translate=False)
     column.prop(entry, "shape")
     rows.MOTION.draw(column, entry)
@@ -59,7 +59,7 @@ def draw_motion(layout, context):
 
 
 def draw_graph(layout, numbers):
-    """The step response of (frequency, damping, response)."""
+    """Draw the step response of a filter as a graph. numbers: (frequency, damping, response)."""
     if native.module is None:
         return
     try:
@@ -76,7 +76,7 @@ def draw_graph(layout, numbers):
 
 
 def draw_loop(layout, context):
-    """The seamless loop."""
+    """Draw the settings of the active entry's loop."""
     entry = active_entry(context.object)
     if entry is None:
         return
@@ -92,7 +92,7 @@ def _draw_loop_switch(layout, context):
 
 
 def draw_input(layout, context):
-    """How what is followed is known, with buttons that record it; and teleports."""
+    """Draw whether the active entry's input is known, with buttons that record its unknown tracks, and the Teleport setting."""
     entry = active_entry(context.object)
     if entry is None:
         return
@@ -116,7 +116,7 @@ def draw_input(layout, context):
 
 
 def input_of(owner, entry, scene):
-    """Input (motion to be filtered) of an entry of an original owner; None if the entry's bone does not exist."""
+    """Return the input (motion to be filtered) of an entry of an original owner; None if the entry's bone does not exist."""
     for unit in units(owner):
         if entry in unit.entries:
             return unit.input(scene)
@@ -124,16 +124,16 @@ def input_of(owner, entry, scene):
 
 
 def draw_actions(layout, context):
-    """Baking and removing."""
-    column = layout.column(align=True)  # a row would be too narrow in a narrow editor
+    """Draw the buttons that bake and remove the dynamics."""
+    column = layout.column(align=True)  # the buttons would be too narrow side by side in a narrow editor
     ui.draw_bake(column)
     column.operator("motus.dynamics_remove", text="Remove All", icon='X').object = context.object.name
 
 
 def draw_add(layout, context):
-    """The buttons that add dynamics."""
+    """Draw the buttons that add dynamics to the selected objects or bones."""
     column = layout.column(align=True)
-    # Said in so many words, or it would be what was chosen last.
+    # False is set explicitly, because a button without a value takes the operator's last value.
     bone_entries.draw_add(column, "motus.dynamics_add", 'FORCE_HARMONIC', _words(context)).whole_chains = False
     row = column.row(align=True)
     row.enabled = context.mode == 'POSE'
@@ -141,7 +141,7 @@ def draw_add(layout, context):
 
 
 def _words(context):
-    """What the button says that adds dynamics to all that is selected; "" where nothing is."""
+    """Return the label of the button that adds dynamics to the selected objects or bones; "" if none is selected."""
     if context.mode == 'POSE':
         found, many = [bone.name for bone in context.selected_pose_bones or ()], tr("Dynamics on {count} Bones")
     else:
@@ -153,7 +153,7 @@ class MOTUS_UL_dynamics_entries(bpy.types.UIList):
     def draw_item(self, _context, layout, _settings, entry, _icon, _active, _name, _index):
         row = layout.row(align=True)
         row.active = not entry.is_muted
-        columns = row.split(factor=0.65, align=True)  # a narrow sidebar has room for the name all the same
+        columns = row.split(factor=0.65, align=True)  # the factor leaves room for the name even in a narrow sidebar
         columns.label(text=label(entry), icon=_icon_of(entry), translate=False)
         columns.prop(entry, "weight", text="", slider=True, emboss=False, text_ctxt=OWN_SENSE)
         row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)

@@ -1,4 +1,4 @@
-"""Presets of an entry's settings."""
+"""Presets for the settings of an entry of dynamics."""
 
 from ..core.interface import presets
 from ..core.interface.bone_entries import selected
@@ -7,7 +7,7 @@ from . import filters, styles
 
 ENTRY = "bpy.context.object.motus.dynamics.entries[bpy.context.object.motus.dynamics.active_entry]"
 OF_A_STYLE = "frequency", "damping", "response", "mass", "shape"
-"""What belongs to one thing or one shot is not part of a style."""
+"""Settings of an entry that a preset stores: those that do not depend on the object, bone or shot."""
 
 BROUGHT = [Preset(identifier, label, told, dict(zip(filters.NUMBERS, numbers))) for identifier, label, told, numbers in styles.STYLES]
 

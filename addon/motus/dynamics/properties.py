@@ -1,4 +1,4 @@
-"""Settings of dynamics: Object.motus.dynamics, with an entry for the object itself and for each bone."""
+"""Settings of dynamics in Object.motus.dynamics, with an entry for each bone or property that has dynamics, or the object itself."""
 
 from functools import partial
 
@@ -24,7 +24,7 @@ SHAPES = (
     ('SPRING', "Spring", "Set a mass on a spring and a damper"),
 )
 
-# The state on a frame is made of the whole past, so that a number that changes would have to be known at all times.
+# The motion at a frame depends on the whole past, so a setting that changed over time would have to be known at all times.
 _STILL = {"update": touch, "options": set(), "override": OVERRIDABLE}
 
 
@@ -32,7 +32,10 @@ _number = partial(number, tells_no_keys=True)
 
 
 def _seen(name, description, key, **options):
-    """A number that frequency, damping and response make, and that sets them."""
+    """Declare a float property that is computed from frequency, damping and response, and sets these when it is set.
+
+    key: name of the number for filters.seen() and filters.put(). options: keywords of FloatProperty.
+    """
     return bpy.props.FloatProperty(
         name=name,
         description=description,
@@ -44,7 +47,7 @@ def _seen(name, description, key, **options):
 
 
 class DynamicsKeywords:
-    """Mixin of an entry's settings and of the operator, which share these properties; scripts use the names as keywords."""
+    """Mixin with the properties that an entry and the operator that adds dynamics share. Scripts use the names as keywords."""
 
     follow: bpy.props.EnumProperty(
         name="Follow",

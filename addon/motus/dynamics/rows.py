@@ -1,11 +1,11 @@
-"""The rows of an entry's settings: in the panels, and for the keywords in the redo panel."""
+"""The rows in which the panels show an entry's settings and the redo panel shows the operator's keywords."""
 
 from ..core.interface.rows import Row, Rows, is_one_of
 from ..core.translations import OWN_SENSE
 
 
 def _is_thing(settings):
-    """Not of a single property."""
+    """Whether the entry or operator is for an object or bone instead of a single property."""
     return not settings.data_path
 
 
@@ -38,9 +38,9 @@ JUMP = Rows(("jump",))
 ADDING = (
     Rows(("style",), title="Style"),
     Rows((*BY_FREQUENCY.rows,), title="Motion", when=lambda operator: operator.style == 'CUSTOM'),
-    # What nobody gives is chosen for each thing: the panel shows it.
+    # If `follow` is not given, it is chosen for each object or bone separately, and shown in its panel instead.
     Rows((Row("follow", when=lambda operator: _is_thing(operator) and operator.is_given("follow")), _CHANNELS), title="Follow"),
     Rows(("whole_chains", "chain_delay"), title="Bones", when=_is_thing),
     Rows((*AMOUNT.rows, "use_loop", *LOOP.rows, *JUMP.rows), title="Amount"),
 )
-"""For the operator that adds dynamics."""
+"""Rows of the redo panel of the operator that adds dynamics."""

@@ -1,4 +1,7 @@
-"""When inputs are looked at, and what makes up an entry's samples: the same for a time, whichever frame is asked for."""
+"""Frames at which the inputs of dynamics are sampled, and the samples.
+
+Time is divided into pieces of equal length, so that an input has the same samples whichever frame is evaluated.
+"""
 
 import itertools
 import math
@@ -9,14 +12,14 @@ from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 
 RATE = 192.0
-"""Samples in a second, about: between them an input is taken for linear, by which it is 3e-5 of its amplitude off at 2 Hz."""
-PIECE = 40.0  # s
+"""Samples per second, approximately. An input is interpolated linearly between samples: at 2 Hz the error is 3e-5 of the amplitude."""
+PIECE = 40.0  # seconds per piece
 FEW = 4
-"""Pieces that are looked at whatever they cost: for what is read in a moment, what most filters remember of the one before."""
+"""Number of pieces that are always sampled, whatever they cost: most filters remember no more of the past."""
 
 
 class Reach(NamedTuple):
-    """Frames `low` to `high` for which inputs are looked at, by at most so many pieces."""
+    """Range of frames, `low` to `high`, for which inputs are sampled. most: greatest number of pieces to sample."""
 
     low: float
     high: float
@@ -24,9 +27,10 @@ class Reach(NamedTuple):
 
 
 class Span(NamedTuple):
-    """Which samples there are: those of the pieces `begin` up to `end`, which follow each other from frame `first` on, up to frame `last`.
+    """The pieces of an input that are sampled.
 
-    is_cut: whether more would be needed.
+    first: frame at which piece 0 starts. last: frame after which the input does not change. begin, end: index of the first sampled
+    piece, and of the first piece after the sampled ones. is_cut: whether more pieces would be needed than are allowed.
     """
 
     first: float
@@ -37,7 +41,7 @@ class Span(NamedTuple):
 
 
 def reach_of(scene, low, high, most=FEW):
-    """The Reach for some frames: the same for many, so that inputs are not looked at too often."""
+    """Return the Reach for the frames `low` to `high`, rounded to whole pieces: many frames share it, so that inputs are rarely sampled."""
     first, length = scene_time.first(scene), _length(scene)
     blocks = math.floor((low - first) / length), math.floor((high - first) / length)
     start = first + length * blocks[0] if blocks[0] > 0 else -math.inf
@@ -45,9 +49,11 @@ def reach_of(scene, low, high, most=FEW):
 
 
 def span_of(extent, scene, reach, past):
-    """The Span of an input that changes within `extent`, as far as it matters within a Reach, of which the last `past` frames count.
+    """Return the Span of an input that has to be sampled for a Reach.
 
-    What has no first key is taken to rest before the scene's first frame. Where too many pieces would count, the first ones do.
+    extent: first and last frame between which the input changes. past: number of frames before the Reach that affect its motion.
+    An input that starts at minus infinity is taken to rest before the scene's first frame. If more pieces than reach.most are
+    needed, the first ones are sampled.
     """
     first = min(scene_time.first(scene), extent[1]) if math.isinf(extent[0]) else extent[0]
     length = _length(scene)
@@ -59,7 +65,7 @@ def span_of(extent, scene, reach, past):
 
 
 def times(tracks, span, scene):
-    """Rising frames over a Span: what the tracks bend at, and enough between."""
+    """Return rising frames over a Span, (n,): those at which the tracks are not smooth, and enough frames between them."""
     length = _length(scene)
     found = [span.first + length * span.begin]
     for piece in range(span.begin, span.end):
@@ -70,7 +76,10 @@ def times(tracks, span, scene):
 
 
 def between(tracks, start, end, scene):
-    """Rising frames from `start` to `end`: where the tracks bend, and at least RATE a second between."""
+    """List rising frames from `start` to `end`: those at which the tracks are not smooth, and RATE a second between them.
+
+    If `start` to `end` is longer than PIECE, the distances grow, so that the number of frames stays about that of one piece.
+    """
     fps = scene_time.fps(scene)
     bounds = union([track.bounds(start, end) for track in tracks] or [[start, end]])
     length = min(1.0 / RATE, PIECE / RATE) * fps * max(1.0, (end - start) / (PIECE * fps))
@@ -82,12 +91,15 @@ def between(tracks, start, end, scene):
 
 
 def _length(scene):
-    """Frames of a piece."""
+    """Number of frames in a piece, at least 1."""
     return max(1.0, round(PIECE * scene_time.fps(scene)))
 
 
 class Samples(NamedTuple):
-    """What an entry follows: seconds (n,), locations (n, 3), rotations (n, 4), scales (n, 3); resets: indices of teleports."""
+    """Sampled input of an entry: seconds (n,), locations (n, 3), rotations (n, 4) as quaternions, scales (n, 3).
+
+    resets: indices of the samples at which the input teleports, so that its filter restarts at rest.
+    """
 
     seconds: Any
     locations: Any
@@ -97,12 +109,12 @@ class Samples(NamedTuple):
 
 
 def resets(frames, places, jump):
-    """Indices of samples to which places (n, 3) have jumped: farther than `jump` within their frame."""
+    """List the indices of samples to which positions (n, 3) have jumped: farther than `jump` within one frame; [] if `jump` is 0."""
     if jump <= 0.0 or len(frames) < 2:
         return []
     ways = np.diff(places, axis=0)
     moved = np.sqrt((ways * ways).sum(axis=1))
-    # Of a sample its frame is the one that it ends or lies in.
+    # The frame to which a sample belongs: the first whole frame that is not before the sample.
     at = np.ceil(frames[1:] - 1e-6)
     starts = np.concatenate([[True], at[1:] != at[:-1]])
     begins = np.maximum.accumulate(np.where(starts, np.arange(len(at)), 0))

@@ -1,4 +1,4 @@
-"""Giving dynamics and taking them back: plain functions behind the operators."""
+"""Add and remove dynamics, and find their entries: the functions that the operators call."""
 
 from ..core.blender import datablocks
 from ..core.declare import registered
@@ -7,12 +7,12 @@ from . import inputs
 
 
 def system():
-    """The registered System: the package's __init__ imports this module, not the other way round."""
+    """Return the System of dynamics from the registry, because this module cannot import the package that imports it."""
     return registered["dynamics"]
 
 
 def add(owner, wanted):
-    """Let things follow. wanted: settings of their entries by name, by what find() takes."""
+    """Add entries to an owner, or change those that exist. wanted: {key: {setting: value}}, with keys as followed() returns them."""
     with entries.at_once(system(), owner) as settings:
         for name, changes in wanted.items():
             index = find(settings, name)
@@ -27,22 +27,22 @@ def add(owner, wanted):
 
 
 def remove(owner, indices):
-    """Take entries back."""
+    """Remove entries of an owner by their indices."""
     entries.remove(system(), owner, indices, "active_entry")
 
 
 def find(settings, name):
-    """Index of the entry of a bone, of the object, which is called "", or of a property, (path, index); -1 without."""
+    """Return the index of an entry; -1 if there is none. name: of a bone, "" for the object, or (path, index) of a property."""
     return next((index for index, entry in enumerate(settings.entries) if followed(entry) == name), -1)
 
 
 def followed(entry):
-    """Key of what an entry lets follow: (data path, index) of a property, the name of a bone, or "" for the object."""
+    """Return the key of an entry: (data path, index) of its property, the name of its bone, or "" for the object itself."""
     return (entry.data_path, entry.index) if entry.data_path else entry.name
 
 
 def label(entry):
-    """What an entry is called in lists and reports: the bone, the object, or what the interface calls the property."""
+    """Return the label of an entry in lists and reports: the name of the bone or object, or the property's label in the interface."""
     owner = entry.id_data
     if not entry.data_path:
         return entry.name or owner.name
@@ -53,6 +53,6 @@ def label(entry):
 
 
 def active_entry(obj):
-    """The entry that the list has marked; None where there is none."""
+    """Return the entry that is active in the object's list of dynamics; None if there is none."""
     settings = obj.motus.dynamics
     return settings.entries[settings.active_entry] if 0 <= settings.active_entry < len(settings.entries) else None

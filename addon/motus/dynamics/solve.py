@@ -1,4 +1,7 @@
-"""Dynamics: what a group's solver reads of Blender, and the calls of the native module."""
+"""Solve the dynamics of a group of members: read their animation from Blender and call the native module.
+
+A group is a set of objects, bones or properties of one owner that are solved by one call.
+"""
 
 import functools
 import math
@@ -49,7 +52,7 @@ PROBLEMS = (
 )
 
 _FORM = {"fingerprint": int, "units": [(str, [str])], "properties?": [(str, lambda index: type(index) is int, int)]}
-"""Form of the text that groups.py notes of a group."""
+"""Structure of the JSON text that groups.py stores in a group's data under PLAN."""
 
 _MADE = keeping.OfEvaluation(
     "native motion of a group (Made)", "the group; made anew where the stamp of its inputs has changed", "one for each group"
@@ -57,10 +60,12 @@ _MADE = keeping.OfEvaluation(
 
 
 class Made(NamedTuple):
-    """Motions that were made of inputs, for the frames of a sampling.Reach. stamp: changes with the inputs, those that `asked` names included.
+    """Filtered motions of a group, valid for the frames of a sampling.Reach (`reach`) while their inputs do not change.
 
-    parts: motion.Part of members. tails: [motion.Tails], each with its bones' native plan. values: [motion.Values].
-    weights: of all entries where nothing animates them.
+    stamp: hashable value that changes with the inputs, including those that `asked` (an Asked) names.
+    parts: [motion.Part]. tails: [motion.Tails]. values: [motion.Values].
+    plan: ((bone name, row of the member), ...) of the bones in `tails`. problem: the Problem to report, or None.
+    weights: of all entries; None if they are animated.
     """
 
     stamp: Any
@@ -75,7 +80,10 @@ class Made(NamedTuple):
 
 
 class Plan:
-    """Bones of a rig that follow by their tails; made anew when the rig changes. members: rows of the group's members."""
+    """Prepared native solver for the bones of a rig whose tails have dynamics; made anew when the rig changes.
+
+    rows: {bone name: row in the rig's arrays}. members: (bone name, row of the member in the group) of the bones.
+    """
 
     def __init__(self, rig, rows, members):
         self.still = rigs.still(rig, tuple(rows))
@@ -84,10 +92,13 @@ class Plan:
 
 
 def solve(context):
-    """What of the group's members moves beyond their animation at the context's frame. Never raises for a user's error."""
+    """Fill the context's arrays with the changes by which dynamics move the group's members at the context's frame.
+
+    Returns a Problem or None. A user's error never raises an exception.
+    """
     try:
         made = _made(context)
-    except KeyError:  # bones or entries that are gone
+    except KeyError:  # bones or entries that do not exist any more
         return BONES_CHANGED
     own_weights = made.weights
     if own_weights is None:
@@ -102,7 +113,7 @@ def solve(context):
     if made.tails:
         _turn(context, made, seconds, weights)
     for value in made.values:
-        if own_weights[value.place] > 0.0:  # the wiring applies the influence
+        if own_weights[value.place] > 0.0:  # the influence is applied to outputs after solve()
             value.write(seconds, own_weights[value.place], context.outputs)
     if made.problem is None and context.data.get(LOOPED):
         return LOOPED_BONES
@@ -112,7 +123,7 @@ def solve(context):
 
 
 def _turn(context, made, seconds, weights):
-    """Fill context.rotations, so that the tails of bones point to their filtered positions at a time. weights: of all entries."""
+    """Fill context.rotations so that bones point their tails to the filtered positions. weights: of all entries."""
     rig = context.owner
     text, members = context.data[PLAN], made.plan
     plan = rigs.plan(rig, f"{text} {members}", lambda rig, rows: Plan(rig, rows, members))
@@ -127,7 +138,7 @@ def _turn(context, made, seconds, weights):
 
 
 def _made(context):
-    """The Made of the context's group, kept for as long as its inputs stay what they are."""
+    """Return the Made of the context's group from the cache; make it anew if its inputs have changed or the frame is out of reach."""
     owner, scene = context.owner, context.depsgraph.scene
     copy = copies.of(owner)
     kept = _MADE.on(copy)
@@ -143,9 +154,10 @@ def _made(context):
 
 
 class Asked(NamedTuple):
-    """Things beside the owner whose changes make motions anew.
+    """What to check for changes in addition to the owner, because the group's inputs read it.
 
-    Names of what carries the owner, as those of inputs; paths of properties; names of bones that other systems lay poses over.
+    carriers: names as in the attribute `carriers` of inputs. paths: data paths of properties from the owner.
+    laid: names of bones over which different systems of Motus lay poses.
     """
 
     carriers: tuple
@@ -167,7 +179,7 @@ def _stamp(owner, copy, scene, asked):
 
 
 def _stamp_of_carrier(owner, name, scene):
-    """Changes whenever the motion of a carrier (a parent, a bone or the rig) may."""
+    """Return a hashable value that changes whenever the motion of a carrier may. name: of a bone, "" for the rig, or inputs.PARENT."""
     if name is inputs.PARENT:
         reason = transforms.of_parent(owner)
         return reason.kind if reason else _stamp_of_known(inputs.carrier(owner, scene))
@@ -176,12 +188,12 @@ def _stamp_of_carrier(owner, name, scene):
 
 
 def _stamp_of_known(track):
-    """A track's stamp; one and the same of all that have to be recorded and were not, of which nothing is read."""
+    """Return the stamp of a track; () if the track is unknown because it has not been recorded, since then nothing reads it."""
     return track.stamp if track.is_known else ()
 
 
 def _animation_of(owner, path):
-    """Animation data of the datablock that a property at a path from the owner lies on."""
+    """Return the animation data of the datablock that has a property; None if there is none. path: data path from the owner."""
     try:
         return owner.path_resolve(path, False).id_data.animation_data
     except (ValueError, AttributeError):
@@ -189,7 +201,10 @@ def _animation_of(owner, path):
 
 
 class _Making:
-    """Makes what the units and properties of a group become, and notes what is wrong with them."""
+    """Collects the units and properties of a group, makes their filtered motions and lists their problems.
+
+    First unit() and property() take in what the group has, then make() fills parts, tails and values.
+    """
 
     def __init__(self, owner, settings, scene):
         self._owner, self._settings, self._scene = owner, settings, scene
@@ -200,7 +215,10 @@ class _Making:
         }
 
     def unit(self, kind, names, rows):
-        """Take in what has members."""
+        """Take in a unit of an object or bones.
+
+        kind: as in groups.Unit. names: of the bones, "" for the object. rows: rows of the members in the group.
+        """
         places = [self._places[name, "", -1] for name in names]
         entries = [self._settings.entries[place] for place in places]
         things = [self._owner.pose.bones[name] if name else self._owner for name in names]
@@ -227,7 +245,7 @@ class _Making:
         return [part] if part else []
 
     def property(self, path, index, outputs):
-        """Take in a property. outputs: slice of its numbers'."""
+        """Take in a property. path, index: as in its entry. outputs: slice of the group's outputs for the property's elements."""
         place = self._places["", path, index]
         entry = self._settings.entries[place]
         source = inputs.ValueInput(self._owner, entry, self._scene)
@@ -250,7 +268,7 @@ class _Making:
         return source.is_known
 
     def make(self, frame):
-        """Make all that was taken in, for a frame and many beside it."""
+        """Make the filtered motions of everything that was taken in, for the sampling.Reach around a frame."""
         most = bounds.times(sum(inputs.price_of(source) for source, _, _ in self._ready))
         self.reach = sampling.reach_of(self._scene, frame, frame, max(sampling.FEW, most))
         for source, entries, make in self._ready:
@@ -307,7 +325,7 @@ def _are_constrained(thing):
 
 
 def _weights(settings):
-    """Weights of all entries; 0 for a muted one."""
+    """List the weights of all entries; 0.0 for a muted entry, and for a weight that is not a positive number."""
     count = len(settings.entries)
     weights, muted = np.empty(count, np.float32), np.empty(count, bool)
     settings.entries.foreach_get("weight", weights)
@@ -316,7 +334,10 @@ def _weights(settings):
 
 
 def _to_local(owner, moves, is_in_world):
-    """Moves of an object in the axes that its sink adds them in, from those of the world, or of its own location."""
+    """Convert an object's moves to the axes in which its constraint adds them.
+
+    is_in_world: whether `moves` are in world space instead of the axes of the object's location channels.
+    """
     parent = owner.parent
     if parent is None or (not is_in_world and parent == transforms.parent_of(owner)):
         return moves
@@ -324,5 +345,5 @@ def _to_local(owner, moves, is_in_world):
         bone = transforms.parent_of(owner)
         offset = Matrix(transforms.parent_offset(owner)[0].tolist())
         moves = (parent.matrix_world @ bone.matrix @ offset).to_3x3() @ Vector(moves)
-    # Of what hangs on a bone too.
+    # Even if the parent is a bone, the constraint's axes are those of the parent object with the parent inverse.
     return (parent.matrix_world @ owner.matrix_parent_inverse).to_3x3().inverted_safe() @ Vector(moves)

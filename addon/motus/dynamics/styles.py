@@ -1,4 +1,4 @@
-"""Filters that go by a name."""
+"""Styles: filters with names, such as "Bouncy"."""
 
 import bpy
 
@@ -21,7 +21,7 @@ SAME = 1e-5
 
 
 def of(entry):
-    """Index in ITEMS of the style that an entry's numbers are."""
+    """Return the index in ITEMS of the style that has an entry's numbers; 0, for Custom, if no style has them."""
     present = filters.numbers(entry)
     for index, (_, _, _, numbers) in enumerate(STYLES):
         if all(abs(one - other) < SAME for one, other in zip(present, numbers)):
@@ -30,12 +30,12 @@ def of(entry):
 
 
 def label_of(entry):
-    """Label of the style, in the user's language."""
+    """Return the label of an entry's style in the user's language."""
     return bpy.app.translations.pgettext_iface(ITEMS[of(entry)][1])
 
 
 def put(entry, index):
-    """Give an entry the numbers of a style."""
+    """Give an entry the numbers of a style. index: in ITEMS; 0, for Custom, changes nothing."""
     if index > 0:
         for name, number in zip(filters.NUMBERS, STYLES[index - 1][3]):
             setattr(entry, name, number)

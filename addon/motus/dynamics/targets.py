@@ -1,4 +1,7 @@
-"""What an operator works on: by name from scripts, else by selection. Refusals are sentences."""
+"""Find the objects, bones and properties that an operator works on: by the names that scripts give, or by selection.
+
+Errors are raised as Refused, with a sentence for the user.
+"""
 
 import re
 
@@ -16,7 +19,11 @@ _INDEX = re.compile(r"(.+)\[(\d{1,9})\]$", re.DOTALL)
 
 
 def wanted(context, name, bones, whole_chains):
-    """{object: names of its bones, or [""] for itself} that shall follow."""
+    """Return {object: names of the bones that get dynamics, or [""] for the object itself}.
+
+    name, bones: of an object and its bones; if both are empty, the selection counts.
+    whole_chains: whether all child bones are included.
+    """
     if name or bones:
         obj = named(name) if name else _active(context)
         names = names_in(bones)
@@ -36,7 +43,7 @@ def wanted(context, name, bones, whole_chains):
 
 
 def names_in(bones):
-    """The names of bones in a text with commas between; refuses one that names none."""
+    """List the names in a text of comma-separated bone names; refuses a text without names unless it is empty."""
     found = [one.strip() for one in bones.split(",") if one.strip()]
     if bones and not found:
         raise Refused(tr("No bone is named: give names with commas between"))
@@ -44,12 +51,15 @@ def names_in(bones):
 
 
 def property_of(context, name, path, index):
-    """(object, (path, index)) of a property that shall follow, named by a script or a menu; refuses what cannot."""
+    """Return (object, (path, index)) of the property that gets dynamics; refuses a property that cannot have them.
+
+    name: of the object; "" takes the active one. path: data path from the object. index: of an element; -1 for a whole array.
+    """
     obj = named(name) if name else _active(context)
     path, index = _parted(path, index)
     if path.startswith("motus.dynamics."):
         raise Refused(tr("{path} is a setting of the dynamics themselves").format(path=path))
-    # To ask an object for its settings gives it some.
+    # Reading obj.motus.dynamics would create the settings, so first check that they exist.
     if obj.is_property_set("motus") and setup.find(obj.motus.dynamics, (path, index)) >= 0:
         return obj, (path, index)
     indices = inputs.indices_of(obj, path, index, inputs.MOST_NUMBERS + 1) or [index]
@@ -63,13 +73,13 @@ def property_of(context, name, path, index):
 
 
 def _parted(path, index):
-    """(path, index) of a path that may end in an index itself."""
+    """Return (path, index) with an index at the end of the path split off, if `index` is -1."""
     found = _INDEX.match(path) if index < 0 else None
     return (found[1], int(found[2])) if found else (path, index)
 
 
 def property_indices(owner, path, index):
-    """Indices of the owner's entries for a property; index -1 selects the entries of all elements of an array. Refuses without any."""
+    """List the indices of the owner's entries for a property; index -1 selects the entries of all elements. Refuses if there are none."""
     path, index = _parted(path, index)
     found = [place for place, entry in enumerate(owner.motus.dynamics.entries) if entry.data_path == path and index in (-1, entry.index)]
     if not found:
@@ -78,7 +88,10 @@ def property_indices(owner, path, index):
 
 
 def path_from(obj, id_data, data_path):
-    """Path from an object of a property of a datablock that it uses; None where it leads nowhere there."""
+    """Return the data path from an object to a property of a datablock that the object uses; None if it does not use the datablock.
+
+    data_path: of the property from the datablock id_data.
+    """
     data = obj.data
     ways = {
         "": obj,
@@ -100,7 +113,7 @@ def _active(context):
 
 
 def _with_chains(rig, names, whole_chains):
-    """The bones in the order of the pose, with all below them where whole chains are meant."""
+    """List bone names in the order of the rig's pose. whole_chains: whether all child bones are added."""
     chosen = set(names)
     if whole_chains:
         chosen.update(bone.name for name in names for bone in rig.pose.bones[name].children_recursive)
@@ -108,7 +121,10 @@ def _with_chains(rig, names, whole_chains):
 
 
 def chains(rig, names):
-    """{name: (topmost bone of its chain among the names, how many of them are above it)}."""
+    """Return {name: (topmost of the named bones in its line of parents, number of named bones above it)}.
+
+    The name "" stands for the object itself, which has nothing above it.
+    """
     chosen, found = set(names), {}
     for name in names:
         above = [bone.name for bone in rig.pose.bones[name].parent_recursive if bone.name in chosen] if name else []
@@ -117,7 +133,7 @@ def chains(rig, names):
 
 
 def owner_with(context, name):
-    """The object by name, else the active one, where something of it has dynamics."""
+    """Return the object of this name, or the active object if the name is empty; refuses an object without dynamics."""
     obj = named(name) if name else context.object
     if obj is None or not obj.motus.dynamics.entries:
         raise Refused(tr("Nothing here has dynamics"))
@@ -125,7 +141,10 @@ def owner_with(context, name):
 
 
 def indices_for(context, owner, operator, is_whole):
-    """Indices of the entries that an operator means: the marked one, those of a property or of bones, or all."""
+    """List the indices of the entries that an operator acts on: the active one, those of a property or of bones, or all.
+
+    is_whole: whether, without keywords, all entries are taken even in Pose Mode, instead of those of the selected bones.
+    """
     settings = owner.motus.dynamics
     if operator.only_active:
         return [settings.active_entry] if setup.active_entry(owner) else []
@@ -144,13 +163,13 @@ def indices_for(context, owner, operator, is_whole):
 
 
 def check_editable(owner):
-    """Refuse an object whose set-up must not be changed."""
+    """Refuse an object whose dynamics must not be changed, because it is linked or its dynamics are baked."""
     check_local(owner)
     check_unbaked(owner, owner.motus.dynamics)
 
 
 def check_free(owner, names):
-    """Refuse what Motus drives already by another system."""
+    """Refuse an object or bones that a different system of Motus drives already. names: of the bones; "" for the object."""
     for system in systems():
         if system.name == "dynamics":
             continue
@@ -167,12 +186,15 @@ def check_free(owner, names):
 
 
 def loop_of(scene):
-    """(first, last) frame of a loop over the whole scene, in the keys' time."""
+    """Return (first, last) frame of a loop over the whole scene, in the keys' time.
+
+    The keys' time is the time of F-curves, whose frames differ from the scene's under Time Stretching.
+    """
     return round(scene_time.first(scene)), round(scene_time.keys_time(scene, scene.frame_end + 1))
 
 
 def check_loop(context, operator):
-    """Refuse a loop that ends before it begins."""
+    """Refuse an operator's loop that does not end after its start."""
     first, last = loop_of(context.scene)
     start = operator.loop_start if operator.is_given("loop_start") else first
     end = operator.loop_end if operator.is_given("loop_end") else last
@@ -181,7 +203,10 @@ def check_loop(context, operator):
 
 
 def check_no_loop(owner, names, follow):
-    """Refuse bones that would follow the world motion of an object or bone that depends on these bones."""
+    """Refuse bones whose motion in the world would depend on themselves, because their parent depends on them.
+
+    names: of the bones. follow: only with 'WORLD' bones follow the motion of their parent.
+    """
     for name in names:
         if name and follow == 'WORLD':
             for obj, bone in unit_reads(owner, name):
@@ -190,7 +215,7 @@ def check_no_loop(owner, names, follow):
 
 
 def check_removable(owner, indices):
-    """Refuse to remove what an override has from its library."""
+    """Refuse to remove entries that a library override has from its library."""
     count = libraries.count_from_library(owner, "motus.dynamics.entries")
     if any(index < count for index in indices):
         raise Refused(
@@ -199,7 +224,7 @@ def check_removable(owner, indices):
 
 
 def has_own_animation(thing):
-    """Whether keys, the NLA or drivers set channels of the thing itself."""
+    """Whether F-curves, NLA strips or drivers animate transform channels of an Object or PoseBone itself."""
     obj = thing.id_data
     prefix = "" if thing == obj else f"{thing.path_from_id()}."
     beginnings = tuple(f"{prefix}{name}" for name in ("location", "rotation_", "scale", "delta_"))

@@ -1,11 +1,11 @@
-"""What is wrong with an owner's dynamics, with the names of what it is about."""
+"""Sentences about the problems of an object's dynamics, with the names of the bones or properties concerned."""
 
 from ..core.translations import tr
 from . import groups, setup, solve
 
 
 def sentence(owner, problem, scene):
-    """The sentence of a Problem of an original owner, in the user's language."""
+    """Return the sentence for the user about a Problem of an original owner, in the user's language."""
     if problem == solve.MISSING_BONES:
         gone = next((entry.name for entry in owner.motus.dynamics.entries if groups.is_missing(owner, entry)), "")
         return tr("{object} has no bone {bone}: remove it from the list").format(object=owner.name, bone=gone)

@@ -12,7 +12,7 @@ SYSTEM = System(
     label="Inverse Kinematics",
     settings=properties.MOTUS_PG_ik,
     classes=(
-        # Groups before the group that holds them.
+        # Blender requires that a property group is registered before the group that contains it.
         *properties.classes,
         *operators.classes,
         *presets.classes,

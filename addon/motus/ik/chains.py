@@ -1,4 +1,4 @@
-"""Which bones an entry drives, by the rig as it is now."""
+"""Find the chain of bones that an entry of inverse kinematics drives. An entry holds the settings of one chain."""
 
 import itertools
 from typing import NamedTuple
@@ -9,7 +9,12 @@ from ..core.settings import entry_keys
 
 
 class Chain(NamedTuple):
-    """Names of bones. bones: from the root to the last one. effector: the bone that the entry is named after."""
+    """Names of the bones of one chain of inverse kinematics.
+
+    bones: the bones that reach for the target, from the root to the last. effector: the bone that the entry is named after.
+    use_tail: whether the effector's tail reaches for the target; then the effector is the last of `bones`. Otherwise its head
+    reaches for the target, and the last of `bones` is its parent.
+    """
 
     bones: tuple
     effector: str
@@ -17,19 +22,19 @@ class Chain(NamedTuple):
 
     @property
     def driven(self):
-        """The bones that the solver turns: the chain's, and the effector if it is not one of these."""
+        """Names of the bones that the solver turns: `bones`, and the effector if it is not one of them."""
         return self.bones if self.use_tail else (*self.bones, self.effector)
 
 
 def find(rig, entry):
-    """The chain of an entry; None where the rig has no such bones."""
+    """Chain of an entry at its present length; None if the rig does not have its bones."""
     return of_bone(rig, entry.name, entry.chain_length, entry.use_tail)
 
 
 def find_longest(rig, index, animated):
-    """The chain of the entry at `index` with as many bones as keys or a driver of its length may ever give it, which is what is wired.
+    """Chain of the entry at an index with the most bones that keys or a driver of its length can ever give it; None without such bones.
 
-    animated: animated_paths() of chain_length.
+    Motus adds its constraints to the bones of this chain. animated: result of animated_paths() for "chain_length".
     """
     entry = rig.motus.ik.entries[index]
     paths = animated.intersection(prefix + "chain_length" for prefix in prefixes(rig, index)) if animated else ()
@@ -37,7 +42,10 @@ def find_longest(rig, index, animated):
 
 
 def _longest(rig, paths):
-    """The chain length to wire for where keys or drivers at these paths set it; 0, all bones, where they cannot be looked through."""
+    """Largest chain length that keys or drivers at these data paths can set; 0, which means all bones, if it cannot be told.
+
+    It can be told only for keys of the active action without modifiers, all of them above 0.
+    """
     animation, *strips = actions.players(rig)
     others = [animation.drivers, *map(actions.curves_of, strips)]
     if any(curve.data_path in paths for curve in itertools.chain.from_iterable(others)):
@@ -48,7 +56,10 @@ def _longest(rig, paths):
 
 
 def of_bone(rig, name, chain_length, use_tail):
-    """The chain of `chain_length` bones, as far as there are so many, that ends with a bone or with its parent."""
+    """Chain of `chain_length` bones (0: all up to the root) that ends with the bone of a name, or with its parent if use_tail is off.
+
+    It has fewer bones if there are fewer up to the root. None if the bone is missing, or lacks the parent.
+    """
     effector = rig.data.bones.get(name)
     bone = effector if use_tail or effector is None else effector.parent
     if bone is None:
@@ -60,7 +71,7 @@ def of_bone(rig, name, chain_length, use_tail):
 
 
 def entry_with(rig, name):
-    """Index of the entry that drives a bone, its own first; -1 where none does."""
+    """Index of the entry that drives a bone; -1 if there is none. An entry that is named after the bone comes first."""
     entries = rig.motus.ik.entries
     if name in entries:
         return entries.find(name)
@@ -74,7 +85,7 @@ def entry_with(rig, name):
 
 
 def animated_paths(rig, name):
-    """Data paths of keys, in NLA strips too, and drivers of a setting of any entry."""
+    """Set of the data paths by which keys, NLA strips included, or drivers animate a setting of any IK entry. name: of the setting."""
     players = actions.players(rig)
     drivers = rig.animation_data.drivers if players else ()
     paths = {curve.data_path for curves in (drivers, *map(actions.curves_of, players)) for curve in curves}
@@ -82,12 +93,12 @@ def animated_paths(rig, name):
 
 
 def prefixes(rig, index):
-    """How data paths of an entry's settings begin: Blender's own have the index, scripts may use the name."""
+    """Both prefixes of data paths to an entry's settings: with its index, as Blender writes them, and with its name, as scripts may."""
     return entry_keys.prefixes("motus.ik.entries", rig.motus.ik.entries, index)
 
 
 def driven_elsewhere(rig, name):
-    """bone -> (label of the system, entry) of all bones that Motus drives, but for those of the IK entry `name`."""
+    """{bone: (label of the system, name of the entry)} of all bones of a rig that Motus drives, except by the IK entry `name`."""
     return {
         bone: (system.label, entry.name)
         for system, entry in entries_on(rig)

@@ -1,21 +1,21 @@
-"""A further key on an F-curve that leaves the curve as it is."""
+"""Insert a key into an F-curve without changing the shape of the curve."""
 
 import math
 
 SAME_FRAME = 1e-3
 _EXACT = {'BEZIER', 'LINEAR', 'CONSTANT'}
-"""Interpolations of which a part is one of the same kind."""
+"""Interpolations whose segments a key can divide into segments of the same interpolation, without changing the curve."""
 _AUTOMATIC = {'AUTO', 'AUTO_CLAMPED'}
 
 
 def around(curve, frame):
-    """The last key before a frame, the one on it, and the first after it: lists of one or none."""
+    """Nearest key before a frame, key on the frame, and nearest key after it: three lists, each with one keyframe or none."""
     before, here, after = _divided(curve, frame, frame)
     return before[-1:], here[:1], after[:1]
 
 
 def _divided(curve, first, last):
-    """The keys before two frames, from one to the other, and after them."""
+    """Keys of an F-curve before, within and after a range of frames: three lists of keyframes."""
     points = curve.keyframe_points
     return (
         [point for point in points if point.co.x < first - SAME_FRAME],
@@ -25,10 +25,10 @@ def _divided(curve, first, last):
 
 
 def beside(curve, first, last):
-    """The keys outside of a range whose automatic handles go by keys within it: the nearest before and after it.
+    """Keys outside of a range of frames whose automatic handles depend on keys within it: the nearest key before and after it.
 
-    Where the curve is repeated, its ends as well: Blender takes them for neighbours of one another. None of a curve with
-    one key: Blender works out its handles only once there are more.
+    If the curve has a Cycles modifier, its first and last key are included: Blender treats these as neighbours. The
+    list is empty for a curve with one key, since Blender computes automatic handles only if there are several keys.
     """
     if len(curve.keyframe_points) < 2:
         return []
@@ -40,9 +40,12 @@ def beside(curve, first, last):
 
 
 def hold(point):
-    """Let the handles of a key stay where they are, whatever becomes of the keys next to it; not those that point at one."""
+    """Free the handles of a key that would move with the keys next to it, so that they stay where they are.
+
+    Handles of type Vector, which point at the next key, are left as they are.
+    """
     types = point.handle_left_type, point.handle_right_type
-    moving = _AUTOMATIC | ({'ALIGNED'} if 'VECTOR' in types else set())  # as the other side, which points at a key
+    moving = _AUTOMATIC | ({'ALIGNED'} if 'VECTOR' in types else set())  # Aligned handles turn with a Vector handle
     if types[0] in moving:
         point.handle_left_type = 'FREE'
     if types[1] in moving:
@@ -50,12 +53,15 @@ def hold(point):
 
 
 def cut(curve, frame):
-    """Put a key on a curve at a frame; returns it. Handles of the keys next to it are no longer automatic."""
+    """Insert a key into an F-curve at a frame without changing the curve; returns the key.
+
+    Handles of the keys next to it become free. A segment with easing is first replaced by linear keys on every frame.
+    """
     before, here, after = around(curve, frame)
     if before and after and not here and before[0].interpolation not in _EXACT:
         _key_every_frame(curve, before[0].co.x, after[0].co.x)
         before, here, after = around(curve, frame)
-    # Blender divides a segment exactly where its handles are not automatic.
+    # Blender divides a segment exactly only if its handles are not automatic.
     for point in (*before, *here, *after):
         _free(point)
     if here:
@@ -74,7 +80,7 @@ def _free(point):
 
 
 def _key_every_frame(curve, start, end):
-    """Replace an eased segment by one linear key per frame: no shorter segment can have the same easing."""
+    """Replace an eased segment of an F-curve by one linear key per frame, since no shorter segment can have the same easing."""
     frames = [start, *range(math.floor(start + SAME_FRAME) + 1, math.ceil(end - SAME_FRAME))]
     for frame, value in [(frame, curve.evaluate(frame)) for frame in frames]:
         curve.keyframe_points.insert(frame, value, options={'FAST'}).interpolation = 'LINEAR'

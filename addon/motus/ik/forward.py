@@ -1,4 +1,4 @@
-"""Where a chain's bones stand with the turns that a solver gives, without asking Blender to evaluate them."""
+"""Compute the poses of a chain's bones from the turns that the solver gives, without letting Blender evaluate the rig."""
 
 import json
 from typing import NamedTuple
@@ -11,22 +11,23 @@ from . import groups, reading
 
 
 class ChainRows(NamedTuple):
-    """The rows of one chain in the arrays of results that the solver of a group of chains fills.
+    """Rows of one chain in the arrays of results that the solver of a group of chains fills.
 
-    bones: names of the chain's bones from the root, then of the bone whose orientation is set if it is not one of them. rows: one
-    for each of these bones. is_effector_absolute: the last row holds rotation and scale in the rig's space, not on top of the
-    bone's own.
+    name: of the chain's entry. index: row of the chain among the group's chains. bones: names of the chain's bones from the root,
+    followed by the effector (the bone whose orientation is set) if it is not one of them. rows: row of each of these bones.
+    is_effector_absolute: whether the last row holds rotation and scale in the rig's space; the rows of all bones otherwise act on
+    top of the bones' own transforms.
     """
 
     name: str
-    index: int  # type: ignore[assignment]  # a tuple has a method of this name
+    index: int  # type: ignore[assignment]  # tuples have a method of this name
     bones: tuple
     rows: tuple
     is_effector_absolute: bool
 
 
 def chain_rows(group):
-    """{entry: ChainRows} of a group of the rig."""
+    """{name of the entry: ChainRows} of the chains of a Group that groups.groups() has declared."""
     known = json.loads(group.data[groups.PLAN])["chains"]
     first, free = 0, sum(len(chain["bones"]) for chain in known)
     found = {}
@@ -44,7 +45,7 @@ def chain_rows(group):
 
 
 def solver_of(rig, name, depsgraph):
-    """(Solver, ChainRows) of an entry; None where it is solved by no group."""
+    """(Solver, ChainRows) of the entry of a name; None if no group of the rig solves the entry."""
     for group in groups.groups(rig):
         rows = chain_rows(group).get(name)
         if rows:
@@ -53,11 +54,15 @@ def solver_of(rig, name, depsgraph):
 
 
 class Solver:
-    """One group's solution for other targets, poles, weights or lengths than the evaluated ones."""
+    """Solver of one group of C chains for targets, poles and settings that may be different from the evaluated ones.
+
+    The caller may change these arrays before it calls solve(): settings (C, len(IkPlan.SETTINGS)), targets (C, 16) and
+    poles (C, 3).
+    """
 
     def __init__(self, evaluated, group, depsgraph):
         found = reading.gather(evaluated, group.data[groups.PLAN], depsgraph)
-        # The arrays hold only until the next rig is read.
+        # The arrays that were read are valid only until the next rig is read.
         self._posed = found.posed._replace(poses=found.posed.poses.copy())
         self._basis = rigs.basis(evaluated, found.wired.still).copy()
         self._plan, self._own, self._limits = found.wired.plan, found.bones, found.limits
@@ -70,7 +75,7 @@ class Solver:
         self.scales = np.ones((len(self._plan.rows), 3))
 
     def solve(self):
-        """Solve with settings, targets and poles as they are now."""
+        """Solve the chains with the present values of settings, targets and poles. Returns the report, (C, len(IkPlan.REPORT)) float64."""
         return self._plan.solve(
             self._own,
             *self._posed,
@@ -83,11 +88,11 @@ class Solver:
         )
 
     def match(self):
-        """(C, 16) targets and (C, 3) poles for which the solution is the animated pose."""
+        """Targets (C, 16) and poles (C, 3) for which the solution of the C chains is the animated pose."""
         return self._plan.match(self._own, *self._posed, self.settings)
 
     def poses(self, chain):
-        """World matrices of a chain's bones, by ChainRows, as it was solved last."""
+        """World matrices of a chain's bones by the last call of solve(), a list in the order of chain.bones. chain: the ChainRows."""
         bones = self._armature.bones
         first = bones[chain.bones[0]]
         above = self._matrix(self._posed.poses, first.parent.name) if first.parent else None
@@ -111,7 +116,7 @@ class Solver:
 
 
 def in_pose(bone, basis, above):
-    """Pose matrix of a bone from its own transform and its parent's pose matrix (None without a parent)."""
+    """Pose matrix of a bone from its own transform `basis` and its parent's pose matrix `above`; `above` is None if it has no parent."""
     if above is None:
         return bone.convert_local_to_pose(basis, bone.matrix_local)
     return bone.convert_local_to_pose(basis, bone.matrix_local, parent_matrix=above, parent_matrix_local=bone.parent.matrix_local)

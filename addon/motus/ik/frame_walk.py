@@ -1,4 +1,4 @@
-"""The keywords of the operators that go through frames on chains."""
+"""Base of the operators of inverse kinematics that step through a range of frames."""
 
 import bpy
 
@@ -9,14 +9,17 @@ from .targets import rig_with_ik
 
 
 def active_rig(context, name):
-    """The rig of this name, or the active one, that has inverse kinematics and shows its pose."""
+    """Armature object of a name, or the active object if the name is empty.
+
+    Raises Refused if it has no inverse kinematics, or does not show its pose.
+    """
     rig = rig_with_ik(context, name)
     check_posed(rig, context.view_layer)
     return rig
 
 
 class OverFrames(OfABone, over_frames.OverFrames):
-    """Mixin of core's OverFrames with the keywords that operators on chains have."""
+    """Mixin of operators that step through frames for one chain or all chains of a rig: core's OverFrames with the chain's keywords."""
 
     bone: bpy.props.StringProperty(
         name="Bone", description="Name of the last bone of the chain; empty takes all chains of the object", options={'SKIP_SAVE'}

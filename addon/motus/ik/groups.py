@@ -1,4 +1,7 @@
-"""What is wired on a rig: its entries, the bones they drive, and which of them are solved together."""
+"""Declare what Motus wires on a rig for inverse kinematics: groups of chains that are solved together, their bones, inputs and outputs.
+
+The owner is the armature object. An entry holds the settings of one chain.
+"""
 
 import json
 import re
@@ -13,19 +16,20 @@ from ..core.settings.entries import unwired
 from . import chains
 
 OUTPUTS = ("residual", "angle", "reason", "distance", "reach")
-"""What is told of each entry: "<bone>.<output>"."""
+"""Numbers that the solver reports for each entry; as an output of its group, each is named "<bone>.<name>"."""
 RELATIVE = frozenset({"rotation"})
 STRETCHED = frozenset({"rotation", "scale"})
 PLAN = "plan"
-"""Key of a group's data: a JSON object that wired.Wired is made of."""
+"""Key in a group's data of the JSON text from which wired.Wired is made."""
 
 _OF_BONE = re.compile(r'^pose\.bones\["((?:[^"\\]|\\.)*)"\]\.(?!constraints\[)')
 
 
 class Found(NamedTuple):
-    """An IK entry whose bones exist in the rig. stretches: whether its bones may change length.
+    """An IK entry that is solved, and the bones that it drives.
 
-    guards: children of a stretching chain's bones that must not inherit the stretch.
+    stretches: whether the chain's bones may change length. guards: names of the children of a stretching chain's bones that must
+    not inherit the stretch.
     """
 
     entry: Any
@@ -34,18 +38,21 @@ class Found(NamedTuple):
     guards: list
 
     def reads(self, owner):
-        """The (object, bone name or "") whose evaluated transforms the chain's solution depends on: its root's parent, targets and poles."""
+        """(object, bone or "") whose evaluated transforms the chain's solution depends on: the root's parent, targets and poles."""
         parent = owner.data.bones[self.chain.bones[0]].parent
         return [(owner, parent.name if parent else ""), *goals(self.entry)]
 
 
 def entries(owner):
-    """For the order of evaluation: what each entry reads and drives."""
+    """List of an Entry (core/declare) for each chain of an owner: what it reads and drives, from which the order of evaluation follows."""
     return [Entry(found.entry.name, tuple(found.reads(owner)), (*found.chain.driven, *found.guards)) for found in survey(owner)]
 
 
 def groups(owner):
-    """One group for the entries of each level: they are solved by one call."""
+    """Groups of the owner's entries, one for each level of wiring.levels(); the chains of a group are solved by one native call.
+
+    Of what Motus drives on rigs, a chain reads only what entries of lower levels drive. Chains whose targets move with them are left out.
+    """
     levels = wiring.levels(owner)
     by_level = {}
     for found in survey(owner):
@@ -57,7 +64,10 @@ def groups(owner):
 
 
 def bone_renamed(owner, rig, old, new):
-    """Let the entries follow a bone that was given another name. The wiring wires the rig again by itself."""
+    """Replace the old name of a renamed bone by the new name in the owner's entries. rig: the armature object that has the bone.
+
+    The wiring itself wires the rig again afterwards.
+    """
     with unwired(owner.motus.ik) as settings:
         for entry in settings.entries:
             if rig == owner and entry.name == old:
@@ -72,9 +82,12 @@ def bone_renamed(owner, rig, old, new):
 
 
 def survey(owner):
-    """All entries whose bones the rig has, and no entry before them."""
+    """List of Found for all entries of an owner that are solved.
+
+    An entry is left out if the rig does not have its bones, or if an earlier entry drives one of them.
+    """
     present = list(_unshared(owner))
-    # A child that is driven by another entry takes its pose from that one.
+    # A child that a different entry drives takes its pose from that entry, and is no guard.
     taken = {name for _, _, chain in present for name in chain.driven}
     animated = chains.animated_paths(owner, "stretch")
     result = []
@@ -94,7 +107,7 @@ def _unshared(owner):
 
 
 def goals(entry):
-    """(object, bone or "") of all that an entry goes to or bends towards."""
+    """(object, bone or "") of an entry's target, pole and further targets, without those that are not chosen."""
     pairs = [(pointed(entry, "target"), entry.target_bone), (pointed(entry, "pole"), entry.pole_bone)]
     pairs += [(pointed(extra, "object"), extra.bone) for extra in entry.extra_targets]
     return [(goal, bone if goal.pose and bone in goal.pose.bones else "") for goal, bone in pairs if goal]
@@ -124,8 +137,8 @@ def _group(owner, key, entries_found, driven):
 
 
 def plan_of(owner, entries_found):
-    """What wired.Wired is made of, as text."""
-    # An effector that must not be stretched counts as a guard in IkPlan; it has one row all the same.
+    """JSON text that describes a group of chains, from which wired.Wired is made. entries_found: list of Found."""
+    # In IkPlan, an effector that must not be stretched is also a guard. It still has only one row.
     kept = [(found.chain.effector, index) for index, found in enumerate(entries_found) if found.stretches and not found.chain.use_tail]
     guards = [(name, index) for index, found in enumerate(entries_found) for name in found.guards]
     chains_found = [
@@ -148,24 +161,27 @@ def plan_of(owner, entries_found):
 
 
 def _kept(bone):
-    """A bone that keeps its rotation and scale in the armature while its parent is stretched."""
+    """Member for a pose bone that keeps its rotation and scale in the armature's space while its parent is stretched."""
     return Member(bone, STRETCHED, 'POSE')
 
 
 def _where(owner, goal):
-    """Whether a target or pole is the rig itself ('OWN'), another object ('OTHER'), or none ("")."""
+    """Where a target or pole is: 'OWN' for the rig itself or its bone, 'OTHER' for a different object, "" if there is none."""
     return "" if goal is None else 'OWN' if goal == owner else 'OTHER'
 
 
 def _inputs(owner, entries_found, driven):
-    """What must stand before the group is solved: what its entries read, and those of their bones that are driven."""
+    """Inputs that Blender evaluates before the group's solver: transforms that its entries read, and bones with drivers of their own.
+
+    driven: names of the bones of the rig that have such drivers.
+    """
     read = [(owner, ""), *(pair for found in entries_found for pair in found.reads(owner))]
     own = [name for found in entries_found for name in (*found.chain.driven, *found.guards)]
     return (*(Transform(*pair) for pair in dict.fromkeys(read)), *(BonesOwn(owner, name) for name in dict.fromkeys(own) if name in driven))
 
 
 def _bones_with_drivers(owner):
-    """Names of the bones whose own location, rotation or scale is driven."""
+    """Names of the owner's bones that have a driver on a property of their own, such as location, rotation or scale."""
     animation = owner.animation_data
     matches = [_OF_BONE.match(curve.data_path) for curve in animation.drivers] if animation else []
     return {bpy.utils.unescape_identifier(match[1]) for match in matches if match}

@@ -1,4 +1,4 @@
-"""Keyframes of transform channels: values for a wanted transform, written fast, beside the keys of other frames."""
+"""Key transform channels: find the channels' values for a transform, and write keys fast into a range of frames."""
 
 import math
 
@@ -28,11 +28,14 @@ _KEY = (
 
 
 def rotation_values(thing, rotation, last):
-    """A quaternion as values of the thing's own rotation channel, next to the values `last`."""
+    """Convert a quaternion to values of the rotation channel of an Object or PoseBone `thing`, in its rotation mode.
+
+    Of the values that give this rotation, it returns those near to the values `last`, so that keys do not jump.
+    """
     if thing.rotation_mode == 'QUATERNION':
         return -rotation if rotation.dot(Quaternion(last)) < 0.0 else rotation
     if thing.rotation_mode == 'AXIS_ANGLE':
-        # Quaternion.to_axis_angle() goes by an arc cosine, which is off by up to 5e-4 rad where the angle is small.
+        # Quaternion.to_axis_angle() uses an arc cosine, which is off by up to 5e-4 rad for small angles.
         axis = Vector((rotation.x, rotation.y, rotation.z))
         angle = 2.0 * math.atan2(axis.length, rotation.w)
         axis = axis.normalized() if axis.length > 0.0 else Vector(last[1:])
@@ -43,7 +46,10 @@ def rotation_values(thing, rotation, last):
 
 
 class Channels:
-    """Values over the frames of channels of an Object or PoseBone: of "location", "rotation", "scale"."""
+    """Values of transform channels of an Object or PoseBone, collected frame by frame.
+
+    channels: some of "location", "rotation", "scale". values: {name of the property: list of a tuple for each frame}.
+    """
 
     def __init__(self, thing, channels):
         self._named = Named.of(thing)
@@ -53,11 +59,11 @@ class Channels:
 
     @property
     def thing(self):
-        """The Object or PoseBone."""
+        """The Object or PoseBone whose channels these are. Raises ReferenceError if it was removed."""
         return self._named.thing
 
     def add(self, basis):
-        """Append the values that give a transform relative to what the parents do."""
+        """Append the channels' values at one more frame. basis: Matrix of the transform relative to the parents, like matrix_basis."""
         location, rotation, scale = basis.decompose()
         if isinstance(self.thing, bpy.types.Object):
             location, rotation, scale = _without_deltas(self.thing, location, rotation, scale)
@@ -67,14 +73,14 @@ class Channels:
             elif path == "scale":
                 rows.append(tuple(scale))
             else:
-                # At the first frame, next to what is there already.
+                # At the first frame, the values stay near to the channel's present values.
                 last = getattr(self.thing, path) if self._last is None else self._last
                 self._last = tuple(rotation_values(self.thing, rotation, tuple(last)))
                 rows.append(self._last)
 
 
 def _without_deltas(obj, location, rotation, scale):
-    """The matrix of an object's own channels, without its delta transform."""
+    """Location, rotation and scale for an object's own channels, with which its delta transform gives these values."""
     if obj.rotation_mode == 'QUATERNION':
         rotation = obj.delta_rotation_quaternion.normalized().inverted() @ rotation
     elif obj.rotation_mode != 'AXIS_ANGLE':
@@ -84,7 +90,10 @@ def _without_deltas(obj, location, rotation, scale):
 
 
 class KeyWriter:
-    """Writes keys into ranges of F-curves, keeps those outside, and can take all of it back."""
+    """Writes keys into ranges of F-curves, keeps the keys outside of them, and can restore what was there before.
+
+    written: set of (datablock, data path) that have new keys.
+    """
 
     def __init__(self):
         self._before = {}
@@ -92,10 +101,11 @@ class KeyWriter:
         self.written = set()
 
     def write(self, holder, name, frames, rows, interpolation='BEZIER', group="", instead_of=""):
-        """Key a property of an Object, PoseBone or group of settings.
+        """Key the property `name` of an Object, PoseBone or PropertyGroup `holder` at rising frames.
 
-        Keys from the first to the last frame are replaced; those next to them keep automatic handles as they are. rows: a number or a
-        sequence of numbers a frame. instead_of: another data path by which it may be keyed already.
+        Keys from the first to the last frame are replaced. Keys next to that range keep their automatic handles as they are.
+        rows: a number or a sequence of numbers for each frame. group: name of the F-curves' group. instead_of: a different data
+        path by which the property may be keyed already; if it is, the new keys use this path.
         """
         owner = holder.id_data
         path = instead_of if instead_of and actions.find(owner, instead_of) else holder.path_from_id(name)
@@ -108,14 +118,14 @@ class KeyWriter:
             curve = actions.find(owner, path, index)
             is_new = curve is None
             if is_new:
-                # Blender knows best where an action of this version keeps its curves.
+                # keyframe_insert() makes the action, slot and F-curve as the running version of Blender needs them.
                 holder.keyframe_insert(name, index=index if is_array else -1, frame=frames[0], group=group or "Motus")
                 curve = actions.find(owner, path, index)
             self._done.append((owner, path, index, (None, frames) if is_new else _hold_beside(curve, frames)))
             _replace(curve, frames, column, interpolation)
 
     def cut(self, owner, path, frame):
-        """Put a key on the F-curve of a number, which stays as it is; returns the key."""
+        """Insert a key into the F-curve of a numeric property without changing the curve; returns the key. owner: the datablock."""
         self._remember(owner)
         curve = actions.find(owner, path)
         self.written.add((owner, path))
@@ -124,12 +134,12 @@ class KeyWriter:
         return cut(curve, frame)
 
     def set(self, holder, name, value):
-        """Set a property that is not animated."""
+        """Set a property that is not animated, so that take_back() can restore its value."""
         self._done.append((holder.id_data, holder.path_from_id(name), getattr(holder, name), None))
         setattr(holder, name, value)
 
     def take_back(self):
-        """Put back the keys and values as they were before all write() and set()."""
+        """Restore all keys and values as they were before the first call of write(), cut() or set()."""
         self.written.clear()
         for owner, path, index, written in reversed(self._done):
             if written is None:
@@ -150,7 +160,7 @@ class KeyWriter:
                 owner.animation_data_clear()
 
     def _remember(self, owner):
-        """Note the action of an object before it is keyed, and give the object a copy if the action is linked."""
+        """Note the action of a datablock before it is keyed, and give the datablock a copy of the action if the action is linked."""
         if owner in self._before:
             return
         animation = owner.animation_data
@@ -160,7 +170,10 @@ class KeyWriter:
 
 
 def _hold_beside(curve, frames):
-    """Let the keys next to a range keep their handles; returns, as they were, all keys that change, and their frames."""
+    """Free the automatic handles of the keys next to a range of frames, so that new keys in the range do not move them.
+
+    Returns (keys that change, as _keys() gives them before the change; their frames in rising order).
+    """
     held = beside(curve, frames[0], frames[-1])
     touched = sorted([frames[0], frames[-1], *(point.co.x for point in held)])
     kept = _keys(_between(curve, touched))
@@ -175,7 +188,7 @@ def _between(curve, frames):
 
 
 def _keys(points):
-    """All that makes keys what they are, by attribute."""
+    """Copies of keyframes, as {attribute: value} for each, from which _put_back() makes the keyframes again."""
     return [
         {
             name: value if isinstance(value, (str, float)) else tuple(value)
@@ -214,6 +227,6 @@ def _put_back(curve, frames, keys):
     before = len(points)
     points.add(len(keys))
     for point, key in zip(points[before:], keys):
-        for name in ("handle_left_type", "handle_right_type", *_KEY):  # handles of some types move with others
+        for name in ("handle_left_type", "handle_right_type", *_KEY):  # setting one handle may move its opposite
             setattr(point, name, key[name])
     curve.update()

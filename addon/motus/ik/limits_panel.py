@@ -1,13 +1,13 @@
-"""The bones' own limits for inverse kinematics, drawn for a whole chain."""
+"""Part of the IK panel that draws Blender's limits for inverse kinematics of a chain's bones."""
 
 from . import chains
 
 MOST_BONES = 4
-"""A longer chain shows the bone that is active alone."""
+"""Number of bones at the end of a chain whose limits are drawn. If a bone of the chain is active, only its limits are drawn."""
 
 
 def draw(layout, context, entry):
-    """Switches, least and largest angles of the chain's bones."""
+    """Draw the switches and the least and largest angles of the limits of a chain's bones. entry: the chain's entry."""
     rig = context.object
     chain = chains.find(rig, entry)
     if chain is None:
@@ -36,7 +36,7 @@ def _draw_bone(layout, bone):
         limited.enabled = not is_locked
         limited.prop(bone, f"use_ik_limit_{letter}", text=letter.upper(), toggle=True, translate=False)
         if is_limited and not is_locked:
-            # A row of their own: beside the switches there is no room for three digits.
+            # The angles have a row of their own: beside the switches there is no room for three digits.
             angles = column.row(align=True)
             angles.prop(bone, f"ik_min_{letter}", text="")
             angles.prop(bone, f"ik_max_{letter}", text="")

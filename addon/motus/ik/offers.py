@@ -1,4 +1,4 @@
-"""What the system offers others: the chains of a rig, and a way to add some. Found by declare.offered("ik")."""
+"""Functions of inverse kinematics that different systems call by declare.offered("ik"): list the chains of a rig, and add chains."""
 
 from typing import Any, NamedTuple
 
@@ -10,7 +10,11 @@ from .setup import system
 
 
 class Chain(NamedTuple):
-    """One chain of a rig. bones: the bones of the armature that it drives, from its end on. target_bone: "" for the target object itself."""
+    """One chain of a rig.
+
+    bones: the armature's Bones that the chain drives, from its end to its root. target: Object, or None if none is chosen.
+    target_bone: name of the target's bone, "" for the object itself.
+    """
 
     bones: tuple
     target: Any
@@ -19,7 +23,10 @@ class Chain(NamedTuple):
 
 
 class NewChain(NamedTuple):
-    """A chain to be added, by the name of its last bone."""
+    """Settings of a chain that is to be added.
+
+    bone: name of its last bone. target, pole: Object or None. target_bone, pole_bone: name of a bone, "" for the object itself.
+    """
 
     bone: str
     target: Any
@@ -30,7 +37,7 @@ class NewChain(NamedTuple):
 
 
 def chains(rig):
-    """The Chains of an original object by the names of their last bones; none if it is no rig with chains."""
+    """{name of the last bone: Chain} of all chains of an original object; empty if it is no rig with chains."""
     if not is_owner(system(), rig):
         return {}
     found = {}
@@ -41,7 +48,7 @@ def chains(rig):
 
 
 def stretching_targets(rig):
-    """(target object, name of its bone or "") of the chains that stretch all the way to their targets. rig: original or evaluated."""
+    """(target object, name of its bone or "") of the chains of a rig, original or evaluated, whose Stretch is 1: they reach any target."""
     if not (has_settings(system(), rig) and is_owner(system(), rig)):
         return []
     found = [(pointed(entry, "target"), entry.target_bone) for entry in of_owner(system(), rig).entries if entry.stretch >= 1.0]
@@ -49,7 +56,7 @@ def stretching_targets(rig):
 
 
 def add(rig, new):
-    """Add NewChains to a rig."""
+    """Add chains to a rig, and wire it once. new: list of NewChain."""
     with entries.at_once(system(), rig) as settings:
         for chain in new:
             entry = settings.entries.add()

@@ -1,4 +1,4 @@
-"""Operators that add inverse kinematics to bones, and take it back."""
+"""Operators that add inverse kinematics to chains of bones, give chains targets and poles, and remove chains."""
 
 from collections.abc import Sequence
 
@@ -15,19 +15,19 @@ from .properties import KEYWORDS, IkKeywords
 from .switching import blend_keys, blend_trigger
 
 MOST_SHOWN = 8
-"""Controls whose names are listed before they are deleted."""
+"""Largest number of targets and poles that a dialog lists by name before they are deleted."""
 MADE_WIDTH = 320
-"""Of the dialog, pixels at the interface's normal size."""
+"""Width of the dialog that lists targets and poles before they are deleted, in pixels at a resolution scale of 1."""
 
 
 class OfARig(operators.OfARig):
-    """Mixin of operators on a rig that has chains."""
+    """Mixin of operators that work on an armature object on which inverse kinematics is set up."""
 
     rig_with = staticmethod(targets.rig_with_ik)
 
 
 class OfABone(OfARig):
-    """Mixin of operators on one chain of a rig, which its last bone names."""
+    """Mixin of operators that work on one chain of a rig, named by the chain's last bone."""
 
     bone: bpy.props.StringProperty(
         name="Bone", description="Name of the last bone of the chain; empty takes the active one", options={'SKIP_SAVE'}
@@ -97,14 +97,14 @@ class MOTUS_OT_ik_add(operators.FindsValues, OfABone, IkKeywords, bpy.types.Oper
                 self.report({'WARNING'}, sentence)
 
     def _chain(self, rig, bone):
-        """The chain that a bone is given; refuses one that is not free."""
+        """Chain that the operator gives a bone. Raises Refused if Motus drives one of the chain's bones already."""
         changes, before = self.given(KEYWORDS), rig.motus.ik.entries.get(bone)
         chain = targets.chain_for(rig, bone, *(changes.get(name, getattr(before or self, name)) for name in ("chain_length", "use_tail")))
         targets.check_free(rig, chain)
         return chain
 
     def _add(self, context, rig, bone):
-        """Give a bone its entry."""
+        """Add the entry of a bone, or change it: settings, target and pole, which are made if necessary."""
         changes = self.given(KEYWORDS)
         check_finite(self, changes)
         before = rig.motus.ik.entries.get(bone)
@@ -142,7 +142,10 @@ class MOTUS_OT_ik_add(operators.FindsValues, OfABone, IkKeywords, bpy.types.Oper
         return self.keep_rotation and "rotation_offset" not in changes
 
     def _goals(self, context, rig, before):
-        """Target and pole, each (object, bone) or None: as they are given, selected, or were before."""
+        """(target, pole) for an entry, each (object, bone or "") or None.
+
+        The keywords name them. If the keywords are empty, the target is what is selected. Otherwise the present entry `before` has them.
+        """
         from_selection = None if self.object or self.bone or self.bones else rig
         target = targets.goal_for(context, self.target, self.target_bone, from_selection)
         if target is None and before and pointed(before, "target"):
@@ -154,7 +157,10 @@ class MOTUS_OT_ik_add(operators.FindsValues, OfABone, IkKeywords, bpy.types.Oper
 
 
 def _make_pole(context, rig, name, turned, as_bone):
-    """Give an entry a pole that leaves the chain as it stands. turned: the Pole Angle that it stands turned by, rad."""
+    """Make a pole for the entry of a name, at a place that leaves the pose of the chain as it is.
+
+    turned: Pole Angle, in radians, by which the present pose is turned. as_bone: make a control bone instead of an empty.
+    """
     context.view_layer.update()
     entry = rig.motus.ik.entries[name]
     if as_bone:
@@ -231,7 +237,7 @@ class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
     _made: Sequence[str] = ()
 
     def invoke(self, context, event):
-        """Ask what becomes of what was made along with the chains, if there is any of it."""
+        """Ask in a dialog whether to delete the targets and poles that were made along with the chains; without any, run at once."""
         try:
             self._made = [made.label(*pair) for pair in made.of_entries(*self._found(context))]
         except Refused as refusal:
@@ -262,7 +268,7 @@ class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
             self.report({'INFO'}, tr("Something else needs {targets}, so that they stay").format(targets=", ".join(kept)))
 
     def _found(self, context):
-        """The rig, and indices of the entries that are removed."""
+        """(rig, indices of the entries that the operator removes). Raises Refused if they cannot be removed."""
         rig = targets.rig_with_ik(context, self.object)
         targets.check_editable(rig)
         indices = [targets.entry_for(rig, self.bone)] if self.bone else range(len(rig.motus.ik.entries))
@@ -291,7 +297,7 @@ class MOTUS_OT_ik_target_add(OfABone, bpy.types.Operator):
             targets.check_no_loop(rig, entry.name, changes, goal)
         with setup.at_once(rig):
             extra = entry.extra_targets.add()
-            if goal:  # else the user chooses it in the list
+            if goal:  # otherwise the user chooses the target in the list
                 extra.object, extra.bone = goal
             entry.active_extra_target = len(entry.extra_targets) - 1
 

@@ -1,4 +1,7 @@
-"""Poses of a chain's bones at any times, for systems that need their past: the solver runs once for each time."""
+"""Transforms over time of the bones of chains, for systems that need past frames: the solver runs once for each time.
+
+Times are frames of F-curves, which differ from the scene's frames under Time Stretching.
+"""
 
 from typing import Any
 
@@ -21,7 +24,11 @@ NUMBERS = (*reading.ANIMATED, "chain_length", "bend", "target_blend", "is_muted"
 
 
 def over_time(owner, thing, scene):
-    """System.over_time; None for what is no bone of a chain, or keeps its scale while others are stretched."""
+    """OverTime of a pose bone that a chain drives, as System.over_time declares it; None if no chain drives the bone.
+
+    None also for the effector of a stretching chain if its head reaches for the target: that bone keeps its own scale.
+    owner: the armature object with the entries. thing: the PoseBone or Object that is asked about.
+    """
     surveyed = kept(owner, ("ik", "survey"), lambda: _survey(owner))
     index, *found = next((one for one in surveyed if thing.name in one[1].driven), (-1,))
     if index < 0 or (found[1] and thing.name not in found[0].bones):
@@ -32,13 +39,16 @@ def over_time(owner, thing, scene):
 
 
 def _survey(owner):
-    """(index of the entry, chain, stretches, guards) of all that are solved."""
+    """(index of the entry, Chain, stretches, guards) of each entry of an owner that is solved, with the fields of groups.Found."""
     entries = owner.motus.ik.entries
     return [(entries.find(found.entry.name), *found[1:]) for found in groups.survey(owner)]
 
 
 class OverTime(SolvedBone):
-    """A bone of a chain; see core/tracks/solved.py. Original or evaluated."""
+    """Transform over time of one bone that a chain drives, in an original or evaluated rig.
+
+    core/tracks/solved.py lists the attributes that systems read of it.
+    """
 
     def __init__(self, chain, bone):
         super().__init__(chain.inputs)
@@ -46,11 +56,14 @@ class OverTime(SolvedBone):
 
     @property
     def stamp(self):
-        """A value that changes if the bone's motion may have changed: its name together with the stamp of its chain."""
+        """Hashable value that changes whenever the bone's motion may change; None if changes cannot be detected.
+
+        It holds the bone's name, and the stamp of its chain.
+        """
         return together((self._bone, self._chain.stamp))
 
     def applied(self, times, transforms):
-        """See core/tracks/solved.py."""
+        """Transforms of the bone at times (n,): the chain's turns and stretches on top of `transforms`, which its own channels give."""
         place, turns, factors = self._chain.solved(times)
         row = place[self._bone]
         return transforms._replace(
@@ -59,7 +72,7 @@ class OverTime(SolvedBone):
 
 
 class _Chain:
-    """One entry at given times: all bones of its chain are solved at once."""
+    """One IK entry, which is solved at any times; all bones of its chain are solved together."""
 
     def __init__(self, owner, found, index, scene):
         self._owner, self._found, self._index = owner, found, index
@@ -81,11 +94,14 @@ class _Chain:
 
     @property
     def stamp(self):
-        """A value that changes if the chain's motion may have changed: which targets and poles exist, and the stamp of the inputs."""
+        """Hashable value that changes whenever the chain's motion may change; None if changes cannot be detected.
+
+        It holds which targets and poles exist, and the stamp of the solver's inputs.
+        """
         return together((tuple(goal is not None for goal in self._goals), self.inputs.stamp))
 
     def solved(self, times):
-        """({bone: row}, rotations (n, rows, 4), scales (n, rows, 3)) of the chain's bones."""
+        """Turns of the chain's bones at times (n,): ({bone: row}, rotations w, x, y, z (n, rows, 4), scales (n, rows, 3))."""
         return once(self._owner, ("ik", self._index), times, lambda: self._solved(times))
 
     def _solved(self, times):
@@ -119,14 +135,17 @@ class _Chain:
 
     @property
     def _wired(self):
-        """(Wired of the entry alone, names of the rig's bones)."""
+        """(Wired of a group that has only this entry, names of all bones of the rig)."""
         owner = self._owner
         text = groups.plan_of(owner, [self._found])
         wired = rigs.plan(owner, text, lambda rig, rows: Wired(rig, rows, text))
         return wired, rigs.names_of(owner)
 
     def _settings(self, wired, numbers, is_there):
-        """Their values, (n, len(IkPlan.SETTINGS))."""
+        """Settings of the chain at n times as IkPlan.solve() reads them, (n, len(IkPlan.SETTINGS)) float64.
+
+        numbers: {name: values (n,)} of the entry's settings. is_there: whether there is a target, (n,).
+        """
         found = np.repeat(wired.settings, len(is_there), axis=0)
         for name in reading.ANIMATED:
             found[:, wired.columns[name]] = numbers[name]
@@ -143,11 +162,14 @@ class _Chain:
 
 
 _AWAY = 1.0
-"""Index of 'AWAY' among the items of Bend."""
+"""Index of 'AWAY' among the items of the setting Bend."""
 
 
 def _goal(pair):
-    """(object, bone or "") of a target or pole; None where it is not there."""
+    """(object, bone or "") of a target or pole; None if it is not chosen, was deleted, or lacks the chosen bone.
+
+    pair: (object or None, bone name) as the entry has them.
+    """
     obj, bone = pair
     if obj is None or deleted.is_deleted(obj) or (obj.pose and bone and bone not in obj.pose.bones):
         return None
@@ -155,7 +177,10 @@ def _goal(pair):
 
 
 def _blended(goals, blends, count):
-    """(targets (n, 16), whether there is one (n,)) of a target and further ones, mixed by the Blend at each time."""
+    """Mix the target and the further targets of a chain by its setting Blend: (world matrices (n, 16), whether there is a target (n,)).
+
+    goals: world matrices (n, 16) of the target and each further target, None for a missing one. blends: Blend at each time, (n,).
+    """
     first = goals[0]
     found = np.tile(np.eye(4).ravel(), (count, 1)) if first is None else first.copy()
     are_there = np.full(count, first is not None)

@@ -1,4 +1,4 @@
-"""What the viewport shows of a rig's chains: how far they reach, their poles, and what is left to their targets."""
+"""Viewport overlay of a rig's chains: circles of their reach, lines to their poles, and lines of the distance left to their targets."""
 
 import itertools
 import math
@@ -12,9 +12,9 @@ from ..core.lazy import numpy as np
 from . import chains, status
 from .goals import controls, places as goal_places, placing
 
-STEPS = 64  # of a circle
-LEAST_RESIDUAL = 1e-4  # of the chain's length: less is not drawn
-PLAIN_BEND = math.radians(0.5)  # joints that bend by less show no plane
+STEPS = 64  # lines of which a circle is drawn
+LEAST_RESIDUAL = 1e-4  # in lengths of the chain: a smaller distance to the target is not drawn
+PLAIN_BEND = math.radians(0.5)  # joints that bend by a smaller angle do not show the plane of the bend
 
 REACH_COLOR = (0.98, 0.80, 0.25, 0.7)
 NEAR_COLOR = (0.98, 0.80, 0.25, 0.35)
@@ -23,7 +23,7 @@ RESIDUAL_COLOR = (0.95, 0.25, 0.30, 1.0)
 
 
 def _batches(context, owner):
-    """Batches for the chains of a rig; the circles only for the one that the panel shows."""
+    """List of Batches to draw for the chains of a rig. Circles are drawn only for the chain that the panel shows."""
     if owner.type != 'ARMATURE' or not owner.motus.ik.is_active:
         return []
     shown = context.scene.motus
@@ -60,7 +60,7 @@ def _place(goal, bone):
 
 
 def _target(rig, entry):
-    """Where the chain is to be; None where its animation alone counts, or under way between two targets."""
+    """World position of the target of an entry; None if the weight is 0, if Blend is between two targets, or if the target is missing."""
     goal = controls.goal_at(entry, entry.target_blend)
     if goal is None or entry.position_weight * rig.motus.ik.influence == 0.0:
         return None
@@ -68,20 +68,20 @@ def _target(rig, entry):
 
 
 def _middle(joints):
-    """The joint that is farthest from the line between root and tip."""
+    """World position of the joint of a chain that is farthest from the line between the chain's root and tip."""
     along = joints[-1] - joints[0]
     return max(joints[1:-1] or joints[:1], key=lambda joint: (joint - joints[0]).cross(along).length)
 
 
 def _circles(rig, chain, entry, joints, reach):
-    """The farthest and the nearest place that the tip can come to without stretch, in the plane of the bend.
+    """Batches of two circles in the plane of the bend: the farthest and the nearest places that the tip can reach without stretch.
 
-    reach: as it was reported; 0 where nothing was.
+    joints: world positions from root to tip. reach: farthest distance as the solver has reported it; 0 if it was not reported.
     """
     normal = placing.bend_normal(joints, PLAIN_BEND) or placing.hinge_normal(rig, chain, entry.hinge_angle)
     links = [(end - start).length for start, end in itertools.pairwise(joints)]
     total = sum(links)
-    if total == 0.0:  # a rig that is scaled to nothing
+    if total == 0.0:  # the rig is scaled to nothing
         return []
     reach = reach or total
     found = [_circle(joints[0], normal, reach, REACH_COLOR, 1.5)]

@@ -1,4 +1,4 @@
-"""The panel of inverse kinematics, in the sidebar's tab and in the bone's constraint properties."""
+"""Panel of inverse kinematics, in the 3D Viewport's sidebar and in the Bone Constraints tab of the Properties editor."""
 
 import bpy
 
@@ -11,7 +11,7 @@ from .shown import shown_entry
 
 
 def draw_main(layout, context):
-    """The rig's chains, what is wrong, and the bones of the active one."""
+    """Draw the list of the rig's chains, a message about what is wrong, and the bones of the selected chain."""
     rig, entry = context.object, shown_entry(context)
     if entry is None:
         return
@@ -31,14 +31,14 @@ def draw_main(layout, context):
 
 
 def draw_actions(layout, context):
-    """Baking and removing."""
+    """Draw the buttons that bake and remove inverse kinematics."""
     column = layout.column(align=True)
     ui.draw_bake(column)
     column.operator("motus.ik_remove", text="Remove All", icon='X').object = context.object.name
 
 
 def draw_add(layout, context):
-    """The bone that a chain would end with, and the buttons that add it."""
+    """Draw the name of the bone with which a new chain would end, and the buttons that add the chain."""
     rig = context.object
     active = rig.data.bones.active if rig and rig.type == 'ARMATURE' else None
     column = layout.column(align=True)
@@ -52,7 +52,7 @@ def draw_add(layout, context):
 
 
 def _words(context, rig, active):
-    """What the button says that gives the active bone a chain; "" where there is nothing to add to."""
+    """Text of the button that gives the active bone a chain; "" if there is no bone that could be given one."""
     if active is None:
         return ""
     goal = targets.selected_goal(context, rig)
@@ -64,7 +64,10 @@ def _words(context, rig, active):
 
 
 def draw_goal(column, owner, pointer, bone):
-    """An object, and a bone of it where it is an armature."""
+    """Draw the choice of an object, and of its bone if the object is an armature.
+
+    owner: settings. pointer, bone: names of the settings that hold the object and the bone's name.
+    """
     column.prop(owner, pointer, text="")  # a label would leave no room for the name in a narrow sidebar
     goal = pointed(owner, pointer)
     if goal and goal.type == 'ARMATURE':
@@ -72,7 +75,7 @@ def draw_goal(column, owner, pointer, bone):
 
 
 def draw_target(layout, context):
-    """What the chain goes to, and what else it can go to."""
+    """Draw the target of the shown chain, and the list of its further targets."""
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "target", "target_bone")
     if pointed(entry, "target") != context.object:
@@ -100,13 +103,13 @@ def draw_target(layout, context):
 
 
 def _of_chain(button, rig, entry):
-    """Let a button mean a chain."""
+    """Set the keywords of a button's operator to the chain of an entry. Returns the operator's properties."""
     button.object, button.bone = rig.name, entry.name
     return button
 
 
 def draw_pole(layout, context):
-    """Where the chain bends to."""
+    """Draw the pole towards which the shown chain bends, and the buttons that make a pole."""
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "pole", "pole_bone")
     if pointed(entry, "pole") is None:
@@ -117,12 +120,12 @@ def draw_pole(layout, context):
 
 
 def _draw_rows(group):
-    """A part that draws these rows of the shown entry."""
+    """Function that draws the rows of a group for the shown chain, as panels.Part takes it."""
     return lambda layout, context: group.draw(ui.split(layout), shown_entry(context))
 
 
 def draw_readouts(layout, context):
-    """How far the chain reaches, and what is left."""
+    """Draw how far the shown chain reaches, how far away its target is, and which distance and angle are left to it."""
     entry = shown_entry(context)
     report = status.report(context.object, entry.name, context.view_layer.depsgraph)
     if report is None or report.reason < 0.0:

@@ -1,4 +1,4 @@
-"""Presets of a chain's settings."""
+"""Presets of inverse kinematics for the settings of one chain."""
 
 from ..core.interface import presets
 from ..core.interface.bone_entries import selected
@@ -6,7 +6,7 @@ from ..core.interface.presets import Preset
 from .properties import KEYWORDS
 
 ENTRY = "bpy.context.object.motus.ik.entries[bpy.context.object.motus.ik.active_entry]"
-# What belongs to one chain or one shot is not part of a style.
+# Settings that belong to one chain or one shot, which presets and the copying of settings leave out.
 OF_THE_CHAIN = {
     "chain_length",
     "use_tail",

@@ -1,4 +1,4 @@
-"""Settings of inverse kinematics: Object.motus.ik, with an entry for each chain."""
+"""Settings of inverse kinematics: the property group Object.motus.ik, with a list of entries, one for each chain of a rig."""
 
 import math
 from functools import partial
@@ -21,14 +21,14 @@ BENDS = (
 
 
 def _change_stretch(item, context):
-    # A chain that cannot stretch needs fewer drivers, so the step from 0 wires the rig again.
+    # A chain that cannot stretch needs fewer drivers, so a change from 0 or to 0 wires the rig again.
     if isinstance(item, bpy.types.PropertyGroup) and item.is_elastic != (item.stretch > 0.0):
         item.is_elastic = item.stretch > 0.0
         rewire(item, context)
     touch(item, context)
 
 
-# What is read when the rig is wired, not at every frame.
+# Options of settings that are read when the rig is wired, not at every frame.
 _WIRED = {"update": rewire, "options": set()}
 
 
@@ -49,7 +49,7 @@ def _bone(description):
 
 
 class IkKeywords:
-    """Mixin of an entry's settings and of the operator, which share these properties; scripts use the names as keywords."""
+    """Mixin with the properties that entries and the operator motus.ik_add share; scripts give them by these names as keywords."""
 
     chain_length: bpy.props.IntProperty(
         name="Chain Length",

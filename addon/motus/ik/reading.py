@@ -1,7 +1,7 @@
-"""What native IkPlan needs, read from an evaluated rig: its arrays, the entries' settings, targets, poles and limits.
+"""Read from an evaluated rig what native IkPlan needs: arrays of its bones, the entries' settings, targets, poles and limits.
 
-It runs at every frame, so numbers of all entries are read by one call each, and bones of the rig itself are taken from
-the arrays that are there already.
+This code runs at every frame. So each setting is read by one call for all entries, and targets that are bones of the rig itself are
+taken from the arrays of bones that are read anyway.
 """
 
 from typing import Any, NamedTuple
@@ -24,21 +24,28 @@ ANIMATED = {
     "hinge_angle": "f4",
     "use_limits": "?",
 }
-"""Settings that are read at every frame, with the types that foreach_get has quickly. Others are known when it is wired."""
+"""{name: type} of settings that are read at every frame by foreach_get, which is fast for arrays of these types.
+
+Further settings that may be animated, such as the chain's length, are read in different ways. The rest is known when the rig is wired.
+"""
 
 
 class Posed(NamedTuple):
-    """Where a rig and its bones stand. poses: as in rigs.Arrays, valid until the thread reads the next rig."""
+    """Pose of a rig's bones, and the rig's world matrix.
+
+    poses: PoseBone.matrix of the bones, (B, 16) float32, column by column; valid until the thread reads the next rig.
+    world: (16,) float64, column by column.
+    """
 
     poses: Any
     world: Any
 
 
 class Gathered(NamedTuple):
-    """Arguments of IkPlan.solve and IkPlan.match, and what keeps an entry from them.
+    """Arguments of IkPlan.solve and IkPlan.match for a group of chains, and what keeps chains from being solved.
 
-    off: why an entry is switched off, NO_TARGET and the like, by row. is_stiff: whether one should stretch, or have more
-    bones, but was wired when it did not. is_astray: whether one's Blend needs a target that is missing.
+    off: {row of a chain: reason for which it is switched off, such as NO_TARGET}. is_stiff: whether a chain should stretch, or
+    have more bones, but was wired without. is_astray: whether the setting Blend of an entry needs a further target that is missing.
     """
 
     wired: Wired
@@ -54,12 +61,15 @@ class Gathered(NamedTuple):
 
 
 def gather(rig, text, depsgraph):
-    """Read an evaluated rig. text: what groups.py noted of the group. Raises RigChanged."""
+    """Read the Gathered of a group from an evaluated rig. text: from groups.plan_of(). Raises RigChanged if the bones have changed."""
     return _source(rig, text).gather(depsgraph, None)
 
 
 def gather_wired(rig, data, depsgraph):
-    """Read an evaluated rig for a group's data as the wiring keeps it; only the poses that IkPlan.solve reads are filled in."""
+    """Read the Gathered of a group from an evaluated rig, with only the poses that IkPlan.solve reads.
+
+    data: the group's data (Group.data) as the wiring has stored it. Raises RigChanged if the bones have changed.
+    """
     found = _source(rig, data.get(PLAN))
     return found.gather(depsgraph, found.wired.posed)
 
@@ -69,10 +79,11 @@ def _source(rig, text):
 
 
 class _Settings(NamedTuple):
-    """Settings of the entries of a group, as arrays.
+    """Settings of the C entries of a group, as arrays.
 
-    numbers: as in Gathered, settings. muted: rows. weights: of the rotation, None where no entry takes one; offsets: (C, 3)
-    with it. has_limits: whether an entry keeps its bones' limits.
+    numbers: settings as IkPlan.solve() reads them. muted: list of the rows of muted entries. weights: rotation weights (C,), None
+    if all are 0. offsets: rotation offsets (C, 3), Euler angles in radians; None if weights is None. has_limits: whether an entry
+    keeps its bones' limits. is_stiff: whether a chain should stretch, or have more bones, but was wired without.
     """
 
     numbers: Any
@@ -84,7 +95,7 @@ class _Settings(NamedTuple):
 
 
 class _Source:
-    """An evaluated copy of a rig, as a group's entries need it. What nothing animates is read once."""
+    """Reads the entries of a group from one evaluated copy of a rig. What is not animated is read only once."""
 
     def __init__(self, rig, wired):
         self._rig, self.wired, self._copy = rig, wired, copies.of(rig)
@@ -97,7 +108,7 @@ class _Source:
         self._still_settings = self._still_bones = None
 
     def gather(self, depsgraph, rows):
-        """The Gathered of the present frame. rows: as rigs.poses() takes them."""
+        """Gathered of the group at the evaluated frame. rows: rows of the bones whose poses are read; None reads all bones."""
         rig, wired = self._rig, self.wired
         known = self._settings()
         posed = Posed(rigs.poses(rig, wired.still, rows), rigs.columns(rig.matrix_world))
@@ -131,7 +142,7 @@ class _Source:
 
 
 def _places(entries, names):
-    """Index of each of the group's entries among all; None where they are the same."""
+    """Index of each entry of a group among all entries of the rig; None if both lists are the same. Raises RigChanged if one is gone."""
     keys = entries.keys()
     if keys == names:
         return None
@@ -156,9 +167,9 @@ def _read_settings(settings, places, wired, is_animated):
 
 
 def _numbers(settings, places, wired, is_animated):
-    """(C, len(IkPlan.SETTINGS)) float64, and whether a chain should stretch, or be longer, than it was wired for."""
+    """(settings (C, len(IkPlan.SETTINGS)) float64, whether a chain should stretch or be longer, but was wired without)."""
     numbers, columns = wired.settings.copy(), wired.columns
-    # Without animation, what was wired without stretch has none.
+    # If nothing is animated, chains that were wired without stretch still have none.
     reads_stretch = wired.is_elastic or is_animated
     for name, dtype in ANIMATED.items():
         if name != "stretch" or reads_stretch:
@@ -167,12 +178,12 @@ def _numbers(settings, places, wired, is_animated):
     lengths = np.where(lengths > 0, np.minimum(lengths, wired.most), wired.most)
     numbers[:, columns["left_out"]] = np.maximum(wired.counts - lengths, 0)
     if wired.poles.are_any:
-        # foreach_get reads no enumerations of add-ons (3.4).
+        # In Blender 3.4, foreach_get cannot read enum properties of add-ons.
         bends = np.array([-1.0 if entry.bend == 'AWAY' else 1.0 for entry in settings.entries])
         numbers[:, columns["bend"]] = bends if places is None else bends[places]
     is_stiff = bool((lengths > wired.counts).any())
     if reads_stretch:
-        # The sinks of a chain that was wired without stretch cannot lengthen a bone.
+        # The constraints of a chain that was wired without stretch cannot lengthen a bone.
         is_stiff = is_stiff or np.count_nonzero(numbers[~wired.stretches, columns["stretch"]]) > 0
         numbers[:, columns["stretch"]] *= wired.stretches
     influence = settings.influence
@@ -191,7 +202,10 @@ def _column(entries, name, places, size=1, dtype="f4"):
 
 
 def limits(rig, wired):
-    """(number of chain bones, 6) rad, least x, y, z and largest x, y, z; infinite where a bone has no limit."""
+    """Joint limits of all bones of a group's chains, (bones, 6) float64 in radians: least x, y, z, then largest x, y, z.
+
+    A limit is infinite if the bone has none, and 0 if the axis is locked.
+    """
     bones = rig.pose.bones
     found = np.empty((len(wired.all_bones), 6))
     for axis, letter in enumerate("xyz"):

@@ -1,4 +1,4 @@
-"""The rows of a chain's settings: in the panels, and for the keywords in the redo panel."""
+"""Rows that draw the settings of a chain: in the panels, and in the redo panel of the operator that adds a chain."""
 
 from ..core.file.pointers import pointed
 from ..core.interface.rows import Row, Rows, is_positive
@@ -37,4 +37,4 @@ ADDING = (
     Rows((*REACH.rows, "use_limits"), title="Reach"),
     Rows(tuple(Row(name, when=lambda operator: operator.chain_length != 2) for name in PRECISION.rows), title="Precision"),
 )
-"""For the operator that adds a chain."""
+"""Rows of the redo panel of the operator that adds a chain."""

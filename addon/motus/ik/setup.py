@@ -1,4 +1,4 @@
-"""Setting chains up and taking them back: plain functions behind the operators."""
+"""Add, change and remove the entries of chains: functions that the operators of inverse kinematics call, and that need no window."""
 
 from ..core import wiring
 from ..core.declare import registered
@@ -7,17 +7,23 @@ from ..core.settings import entries
 
 
 def system():
-    """The registered System: the package's __init__ imports this module, not the other way round."""
+    """The registered System of inverse kinematics.
+
+    It is looked up by name: the package's __init__, which defines it, imports this module, so this module cannot import it.
+    """
     return registered["ik"]
 
 
 def at_once(rig):
-    """A context: wire once at the end, instead of at every change of a setting within."""
+    """Context manager for several changes of a rig's settings: the rig is wired once at the end, not at every change."""
     return entries.at_once(system(), rig)
 
 
 def add(rig, bone, changes):
-    """An entry for a bone, new or as it was, with these settings by name. Wires nothing: see at_once()."""
+    """Add an entry for a bone, or take its present entry, and change its settings. Returns the entry.
+
+    changes: {name: value} of settings. The rig is not wired: call this within at_once().
+    """
     chains = rig.motus.ik.entries
     entry = chains.get(bone)
     if entry is None:
@@ -30,7 +36,10 @@ def add(rig, bone, changes):
 
 
 def would_wait_for_itself(rig, bone, changes):
-    """Whether the entry with these settings would depend on what it drives. Leaves everything as it was."""
+    """Whether the entry of a bone would depend on what it drives if its settings were changed. All settings stay as they are.
+
+    changes: {name: value} of settings.
+    """
     with entries.unwired(rig.motus.ik) as settings:
         before = settings.entries.get(bone)
         kept = {name: getattr(before, name) for name in changes} if before else {}
@@ -48,5 +57,5 @@ def would_wait_for_itself(rig, bone, changes):
 
 
 def remove(rig, indices):
-    """Take entries back."""
+    """Remove the entries at these indices from a rig, with keys and drivers of their settings."""
     entries.remove(system(), rig, indices, "chosen_entry")

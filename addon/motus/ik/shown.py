@@ -1,8 +1,8 @@
-"""The chain that the panels are about."""
+"""Find the chain whose settings the panels of inverse kinematics show."""
 
 
 def shown_entry(context):
-    """The chosen entry of the active rig; None without a rig or an entry."""
+    """Entry that is selected in the list of chains of the active armature object; None if there is no such object or entry."""
     rig = context.object
     if rig is None or rig.type != 'ARMATURE':
         return None

@@ -1,4 +1,4 @@
-"""Inverse kinematics: one call of the native module for all entries of a group."""
+"""Solver of inverse kinematics: one call of the native module for all chains of a group."""
 
 from ..core.declare import Problem
 from ..core.file.stored import Damaged
@@ -16,7 +16,11 @@ PROBLEMS = (SOME_ARE_OFF, NOT_WIRED, STIFF, ASTRAY)
 
 
 def solve(context):
-    """Turns of the bones at the context's frame, on top of their animation. Never raises for a user's error."""
+    """Compute the turns and stretches of a group's bones at the present frame, on top of their animation.
+
+    They are written into context.rotations and context.scales, and the report into context.outputs. Returns a Problem, or None if
+    there is none. A user's error never raises an exception.
+    """
     rig = context.owner
     try:
         found = reading.gather_wired(rig, context.data, context.depsgraph)
@@ -36,11 +40,11 @@ def solve(context):
         scales=context.scales,
     )
     table = context.outputs.reshape(-1, len(OUTPUTS))
-    report.take(wired.told, axis=1, out=table, mode='clip')  # 'raise' would make a copy first
+    report.take(wired.told, axis=1, out=table, mode='clip')  # mode 'raise' would copy the array first
     reasons = table[:, REASON]
     if found.off:
         reasons[list(found.off)] = list(found.off.values())
-    # All reasons below 0 are a want, but for MUTED, which is the least. argmin, as least numbers go, is quick.
+    # All reasons below 0 are faults except MUTED, which is the lowest. argmin() is the fastest way to the lowest number.
     if reasons[reasons.argmin()] < 0.0 and np.any((reasons < 0.0) & (reasons > MUTED)):
         return SOME_ARE_OFF
     if found.is_astray:

@@ -1,4 +1,4 @@
-"""Sentences about a chain, from what its solver reported."""
+"""Sentences for the user about a chain, made from the numbers that its solver has reported."""
 
 import math
 from typing import NamedTuple
@@ -14,11 +14,15 @@ from .groups import OUTPUTS
 from .setup import system
 
 LEAST_FAULT = 1e-5
-"""Share of a chain's reach: less is not worth a warning."""
+"""Distance from the target, as a share of the chain's reach, below which no warning is given."""
 
 
 class Report(NamedTuple):
-    """Outputs of one entry; m and rad."""
+    """Numbers that the solver has reported for one entry; lengths in metres, angles in radians.
+
+    residual: distance left from the chain's end to its target. angle: angle left to the target's orientation. reason: a value of
+    native.Reason or of reasons.py. distance: from the chain's root to the target. reach: farthest distance without stretch.
+    """
 
     residual: float
     angle: float
@@ -28,22 +32,22 @@ class Report(NamedTuple):
 
 
 def report(owner, name, depsgraph):
-    """The Report of the entry of this name; None where it was not solved."""
+    """Report of the entry of a name; None if the entry was not solved."""
     values = wiring.outputs_of(system(), owner, name, OUTPUTS, depsgraph)
     return None if values is None else Report(*values)
 
 
 def added(entry):
-    """The operator's report after a chain was given a target."""
+    """Sentence that an operator reports after it has given a chain a target."""
     if entry.target_bone:
         return tr("IK added: {bone} follows bone {target}").format(bone=entry.name, target=entry.target_bone)
     return tr("IK added: {bone} follows {target}").format(bone=entry.name, target=pointed(entry, "target").name)
 
 
 def sentence(context, owner, entry):
-    """(icon, sentence in the user's language) of why an entry does not reach, or of a pole or limits that do not count.
+    """(icon, sentence in the user's language) that says why a chain does not reach its target, or that its pole or limits do not count.
 
-    The sentence is "" where all is well.
+    The sentence is "" if all is well.
     """
     found = report(owner, entry.name, context.view_layer.depsgraph)
     if found is None or _is_second(owner, entry):
@@ -58,17 +62,17 @@ def sentence(context, owner, entry):
 
 
 def is_unwired(owner, entry):
-    """Whether no solver has the entry."""
+    """Whether an entry cannot be solved, for example because its bone is missing, or is driven by a different entry already."""
     return bool(_unwired(owner, entry))
 
 
 def is_animated(entry):
-    """Whether the entry leaves its chain to the animation."""
+    """Whether an entry leaves its chain to the animation: it is muted, or its position weight times the influence is 0."""
     return entry.is_muted or entry.position_weight * entry.id_data.motus.ik.influence == 0.0
 
 
 def _is_second(owner, entry):
-    """Whether an earlier entry has the same bone, to which the solver's report belongs then."""
+    """Whether an earlier entry is named after the same bone; the solver's report then belongs to that entry."""
     return owner.motus.ik.entries.get(entry.name) != entry
 
 
@@ -113,7 +117,7 @@ def _astray(context, owner, entry):
 
 
 def _without_pole(entry):
-    """Sentence about a pole that is gone; "" if the pole is there or none was chosen."""
+    """Sentence about a pole that was deleted, or lacks the chosen bone; "" if the pole exists, or none was chosen."""
     pole, bone = pointed(entry, "pole"), entry.pole_bone
     if pole is None:
         return ""
@@ -138,7 +142,10 @@ def _unreached(context, entry, found):
 
 
 def _unlimited(owner, entry):
-    """Sentence about limits of the bone behind the chain, which takes the target's orientation whatever its limits are; "" without such."""
+    """Sentence about joint limits that have no effect; "" if there are none.
+
+    If Use Tail is off, the entry's bone is not part of the chain: it takes the target's orientation whatever its limits are.
+    """
     turns = entry.rotation_weight * owner.motus.ik.influence > 0.0
     if entry.use_limits and turns and not entry.use_tail and _has_limits(owner.pose.bones[entry.name]):
         return tr("{bone} has joint limits of its own: they count only with Use Tail").format(bone=entry.name)
@@ -150,9 +157,9 @@ def _has_limits(bone):
 
 
 def fault(found, entry):
-    """(what is left, why, of check_results.WHY) of a Report, or of None.
+    """(distance left to the target, reason as an item of check_results.WHY) of an entry. found: its Report, or None.
 
-    'NONE' where the target is reached, or where nothing but softness keeps the chain off.
+    The reason is 'NONE' if the target is reached, or if nothing but softness keeps the chain from it.
     """
     if is_animated(entry):
         return 0.0, 'ANIMATED'
@@ -165,7 +172,7 @@ def fault(found, entry):
 
 
 def _why(found, entry):
-    """An item of check_results.WHY, or 'SOFT' if softness alone keeps the chain from its target."""
+    """Item of check_results.WHY that says what keeps a chain from its target, or 'SOFT' if softness alone does. found: its Report."""
     codes = native.module.Reason
     if found.reason == int(codes.TOO_FAR):
         return _why_too_far(found, entry)
@@ -176,7 +183,7 @@ def _why(found, entry):
 def _why_too_far(found, entry):
     turn = _turn_of_last(entry)
     if found.distance > found.reach:
-        # The greater part of what is left decides.
+        # The reason is the one that causes the greater part of the distance that is left.
         by_distance = (1.0 - entry.stretch) * _lag(entry, found.distance, found.reach)
         return 'TURN' if turn > 0.0 and found.residual > 2.0 * by_distance else 'FAR'
     if turn > 0.0 and found.residual > _most_by_softness(found, entry, turn):
@@ -185,16 +192,20 @@ def _why_too_far(found, entry):
 
 
 def _turn_of_last(entry):
-    """How far the chain's last bone is turned as the target is, whatever that leaves: limits give way to the place."""
+    """Weight, 0 to 1, by which the chain's last bone takes the target's orientation even if the chain then misses the target.
+
+    It is 0 if the entry keeps joint limits, since the chain's place then comes before the orientation, or if Use Tail is off.
+    """
     is_turned = entry.use_tail and not entry.use_limits
     return entry.rotation_weight * entry.id_data.motus.ik.influence if is_turned else 0.0
 
 
 def _most_by_softness(found, entry, turn):
-    """The most that softness leaves where the target is within reach, as far as the last bone is turned, too.
+    """Largest distance that softness alone can leave between a chain and a target within its reach.
 
-    Without the turn the chain lags behind the target. Turned, the bones before the last do, as a chain of their own
-    (none where it is a single bone); how far away its target is nobody has told, but not farther than it reaches.
+    If the last bone is not turned as the target is, the whole chain stays behind the target by its softness. If it is turned, the
+    bones before it stay behind as a chain of their own; a single bone has no softness. The distance of that chain's target is not
+    reported, so its reach is taken instead, which is the largest possible. turn: weight of the last bone's turn, 0 to 1.
     """
     if entry.softness == 0.0:
         return 0.0
@@ -205,12 +216,12 @@ def _most_by_softness(found, entry, turn):
 
 
 def _lag(entry, distance, reach):
-    """How far the tip of bones that do not stretch stays behind a target, straight as they may be."""
+    """Distance by which the tip of a chain that does not stretch stays behind its target, by the chain's softness and reach."""
     return distance - native.module.soft_reach(distance, reach, entry.softness * reach)
 
 
 def _share_before_last(entry):
-    """Share of a chain's rest length before its last bone; 0 if a single bone is left there, which is not soft."""
+    """Share of a chain's rest length that lies before its last bone; 0 if only a single bone lies there, since that has no softness."""
     rig = entry.id_data
     chain = chains.find(rig, entry)  # None until a rig that has lost bones is wired again
     lengths = [rig.data.bones[name].length for name in chain.bones] if chain else []
@@ -218,7 +229,7 @@ def _share_before_last(entry):
 
 
 def warnings(context, owner, entry):
-    """Sentences for the report of an operator."""
+    """Sentences that an operator reports as warnings about an entry; empty if there are none, or if the rig is not evaluated."""
     if not owner.evaluated_get(context.view_layer.depsgraph).is_evaluated:
         return []
     _, text = sentence(context, owner, entry)
@@ -226,5 +237,5 @@ def warnings(context, owner, entry):
 
 
 def angle(value):
-    """An angle in degrees."""
+    """Text of an angle in degrees. value: the angle in radians."""
     return f"{math.degrees(value):.3g}°"

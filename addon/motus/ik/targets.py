@@ -1,4 +1,7 @@
-"""What an operator works on: by name from scripts, else by selection. Refusals are sentences."""
+"""Find the rig, bones and targets that an operator of inverse kinematics works on: by names from scripts, or by selection.
+
+Errors are raised as Refused, with a sentence for the user.
+"""
 
 from ..core.file import deleted, libraries
 from ..core.file.pointers import pointed
@@ -9,7 +12,7 @@ from .goals import placing
 
 
 def rig_for(context, name):
-    """The armature object by name; else the active one."""
+    """Armature object of a name, or the active object if the name is empty. Raises Refused if it is no armature."""
     if not name:
         if context.object is None or context.object.type != 'ARMATURE':
             raise Refused(tr("Select an armature, and the last bone of the chain in Pose Mode"))
@@ -21,7 +24,7 @@ def rig_for(context, name):
 
 
 def rig_with_ik(context, name):
-    """The object by name, else the active one, where it has inverse kinematics."""
+    """Object of a name, or the active object if the name is empty. Raises Refused if it has no inverse kinematics."""
     rig = named(name) if name else context.object
     if rig is None or not rig.motus.ik.is_active:
         raise Refused(tr("Nothing here has inverse kinematics"))
@@ -29,7 +32,7 @@ def rig_with_ik(context, name):
 
 
 def bone_for(context, rig, name):
-    """Name of the bone: the given one, else the active one."""
+    """Name of a bone of the rig: the given name, or the active bone's name if it is empty. Raises Refused if there is no such bone."""
     if not name:
         active = active_bone(context, rig)
         if not active:
@@ -40,14 +43,14 @@ def bone_for(context, rig, name):
 
 
 def active_bone(context, rig):
-    """Name of the rig's active bone; "" without one."""
-    # In Object Mode there is no active pose bone, but the armature remembers.
+    """Name of the rig's active bone; "" if there is none, or if the rig is not the active object."""
+    # In Object Mode the context has no active pose bone, but the armature keeps its active bone.
     active = rig.data.bones.active
     return active.name if active and context.object == rig else ""
 
 
 def entry_for(rig, name):
-    """Index of the entry of this bone; without a name the active one."""
+    """Index of the entry of the bone of a name, or of the entry selected in the list if the name is empty. Raises Refused if none."""
     entries = rig.motus.ik.entries
     if not entries:
         raise Refused(tr("{object} has no inverse kinematics").format(object=rig.name))
@@ -60,7 +63,7 @@ def entry_for(rig, name):
 
 
 def check_removable(rig, indices):
-    """Refuse to remove entries that an override has from its library."""
+    """Refuse to remove the entries at these indices if the rig is a library override that has one of them from its library."""
     first = min(indices, default=None)
     if first is not None and first < libraries.count_from_library(rig, "motus.ik.entries"):
         raise Refused(
@@ -71,13 +74,17 @@ def check_removable(rig, indices):
 
 
 def check_target_removable(rig, entry, index):
-    """Refuse a further target that cannot be removed."""
+    """Refuse to remove the further target at an index if the rig is a library override that has it from its library."""
     if index < libraries.count_from_library(rig, f"{entry.path_from_id()}.extra_targets"):
         raise Refused(tr("This target is from the library of {object} and cannot be removed here").format(object=rig.name))
 
 
 def goal_for(context, object_name, bone_name, rig=None):
-    """(object, bone or "") by names; else, where `rig` is given, what is selected with its active bone; else None."""
+    """(object, bone or "") of a target or pole by its names; None if no name is given, and nothing suitable is selected.
+
+    rig: if it is given and the names are empty, what is selected along with the rig's active bone is taken. Raises Refused if the
+    names do not exist.
+    """
     if object_name:
         found = named(object_name)
         if bone_name:
@@ -89,7 +96,7 @@ def goal_for(context, object_name, bone_name, rig=None):
 
 
 def goal_place(context, entry):
-    """World matrix of the entry's own target as it is evaluated; None where it has none."""
+    """Evaluated world matrix of an entry's target; None if it has no target, or the target was deleted."""
     target = pointed(entry, "target")
     if target is None or deleted.is_deleted(target):
         return None
@@ -97,7 +104,10 @@ def goal_place(context, entry):
 
 
 def selected_goal(context, rig):
-    """The one other selected bone, or the one other selected object with its active bone; None without."""
+    """(object, bone or "") of what is selected besides the rig's active bone; None if that is not a single thing.
+
+    It is the only different selected bone in Pose Mode, or else the only different selected object, with "" for its bone.
+    """
     bones = [
         bone
         for bone in context.selected_pose_bones or ()
@@ -110,7 +120,7 @@ def selected_goal(context, rig):
 
 
 def chain_for(rig, bone, chain_length, use_tail):
-    """The chain whose last bone is `bone`. Raises Refused if the chain would have no bone."""
+    """Chain for an entry of the bone named `bone`. Raises Refused if the chain would have no bones."""
     found = chains.of_bone(rig, bone, chain_length, use_tail)
     if found is None:
         raise Refused(tr("{bone} has no parent whose tail could reach: switch Use Tail on").format(bone=bone))
@@ -118,7 +128,7 @@ def chain_for(rig, bone, chain_length, use_tail):
 
 
 def check_free(rig, chain):
-    """Refuse bones that Motus drives already, in another entry or by another system."""
+    """Refuse a chain with a bone that a different entry or a different Motus system drives already."""
     others = chains.driven_elsewhere(rig, chain.effector)
     for name in chain.driven:
         if name in others:
@@ -129,26 +139,29 @@ def check_free(rig, chain):
 
 
 def ends(rig, names):
-    """The bones of a selection that none of the others is a child of: the last bones of chains."""
+    """Names of bones without a descendant in the list `names`: the last bones of the chains that are to be added."""
     above = {bone.name for name in names for bone in rig.data.bones[name].parent_recursive}
     return [name for name in names if name not in above]
 
 
 def check_no_loop(rig, bone, changes, goal):
-    """Refuse a target or pole, `goal`, that moves along with the chain as it would be with these settings."""
+    """Refuse a target or pole that moves along with the chain that the entry of a bone would have with changed settings.
+
+    changes: {name: value} of settings. goal: (object, bone or ""), or None, which is always accepted.
+    """
     if goal and setup.would_wait_for_itself(rig, bone, changes):
         name = f"{goal[0].name}: {goal[1]}" if goal[1] else goal[0].name
         raise Refused(tr("{target} moves with the chain of {bone}: choose another one").format(target=name, bone=bone))
 
 
 def check_editable(rig):
-    """Refuse a rig whose set-up must not be changed."""
+    """Refuse a rig whose settings cannot be changed: it is linked from a different file, or baked."""
     check_local(rig)
     check_unbaked(rig, rig.motus.ik)
 
 
 def warnings(rig, chain, chain_length):
-    """Sentences about what will not act as one might expect."""
+    """Sentences that warn the user if a chain has fewer bones than wanted, or if constraints override the rotation of its bones."""
     found = []
     if len(chain.bones) < chain_length:
         found.append(tr("There are only {count} bones up to the root: the chain takes all of them").format(count=len(chain.bones)))
@@ -180,7 +193,10 @@ OVERRIDING = {
 
 
 def _overriding(bone):
-    """A constraint of the user's that turns the bone; those of Motus come from drivers and are of other types."""
+    """An active constraint of the user that overrides the rotation of a pose bone; None if there is none.
+
+    Constraints that Motus adds do not count: they are of different types.
+    """
     return next(
         (
             constraint

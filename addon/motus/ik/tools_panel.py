@@ -1,4 +1,4 @@
-"""The tools of inverse kinematics, as its panels draw them."""
+"""Part of the IK panel with buttons of the tools for a chain, and the result of the chain's last check."""
 
 from ..core.interface import ui
 from ..core.translations import tr
@@ -7,11 +7,11 @@ from .checking import results as check_results
 from .shown import shown_entry
 
 ICONS = {'NONE': 'CHECKMARK', 'ANIMATED': 'INFO'}
-"""Of what a check can find, all that is no error."""
+"""{result of a check: icon} of the results that are no errors."""
 
 
 def draw(layout, context):
-    """Buttons for the chain that the panels are about, and what checking it found."""
+    """Draw the buttons of the tools for the shown chain, and what its last check has found."""
     rig, entry = context.object, shown_entry(context)
     column = layout.column(align=True)
     column.operator("motus.ik_drag", icon='VIEW_PAN').object = rig.name
@@ -27,7 +27,7 @@ def draw(layout, context):
 
 
 def is_outdated(context, rig, entry):
-    """Whether the last check found the present frame otherwise than it is."""
+    """Whether the result of an entry's last check does not hold any more at the present frame."""
     if context.scene.frame_subframe != 0.0:
         return False
     report = status.report(rig, entry.name, context.view_layer.depsgraph)

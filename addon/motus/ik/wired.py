@@ -1,4 +1,4 @@
-"""What is known of a group's chains from when they were wired: it is worked out once, not at every frame."""
+"""Data of a group of chains that does not change until the rig is wired again: it is computed once, not at every frame."""
 
 from ..core import native, rigs
 from ..core.file import stored
@@ -25,15 +25,15 @@ _FORM = {
     ],
     "guards": [(str, int)],
 }
-"""Of what groups.py notes."""
+"""Form of the JSON text that groups.plan_of() writes."""
 
 
 class RigChanged(Exception):
-    """The rig has not the chains that were wired: it was edited, and will be wired again."""
+    """Raised if the rig no longer has the chains that were wired: its bones were edited, and it will be wired again."""
 
 
 class Wired:
-    """A group as it was wired, with rows of bones in the rig's arrays."""
+    """Group of chains as it was wired. Bones are given by their rows in the rig's arrays (core/rigs/arrays.py)."""
 
     def __init__(self, rig, rows, text):
         known = stored.parse(text, _FORM)
@@ -45,9 +45,9 @@ class Wired:
         except KeyError as error:
             raise RigChanged from error
         self.still = rigs.still(rig, tuple(rows))
-        self.key = text  # nothing else makes the same
+        self.key = text  # all that is kept here follows from this text and the rig's bones
         self.names = [chain["name"] for chain in chains]
-        # Bones of each chain, and how many there are up to the root.
+        # Number of bones in each chain, and the largest number that it could have, up to the rig's root.
         self.counts = np.array([len(chain) for chain in bones])
         self.most = np.array([chain.get("all", len(chain["bones"])) for chain in chains])
         self.stretches = np.array([chain["stretches"] for chain in chains])
@@ -62,14 +62,14 @@ class Wired:
         self.no_poles = np.full((len(chains), 3), np.nan)
         report = native.module.IkPlan.REPORT
         self.told_numbers = len(OUTPUTS) * len(chains)
-        self.told = np.array([report.index(name) for name in OUTPUTS])  # columns of the report
+        self.told = np.array([report.index(name) for name in OUTPUTS])  # columns of the report that are outputs
         parents = rigs.parents(rig, list(rows))
         try:
             self.plan = native.module.IkPlan(parents, bones, effectors, guards)
-        except ValueError as error:  # a chain that has been taken apart
+        except ValueError as error:  # bones of a chain are no longer parent and child
             raise RigChanged from error
         roots = {parents[chain[0]] for chain in bones} - {-1}
-        # Rows whose poses are read, and names of the bones whose own transforms are.
+        # posed: rows of the bones whose poses are read. moved: names of the bones whose own transforms are read.
         self.posed = sorted(roots.union(*(map(int, goals.own[1]) for goals in (self.targets, self.poles))))
         self.members = len(self.plan.rows)
         names = tuple(rows)
@@ -78,11 +78,11 @@ class Wired:
         self._known_rest = None, None
 
     def bones(self, rig):
-        """The native plan's bones, with the own transforms that an evaluated rig's bones have."""
+        """IkBones of the native plan, with the own transforms (matrix_basis) of the bones of an evaluated rig."""
         return self.bones_of(rigs.basis(rig, self.still))
 
     def bones_of(self, basis):
-        """The native plan's bones with own transforms given as rigs.Arrays.basis."""
+        """IkBones of the native plan, with given own transforms. basis: (B, 16) float32, column by column, for all B bones of the rig."""
         return self.plan.bones(self._at_rest(), basis)
 
     def _settings_as_wired(self, chains):
@@ -95,7 +95,7 @@ class Wired:
 
     def _at_rest(self):
         still, rest = self._known_rest
-        if still is not self.still:  # rigs.plan() has found the armature edited
+        if still is not self.still:  # rigs.plan() has found that the armature was edited
             still = self.still
             rest = self.plan.rest(still.rest, still.lengths, still.inheritance)
             self._known_rest = still, rest
@@ -103,7 +103,12 @@ class Wired:
 
 
 class _Goals:
-    """Targets or poles: `own` are (entries, bones of the rig) as arrays; of the others the bones by entry, if any."""
+    """Targets or poles of a group's chains, sorted by where they are read.
+
+    key: "target" or "pole". own: for those that are bones of the rig itself, (rows of the chains, rows of the bones), two arrays.
+    other_rows: rows of the chains whose target or pole is a different object. other_bones: {row of a chain: name of that object's
+    bone}. none: rows of the chains that have no target or pole.
+    """
 
     def __init__(self, rows, chains, key):
         found = [(index, chain[key], chain[key + "_bone"]) for index, chain in enumerate(chains)]

@@ -1,4 +1,4 @@
-"""Layers: actions laid over a rig's own animation, each on the bones of a mask, by a weight that can be keyed."""
+"""Animation layers: actions that are laid over a rig's own animation, each on the bones of a mask and with a weight that can be keyed."""
 
 from ..core.declare import System
 from . import flattening, groups, list_operators, operators, over_time, overlay, panel, presets, properties, solve
@@ -8,7 +8,7 @@ SYSTEM = System(
     label="Animation Layers",
     settings=properties.MOTUS_PG_layers,
     classes=(
-        # Groups before the group that holds them.
+        # Blender has to know a property group before the property group that contains it is registered.
         properties.MOTUS_PG_layers_mask,
         properties.MOTUS_PG_layers_entry,
         properties.MOTUS_PG_layers,

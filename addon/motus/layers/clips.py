@@ -1,4 +1,7 @@
-"""What an action says of a rig's bones, as the native module plays it: read once for each state of the action."""
+"""Clips: actions on the bones of a rig, in the form in which the native module evaluates them.
+
+An action is read once and cached until its keys are edited.
+"""
 
 import math
 
@@ -8,22 +11,25 @@ from ..core.evaluated import copies, read_keys
 from ..core.lazy import numpy as np
 
 LARGEST_CACHE = 64
-"""Rigs, or states of one, for which an action is kept."""
+"""Greatest number of Clips that are cached for one evaluated action: one for each slot and each list of bones with rotation modes."""
 _CLIPS = keeping.OfEvaluation(
     "native clips of an evaluated action", "slot, names and rotation modes of the rig's bones", f"{LARGEST_CACHE} for each evaluated action"
 )
 MODES = ('QUATERNION', 'XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX', 'AXIS_ANGLE')
-"""Rotation modes by their numbers in LayerClip."""
+"""Rotation modes of Blender; the index of a mode is its number in the native LayerClip."""
 _EULER = 'XYZ'
 _FIRST = {"location": 0, "rotation_quaternion": 3, "rotation_euler": 3, "rotation_axis_angle": 3, "scale": 7}
 _SIZES = {"location": 3, "rotation_quaternion": 4, "rotation_euler": 3, "rotation_axis_angle": 4, "scale": 3}
 _PLAIN = 2
-"""CONSTANT, LINEAR and BEZIER, as foreach_get has them; what is above are easings."""
-_NEAR = 0.011  # frames: of keys that are nearer Blender does not go by the curve between them
+"""Greatest number that foreach_get() gives for the interpolations CONSTANT, LINEAR and BEZIER; greater numbers are easings."""
+_NEAR = 0.011  # in frames; Blender does not evaluate the curve between keys that are nearer to each other
 
 
 class Clip:
-    """An action on a rig's bones. native: a LayerClip. frames: the first and last one."""
+    """An action on the bones of a rig, ready for evaluation.
+
+    native: the native LayerClip. frames: (first, last) frame of the action.
+    """
 
     def __init__(self, action, slot, names, modes):
         self.frames = tuple(map(float, action.frame_range))
@@ -53,22 +59,22 @@ class Clip:
 
     @property
     def asks_curves(self):
-        """Whether there are curves that Blender has to be asked for on each frame."""
+        """Whether the action has F-curves that Blender has to evaluate at each frame."""
         return bool(self._given)
 
     def given(self, frame):
-        """Values at a frame of the F-curves that Blender has to evaluate, because the native module cannot; None if there are none."""
+        """Return the values at a frame of the F-curves that only Blender can evaluate, not the native module; None if there are none."""
         if not self._given:
             return None
-        # An F-curve may give any number where its modifiers have such settings.
+        # Modifiers of an F-curve can make any number, even infinity.
         return np.nan_to_num([curve.evaluate(frame) for curve in self._given], posinf=0.0, neginf=0.0)
 
     def reference(self, frame):
-        """LayerClip.pose() at a frame of the action; the last frame's result is cached."""
+        """Return LayerClip.pose() at a frame of the action; the last frame's result is cached."""
         return self._found("pose", frame, lambda: self.native.pose(frame, self.given(frame)))
 
     def laps(self, begin, end, reference):
-        """Start values, and their change over one lap, of the rotations that do not return to their start; None if there are none.
+        """Return start values, and their change in one repetition, of rotations that do not return to their start; None if there are none.
 
         begin, end: frames of the played part, in playing order. reference: frame of the reference pose; None if that pose is not taken
         from the action.
@@ -84,7 +90,7 @@ class Clip:
         return self.native.numbers(frame, self.given(frame))
 
     def _found(self, what, place, make):
-        """Result of make(), cached under the name `what` until `place` differs."""
+        """Return the result of make(), which is cached under the name `what` until `place` differs."""
         known, found = self._kept.get(what, (None, None))
         if known != place:
             found = make()
@@ -93,7 +99,10 @@ class Clip:
 
 
 def clip_of(action, slot, names, modes):
-    """The Clip of an evaluated action; kept until its keys are edited. modes: rotation modes of the bones."""
+    """Return the Clip of an evaluated action; it is cached until the action's keys are edited.
+
+    slot: identifier of the action slot. names, modes: names and rotation modes of the rig's bones.
+    """
     if read_keys.is_noting():
         read_keys.number_of(action)
     kept, place = _CLIPS.within(copies.found_of_action(action)), (slot, names, modes)
@@ -106,7 +115,7 @@ def clip_of(action, slot, names, modes):
 
 
 def _curves_of_bones(action, slot, names):
-    """{bone: {channel: {index: F-curve}}} of what is not muted."""
+    """Return {bone name: {channel: {array index: F-curve}}} of the action's F-curves that are not muted. channel: such as "location"."""
     wanted, found = set(names), {}
     for curve in actions.curves_for_object(action, slot, wanted):
         if curve.mute or (curve.group and curve.group.mute):
@@ -118,7 +127,10 @@ def _curves_of_bones(action, slot, names):
 
 
 def _mode(own, channels):
-    """Rotation mode in which the action turns a bone: the bone's own, if the action has keys for it."""
+    """Return the rotation mode in which an action turns a bone: the bone's own mode if the action animates it or no mode at all.
+
+    If the action animates only a different kind of rotation, its mode is returned. own: the bone's mode. channels: animated channels.
+    """
     kinds = {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}
     if kinds.get(own, "rotation_euler") in channels:
         return own
@@ -127,7 +139,7 @@ def _mode(own, channels):
 
 
 def _used(channels, mode):
-    """(channel, index, F-curve) of the channels that count in a rotation mode."""
+    """Yield (channel, array index, F-curve) of location, scale and the rotation channel that is in effect in a rotation mode."""
     turning = {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}.get(mode, "rotation_euler")
     for channel in ("location", turning, "scale"):
         for index, curve in channels.get(channel, {}).items():
@@ -135,14 +147,17 @@ def _used(channels, mode):
 
 
 def _goes_around(curve):
-    """Whether the values of a curve that Blender has to be asked for go beyond half a turn."""
+    """Whether the values of an F-curve that Blender evaluates may go beyond half a turn, pi."""
     if curve.extrapolation == 'LINEAR' or any(not one.mute and one.type != 'NOISE' for one in curve.modifiers):
         return True
     return any(abs(point.co.y) > math.pi for point in curve.keyframe_points)
 
 
 def _points(curve):
-    """((k, 6) float32, (k,) int32) of keys that the native module can follow; None where Blender has to be asked."""
+    """Return the k keys of an F-curve for the native module; None if only Blender can evaluate the F-curve.
+
+    The keys are two arrays: (k, 6) float32 with the key, its left and its right handle; (k,) int32 with interpolations.
+    """
     points, count = curve.keyframe_points, len(curve.keyframe_points)
     if count == 0 or any(not modifier.mute for modifier in curve.modifiers):
         return None

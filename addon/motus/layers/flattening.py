@@ -1,4 +1,4 @@
-"""motus.layers_flatten: what the layers give, as one action."""
+"""The operator motus.layers_flatten, which writes the motion under all layers into one new action and mutes the layers."""
 
 import bpy
 from mathutils import Matrix
@@ -16,11 +16,15 @@ from ..core.wiring import driven_bones
 from . import groups, targets
 
 SAME = 1e-6
-"""A channel without keys whose values differ by less needs none."""
+"""Difference from its present value below which a channel without keys counts as still and gets no keys."""
 
 
 def flatten(scene, view_layer, rig, frames):
-    """Flatten in steps: a generator of how many frames are done. Nothing is changed before the last one."""
+    """Flatten the layers of a rig: a generator that yields the number of frames recorded so far.
+
+    The keys are written after the last frame, so closing the generator before that changes nothing.
+    Raises Refused if no layer moves a bone that can have keys.
+    """
     tracks = _tracks(rig)
     if not tracks:
         raise Refused(tr("No layer moves a bone of {object} that could have keys").format(object=rig.name))
@@ -37,7 +41,7 @@ def flatten(scene, view_layer, rig, frames):
 
 
 def undrivable(rig):
-    """Names of the bones in masks whose own channels are driven, which no key reaches."""
+    """List the names of masked bones that cannot be flattened, because drivers set their channels, which overrule keys."""
     driven = driven_bones(rig)
     return [name for name in groups.masked(rig) if name in driven]
 
@@ -61,12 +65,12 @@ def _apply(rig, tracks, frames):
     for track in tracks:
         _drop_still(track, keyed)
     if animation.action:
-        animation.action.use_fake_user = True  # or it would be gone with the file's next saving
+        animation.action.use_fake_user = True  # Blender does not save an action without a user
     bag = actions.assign_copy(rig, f"{rig.name} Flattened")
     write_curves(bag, tracks, frames)
     for curve in [one for one in bag.fcurves if one.data_path.startswith(f"{targets.LIST}[") and one.data_path.endswith(".is_muted")]:
         bag.fcurves.remove(curve)
-    if animation.nla_tracks:  # what is keyed now is what all of them gave
+    if animation.nla_tracks:  # the new keys contain the NLA strips' motion as well
         animation.action_blend_type, animation.action_influence = 'REPLACE', 1.0
     for entry in rig.motus.layers.entries:
         entry.is_muted = True
@@ -74,7 +78,7 @@ def _apply(rig, tracks, frames):
 
 
 def _drop_still(track, keyed):
-    """Leave channels alone that neither have keys nor move."""
+    """Remove the channels from a bone's samples that have no keys and do not move. keyed: data paths of the rig's F-curves."""
     for name, rows in list(track.values.items()):
         own = getattr(track.thing, name)
         if track.data_path(name) not in keyed and all(abs(value - rest) < SAME for row in rows for value, rest in zip(row, own)):

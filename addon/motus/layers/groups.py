@@ -1,4 +1,4 @@
-"""What is wired on a rig: the bones that layers may move, and which of them are solved together."""
+"""Declare the bones of a rig that layers may move, in groups that are solved together."""
 
 import json
 
@@ -8,17 +8,17 @@ from ..core.wiring import driven_bones
 from . import mask
 
 PLAN = "plan"
-"""Key of a group's data: a JSON object that solve.Wired is made of."""
+"""Key of a group's data: JSON text with the group's bones, from which solve.Wired is made."""
 LOOPED = "looped"
-"""Key of a group's data: how many bones are left out, because their drivers read what layers move."""
+"""Key of a group's data: number of bones that are left out, because their drivers depend on bones that layers move."""
 ALL_KEYED = "\n"
-"""Name of the entry of all bones whose own channels nothing drives; the others have one each."""
+"""Name of the Entry with all bones whose own channels have no drivers. Each bone with drivers has an Entry with its own name."""
 CHANNELS = frozenset({"location", "rotation", "scale"})
 CONNECTED = frozenset({"rotation", "scale"})
 
 
 def masked(owner):
-    """Names of the bones in the masks of the layers, in the order of the rig."""
+    """List the names of the bones in the masks of a rig's layers, in the order of the rig's pose."""
     entries = owner.motus.layers.entries
     if not entries or owner.pose is None:
         return []
@@ -27,7 +27,10 @@ def masked(owner):
 
 
 def entries(owner):
-    """For the order of evaluation: bones whose own channels are driven wait for their drivers."""
+    """List the Entries from which the order of evaluation is found: one for all bones without drivers, one for each bone with drivers.
+
+    Bones with drivers on their own channels are evaluated after these drivers.
+    """
     driven = driven_bones(owner)
     found = masked(owner)
     plain = tuple(name for name in found if name not in driven)
@@ -35,7 +38,7 @@ def entries(owner):
 
 
 def groups(owner):
-    """One group for the bones of each level."""
+    """Return the Groups of a rig: one for the bones of each level. Bones of one level do not wait for each other."""
     driven, levels = driven_bones(owner), wiring.levels(owner)
     by_level, looped = {0: []}, 0
     found = masked(owner)
@@ -45,22 +48,25 @@ def groups(owner):
             looped += 1
         else:
             by_level.setdefault(level, []).append(name)
-    # The first group is there even without a bone, to say what is wrong.
+    # The first group exists even if it has no bones, because it reports problems.
     return tuple(_group(owner, str(level) if level else "", names, driven, looped) for level, names in sorted(by_level.items()))
 
 
 def members(owner):
-    """All bones that layers may move."""
+    """List all PoseBones of a rig that layers may move."""
     return [member.thing for group in groups(owner) for member in group.members]
 
 
 def channels_of(bone):
-    """What layers move of a PoseBone: keys do not move one that is connected to its parent."""
+    """Return the channels of a PoseBone that layers change: without "location" if the bone is connected to its parent."""
     return CONNECTED if bone.bone.use_connect and bone.parent else CHANNELS
 
 
 def bone_renamed(owner, rig, old, new):
-    """Let the masks follow a bone that was given another name."""
+    """Rename a bone in the masks of the owner's layers after the user has renamed the bone.
+
+    rig: armature object of the bone. old, new: names of the bone.
+    """
     for entry in owner.motus.layers.entries if rig == owner else ():
         for item in entry.mask:
             if item.kind == 'BONE' and item.name == old:
@@ -78,7 +84,10 @@ def _group(owner, key, names, driven, looped):
 
 
 def plan_of(owner, names, driven):
-    """What solve.Wired is made of, as text. names: of the bones that are solved; driven: of all whose own channels are driven."""
-    # Where drivers put a bone of another group is not known yet.
+    """Return the JSON text from which solve.Wired is made.
+
+    names: of the bones that are solved together. driven: names of all bones with drivers on their own channels.
+    """
+    # The transforms of driven bones of a different group are not known yet when this group is solved.
     unknown = sorted(driven.difference(names))
     return json.dumps({"fingerprint": rigs.fingerprint(owner), "bones": names, "unknown": unknown})

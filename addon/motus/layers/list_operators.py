@@ -1,4 +1,4 @@
-"""Operators of the lists in the panel: the layers, and what the mask of one holds."""
+"""Operators of the lists in the panel: the list of layers, and the list of bones and bone collections in a layer's mask."""
 
 import bpy
 

@@ -1,11 +1,11 @@
-"""Which bones of a rig the mask of a layer names, and how much of the layer each of them takes."""
+"""Masks of layers: the bones on which a layer acts, and the layer's weight on each of them."""
 
 from ..core.blender import capabilities
 from ..core.lazy import numpy as np
 
 
 def collections(rig):
-    """{name: names of its bones} of the bone collections of a rig, or of its bone groups before Blender 4."""
+    """Return {name: names of its bones} for the bone collections of a rig, or for its bone groups before Blender 4.0."""
     if capabilities.has_bone_collections():
         every = getattr(rig.data, "collections_all", rig.data.collections)
         return {one.name: [bone.name for bone in one.bones] for one in every}
@@ -17,7 +17,7 @@ def collections(rig):
 
 
 def collection_names(rig):
-    """(datablock or pose, name of its property) with the rig's bone collections, or bone groups before Blender 4.0.
+    """Return (datablock or pose, name of its property) with the rig's bone collections, or bone groups before Blender 4.0.
 
     Panels pass both to UILayout.prop_search().
     """
@@ -25,12 +25,12 @@ def collection_names(rig):
 
 
 def is_there(rig, item):
-    """Whether the rig has what an item of a mask names."""
+    """Whether the bone or bone collection that an item of a mask names exists in the rig."""
     return item.name in (rig.data.bones if item.kind == 'BONE' else collections(rig))
 
 
 def bones_of(rig, item):
-    """Names of the bones that an item of a mask means."""
+    """List the names of the rig's bones that an item of a mask includes: of a bone, or of a bone collection, and their children if set."""
     bones = rig.data.bones
     if item.kind == 'BONE':
         found = [item.name] if item.name in bones else []
@@ -42,14 +42,14 @@ def bones_of(rig, item):
 
 
 def names(rig, entry):
-    """Names of all bones in the mask of a layer; of one without a mask all of the rig."""
+    """List the names of all bones in the mask of a layer; an empty mask includes all bones of the rig. entry: settings of the layer."""
     if not entry.mask:
         return rig.data.bones.keys()
     return list(dict.fromkeys(name for item in entry.mask for name in bones_of(rig, item)))
 
 
 def chosen(rig, entry, rows):
-    """Weight of each bone in a layer's mask, (B,) in [0, 1], before the edge of the mask is blurred. rows: {bone name: row}."""
+    """Return the weight of each bone in a layer's mask, (B,) in [0, 1], before the mask's edge is blurred. rows: {bone name: row}."""
     found = np.zeros(len(rows))
     if not entry.mask:
         found[:] = 1.0

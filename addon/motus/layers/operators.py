@@ -1,4 +1,4 @@
-"""Operators that lay actions over a rig's animation, and take them back."""
+"""Operators that add animation layers to a rig and remove them, and the base classes of all operators on layers."""
 
 import bpy
 
@@ -28,7 +28,7 @@ class OfALayer(OfARig):
     layer: bpy.props.StringProperty(name="Layer", description="Name of the layer; empty takes the active one", options={'SKIP_SAVE'})
 
     def chosen(self, context):
-        """(rig, index of the layer) by the operator's keywords, or from the context. Refuses a rig that cannot be edited."""
+        """Return (rig, index of the layer) by the operator's keywords, or from the context. Refuses a rig that cannot be edited."""
         rig = targets.layered_rig(context, self.object)
         targets.check_editable(rig)
         return rig, targets.layer_index(rig, self.layer)
@@ -44,7 +44,7 @@ class MaskKeywords:
     with_children: bpy.props.BoolProperty(name="With Children", description="All bones below those of the mask count as well", default=True)
 
     def items(self, context, rig, selected=True):
-        """[(name, 'BONE' or 'COLLECTION', with children)] for the mask, by the keywords.
+        """List (name, 'BONE' or 'COLLECTION', with children) of the mask's new items, by the operator's keywords.
 
         Without names the selected bones are taken, if `selected` is set.
         """

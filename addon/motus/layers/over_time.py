@@ -1,4 +1,4 @@
-"""Where bones under layers are at any times, for systems that need their past: the layers are laid for each time."""
+"""Transforms of bones with all layers applied, at any times, for systems of Motus that need the past of bones."""
 
 import math
 
@@ -17,12 +17,15 @@ from ..core.wiring import driven_bones
 from . import groups, solve
 
 MOST_AT_ONCE = 500_000
-"""Transforms, of bones at times."""
+"""Greatest number of transforms (bones times frames) that are computed together for all masked bones of a rig."""
 _KEYED = ("weight", "is_muted")
 
 
 def over_time(owner, thing, _scene):
-    """System.over_time; None for what no layer moves."""
+    """Return the transform over time of a bone with all layers applied; None if no layer moves the bone.
+
+    This is the function System.over_time. owner, thing: the rig and a PoseBone of it, original or evaluated.
+    """
     return OverTime(owner, thing) if thing.name in _masked(owner) else None
 
 
@@ -31,7 +34,10 @@ def _masked(owner):
 
 
 def _inputs(owner, names, is_steady, paths):
-    """The RigInputs of bones; is_steady: those above them count too."""
+    """Make the RigInputs that read bones over time. is_steady: whether all parents of the bones are read as well.
+
+    paths: function that returns the data paths of the layers' settings that may be animated.
+    """
     bones = owner.data.bones
     above = [one.name for name in names for one in bones[name].parent_recursive] if is_steady else []
     read = tuple(dict.fromkeys([*names, *above]))
@@ -45,7 +51,7 @@ class OverTime(SolvedBone):
     """
 
     price = 50
-    """As Track.price."""
+    """Price of one transform, in the unit of core/measures/bounds.py: about 50 microseconds."""
 
     def __init__(self, owner, bone):
         self._owner, self._bone = owner, bone
@@ -64,7 +70,7 @@ class OverTime(SolvedBone):
 
     @property
     def _spans(self):
-        """(first, last) frame of the scene on which each layer changes something."""
+        """Yield (first, last) frame of the scene on which a layer plays its action, for each layer that has an action."""
         for entry in self._layers:
             action = pointed(entry, "action")
             if action:
@@ -73,7 +79,7 @@ class OverTime(SolvedBone):
                 yield entry.start, math.inf if entry.after == 'REPEAT' and length else entry.start + length
 
     def _bounds(self, first, last):
-        """Rising frames from first to last; the bone's motion is smooth between neighbours. Ends of layers are among them."""
+        """Return rising frames from first to last; the bone's motion is smooth between neighbours. Ends of layers are among them."""
         ends = {end for span in self._spans for end in span if first < end < last}
         return keys.union([[first, *sorted(ends), last], self._inputs.bounds(first, last)])
 
@@ -84,12 +90,12 @@ class OverTime(SolvedBone):
 
     @property
     def stamp(self):
-        """Changes whenever the motion may."""
+        """Hashable value that changes whenever the bone's motion under the layers may."""
         playing = list(filter(None, (pointed(entry, "action") for entry in self._layers)))
         return together((self._bone.name, self._inputs.stamp, *map(read_keys.number_of, playing)))
 
     def applied(self, times, transforms):
-        """See core/tracks/solved.py."""
+        """Transforms of the bone with all layers applied, from `transforms` of its own channels, at times (n,) of the scene."""
         names = self._together(times)
         found = once(self._owner, ("layers", *names), times, lambda: self._solved(names, times))
         moves, turns, sizes = (part[:, names.index(self._bone.name)] for part in found)
@@ -101,7 +107,11 @@ class OverTime(SolvedBone):
         )
 
     def _together(self, times):
-        """Names of the bones that are solved at once: where they are not too many, all in masks that can be, since others ask for those."""
+        """Return the names of the bones that are solved together with this bone.
+
+        They are all masked bones whose motion is known, because callers usually read these as well; but this bone alone if
+        the transforms at times (n,) would be more than MOST_AT_ONCE.
+        """
         masked = _masked(self._owner)
         if len(masked) * len(times) > MOST_AT_ONCE:
             return (self._bone.name,)
@@ -114,7 +124,10 @@ class OverTime(SolvedBone):
         return not any(Own(one).reason for one in (bone, *(bone.parent_recursive if self._is_steady else ())))
 
     def _solved(self, names, times):
-        """(n, bones, 3), (n, bones, 4), (n, bones, 3) of what comes on top of the bones' own transforms."""
+        """Return (moves, quaternions, ratios of scale) that the layers add to the bones' own transforms at times (n,).
+
+        Their shapes are (n, bones, 3), (n, bones, 4) and (n, bones, 3). names: of the bones.
+        """
         owner = self._owner
         text = groups.plan_of(owner, names, driven_bones(owner))
         wired = rigs.plan(owner, text, lambda rig, rows: solve.Wired(rig, rows, text))
@@ -130,7 +143,7 @@ class OverTime(SolvedBone):
         return moves, turns, sizes
 
     def _weights(self, times):
-        """(n, L) of the layers."""
+        """Return the weights of the L layers at times (n,), as an array (n, L). The weight of a muted layer is 0."""
         numbers = self._inputs.numbers(times)
         found = [
             np.where(numbers[index, "is_muted"] != 0.0, 0.0, numbers["influence"] * numbers[index, "weight"])

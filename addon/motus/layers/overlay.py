@@ -1,4 +1,4 @@
-"""What the viewport shows of the active layer: the bones of its mask in outline, the brighter the more of it they take."""
+"""Overlay of the active layer in the viewport: outlines of the bones in its mask, brighter for a greater weight."""
 
 from ..core import native, rigs
 from ..core.declare import is_owner
@@ -11,11 +11,11 @@ FULL_COLOR = (1.0, 0.62, 0.12, 0.95)
 FAINT_COLOR = (0.35, 0.45, 0.85, 0.45)
 WIDTH = 2.0  # pixels
 GIRTH, AT = 0.115, 0.1
-"""Of a bone's length: half of the width of the outline, just around Blender's octahedron, and where it is widest."""
+"""Half of the outline's width, just around Blender's octahedral bone, and the place where it is widest: as shares of the bone's length."""
 
 
 def _batches_of(context, owner):
-    """Batches for a rig with layers; none for other objects."""
+    """List the Batches to draw for a rig with layers; [] for any different object."""
     if owner.type != 'ARMATURE' or not is_owner(system(), owner):
         return []
     entry = panel.active_entry(owner)
@@ -36,7 +36,7 @@ def _batches_of(context, owner):
 
 
 def _outline():
-    """Edges of an octahedron along Y, one long: (24, 3), in pairs."""
+    """Return the 12 edges of an octahedron along Y with length 1, as (24, 3): pairs of end points."""
     head, tail = (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)
     ring = [(x, AT, z) for x, z in ((GIRTH, GIRTH), (-GIRTH, GIRTH), (-GIRTH, -GIRTH), (GIRTH, -GIRTH))]
     edges = [edge for one, following in zip(ring, (*ring[1:], ring[0])) for edge in ((head, one), (one, following), (one, tail))]

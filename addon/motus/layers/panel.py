@@ -1,4 +1,4 @@
-"""The panel of the layers, in the sidebar's tab and in the armature's properties."""
+"""The panel of the animation layers in the sidebar and in the armature's properties."""
 
 import bpy
 
@@ -14,12 +14,12 @@ from .solve import SOME_ARE_OFF
 
 
 def active_entry(rig):
-    """Settings of the layer that is active in the rig's list of layers; None if there is none."""
+    """Return the settings of the layer that is active in the rig's list of layers; None if there is none."""
     return active(rig, "layers")
 
 
 def fault(rig, entry):
-    """Why a layer does not act as it should; "" where it does."""
+    """Return a sentence on what is missing for a layer: its action, or bones of its mask; "" if nothing is missing."""
     if pointed(entry, "action") is None:
         return tr("Choose an action for this layer")
     missing = [item.name for item in entry.mask if not mask.is_there(rig, item)]
@@ -29,7 +29,7 @@ def fault(rig, entry):
 
 
 def draw_main(layout, context):
-    """The list of layers, what is wrong, and of the active one its action and weight."""
+    """Draw the list of layers, the problem of the rig's layers if there is one, and action and weight of the active layer."""
     rig = context.object
     settings = rig.motus.layers
     entry = active_entry(rig)
@@ -58,7 +58,7 @@ def draw_main(layout, context):
 
 
 def draw_timing(layout, context):
-    """When the active layer plays what of its action."""
+    """Draw the settings of when the active layer plays, and which frames of its action."""
     entry = active_entry(context.object)
     if entry:
         rows.TIMING.draw(ui.split(layout), entry)
@@ -88,9 +88,9 @@ def draw_mask(layout, context):
 
 
 def draw_actions(layout, context):
-    """Flattening, baking and removing."""
+    """Draw the buttons that flatten, bake and remove layers."""
     name = context.object.name
-    column = layout.column(align=True)  # a row would be too narrow in a narrow editor
+    column = layout.column(align=True)  # the buttons would be too narrow side by side in a narrow editor
     column.operator("motus.layers_flatten", icon='NLA_PUSHDOWN').object = name
     ui.draw_bake(column)
     column.operator("motus.layer_remove", text="Remove", icon='X').object = name

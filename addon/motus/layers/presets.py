@@ -1,4 +1,4 @@
-"""Presets of a layer's settings."""
+"""Presets for the settings of an animation layer."""
 
 from ..core.interface import presets
 from ..core.interface.presets import Preset
@@ -6,7 +6,7 @@ from ..core.settings.entries import active
 
 ENTRY = "bpy.context.object.motus.layers.entries[bpy.context.object.motus.layers.active_entry]"
 OF_A_STYLE = "mode", "speed", "after", "blend_in", "blend_out", "reference", "in_armature", "feather"
-"""What belongs to one action or one shot is not part of a style."""
+"""Settings of a layer that a preset stores: those that do not depend on the action or shot."""
 
 BROUGHT = (
     Preset('PLAIN', "Plain", "Takes the place of what lies beneath, from its first frame to its last", {}),

@@ -1,4 +1,4 @@
-"""Settings of the layers: Object.motus.layers, with an entry for each layer, the lowest first."""
+"""Settings of the animation layers in Object.motus.layers, with an entry for each layer, the lowest layer first."""
 
 from functools import partial
 
@@ -26,14 +26,14 @@ KINDS = (
     ('COLLECTION', "Collection", "The bones of a bone collection, or of a bone group before Blender 4", 'GROUP_BONE', 1),
 )
 MOST_LAYERS = 64
-"""More than that are refused: each costs its time on every frame."""
+"""Greatest number of layers of a rig: each layer takes time on every frame."""
 
 
 _frames = partial(number, tells_no_keys=True, step=100, precision=1)
 
 
 class LayerKeywords:
-    """Mixin of an entry's settings and of the operator, which share these properties; scripts use the names as keywords."""
+    """Mixin with the properties that a layer and the operator that adds layers share. Scripts use the names as keywords."""
 
     mode: choice("Mode", "How the layer acts on what lies beneath it", MODES, 'OVERRIDE')
     weight: bpy.props.FloatProperty(
@@ -98,7 +98,7 @@ KEYWORDS = tuple(LayerKeywords.__annotations__)
 
 
 class MOTUS_PG_layers_mask(bpy.types.PropertyGroup):
-    """Bones of a layer's mask: later ones of the list count for bones that several name."""
+    """Item of a layer's mask: a bone or bone collection. If several items include one bone, the last item's weight counts."""
 
     name: bpy.props.StringProperty(name="Name", description="Name of the bone or the collection", update=rewire, override=OVERRIDABLE)
     kind: choice("Kind", "Whether the name is that of a bone or of a collection", KINDS, 'BONE', update=rewire)

@@ -1,4 +1,4 @@
-"""The rows of a layer's settings: in the panels, and for the keywords in the redo panel."""
+"""The rows in which the panels show a layer's settings and the redo panel shows the operator's keywords."""
 
 from ..core.interface.rows import Row, Rows, is_one_of
 from ..core.translations import OWN_SENSE

@@ -1,4 +1,4 @@
-"""Setting layers up and taking them back: plain functions behind the operators."""
+"""Add, change, order and remove layers: the functions that the operators call."""
 
 import re
 
@@ -12,12 +12,15 @@ _OF_MASK = ("name", "kind", "with_children", "weight")
 
 
 def system():
-    """The registered System: the package's __init__ imports this module, not the other way round."""
+    """Return the System of the layers from the registry, because this module cannot import the package that imports it."""
     return registered["layers"]
 
 
 def add(rig, name, changes, items):
-    """A new layer on top of all others. changes: settings by name; items: (name, kind, with children) of its mask."""
+    """Add a layer on top of all layers of a rig; returns its settings.
+
+    changes: {setting: value}. items: [(name, 'BONE' or 'COLLECTION', with children)] of its mask.
+    """
     with entries.at_once(system(), rig) as settings:
         entry = settings.entries.add()
         entry.name = free_name(settings.entries, name)
@@ -29,7 +32,10 @@ def add(rig, name, changes, items):
 
 
 def change(rig, index, changes, items=None):
-    """Give a layer that is there other settings; items: of its mask, None keeps those it has."""
+    """Change the settings of an existing layer.
+
+    changes: {setting: value}. items: [(name, 'BONE' or 'COLLECTION', with children)] for its mask; None keeps the mask.
+    """
     with entries.at_once(system(), rig) as settings:
         entry = settings.entries[index]
         for setting, value in changes.items():
@@ -41,7 +47,7 @@ def change(rig, index, changes, items=None):
 
 
 def free_name(layers, wanted):
-    """A name that no layer has yet."""
+    """Return the wanted name, with a number such as .001 at its end if one of the layers has that name."""
     taken, name, number = set(layers.keys()), wanted, 0
     stem = re.sub(r"\.\d{3,}$", "", wanted)
     while name in taken:
@@ -51,7 +57,7 @@ def free_name(layers, wanted):
 
 
 def duplicate(rig, index):
-    """A copy of a layer, right above it. Keys of its weight stay with the first one."""
+    """Add a copy of a layer right above the layer. Keys of the layer's settings are not copied."""
     source = rig.motus.layers.entries[index]
     changes = {name: getattr(source, name) for name in (*KEYWORDS, "action", "slot", "is_muted")}
     with entries.at_once(system(), rig) as settings:
@@ -70,31 +76,31 @@ def duplicate(rig, index):
 
 
 def exchange(rig, first, second):
-    """Let two layers change places."""
+    """Exchange two layers in the list, together with the keys of their settings."""
     entry_keys.exchange(rig, LIST, first, second)
     rig.motus.layers.entries.move(first, second)
 
 
 def move(rig, index, place):
-    """Let a layer change places with its neighbour."""
+    """Exchange a layer with its neighbour at the index `place`, and make the layer active there."""
     with entries.at_once(system(), rig) as settings:
         exchange(rig, index, place)
         settings.active_entry = place
 
 
 def remove(rig, index):
-    """Take one layer back, with the keys of its settings."""
+    """Remove a layer from a rig, together with the keys of the layer's settings."""
     entries.remove(system(), rig, [index], "active_entry")
 
 
 def add_to_mask(rig, index, items):
-    """Let the mask of a layer have more: (name, kind, with children)."""
+    """Add items to the mask of a layer. items: [(name, 'BONE' or 'COLLECTION', with children)]."""
     with entries.at_once(system(), rig) as settings:
         _add_items(settings.entries[index], items)
 
 
 def remove_from_mask(rig, index, place):
-    """Take an item out of the mask of a layer."""
+    """Remove the item with index `place` from the mask of a layer."""
     with entries.at_once(system(), rig) as settings:
         entry = settings.entries[index]
         entry.mask.remove(place)
@@ -102,9 +108,9 @@ def remove_from_mask(rig, index, place):
 
 
 def slot_of(rig, action):
-    """Identifier of the slot by which a layer plays an action.
+    """Return the identifier of the action slot that a layer plays.
 
-    The rig's own one, or one of its name, that animates its bones; else "".
+    The slot is the one that the rig uses, or else a slot with the rig's name, if it animates bones of the rig; "" if there is none.
     """
     if action is None or not capabilities.has_slotted_actions():
         return ""

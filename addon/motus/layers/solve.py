@@ -1,4 +1,4 @@
-"""Layers: what a group's solver reads of Blender, and the one call of the native module."""
+"""Solve the layers of a group of bones: read settings, masks and actions from Blender and call the native module once."""
 
 from ..core import native, rigs
 from ..core.declare import Problem
@@ -17,11 +17,14 @@ PROBLEMS = (SOME_ARE_OFF, LOOPED_BONES, BONES_CHANGED)
 _AFTERS = {'STOP': 0.0, 'HOLD': 1.0, 'REPEAT': 2.0}
 _EYE = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 _FORM = {"fingerprint": int, "bones": [str], "unknown": [str]}
-"""Of what groups.py notes."""
+"""Structure of the JSON text that groups.py stores in a group's data under PLAN."""
 
 
 class Wired:
-    """Rows of a group's bones in the rig's arrays; made anew when the rig changes."""
+    """Rows of a group's bones in the rig's arrays; made anew when the rig changes.
+
+    rows: {bone name: row} of all bones. text: JSON text of the group's PLAN.
+    """
 
     def __init__(self, rig, rows, text):
         known = stored.parse(text, _FORM)
@@ -34,9 +37,9 @@ class Wired:
 
     @property
     def stack(self):
-        """The LayerStack of the bones at rest."""
+        """The native LayerStack for the rig's rest pose; made anew when the armature has been edited."""
         still, stack = self._stack
-        if still is not self.still:  # rigs.plan() has found the armature edited
+        if still is not self.still:  # rigs.plan() replaces self.still if the armature has been edited
             still = self.still
             stack = native.module.LayerStack(self.parents, still.rest, still.inheritance)
             self._stack = still, stack
@@ -44,7 +47,10 @@ class Wired:
 
 
 class Source:
-    """An evaluated copy of a rig: what nothing but an edit changes of its layers."""
+    """Data of an evaluated rig's layers that change only by edits, so that they can be cached between frames.
+
+    entries: settings of the L layers. modes: rotation modes of all bones. masks: (L, bones) weights of all bones in the masks.
+    """
 
     def __init__(self, rig, wired):
         self.wired = wired
@@ -54,13 +60,16 @@ class Source:
         self.masks = np.array(masks).reshape(len(masks), len(wired.places))
 
     def clips(self):
-        """The Clip of each layer; None where it has no action. An action is edited without its users."""
+        """List the Clip of each layer; None for a layer without an action. Not cached, because an action can be edited without the rig."""
         playing = [(pointed(entry, "action"), entry.slot) for entry in self.entries]
         return [action and clips.clip_of(action, slot, self.wired.still.names, self.modes) for action, slot in playing]
 
 
 def solve(context):
-    """Fill in the transforms that layers give the group's bones at the context's frame. Never raises for a user's error."""
+    """Fill the context's arrays with the changes by which layers move the group's bones at the context's frame.
+
+    Returns a Problem or None. A user's error never raises an exception.
+    """
     text, looped = context.data.get(PLAN), context.data.get(LOOPED)
     rig = context.owner
     try:
@@ -83,9 +92,10 @@ def solve(context):
 
 
 def lay(source, found, settings, frame, basis, locations, rotations, scales):
-    """Fill what the wired bones do at a frame of the scene; returns what that makes of their own transforms, (n, 16) float32.
+    """Fill locations, rotations and scales with the changes by which the layers move the source's n wired bones at a frame.
 
-    found: Clip or None of each layer. basis: own transforms of all bones.
+    Returns the bones' own matrices with the layers applied, (n, 16) float32.
+    found: Clip or None of each layer. settings: array as still_settings() makes it. basis: own matrices of all bones.
     """
     playing = [row for row, clip in enumerate(found) if clip is not None and settings[row, WEIGHT] > 0.0]
     laid = np.empty((len(source.wired.rows), 16), np.float32)
@@ -110,7 +120,10 @@ class Playing:
         self._laps = [_laps(*pair, at) for at, pair in zip(frames, played)]
 
     def lay(self, frame, settings, basis, locations, rotations, scales, laid):
-        """Fill `laid`, (n, 16) float32, with the bones' own matrices under the layers of `settings`."""
+        """Fill locations, rotations and scales with the layers' changes, and `laid`, (n, 16) float32, with the bones' changed matrices.
+
+        frame: of the scene. settings: rows of still_settings() for the layers with an effect. basis: own matrices of all bones.
+        """
         wired, given = self._wired, [None] * len(self._clips)
         basis[wired.unknown] = _EYE
         if self._asks_curves:
@@ -134,34 +147,37 @@ class Playing:
 
 
 def _reference_frame(entry, clip):
-    """Frame of the action that an additive layer starts from; None for the rest pose."""
+    """Return the frame of the action whose pose an additive layer subtracts.
+
+    None for a layer that subtracts the rest pose, and for a layer that is not additive.
+    """
     if entry.mode != 'ADDITIVE' or entry.reference == 'REST':
         return None
     return entry.reference_frame if entry.reference == 'FRAME' else span(entry, clip.frames)[0]
 
 
 def _laps(entry, clip, reference):
-    """Clip.laps() of a layer."""
+    """Return Clip.laps() for the frames that a layer plays, in playing order. reference: frame of the reference pose, or None."""
     begin, end = span(entry, clip.frames)
     return clip.laps(end, begin, reference) if entry.speed < 0.0 else clip.laps(begin, end, reference)
 
 
 def span(entry, frames):
-    """(first, last) frame of an action that a layer plays. frames: the same of the whole action."""
+    """Return (first, last) frame of the part of its action that a layer plays. frames: (first, last) frame of the whole action."""
     if not entry.use_range:
         return frames
     return entry.first_frame, max(entry.first_frame, entry.last_frame)
 
 
 def _settings(settings, found):
-    """still_settings() of the owner's settings as they are on this frame."""
+    """Return the array of still_settings() for a rig's layers, with the weights multiplied by the rig's influence."""
     values = still_settings(settings.entries, found)
     values[:, WEIGHT] *= settings.influence
     return values
 
 
 def still_settings(entries, found):
-    """(L, columns) numbers of layers, as LayerStack wants them."""
+    """Return the settings of L layers for the native LayerStack, as an array (L, COLUMNS). found: Clip or None of each layer."""
     rows = [_numbers(entry, clip) for entry, clip in zip(entries, found)]
     return np.array(rows, float).reshape(-1, COLUMNS)
 
@@ -183,4 +199,4 @@ def _numbers(entry, clip):
 
 
 COLUMNS, WEIGHT = 10, 7
-"""How many LayerStack.SETTINGS there are, and which of them is "weight"."""
+"""Number of settings in the native LayerStack.SETTINGS, and the index of "weight" among them."""

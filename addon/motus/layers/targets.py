@@ -1,4 +1,7 @@
-"""Which rig, layer, action and bones an operator works on: by name from scripts, else by selection. Refusals are sentences."""
+"""Find the rig, layer, action and bones that an operator works on: by the names that scripts give, or by selection.
+
+Errors are raised as Refused, with a sentence for the user.
+"""
 
 import bpy
 
@@ -11,11 +14,11 @@ from . import mask
 from .properties import MOST_LAYERS
 
 LIST = "motus.layers.entries"
-"""Data path of the list of layers."""
+"""Data path from an object to its list of layers."""
 
 
 def rig_for(context, name):
-    """The armature object by name; else the active one."""
+    """Return the armature object of this name, or the active object if the name is empty; refuses an object that is no armature."""
     found = named(name) if name else context.object
     if found is None:
         raise Refused(tr("Select the armature that shall have layers"))
@@ -25,7 +28,7 @@ def rig_for(context, name):
 
 
 def layered_rig(context, name):
-    """The rig by name, or else the active one. Raises Refused if it has no layers."""
+    """Return the rig of this name, or the active object if the name is empty. Raises Refused if it has no layers."""
     found = named(name) if name else context.object
     if found is None or found.type != 'ARMATURE' or not has_settings(registered["layers"], found) or not found.motus.layers.entries:
         raise Refused(tr("Nothing here has layers"))
@@ -33,7 +36,7 @@ def layered_rig(context, name):
 
 
 def layer_index(rig, name):
-    """Index of the layer of this name; of the active one without a name."""
+    """Return the index of the layer of this name, or of the active layer if the name is empty; refuses a name that no layer has."""
     settings = rig.motus.layers
     if not name:
         return max(0, min(settings.active_entry, len(settings.entries) - 1))
@@ -44,7 +47,7 @@ def layer_index(rig, name):
 
 
 def action_for(name):
-    """The action of this name; None without a name."""
+    """Return the action of this name; None if the name is empty. Refuses a name that no action has."""
     if not name:
         return None
     found = bpy.data.actions.get(name)
@@ -64,7 +67,7 @@ def check_slot(action, slot):
 
 
 def selected_bones(context, rig):
-    """Names of the bones selected in Pose Mode, without bones that have a selected bone above them."""
+    """List the names of the bones selected in Pose Mode, without those that have a selected parent, however far above."""
     if context.mode != 'POSE':
         return []
     found = {bone.name for bone in context.selected_pose_bones or () if bone.id_data == rig}
@@ -72,7 +75,7 @@ def selected_bones(context, rig):
 
 
 def bones_named(rig, names):
-    """Names of bones from a list with commas between."""
+    """List the names in a text of comma-separated bone names; refuses a name that no bone of the rig has."""
     found = [name.strip() for name in names.split(",") if name.strip()]
     for name in found:
         check_bone(rig, name)
@@ -80,7 +83,7 @@ def bones_named(rig, names):
 
 
 def collections_named(rig, names):
-    """Names of bone collections from such a list."""
+    """List the names in a text of comma-separated bone collections; refuses a name that no bone collection of the rig has."""
     found, known = [name.strip() for name in names.split(",") if name.strip()], mask.collections(rig)
     for name in found:
         if name not in known:
@@ -89,7 +92,7 @@ def collections_named(rig, names):
 
 
 def check_room(rig):
-    """Refuse one layer more than there may be."""
+    """Refuse a further layer if the rig has MOST_LAYERS layers already."""
     if len(rig.motus.layers.entries) >= MOST_LAYERS:
         raise Refused(tr("{object} has {count} layers already: flatten some first").format(object=rig.name, count=MOST_LAYERS))
 
@@ -105,6 +108,6 @@ def check_free_to_move(rig, index):
 
 
 def check_editable(rig):
-    """Refuse a rig whose set-up must not be changed."""
+    """Refuse a rig whose layers must not be changed, because it is linked or its layers are baked."""
     check_local(rig)
     check_unbaked(rig, rig.motus.layers)

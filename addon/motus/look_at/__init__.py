@@ -8,7 +8,7 @@ SYSTEM = System(
     label="Look At",
     settings=properties.MOTUS_PG_look_at,
     classes=(
-        # Groups before the group that holds them.
+        # Blender requires that a property group is registered before the group that contains it.
         properties.MOTUS_PG_look_at_eye,
         properties.MOTUS_PG_look_at_entry,
         properties.MOTUS_PG_look_at,

@@ -1,17 +1,20 @@
-"""Which bones of a rig turn along with a head, and along which of their axes head and eyes look."""
+"""Find the bones of a rig that turn along with a head bone, and the axes of head and eye bones along which they look."""
 
 from mathutils import Vector
 
 from ..core.file.choices import chosen
 from ..core.measures import axes
 
-LONGEST_SPINE = 4  # the neck and three bones of the spine
-LEG_REACH = 0.25  # of a bone's height above the lowest one: limbs that hang lower are legs
-EYE_CONE = 0.5  # cosine: an eye bone that points within 60 degrees of the front is the eye's own axis
+LONGEST_SPINE = 4  # bones: the neck and three of the spine
+LEG_REACH = 0.25  # share of a bone's height above the rig's lowest point: limbs of the bone that end below it are legs
+EYE_CONE = 0.5  # cosine of 60 degrees: an eye bone whose Y axis points within this angle of the front looks along its Y axis
 
 
 def below(rig, head, count):
-    """Names of the `count` bones below the head, from the lowest to the one the head stands on."""
+    """Names of the bones on which a head bone stands: its nearest `count` ancestors, from the lowest on the body to the head's parent.
+
+    There are fewer names if the head has fewer ancestors.
+    """
     names = []
     bone = rig.data.bones[head].parent
     while bone and len(names) < count:
@@ -21,9 +24,11 @@ def below(rig, head, count):
 
 
 def spine_length(rig, head, up, is_free):
-    """How many bones below the head are neck and spine: not the root, nor what legs hang from, nor what something else turns.
+    """Number of ancestors of a head bone that are its neck and spine, at most LONGEST_SPINE.
 
-    up: item of AXES. is_free(name): whether a bone turns by its own animation alone.
+    Counting up the parents ends before the root bone, a bone from which legs hang, or a bone that is not free.
+
+    up: up axis of the rig, an item of AXES. is_free(name): whether a bone turns by its own animation alone.
     """
     vertical = Vector(axes.vector(up))
     lowest = min(min(bone.head_local.dot(vertical), bone.tail_local.dot(vertical)) for bone in rig.data.bones)
@@ -42,7 +47,7 @@ def _has_legs(bone, above, vertical, lowest):
 
 
 def head_forward(rig, entry):
-    """Unit vector, in the head bone's own space, along which the face looks."""
+    """Unit vector along which the face looks, in the space of the head bone at rest. entry: settings of the head."""
     choice = chosen(entry, "head_forward")
     if choice == 'AUTO':
         return _front_of(rig.data.bones[entry.name], chosen(entry, "forward"))
@@ -50,7 +55,10 @@ def head_forward(rig, entry):
 
 
 def eyes_forward(rig, entry, eyes):
-    """Unit vectors, in the eye bones' own spaces, along which they look: one for each of these eyes of a head."""
+    """Unit vectors along which the eye bones of a head look, each in the space of its own bone at rest.
+
+    entry: settings of the head. eyes: names of the eye bones, one for each vector.
+    """
     bones = [rig.data.bones[name] for name in eyes]
     choice = chosen(entry, "eyes_forward")
     if choice == 'AUTO':
@@ -58,10 +66,10 @@ def eyes_forward(rig, entry, eyes):
         return [Vector((0.0, 1.0, 0.0)) if front.y > EYE_CONE else front for front in fronts]
     axis = Vector(axes.vector(choice))
     looks = [bone.matrix_local.to_3x3() @ axis for bone in bones]
-    # Bones of the two sides may mirror each other: then one axis points ahead for one eye, and backwards for the other.
+    # The bones of the left and right eye may mirror each other: then an axis that points ahead in one bone points backwards in the other.
     return [axis if look.dot(looks[0]) >= 0.0 else -axis for look in looks]
 
 
 def _front_of(bone, forward):
-    # Exactly the front, not the nearest axis: a head bone that leans would else be turned by as much at rest.
+    # The exact direction, not the nearest axis of the bone: otherwise a leaning head bone would be turned at rest, by its lean.
     return (bone.matrix_local.to_3x3().inverted_safe() @ Vector(axes.vector(forward))).normalized()

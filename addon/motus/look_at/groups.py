@@ -1,4 +1,7 @@
-"""What is wired on a rig: its heads, the bones they turn, and which of them are solved together."""
+"""Declare what Motus wires on a rig for Look At: groups of heads that are solved together, their bones, inputs and outputs.
+
+The owner is the armature object. An entry holds the settings of one head.
+"""
 
 import json
 
@@ -10,28 +13,31 @@ from ..core.measures import axes
 from . import anatomy
 
 OUTPUTS = ("angle", "reason", "yaw", "pitch")
-"""What is told of each head: "<bone>.<output>"."""
+"""Numbers that the solver reports for each head; as an output of its group, each is named "<head bone>.<name>"."""
 PLAN = "plan"
-"""Key of a group's data: a JSON object that solve.Wired is made of."""
+"""Key in a group's data of the JSON text from which solve.Wired is made."""
 LOOPED = "looped"
-"""Key of a group's data: how many heads are left out, because their targets move with them."""
+"""Key in a group's data of the number of heads that are left out because their targets move with them."""
 ROTATION = frozenset({"rotation"})
 
 
 def driven_bones(owner, entry):
-    """Names of the bones that an entry turns, in the order of LookAtPlan.rows; empty where the rig has no such head."""
+    """Names of the bones that an entry turns, in the order of LookAtPlan.rows: spine, head, eyes; empty if the head bone is missing."""
     if entry.name not in owner.data.bones:
         return []
     return [*anatomy.below(owner, entry.name, entry.body_length), entry.name, *_eyes(owner, entry)]
 
 
 def entries(owner):
-    """For the order of evaluation: what each head reads and drives."""
+    """List of an Entry (core/declare) for each head of an owner: what it reads and turns, from which the order of evaluation follows."""
     return [Entry(entry.name, tuple(_reads(owner, entry, bones)), tuple(bones)) for entry, bones in present(owner)]
 
 
 def groups(owner):
-    """One group for the heads of each level: they are solved by one call."""
+    """Groups of the owner's heads, one for each level of wiring.levels(); the heads of a group are solved by one native call.
+
+    Of what Motus drives on rigs, a head reads only what entries of lower levels drive. Heads whose targets move with them are left out.
+    """
     levels = wiring.levels(owner)
     by_level, looped = {0: []}, 0
     for entry, bones in present(owner):
@@ -40,17 +46,17 @@ def groups(owner):
             looped += 1
         else:
             by_level.setdefault(level, []).append((entry, bones))
-    # The first group is there even without a head, to say what is wrong.
+    # The first group exists even if it has no heads, so that its solver can report the heads that are left out.
     return tuple(_group(owner, str(level) if level else "", found, looped) for level, found in sorted(by_level.items()))
 
 
 def members(owner):
-    """All bones of a rig that its heads turn: spines, heads and eyes."""
+    """All pose bones of a rig that its heads' entries turn: spines, heads and eyes."""
     return [member.thing for group in groups(owner) for member in group.members]
 
 
 def bone_renamed(owner, rig, old, new):
-    """Let the entries follow a bone that was given another name."""
+    """Replace the old name of a renamed bone by the new name in the owner's entries. rig: the armature object that has the bone."""
     for entry in owner.motus.look_at.entries:
         for item in (entry, *entry.eyes):
             if rig == owner and item.name == old:
@@ -60,12 +66,15 @@ def bone_renamed(owner, rig, old, new):
 
 
 def shared_bone(owner, entry):
-    """A bone that the entry would turn and an earlier one turns already; "" without."""
+    """Name of a bone of an entry that a different entry turns already; "" if there is none."""
     return next((name for name in driven_bones(owner, entry) if name in _taken_before(owner, entry)), "")
 
 
 def present(owner):
-    """(entry, its bones) of all entries whose head the rig has, and whose bones no entry before them turns."""
+    """(entry, names of the bones that it turns) of all entries that are solved.
+
+    An entry is left out if the rig does not have its head bone, or if an earlier entry turns one of its bones.
+    """
     found, taken = [], set()
     for entry in owner.motus.look_at.entries:
         bones = driven_bones(owner, entry)
@@ -85,7 +94,7 @@ def _eyes(owner, entry):
 
 
 def _reads(owner, entry, bones):
-    """(object, bone or "") that a head needs to stand before it can look."""
+    """(object, bone or "") whose evaluated transforms a head's solver reads: the parent of the lowest turned bone, and the target."""
     lowest = owner.data.bones[bones[0]].parent
     reads = [(owner, lowest.name if lowest else "")]
     target = pointed(entry, "target")
@@ -108,7 +117,7 @@ def _group(owner, key, found, looped):
 
 
 def plan_of(owner, found):
-    """What solve.Wired is made of, as text. found: entries with their bones."""
+    """JSON text that describes a group of heads, from which solve.Wired is made. found: pairs of an entry and its bones' names."""
     heads = [
         {
             "name": entry.name,
@@ -124,12 +133,12 @@ def plan_of(owner, found):
 
 
 def read_bones(owner, entry, bones):
-    """Names of the bones whose own transforms an entry reads: those that it turns, and those from the head to its eyes."""
+    """Names of bones whose own transforms (matrix_basis) an entry's solver reads: turned bones, and bones between the head and its eyes."""
     return (*bones, *_between(owner, entry))
 
 
 def _between(owner, entry):
-    """Bones from the head to its eyes, which stand still against the head but for their animation."""
+    """Names of the bones between a head and its eyes. Relative to the head, only their own animation moves these bones."""
     bones = owner.data.bones
     names = [bone.name for eye in _eyes(owner, entry) for bone in bones[eye].parent_recursive]
     above = {bone.name for bone in bones[entry.name].children_recursive}

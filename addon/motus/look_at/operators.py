@@ -1,4 +1,4 @@
-"""Operators that let heads look, and take it back."""
+"""Operators that add, change and remove Look At on the head bones of a rig."""
 
 import functools
 
@@ -15,13 +15,13 @@ from .properties import ANY_BODY_LENGTH, KEYWORDS, LookAtKeywords
 
 
 class OfARig(operators.OfARig):
-    """Mixin of operators on a rig with a head that looks."""
+    """Mixin of operators that work on an armature object on which Look At is set up."""
 
     rig_with = staticmethod(targets.looking_rig)
 
 
 class OfAHead(OfARig):
-    """Mixin of operators on one head of a rig."""
+    """Mixin of operators that work on one head of a rig, named by its bone."""
 
     bone: bpy.props.StringProperty(name="Head", description="Name of the head bone; empty takes the active one", options={'SKIP_SAVE'})
 
@@ -100,9 +100,10 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
         wiring.report_problems(self, context, setup.system(), [rig])
 
     def _changes(self, context, rig, head, taken):
-        """(new settings, names of the eyes, names of all turned bones) of a head. Raises Refused if the settings cannot work.
+        """(new settings by name, names of the eyes, names of all turned bones) of a head. Raises Refused if the settings cannot work.
 
-        taken: bones that the spine must leave out, since other heads turn them.
+        The names of the eyes are None if the eyes of the head's present entry are kept.
+        taken: names of bones that the spine must leave out, since different heads turn them.
         """
         changes = self.given(KEYWORDS)
         check_finite(self, changes)
@@ -224,7 +225,10 @@ class MOTUS_OT_look_at_eye_remove(OfAHead, bpy.types.Operator):
 
 
 def change_eyes(operator, context, change):
-    """Give an entry other eyes: those that `change` makes of the present ones."""
+    """Replace the eyes of an entry by the list of names that `change` returns. Raises Refused if a new eye does not fit.
+
+    operator: its keywords object and bone name the head. change(context, rig, entry, eyes): called with the present names.
+    """
     rig = targets.looking_rig(context, operator.object)
     targets.check_editable(rig)
     entry = rig.motus.look_at.entries[targets.entry_for(context, rig, operator.bone)]

@@ -1,4 +1,7 @@
-"""Where the bones of a head that looks are at any times, for systems that need their past: the solver is asked for each time."""
+"""Transforms over time of the bones that Look At turns, for systems that need past frames: the solver runs once for each time.
+
+Times are frames of F-curves, which differ from the scene's frames under Time Stretching.
+"""
 
 from ..core import rigs
 from ..core.animation.strips import together
@@ -13,7 +16,10 @@ from . import groups, solve
 
 
 def over_time(owner, thing, scene):
-    """System.over_time; None for what no head turns."""
+    """OverTime of a pose bone that a head's entry turns, as System.over_time declares it; None if no head turns the bone.
+
+    owner: the armature object with the entries. thing: the PoseBone or Object that is asked about.
+    """
     surveyed = kept(owner, ("look_at", "survey"), lambda: _survey(owner))
     index, bones = next((one for one in surveyed if thing.name in one[1]), (-1, ()))
     if index < 0:
@@ -23,13 +29,16 @@ def over_time(owner, thing, scene):
 
 
 def _survey(owner):
-    """(index of the entry, turned bones) of each head of an owner that is solved."""
+    """(index of the entry, names of the turned bones) of each head of an owner that is solved."""
     entries = owner.motus.look_at.entries
     return [(entries.find(entry.name), bones) for entry, bones in groups.present(owner)]
 
 
 class OverTime(SolvedBone):
-    """A bone of a head, its spine or eyes; see core/tracks/solved.py. Original or evaluated."""
+    """Transform over time of one bone that a head's entry turns: a spine, head or eye bone of an original or evaluated rig.
+
+    core/tracks/solved.py lists the attributes that systems read of it.
+    """
 
     def __init__(self, head, row):
         super().__init__(head.inputs)
@@ -37,16 +46,19 @@ class OverTime(SolvedBone):
 
     @property
     def stamp(self):
-        """A value that changes if the bone's motion may have changed: its place among the head's bones and the stamp of the head."""
+        """Hashable value that changes whenever the bone's motion may change; None if changes cannot be detected.
+
+        It holds the bone's row among the head's bones, and the stamp of the head.
+        """
         return together((self._row, self._head.stamp))
 
     def applied(self, times, transforms):
-        """See core/tracks/solved.py."""
+        """Transforms of the bone at times (n,), with Look At's turns after the rotations of `transforms`, which its own channels give."""
         return transforms._replace(rotations=rotations.product(transforms.rotations, self._head.turns(times)[:, self._row]))
 
 
 class _Head:
-    """One head at given times: all its bones are solved at once."""
+    """One head's entry, which is solved at any times; all bones that it turns are solved together."""
 
     def __init__(self, owner, index, bones, scene):
         self._owner, self._index, self._bones = owner, index, bones
@@ -71,11 +83,17 @@ class _Head:
 
     @property
     def stamp(self):
-        """A value that changes if the head's motion may have changed: whether it has a target, and the stamp of the inputs."""
+        """Hashable value that changes whenever the head's motion may change; None if changes cannot be detected.
+
+        It holds whether the head has a target, and the stamp of the solver's inputs.
+        """
         return together((self._target is not None, self.inputs.stamp))
 
     def turns(self, times):
-        """Quaternions, (n, bones, 4)."""
+        """Turns that the solver gives the head's bones at times (n,): quaternions w, x, y, z, (n, bones, 4).
+
+        If the head has no target, all turns are the identity.
+        """
         return once(self._owner, ("look_at", self._index), times, lambda: self._solved(times))
 
     def _solved(self, times):
@@ -114,7 +132,7 @@ class _Head:
 
 
 def _target(entry):
-    """(object, bone or "") of what a head looks at; None where it is not there."""
+    """(object, bone or "") at which a head looks; None if there is no target, it was deleted, or it lacks the target bone."""
     target, bone = pointed(entry, "target"), entry.target_bone
     if target is None or deleted.is_deleted(target) or (target.pose and bone and bone not in target.pose.bones):
         return None

@@ -1,4 +1,7 @@
-"""What the viewport shows of a look: the gaze of head and eyes, and the line to the target, red where they part."""
+"""Viewport overlay of Look At: lines along the gaze of head and eyes, and a line from the head to its target.
+
+A gaze that misses the target is red.
+"""
 
 from mathutils import Vector
 
@@ -11,17 +14,17 @@ from . import anatomy, panel, reasons
 
 GAZE_COLOR = (0.25, 0.85, 0.45, 0.9)
 OFF_COLOR = (0.95, 0.25, 0.30, 0.9)
-ON_THE_WAY_COLOR = (0.95, 0.75, 0.25, 0.9)  # the head's, where the eyes go the rest of the way
+ON_THE_WAY_COLOR = (0.95, 0.75, 0.25, 0.9)  # color of the head's gaze if it misses the target, but all eyes look at the target
 TARGET_COLOR = (0.75, 0.75, 0.80, 0.6)
 GAZE_WIDTH, TARGET_WIDTH = 2.5, 1.0  # pixels
-EYES_REACH = 0.6  # of the distance to the target: so that the eyes' lines end before the head's
+EYES_REACH = 0.6  # share of the distance to the target: the lines of the eyes end before the line of the head
 POINT_SIZE = 6.0
 FACE_COLOR = (0.35, 0.65, 1.0, 0.9)
-FACE_LENGTH, HEAD_SIZE, FACE_WIDTH = 1.5, 0.25, 2.0  # of the head bone's length, the arrow's head; pixels
+FACE_LENGTH, HEAD_SIZE, FACE_WIDTH = 1.5, 0.25, 2.0  # arrow's length and its head's size in lengths of the head bone; pixels
 
 
 def _batches_of(context, owner):
-    """Batches for a rig whose heads look; none for other objects."""
+    """List of Batches to draw for an armature object on which Look At is set up; empty for any different object."""
     if owner.type != 'ARMATURE' or not owner.motus.look_at.is_active:
         return []
     depsgraph = context.evaluated_depsgraph_get()
@@ -53,7 +56,7 @@ def _batches(rig, entry, point):
 
 
 def _face(rig, entry):
-    """Lines of an arrow that shows the facing direction of a head in its present pose, with a tick at its tip that points up."""
+    """Batch with an arrow along the facing direction of a head in its present pose, with a tick at the arrow's tip that points up."""
     bone = rig.pose.bones[entry.name]
     carried = (rig.matrix_world @ bone.matrix).to_3x3() @ bone.bone.matrix_local.to_3x3().inverted_safe()
     forward, up = (bone.bone.length * (carried @ Vector(axes.vector(axis))) for axis in (chosen(entry, "forward"), chosen(entry, "up")))
@@ -64,7 +67,7 @@ def _face(rig, entry):
 
 
 def _target_of(entry):
-    """World place of the target of an evaluated entry; None without one."""
+    """World position of the target of an evaluated entry; None if there is no target, or if the target lacks the chosen bone."""
     target, bone = pointed(entry, "target"), entry.target_bone
     if target is None:
         return None
@@ -78,7 +81,11 @@ def _place(rig, bone):
 
 
 def _gaze(rig, bone, forward, point, reach):
-    """The line along which a bone looks, as long as a share of the way to the target."""
+    """Batch with the line along which a bone looks; its color says whether the bone looks at the target.
+
+    forward: unit vector in the bone's space. point: world position of the target. reach: length of the line, as a share of the
+    distance from the bone to the target.
+    """
     pose = rig.matrix_world @ rig.pose.bones[bone].matrix
     along = (pose.to_3x3() @ forward).normalized()
     way = point - pose.translation

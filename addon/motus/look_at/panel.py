@@ -1,4 +1,4 @@
-"""The panel of Look At, in the sidebar's tab and in the bone's constraint properties."""
+"""Panel of Look At, in the 3D Viewport's sidebar and in the Bone Constraints tab of the Properties editor."""
 
 import math
 
@@ -14,19 +14,19 @@ from .setup import system
 
 
 def active_entry(rig):
-    """The entry that the list has marked; None where there is none."""
+    """Entry that is selected in the rig's list of heads; None if there is none."""
     settings = rig.motus.look_at
     return settings.entries[settings.active_entry] if 0 <= settings.active_entry < len(settings.entries) else None
 
 
 def outputs_of(context, rig, head):
-    """Outputs of the solver for a head, {name: value}, at the present frame; None if the solver has not run."""
+    """Numbers that the solver has reported for a head at the present frame, {name: value}; None if the head was not solved."""
     found = wiring.outputs_of(system(), rig, head, OUTPUTS, context.view_layer.depsgraph)
     return None if found is None else dict(zip(OUTPUTS, found))
 
 
 def draw_main(layout, context):
-    """The list of heads, what is wrong, and of the active one its target and weights."""
+    """Draw the list of heads, a message about what is wrong, and the target and weights of the selected head."""
     rig = context.object
     settings = rig.motus.look_at
     entry = active_entry(rig)
@@ -53,7 +53,7 @@ def draw_add(layout, context):
 
 
 def _words(context, rig):
-    """What the button says that lets one head look; "" where there is nothing to add to."""
+    """Text of the button that sets up Look At on one head bone; "" if there is no bone on which it could be set up."""
     if rig is None or rig.type != 'ARMATURE':
         return ""
     active = context.active_pose_bone if context.mode == 'POSE' else None
@@ -100,7 +100,7 @@ def _unwired(rig, entry):
 
 
 def draw_readouts(layout, context):
-    """Draw where the target is, as seen from the head."""
+    """Draw the angles at which the head sees its target, and the angle that is left to turn. Draw nothing if the head is not solved."""
     entry = active_entry(context.object)
     told = entry and outputs_of(context, context.object, entry.name)
     if not told or told["reason"] in reasons.UNWANTED or told["reason"] == reasons.MUTED:
@@ -116,8 +116,8 @@ def draw_readouts(layout, context):
 
 
 def draw_actions(layout, context):
-    """Baking and removing."""
-    column = layout.column(align=True)  # a row would be too narrow in a narrow editor
+    """Draw the buttons that bake and remove Look At."""
+    column = layout.column(align=True)  # in a narrow editor, a row would leave the buttons too little room
     ui.draw_bake(column)
     column.operator("motus.look_at_remove", text="Remove", icon='X').object = context.object.name
 
@@ -134,7 +134,7 @@ def draw_limits(layout, context):
 
 
 def draw_bones(layout, context):
-    """Draw which bones turn, and where they look at rest."""
+    """Draw the settings of which bones turn along with the head, and of the axes along which head and eyes look at rest."""
     rig = context.object
     entry = active_entry(rig)
     if entry is None:

@@ -1,4 +1,4 @@
-"""Presets of a head's settings."""
+"""Presets of Look At for the settings of one head."""
 
 import math
 
@@ -8,7 +8,7 @@ from ..core.interface.presets import Preset
 from .properties import KEYWORDS
 
 ENTRY = "bpy.context.object.motus.look_at.entries[bpy.context.object.motus.look_at.active_entry]"
-# What belongs to one rig or one shot is not part of a style.
+# Settings that belong to one rig or one shot, which presets and the copying of settings leave out.
 OF_THE_HEAD = {"weight", "head_forward", "eyes_forward"}
 
 

@@ -1,4 +1,4 @@
-"""Settings of Look At: Object.motus.look_at, with an entry for each head."""
+"""Settings of Look At: the property group Object.motus.look_at, with a list of entries, one for each head of a rig."""
 
 import math
 from functools import partial
@@ -17,7 +17,7 @@ FORWARDS = (
     *AXES,
 )
 ANY_BODY_LENGTH = -1
-"""body_length that lets the operator find the spine."""
+"""Value of the operator's keyword body_length for which the operator finds the number of spine bones."""
 
 
 _weight = partial(factor, options=ANIMATED)
@@ -29,7 +29,7 @@ def _limit(name, description, degrees):
 
 
 class LookAtKeywords:
-    """Mixin of an entry's settings and of the operator, which share these properties; scripts use the names as keywords."""
+    """Mixin with the properties that entries and the operator motus.look_at_add share; scripts give them by these names as keywords."""
 
     weight: _weight("Weight", "How much eyes, head and body turn to the target; 0 leaves the animation as it is", 1.0)
     body_weight: _weight("Body", "Share of the turn that the spine takes, spread over its bones", 0.3)

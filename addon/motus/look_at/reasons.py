@@ -1,20 +1,23 @@
-"""Why a gaze is where it is, as numbers of the output "reason" and as sentences."""
+"""Values of the solver's output "reason", which says why a head does not look at its target, and sentences about them for the user."""
 
 import math
 
 from ..core.translations import tr
 
 REACHED, TOO_FAR, TOO_NEAR, LIMIT = 0.0, 1.0, 2.0, 3.0
-"""Those of native.Reason that a look can have."""
+"""Values of native.Reason that the solver of Look At reports."""
 NOT_FINITE, NO_TARGET, TARGET_DELETED, NO_TARGET_BONE, MUTED = -1.0, -2.0, -3.0, -4.0, -5.0
 UNWANTED = (NOT_FINITE, NO_TARGET, TARGET_DELETED, NO_TARGET_BONE)
 
 SLIGHT = math.radians(0.5)
-"""A gaze that is off by less is on its target for the eye."""
+"""Angle in radians: a head or eye that misses its target by less counts as looking at it, since nobody sees the difference."""
 
 
 def sentence(reason, angle):
-    """What is to be said of a head in the user's language; "" where all is well."""
+    """Sentence in the user's language that says why a head does not look at its target; "" if it does, or if it is muted.
+
+    angle: angle in radians that is left to turn.
+    """
     if reason == NOT_FINITE:
         return tr("A setting is not a finite number")
     if reason == NO_TARGET:

@@ -1,4 +1,4 @@
-"""The rows of a head's settings: in the panels, and for the keywords in the redo panel."""
+"""Rows that draw the settings of a head: in the panels, and in the redo panel of the operator that adds a head."""
 
 from ..core.interface.rows import Row, Rows
 from ..core.translations import OWN_SENSE
@@ -8,7 +8,7 @@ WEIGHTS = Rows(
         Row("weight", text="Weight", text_ctxt=OWN_SENSE),
         "body_weight",
         "head_weight",
-        # An entry has a list of eyes; the operator finds them, or is given their names.
+        # The eyes of an entry are a collection. The operator's keyword `eyes` is a text; if it is empty, the operator may find eyes.
         Row("eyes_weight", active=lambda head: isinstance(head.eyes, str) or len(head.eyes) > 0),
     ),
     title="Weights",

@@ -1,4 +1,4 @@
-"""Setting heads up and taking them back: plain functions behind the operators."""
+"""Add, change and remove the entries of heads: functions that the operators of Look At call, and that need no window."""
 
 import bpy
 
@@ -10,23 +10,26 @@ from ..core.file.pointers import pointed
 from ..core.settings import entries
 from . import anatomy, facing
 
-DISTANCE = 6.0  # of the head bone's length: where a target is made
-TARGET_SIZE = 0.35  # of the head bone's length
-UNMOVED = 1e-4  # of the same: so near to where it was made a target stands there still
+DISTANCE = 6.0  # from the head to a new target, in lengths of the head bone
+TARGET_SIZE = 0.35  # display size of a new target, in lengths of the head bone
+UNMOVED = 1e-4  # in lengths of the head bone: a target this near to the place at which it was made counts as not moved
 MADE_KEY = "motus_look_at_target"
-"""Custom property of the empties that are made along with an entry."""
+"""Custom property that marks the empties that Motus has made as targets of heads."""
 
 
 def system():
-    """The registered System: the package's __init__ imports this module, not the other way round."""
+    """The registered System of Look At.
+
+    It is looked up by name: the package's __init__, which defines it, imports this module, so this module cannot import it.
+    """
     return registered["look_at"]
 
 
 def add(rig, head, changes, eyes, new_target=None):
-    """Let the bone look; gives its entry.
+    """Set up Look At on the bone named `head`, or change its settings. Returns the entry of the head.
 
-    changes: settings of its entry by name. eyes: names, None keeps those it has. new_target(rig, entry): makes a target where there
-    is none.
+    changes: {name: value} of the entry's settings. eyes: names of the eye bones; None keeps the present eyes.
+    new_target(rig, entry): makes a target if the entry has none; None leaves the entry without a target.
     """
     with entries.at_once(system(), rig) as settings:
         entry = settings.entries.get(head)
@@ -46,20 +49,23 @@ def add(rig, head, changes, eyes, new_target=None):
 
 
 def remove(rig, index):
-    """Take one head back, with the target that was made along with it."""
+    """Remove a head's entry by its index, and delete the target that Motus made for it if nothing else needs that target."""
     target = pointed(rig.motus.look_at.entries[index], "target")
     entries.remove(system(), rig, [index], "active_entry")
     remove_unneeded(target)
 
 
 def remove_unneeded(target):
-    """Delete a target that was made here, if nothing else needs it and nobody has animated it. target: an object or None."""
+    """Delete a target that Motus has made if nothing uses the object, and it has no animation data. target: an object or None."""
     if target and MADE_KEY in target and target.animation_data is None and not needed.is_needed(target):
         bpy.data.objects.remove(target)
 
 
 def turn(rig, entry):
-    """Let the character face a quarter further about its up axis. A target that stands where it was made goes along, so that nothing turns."""
+    """Turn the forward axis of a head's entry by a quarter about its up axis, counter-clockwise as seen from above.
+
+    A target that Motus has made, and that still stands at the place at which it was made, moves along, so that no bone turns.
+    """
     place, size = _in_front(rig, entry)
     target = pointed(entry, "target")
     goes_along = target and MADE_KEY in target and target.parent is None and (target.location - place).length < UNMOVED * size
@@ -69,7 +75,7 @@ def turn(rig, entry):
 
 
 def _in_front(rig, entry):
-    """(place in the world of a target that a head looks at as it is posed, length of the head bone in the world)."""
+    """(world position at which a new target lies straight ahead of the posed head, length of the head bone in world units)."""
     bone = rig.pose.bones[entry.name]
     pose = rig.matrix_world @ bone.matrix
     size = pose.to_3x3().col[1].length * bone.bone.length
@@ -77,7 +83,7 @@ def _in_front(rig, entry):
 
 
 def new_target(context, rig, entry):
-    """An empty in front of the head as it stands now, so that nothing turns before the empty is moved."""
+    """Make an empty straight ahead of the posed head, so that nothing turns until the empty is moved. Returns the empty."""
     place, size = _in_front(rig, entry)
     empty = bpy.data.objects.new(f"{rig.name} {entry.name} Target", None)
     empty[MADE_KEY] = True

@@ -1,4 +1,4 @@
-"""Look At: what a group's solver reads of Blender, and the one call of the native module."""
+"""Solver of Look At: it reads the heads of a group from the evaluated scene, and turns their bones by one call of the native module."""
 
 from ..core import native, rigs
 from ..core.declare import Problem
@@ -30,11 +30,17 @@ _FORM = {
         }
     ],
 }
-"""Of what groups.py notes. Older versions noted one axis for all eyes of a head, and had Z for up."""
+"""Form of the JSON text that groups.plan_of() writes.
+
+Older versions of Motus wrote one axis for all eyes of a head, and no up axis, which was Z.
+"""
 
 
 class Wired:
-    """The native plan of a group, and which bones look where; made anew when the rig changes."""
+    """Native LookAtPlan of a group of heads, and the axes along which head and eye bones look.
+
+    It is kept between frames, and made anew when the rig's bones change.
+    """
 
     def __init__(self, rig, rows, text):
         heads = stored.parse(text, _FORM)["heads"]
@@ -65,7 +71,7 @@ def _eye_axes(head):
 
 
 class _Source:
-    """An evaluated copy of a rig, as a group's entries need it. Raises KeyError where an entry is gone."""
+    """Entries of a group of heads in an evaluated copy of the rig. Raises KeyError if one of them no longer exists."""
 
     def __init__(self, rig, wired):
         self.wired = wired
@@ -77,11 +83,14 @@ class _Source:
 
 
 def solve(context):
-    """Turns of the group's bones at the context's frame. Never raises for a user's error."""
+    """Compute the turns of a group's bones at the present frame, into context.rotations and context.outputs.
+
+    Returns a Problem, or None if there is none. A user's error never raises an exception.
+    """
     text, looped = context.data.get(PLAN), context.data.get(LOOPED)
     try:
         source = rigs.source(context.owner, text, lambda rig, rows: Wired(rig, rows, text), _Source)
-    except (KeyError, ValueError):  # bones that are gone, or hang together otherwise
+    except (KeyError, ValueError):  # bones were removed, or have different parents
         return BONES_CHANGED
     if source.entries:
         problem = _solve(context, source)
@@ -125,7 +134,10 @@ def _solve(context, source):
 
 
 def _settings(settings, places, columns):
-    """(heads, columns) numbers, as the plan wants them."""
+    """Settings of the heads as LookAtPlan.solve() reads them, (heads, len(LookAtPlan.SETTINGS)) float64.
+
+    places: index of each head's entry. columns: {name of a setting: column}.
+    """
     entries = settings.entries
     values = np.zeros((len(places), len(columns)))
     column = np.empty(len(entries), np.float32)
@@ -140,7 +152,7 @@ def _settings(settings, places, columns):
 
 
 def _targets(entries):
-    """World places of what is looked at, (heads, 3), and for each head why there is none."""
+    """World positions of the heads' targets, (heads, 3), and for each head a reason (heads,): REACHED, or why it has no target."""
     points = np.zeros((len(entries), 3))
     found = np.full(len(entries), reasons.REACHED)
     for row, entry in enumerate(entries):
@@ -149,7 +161,7 @@ def _targets(entries):
             found[row] = reasons.NO_TARGET
         elif deleted.is_deleted(target):
             found[row] = reasons.TARGET_DELETED
-        elif not entry.target_bone or target.pose is None:  # without bones a name is left from an earlier target
+        elif not entry.target_bone or target.pose is None:  # on an object without bones, a bone's name is left from an earlier target
             points[row] = target.matrix_world.translation
         elif entry.target_bone in target.pose.bones:
             points[row] = target.matrix_world @ target.pose.bones[entry.target_bone].head

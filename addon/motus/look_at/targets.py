@@ -1,4 +1,7 @@
-"""Which rig, head and target an operator works on: by name from scripts, else by selection. Refusals are sentences."""
+"""Find the rig, head and target that an operator of Look At works on: by the names that scripts give, or by selection.
+
+Errors are raised as Refused, with a sentence for the user.
+"""
 
 from ..core import wiring
 from ..core.declare import entries_on, systems
@@ -10,7 +13,7 @@ from .properties import ANY_BODY_LENGTH
 
 
 def rig_for(context, name):
-    """The armature object by name; else the active one."""
+    """Armature object of a name, or the active object if the name is empty. Raises Refused if it is no armature."""
     if not name:
         if context.object is None or context.object.type != 'ARMATURE':
             raise Refused(tr("Select the armature whose head shall look"))
@@ -22,7 +25,7 @@ def rig_for(context, name):
 
 
 def looking_rig(context, name):
-    """The rig by name, or else the active one. Raises Refused if no head of it looks at a target."""
+    """Object of a name, or the active object if the name is empty. Raises Refused if Look At is not set up on it."""
     rig = named(name) if name else context.object
     if rig is None or not rig.motus.look_at.is_active:
         raise Refused(tr("Nothing here looks at a target"))
@@ -30,7 +33,10 @@ def looking_rig(context, name):
 
 
 def head_for(context, rig, name):
-    """Name of the head bone: the given one, else the active one in Pose Mode, else the one that is called head."""
+    """Name of the head bone of a rig. Raises Refused if there is none.
+
+    It is the given name; if that is empty, the active bone in Pose Mode, or else the bone that is called head.
+    """
     if name:
         check_bone(rig, name)
         return name
@@ -44,7 +50,10 @@ def head_for(context, rig, name):
 
 
 def entry_for(context, rig, name):
-    """Index of the entry of this head; without a name that of the active bone, or the active entry."""
+    """Index of the entry of the head bone of a name. Raises Refused if there is no such entry.
+
+    If the name is empty, it is the entry of the active bone in Pose Mode, or else the entry that is selected in the list.
+    """
     entries = rig.motus.look_at.entries
     if not entries:
         raise Refused(tr("Nothing here looks at a target"))
@@ -61,7 +70,10 @@ def entry_for(context, rig, name):
 
 
 def target_for(context, operator, rig):
-    """The target by name; else another selected object, where the rig was chosen by selection too; else None."""
+    """Object that the operator's keyword `target` names; without it the only selected object besides the rig; otherwise None.
+
+    The selection counts only if the rig was chosen by selection, too: if the operator's keyword `object` is empty.
+    """
     if operator.target:
         return named(operator.target)
     if operator.object:
@@ -71,7 +83,7 @@ def target_for(context, operator, rig):
 
 
 def check_target(target, bone):
-    """Refuse a bone that the target has not."""
+    """Refuse the name of a target bone that the target does not have. bone: "" for the object itself, which is always accepted."""
     if not bone:
         return
     if target is None or target.type != 'ARMATURE':
@@ -80,7 +92,7 @@ def check_target(target, bone):
 
 
 def check_eyes(rig, head, eyes):
-    """Refuse names of bones that cannot be the eyes of the head."""
+    """Refuse eyes that are named twice, do not exist, are no descendants of the head bone, or are descendants of a different eye."""
     if len(set(eyes)) < len(eyes):
         raise Refused(tr("An eye is named twice"))
     below = {bone.name for bone in rig.data.bones[head].children_recursive}
@@ -95,7 +107,11 @@ def check_eyes(rig, head, eyes):
 
 
 def spine_for(rig, head, wanted, up, taken):
-    """How many bones below the head turn along. up: what the rig stands along; taken: bones that others are about to turn."""
+    """Number of bones below the head, counted up the parents, that turn along. Raises Refused if fewer bones than wanted are there.
+
+    wanted: the number, or ANY_BODY_LENGTH to find neck and spine. up: up axis of the rig, an item of AXES. taken: set of the names
+    of bones that different heads are about to turn.
+    """
     if wanted == ANY_BODY_LENGTH:
         driven = taken.union(*(entry.drives for _, entry in _entries_beside(rig, head)))
         return anatomy.spine_length(rig, head, up, lambda bone: bone not in driven and not _is_constrained(rig.pose.bones[bone]))
@@ -106,7 +122,7 @@ def spine_for(rig, head, wanted, up, taken):
 
 
 def check_free(rig, head, driven):
-    """Refuse bones that Motus drives already, in another entry or by another system."""
+    """Refuse bones, by the names in `driven`, that a different entry or a different Motus system drives already."""
     for system, entry in _entries_beside(rig, head):
         shared = set(driven) & set(entry.drives)
         if shared:
@@ -116,14 +132,17 @@ def check_free(rig, head, driven):
 
 
 def _entries_beside(rig, head):
-    """(system, entry) of all that Motus does to the rig's bones, but for layers, which act beneath, and for this head."""
+    """Yield (system, Entry) for each entry by which Motus drives bones of the rig, without the entry of this head.
+
+    Systems that lay poses, such as layers, are left out: constraints act on top of their poses.
+    """
     for system, entry in entries_on(rig):
         if system.name != "look_at" or entry.name != head:
             yield system, entry
 
 
 def _is_constrained(bone):
-    """Whether a constraint that is not one of Motus's own moves a bone."""
+    """Whether a pose bone has an active constraint that Motus has not added."""
     return any(
         not constraint.mute and constraint.influence > 0.0 and not any(wiring.is_sink(system, constraint) for system in systems())
         for constraint in bone.constraints
@@ -131,7 +150,7 @@ def _is_constrained(bone):
 
 
 def check_loop(rig, head, driven, target, target_bone):
-    """Refuse a target that moves with the bones that turn."""
+    """Refuse a target, or its bone `target_bone`, that moves with the bones that the head turns. driven: names of these bones."""
     if target and wiring.depends(target, target_bone, rig, driven):
         raise Refused(
             tr("{target} moves with {head}, so {head} cannot look at it").format(
@@ -141,7 +160,7 @@ def check_loop(rig, head, driven, target, target_bone):
 
 
 def check_removable(rig, index):
-    """Refuse to remove a head that an override has from its library."""
+    """Refuse to remove the entry at an index if the rig is a library override that has the entry from its library."""
     if index < libraries.count_from_library(rig, "motus.look_at.entries"):
         raise Refused(
             tr("{bone} of {object} is from its library and cannot be removed here: mute it").format(
@@ -151,6 +170,6 @@ def check_removable(rig, index):
 
 
 def check_editable(rig):
-    """Refuse a rig whose set-up must not be changed."""
+    """Refuse a rig whose settings cannot be changed: it is linked from a different file, or baked."""
     check_local(rig)
     check_unbaked(rig, rig.motus.look_at)

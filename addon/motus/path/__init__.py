@@ -1,4 +1,4 @@
-"""Follow Path: objects on curves by arc length, with ease, banking, trains and meeting pins."""
+"""Follow Path: moves objects along curves by arc length, with easing, banking, trains, and pins that set the place at given frames."""
 
 from ..core.declare import System
 from . import bezier, edit_views, lists, members, operators, over_time, overlay, panel, presets, properties, solve, train

@@ -1,4 +1,4 @@
-"""Operator that adds Bézier curves of any degree: the control points are those of a poly spline, or placed objects."""
+"""Operator that adds a curve object for one Bézier curve of any degree; its control points are spline points or placed objects."""
 
 import bpy
 from mathutils import Vector
@@ -55,14 +55,14 @@ class MOTUS_OT_path_new_bezier(Operator, bpy.types.Operator):
 
 
 def default_points(degree):
-    """Control points of a new curve: spread along X, in turn to the left and to the right."""
+    """Return degree + 1 control points of a new curve along the X axis; the inner ones lie in turn left and right of the axis."""
     middle = range(1, degree)
     points = [Vector((LENGTH * i / degree - 0.5 * LENGTH, BULGE * (-1.0) ** i, 0.0)) for i in middle]
     return [Vector((-0.5 * LENGTH, 0.0, 0.0)), *points, Vector((0.5 * LENGTH, 0.0, 0.0))]
 
 
 def new_curve(name, points):
-    """Make a curve object, not linked yet, whose poly spline is the control polygon of one Bézier curve."""
+    """Create an unlinked curve object with one poly spline, whose points are the control points of one Bézier curve."""
     data = bpy.data.curves.new(name, 'CURVE')
     data.dimensions = '3D'
     data[CONTROL_POLYGON_KEY] = True
@@ -74,7 +74,7 @@ def new_curve(name, points):
 
 
 def _hook(curve, hooks):
-    """Hook each control point to an object; the curve object stands at the world's origin."""
+    """Add a Hook modifier for each control point, so that it follows an object; the curve object must be at the world origin."""
     for index, hook in enumerate(hooks):
         modifier = curve.modifiers.new(hook.name, 'HOOK')
         modifier.object = hook

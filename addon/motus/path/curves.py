@@ -1,4 +1,4 @@
-"""Read Blender's curves of any kind into the library's curves."""
+"""Convert Blender's splines (Bézier, NURBS, poly) into curve objects of the native module."""
 
 import threading
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ ALL_SPLINES = -1
 MAX_DEGREE = 64
 MAX_ORDER = 6
 CONTROL_POLYGON_KEY = "motus_bezier"
-"""Custom property of a curve whose poly splines are control polygons: the points of each are the control points of one Bézier curve."""
+"""Custom property of Curve data in which the points of each poly spline are the control points of one Bézier curve."""
 
 NO_SPLINES = Problem("The curve has no splines")
 NO_SUCH_SPLINE = Problem("The curve has no spline of this index")
@@ -38,7 +38,7 @@ _IN_WORLD = keeping.OfEvaluation(
 
 
 class Unreadable(Exception):
-    """A curve that cannot be read; `problem` says why."""
+    """Exception for a curve that cannot be converted into a native curve. Its attribute `problem` is the Problem that says why."""
 
     def __init__(self, problem):
         super().__init__(problem.sentence)
@@ -47,27 +47,27 @@ class Unreadable(Exception):
 
 @dataclass(frozen=True)
 class WorldCurve:
-    """A native curve in world space, and an array of the tilt (rad) at its segments' joints."""
+    """A native curve in world space. tilt: array of the splines' tilt in radians at the joints of the curve's segments."""
 
     curve: Any
     tilt: Any
 
 
 def read_evaluated(curve_object, depsgraph, index):
-    """The WorldCurve of an evaluated curve object. Raises Unreadable."""
+    """Convert the spline `index` (or ALL_SPLINES) of an evaluated curve object into a WorldCurve. Raises Unreadable."""
     return read(curve_object, curve_object.data.splines, depsgraph, index, curve_object.matrix_world)
 
 
 def read(curve_object, splines, depsgraph, index, matrix):
-    """The WorldCurve of spline `index` (or ALL_SPLINES) of an evaluated curve object. Raises Unreadable.
+    """Convert spline `index` (or ALL_SPLINES) of an evaluated curve object into a WorldCurve. Raises Unreadable.
 
-    splines: those of its evaluated data. Of an object with modifiers or shape keys the deformed splines are read on each call. Other
-    splines are
-    read once for each evaluated copy of the data, and transformed to the world once for each matrix. In Edit Mode Blender moves the points
-    within one copy, so that they are read on each call.
+    splines: the splines of the object's evaluated data. matrix: world matrix of the result.
+    If the object has modifiers or shape keys, the deformed splines are read on each call. In Edit Mode the splines are read on each call
+    too, since Blender then moves the points within one evaluated copy. All other splines are read once for each evaluated copy of the data,
+    and transformed to the world once for each matrix.
     """
     data = curve_object.data
-    is_edited = data.is_editmode  # Edit Mode shows one shape key alone
+    is_edited = data.is_editmode  # in Edit Mode Blender shows only the edited shape key
     is_deformed = bool(curve_object.modifiers or (data.shape_keys and not is_edited))
     copy = None if is_deformed or is_edited else copies.of(splines.id_data)  # the splines of a hidden object belong to its original data
     if copy is None or copy.has_animated_splines:
@@ -83,7 +83,7 @@ def read(curve_object, splines, depsgraph, index, matrix):
 
 
 def _in_world(curve, tilt, matrix):
-    # The mirror image of a tilt turns to the other side about the direction of travel.
+    # If the matrix mirrors the curve, the tilt turns in the opposite sense about the direction of travel.
     return WorldCurve(curve.transformed(np.array(matrix, dtype=float)), -tilt if matrix.is_negative else tilt)
 
 
@@ -103,9 +103,10 @@ def _read(curve_object, splines, depsgraph, index, is_deformed):
 
 
 def _read_shown(curve_object, splines, index, is_polygon):
-    """Read a curve in Edit Mode, where to_curve() leaves out edits and modifiers.
+    """Read a curve in Edit Mode, where to_curve() ignores edits and modifiers.
 
-    Reads the line that Blender draws; of a curve with a surface the edited points.
+    Reads the line that Blender draws, from to_mesh(). If the curve has a surface (a bevel, an extrusion or a fill), the edited control
+    points are read instead.
     """
     try:
         with keeping.aside():
@@ -117,7 +118,7 @@ def _read_shown(curve_object, splines, index, is_polygon):
 
 
 class _Strip(NamedTuple):
-    """A line of a mesh in the form of a spline of points."""
+    """A line of mesh edges, with the attributes that the reader of splines needs: points, use_cyclic_u and type."""
 
     points: Any  # (n, 3)
     use_cyclic_u: bool
@@ -125,7 +126,7 @@ class _Strip(NamedTuple):
 
 
 def _strips(mesh):
-    """Lines of a mesh without faces, whose edges join consecutive vertices."""
+    """Split a mesh without faces into lines (list of _Strip); edges join consecutive vertices, or the ends of a closed line."""
     points = _vectors(mesh.vertices, "co", 3)
     edges = set(map(tuple, np.sort(_whole_pairs(mesh.edges), axis=1).tolist()))
     starts = [at for at in range(len(points)) if (at - 1, at) not in edges]
@@ -154,7 +155,7 @@ def _read_splines(splines, index, is_polygon):
 
 
 def long_splines(splines):
-    """The splines with more than one point; followers of all splines skip single points, which have no length."""
+    """Return the splines that have more than one point. Followers of all splines skip single points, since a single point has no length."""
     return [one for one in splines if len(one.bezier_points if one.type == 'BEZIER' else one.points) > 1]
 
 
@@ -185,7 +186,7 @@ def _read_nurbs(spline, points, weights, tilt):
         raise Unreadable(HIGH_ORDER)
     options = spline.order_u, spline.use_cyclic_u, spline.use_endpoint_u, spline.use_bezier_u
     curve = native.module.BSpline(points, *options)
-    # Tilt is blended by the same basis functions as the position.
+    # A NURBS spline blends the tilt by the basis functions that blend the position.
     tilts = native.module.BSpline(np.column_stack((tilt, tilt, tilt)), *options)
     joints = np.arange(curve.segment_count + (not curve.cyclic), dtype=float)
     return curve, tilts.position(joints)[:, 0]
@@ -212,10 +213,10 @@ def _vectors(points, name, size):
 
 
 def _joined(parts):
-    """Join several curves into one chain, with gaps between them."""
+    """Join several native curves into one chain, with gaps between the curves; returns (chain, tilt at the joints)."""
     degree = max(curve.degree for curve, _ in parts)
     segments = np.concatenate([curve.elevate(degree - curve.degree).control_points.reshape(-1, degree + 1, 3) for curve, _ in parts])
-    # The tilt at a joint is that of the segment that begins there, so that at a gap the end tilt of the spline before is not used.
+    # At a joint the tilt of the segment that begins there is taken: at a gap the end tilt of the previous spline is not used.
     last, last_tilt = parts[-1]
     end = last_tilt[0 if last.cyclic else -1]
     tilt = np.concatenate([*(values[: curve.segment_count] for curve, values in parts), [end]])

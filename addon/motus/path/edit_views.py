@@ -1,7 +1,6 @@
-"""Orthographic views of a path from the top, the front and the side, and the way back to the views that the viewport had.
+"""Show a path in orthographic views from the top, the front and the side, and later restore the viewport's previous views.
 
-All of them at once are Blender's own quad view; nothing is written into the file. The previous views are remembered as long as Blender
-runs.
+The view ALL is Blender's own quad view. Nothing is written into the file: the previous views are remembered until Blender quits.
 """
 
 import math
@@ -24,19 +23,19 @@ SMALLEST = 1.0  # m
 SENSOR = 72.0  # mm: a view shows this length along the larger side of a viewport, times its distance over its lens
 
 VIEWS = {'TOP': Quaternion(), 'SIDE': Euler((math.pi / 2.0, 0.0, 0.0)).to_quaternion()}
-"""Rotation of each view."""
+"""Rotation of the viewport for each edit view."""
 KEPT = ("view_perspective", "view_rotation", "view_location", "view_distance", "is_orthographic_side_view", "view_perspective")
-"""Properties of a view that are restored, in this order: setting `view_perspective` to a camera's view overrides the others."""
+"""Properties of RegionView3D that are restored, in this order: setting `view_perspective` to a camera view overrides the others."""
 
 
 BESIDE = {'HEADER', 'TOOL_HEADER', 'TOOLS', 'UI'}
-"""Types of regions that may overlap the views."""
+"""Types of regions (headers, toolbar, sidebar) that may overlap the 3D views of a viewport."""
 LEAST_FREE = 0.25
-"""Share of a view's side that regions must leave free; if they leave less, the curve is fitted as if nothing overlapped the view."""
+"""Least share of a view's width and height that must be free of overlapping regions; below it the overlap is ignored."""
 
 
 class _Box(NamedTuple):
-    """A rectangle in pixels of the window."""
+    """A rectangle in the window's pixels."""
 
     left: float
     bottom: float
@@ -57,9 +56,10 @@ class _Box(NamedTuple):
 
 
 class _Before(NamedTuple):
-    """State of a viewport before its edit views.
+    """State of a viewport before it showed edit views.
 
-    view: edit view that is shown now. is_quad: whether the viewport was a quad view. kept: {name: value} for each of its previous views.
+    view: name of the edit view that is shown now. is_quad: whether the viewport was a quad view.
+    kept: a dictionary of property values (KEPT) for each RegionView3D that the viewport had.
     """
 
     view: str
@@ -68,7 +68,7 @@ class _Before(NamedTuple):
 
 
 _before = viewports.PerViewport()
-"""The state before the edit views (_Before), for each viewport that shows edit views."""
+"""State before the edit views (_Before) of each viewport that shows edit views."""
 
 
 class MOTUS_OT_path_edit_views(Operator, bpy.types.Operator):
@@ -105,7 +105,7 @@ class MOTUS_OT_path_edit_views(Operator, bpy.types.Operator):
         targets.curve_for(context, "", *_owners(context))
 
     def invoke(self, context, _event):
-        """Toggle between the edit views and the previous views, unless the caller has named a view."""
+        """Toggle between the edit views and the previous views, unless the caller has set the keyword that names a view."""
         if not self.is_given("view"):
             self.view = 'LEAVE' if is_on(context) else 'ALL'
         return self.execute(context)
@@ -136,7 +136,7 @@ def is_on(context):
 
 
 def draw_buttons(layout, context):
-    """Draw the button that shows the edit views, or ends them."""
+    """Draw the button that shows the edit views of a path, or that restores the previous views while edit views are shown."""
     if is_on(context):
         _draw_leave(layout)
     else:
@@ -144,12 +144,12 @@ def draw_buttons(layout, context):
 
 
 def register():
-    """Add the button that ends the edit views to the viewport's header, after the menus: a narrow header cuts its end off first."""
+    """Add the button that ends the edit views to the viewport's header, behind the menus: a narrow header cuts off its end first."""
     bpy.types.VIEW3D_MT_editor_menus.append(_draw_header)
 
 
 def unregister():
-    """Restore the previous views of all viewports, and remove the button from the header."""
+    """Restore the previous views of all viewports that show edit views, and remove the button from the viewport's header."""
     handlers.take_back(_leave_all, partial(bpy.types.VIEW3D_MT_editor_menus.remove, _draw_header))
 
 
@@ -167,14 +167,14 @@ def _owners(context):
 
 
 def _areas(context):
-    """The 3D viewport that the operator was called from; without one all viewports of the screen."""
+    """Return the 3D viewport that the operator was called from; all 3D viewports of the screen if it was called from a different editor."""
     if context.area and context.area.type == 'VIEW_3D':
         return [context.area]
     return [area for area in context.screen.areas if area.type == 'VIEW_3D'] if context.screen else []
 
 
 def _shown(area):
-    """Name of the edit view that an area shows; "" if the area shows none."""
+    """Name of the edit view that an area shows now; "" if the area shows no edit view."""
     before = _before.get(area.spaces.active)
     if before is None or area.type != 'VIEW_3D':
         return ""
@@ -188,7 +188,7 @@ def _other(areas):
 
 
 def _views(space):
-    """The RegionView3D objects of a viewport: one, or the four of a quad view."""
+    """Return the RegionView3D objects of a viewport: one, or four if it is a quad view."""
     return list(space.region_quadviews) or [space.region_3d]
 
 
@@ -236,7 +236,7 @@ def _value(view, name):
 
 
 def _boxes(area):
-    """Rectangles of an area: (all that its views cover, the part of it that no header, toolbar or sidebar overlaps)."""
+    """Return two rectangles of an area: the area of all its 3D views, and the part of it that no header, toolbar or sidebar overlaps."""
     views = [_Box(one.x, one.y, one.x + one.width, one.y + one.height) for one in area.regions if one.type == 'WINDOW']
     low, high = ([pick(ends) for ends in zip(*views)] for pick in (min, max))
     whole = _Box(*low[:2], *high[2:])
@@ -255,7 +255,7 @@ def _boxes(area):
 
 
 def _quarters(box):
-    """Rectangles that the front, top and right views of a quad view will have. Blender lays them out only after the operator has ended."""
+    """Return the rectangles of the front, top and right views of a quad view, which Blender lays out only after the operator has ended."""
     x, y = (box.left + box.right) / 2.0, (box.bottom + box.top) / 2.0
     return _Box(box.left, box.bottom, x, y), _Box(box.left, y, x, box.top), _Box(x, box.bottom, box.right, y)
 
@@ -267,7 +267,10 @@ def _toggle_quad(window, area):
 
 
 def _fit(space, view, corners, box, free):
-    """Fit all corners into the free part of an orthographic view. box: rectangle of the view. free: the part that no region overlaps."""
+    """Move and zoom an orthographic view so that all corners lie in its free part.
+
+    corners: world positions. box: rectangle of the view. free: rectangle that no region overlaps.
+    """
     shown = _Box(*(max(ends) for ends in zip(box[:2], free[:2])), *(min(ends) for ends in zip(box[2:], free[2:])))
     if min(shown.width / box.width, shown.height / box.height) < LEAST_FREE:
         shown = box

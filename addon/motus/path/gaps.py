@@ -1,4 +1,4 @@
-"""Gaps of a train whose wagons touch: distances between the origins of neighbouring objects."""
+"""Compute the gaps of a train whose members touch: the distances between the origins of neighbouring objects."""
 
 import itertools
 
@@ -11,9 +11,9 @@ NO_LENGTH = 1e-6  # shortest extent that counts, m
 
 
 def touching_gaps(train, forward_axis):
-    """Distances from each object's origin to the next one's at which each object touches the one in front.
+    """Return the distance from each object's origin to the next object's origin at which neighbours in the train touch.
 
-    Objects without extent, such as lights, get DEFAULT_GAP.
+    Neighbours without extent along the path, such as lights, get DEFAULT_GAP.
     """
     extents = [_extent(obj, Vector(axes.vector(forward_axis))) for obj in train]
     gaps = [front - rear for (rear, _), (_, front) in itertools.pairwise(extents)]
@@ -21,7 +21,7 @@ def touching_gaps(train, forward_axis):
 
 
 def _extent(obj, direction):
-    """Rear and front end of an object along its own axis, from its origin, in metres."""
+    """Return (rear end, front end) of an object along a direction of its own axes, measured from its origin, in metres."""
     scale = abs(obj.matrix_world.to_scale().dot(direction))
     if obj.type == 'EMPTY':
         size = obj.empty_display_size * scale

@@ -111,7 +111,7 @@ class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):
 
 
 class WagonOperator(Operator):
-    """Mixin of the operators that act on one wagon of a train."""
+    """Mixin of the operators that act on one wagon (an object that follows a leader) of a train."""
 
     object: object_keyword("Name of the leader; empty takes the active one")
     index: bpy.props.IntProperty(
@@ -223,7 +223,7 @@ def _select_alone(context, obj):
 
 
 def _remove_pins(settings, frame):
-    """Remove the pins on a frame, and return how many there were."""
+    """Remove the pins of a follower at one frame; returns the number of removed pins."""
     found = [index for index, pin in enumerate(settings.pins) if pin.frame == frame]
     for index in reversed(found):
         settings.pins.remove(index)

@@ -1,4 +1,4 @@
-"""Objects that one set of path settings moves: the owner of the settings and the wagons of its train."""
+"""Find the objects that one set of path settings moves: the owner of the settings, and the wagons of its train."""
 
 from ..core.file import libraries
 from ..core.file.choices import chosen
@@ -7,20 +7,20 @@ from ..core.lazy import numpy as np
 
 
 def channels(settings):
-    """Transform channels that the path sets; without an orientation the object keeps its own rotation."""
+    """Return the transform channels that the path drives. Without an orientation these exclude the rotation, which the object keeps."""
     return frozenset({"location"} if chosen(settings, "orientation") == 'NONE' else {"location", "rotation"})
 
 
 def members(owner):
-    """Objects that the settings of an owner move: the owner, then its wagons.
+    """Return the objects that the path settings of an owner move: the owner first, then its wagons.
 
-    Wagons whose leader is another object are left out: the copy of a leader lists the wagons of the first leader.
+    A wagon whose leader is a different object is left out: a copied leader still lists the wagons of the original leader.
     """
     return [owner] + [pointed(wagon, "object") for wagon in _wagons(owner)]
 
 
 def offsets(owner):
-    """Distances along the path from the owner to each member. Each wagon is one gap behind the member in front of it."""
+    """Return the distance along the path from the owner to each member, (n,). Each wagon lies one gap behind the member in front."""
     gaps = [wagon.gap for wagon in _wagons(owner)]
     return -np.cumsum([0.0, *gaps])
 
@@ -34,18 +34,18 @@ def _is_own(wagon, owner):
 
 
 def index_of(leader, wagon):
-    """Index of an object in its leader's list of wagons, or -1."""
+    """Index of an object in its leader's list of wagons; -1 if the list does not contain the object."""
     return next((i for i, entry in enumerate(leader.motus.path.wagons) if pointed(entry, "object") == wagon), -1)
 
 
 def is_wagon(obj):
-    """Whether an object is a wagon of a train. The copy of a wagon names the leader too, but the leader does not list the copy."""
+    """Whether an object is a wagon of a train. A copied wagon is none: it names a leader, but the leader does not list it."""
     leader = pointed(obj.motus.path, "leader")
     return leader is not None and index_of(leader, obj) >= 0
 
 
 def take_out(leader, index):
-    """Remove a wagon from its leader's list; the wagons behind it keep their places."""
+    """Remove a wagon from its leader's list; the gap of the next wagon grows, so that the wagons behind keep their places."""
     wagons = leader.motus.path.wagons
     if index + 1 < len(wagons):
         wagons[index + 1].gap += wagons[index].gap

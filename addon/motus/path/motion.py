@@ -1,4 +1,4 @@
-"""Distance along the path at the present frame: converts the timing settings to the library's Timing."""
+"""Compute a follower's distance along the path at a frame, by converting the timing settings into a Timing of the native module."""
 
 import math
 from collections.abc import Callable
@@ -31,7 +31,8 @@ INFINITE = 3.4e38  # Blender stores infinity as a number above this one
 class Motion:
     """Motion of a follower along the curve: the distance at the present frame is timing.distance(time) + offset.
 
-    clock: function that gives the time at another frame while no setting changes; None if the time is the same on all frames.
+    problem: a Problem that does not block the solver, or None. clock: function of (context, numbers) that returns the time at the context's
+    frame, and is valid until a setting changes; None if the timing belongs to one frame.
     """
 
     timing: Any
@@ -50,9 +51,10 @@ class Motion:
 
 
 def motion(context, numbers, length, past):
-    """Compute the Motion at the context's frame; returns a blocking Problem if the settings have no meaning.
+    """Compute the Motion of a follower at the context's frame; returns a blocking Problem if the settings have no meaning.
 
-    past: seconds before the present time for which the timing must be exact; *Lag* and the overlay look back so far.
+    numbers: {name: value} of the numeric settings. length: length of the path.
+    past: seconds before the present time for which the timing must be exact. *Lag* and the viewport overlay look back so far.
     """
     if not all(map(is_finite, numbers.values())):
         return NOT_FINITE
@@ -60,7 +62,7 @@ def motion(context, numbers, length, past):
 
 
 def is_finite(value):
-    """Whether a setting's value is a finite number."""
+    """Whether a number from a setting is finite. Blender stores infinity as the largest single-precision number."""
     return abs(value) < INFINITE
 
 

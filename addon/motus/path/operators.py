@@ -1,4 +1,4 @@
-"""Operators that add and remove followers."""
+"""Operators that let objects follow a path, and that remove followers."""
 
 import bpy
 
@@ -13,7 +13,10 @@ from .properties import KEYWORDS, NewFollowKeywords
 
 
 def follower_for(context, name=""):
-    """The follower of this name, or the active object. Raises Refused if the object is no follower or must not be changed."""
+    """Return the object of this name, or the active object, which must follow a path.
+
+    Raises Refused if the object follows no path, or must not be changed.
+    """
     obj = bpy.data.objects.get(name) if name else context.object
     if obj is None or not obj.motus.path.is_active:
         raise Refused(tr("Nothing here follows a path"))
@@ -39,7 +42,7 @@ def for_new(context, owner, curve, keywords, is_train=False):
 
 
 def make_active(context, obj):
-    """Make the object active, so that the panels show its new set-up instead of the curve."""
+    """Make an object the active object, so that the panels show the new follower instead of the curve."""
     if obj.name in context.view_layer.objects:
         context.view_layer.objects.active = obj
 
@@ -124,7 +127,7 @@ def _is_set_up(obj):
 
 
 def _remove(obj):
-    """Remove an object's follower set-up, uncouple a wagon, or free a stray wagon; returns False if the object is none of these."""
+    """Remove the follower settings of an object, uncouple a wagon, or free a stray wagon; returns False if the object is none of these."""
     settings = obj.motus.path
     if not _is_set_up(obj):
         return False

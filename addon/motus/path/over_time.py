@@ -1,4 +1,7 @@
-"""Transforms of followers at any times, for systems that read their past: the path's solver is called for each time."""
+"""Transforms of followers at any times, for systems whose solvers read the past of an object.
+
+The path's solver is called for each time.
+"""
 
 import functools
 from types import SimpleNamespace
@@ -22,12 +25,18 @@ CHOICES = tuple(name for name in solve.SHARED if name not in {"influence", "pins
 
 
 def over_time(owner, thing, scene):
-    """Implement System.over_time for Follow Path; None for objects that are no members of the owner, such as the copy of a wagon."""
+    """Return an OverTime for an object that the owner's path settings move (the hook System.over_time of the registry).
+
+    Returns None if the object is neither the owner nor one of its wagons, such as a copied wagon.
+    """
     return OverTime(owner, thing, scene) if thing in members.members(owner) else None
 
 
 class OverTime:
-    """Transforms over time of a follower or wagon (see core/tracks/solved.py). owner and thing are both original or both evaluated."""
+    """Transforms over time of a follower or wagon; core/tracks/solved.py calls the methods.
+
+    owner: object with the path settings. thing: the owner or a wagon. Both are original objects, or both are evaluated copies.
+    """
 
     def __init__(self, owner, thing, scene):
         self._owner, self._thing, self._scene = owner, thing, scene
@@ -48,7 +57,7 @@ class OverTime:
 
     @property
     def reason(self):
-        """Why the transforms at other times are unknown; None if they are known. Same contract as Channel.reason."""
+        """Reason why the transforms at other frames are unknown; None if they are known."""
         settings, thing = self._settings, self._thing.name
         if not self._channel("influence").is_constant or settings.influence != 1.0:
             return Reason(Reason.INFLUENCE, thing=thing, name=self._owner.name)
@@ -58,11 +67,17 @@ class OverTime:
         return next((track.reason for track in tracks if track.reason), None)
 
     def applied(self, times, matrices):
-        """World matrices with the follower's location and rotation at `times`; called by core/tracks/solved.py."""
+        """Return world matrices (n, 4, 4) with the location and rotation that the path gives at `times`, and the scale of `matrices`.
+
+        matrices: world matrices that the object would have if the path did not act. core/tracks/solved.py calls this method.
+        """
         return placed(np.broadcast_to(matrices, (len(times), 4, 4)), *self._poses(times))
 
     def _poses(self, times):
-        """Solve the follower at times (n,): (locations, rotations or None, whether the path acts at each time)."""
+        """Call the solver at each of the times (n,).
+
+        Returns (locations, rotations or None if the path sets none, whether the path acts at each time).
+        """
         offsets, count = members.offsets(self._owner), len(times)
         values = np.stack([track.values(times) for track in self._numbers.values()], axis=1).tolist()
         matrices = self._curve.values(times) if self._curve else [None] * count
@@ -91,7 +106,10 @@ class OverTime:
         return locations, rotations if is_turned else None, acts
 
     def bounds(self, first, last):
-        """Times between which the transforms are smooth: frames, and where a setting or the curve bends (see Channel.bounds)."""
+        """Return rising times from first to last; between neighbours the transforms are smooth.
+
+        The times are whole frames, and the times at which a setting or the curve's transform may bend.
+        """
         found = [track.bounds(first, last) for track in self._numbers.values()]
         if self._curve:
             found.append(self._curve.bounds(first, last))
@@ -99,12 +117,12 @@ class OverTime:
 
     @property
     def extent(self):
-        """Time range of the motion. It is unbounded, since the frames without motion are unknown (see Channel.extent)."""
+        """(first, last) frame between which the transforms change: infinite, since the frames without motion are unknown."""
         return -np.inf, np.inf
 
     @property
     def stamp(self):
-        """Hashable value that changes whenever the transforms over time change (see Channel.stamp)."""
+        """Hashable value that changes whenever the transforms at any time change; None if this cannot be known."""
         settings = self._settings
         return together(
             (
@@ -120,7 +138,7 @@ class OverTime:
         )
 
     def _shape(self):
-        """Hashable description of the curve's shape."""
+        """Hashable value of the curve's control points, closedness and tilt; a Problem if the curve cannot be read."""
         curve = pointed(self._settings, "curve")
         try:
             read = curves.read(curve, curve.data.splines, None, self._settings.spline, Matrix())

@@ -1,4 +1,4 @@
-"""Viewport overlay of a path: the exact curve coloured by speed, the control polygon, tangents and frames."""
+"""Viewport overlay of a path: draws the exact curve coloured by speed, the control polygon, tangents, and orientation axes."""
 
 import math
 
@@ -29,7 +29,7 @@ RIGHT_COLOR = (0.95, 0.30, 0.35, 0.9)
 
 
 def _batches(context, owner):
-    """Drawing batches for a follower, a wagon, a followed curve or a Motus Bézier curve; none for other objects."""
+    """Return the drawing batches for a follower, a wagon, a followed curve or a Motus Bézier curve; [] for all other objects."""
     depsgraph = context.evaluated_depsgraph_get()
     leader = pointed(owner.motus.path, "leader") or owner
     if leader.motus.path.is_active and pointed(leader.motus.path, "curve"):
@@ -93,9 +93,9 @@ def _curve_batches(shown, curve, speeds):
 
 
 def _parameters(curve):
-    """Parameters (segments, steps) at which the curve is drawn.
+    """Return the parameters (segments, steps) at which a native curve is sampled for drawing.
 
-    The last parameter of a segment still belongs to that segment, since the next segment may begin at another place.
+    The last parameter of each segment lies just before the segment's end, since the next segment may begin at a different place.
     """
     count = curve.segment_count
     steps = max(2, min(STEPS_PER_SEGMENT, LARGEST_STEPS // count))
@@ -106,7 +106,7 @@ def _parameters(curve):
 
 
 def _pairs(strips):
-    """Pairs of line ends, from strips of points (k, m, d)."""
+    """Convert k strips of m points, (k, m, d), into an array of line segments: two consecutive rows for each segment."""
     pairs = np.stack((strips[:, :-1], strips[:, 1:]), axis=2)
     return np.ascontiguousarray(pairs.reshape(-1, strips.shape[-1]), dtype=np.float32)
 

@@ -1,4 +1,4 @@
-"""The panel of Follow Path, in the sidebar's tab and in the object's constraint properties."""
+"""Panels of Follow Path, in the sidebar and in the object's constraint properties."""
 
 import bpy
 
@@ -20,7 +20,7 @@ REPLACED = Problem(
 
 
 def draw_main(layout, context):
-    """Draw what is wrong, the curve, and for a wagon its train."""
+    """Draw the solver's error message and the curve field; for a wagon draw its train."""
     obj = context.object
     settings = obj.motus.path
     if members.is_wagon(obj):
@@ -37,7 +37,7 @@ def draw_main(layout, context):
 
 
 def replaces_animation(follower):
-    """Whether keys or drivers of a follower's own transform have no effect, since the path alone says where the follower is."""
+    """Whether the follower's transform has keys or drivers that have no effect, since the path overrides the transform."""
     settings, animation = follower.motus.path, follower.animation_data
     if animation is None or settings.influence < 1.0:
         return False
@@ -79,7 +79,7 @@ def draw_about(layout, context):
 
 
 def draw_actions(layout, context):
-    """Draw the buttons for baking, edit views and removing."""
+    """Draw the buttons that bake the follower, show the edit views, and remove the follower."""
     column = layout.column(align=True)  # as a row the buttons would be cut off in a narrow editor
     ui.draw_bake(column)
     edit_views.draw_buttons(column, context)
@@ -104,7 +104,7 @@ def _draw_stray(layout, stray, leader):
 
 
 def draw_readouts(layout, context):
-    """Draw length, distance, speed and fraction of the follower at the present frame."""
+    """Draw the path's length, and the follower's distance, speed and fraction of the path at the present frame."""
     depsgraph, owner = context.view_layer.depsgraph, context.object
     values = {name: wiring.output(system(), owner, name, depsgraph) for name in ("length", "distance", "speed", "fraction")}
     if None in values.values():
@@ -121,7 +121,7 @@ def draw_readouts(layout, context):
 
 
 def draw_timing(layout, context):
-    """Draw the settings that give the place at a time."""
+    """Draw the settings that determine the place on the path at a time."""
     settings = context.object.motus.path
     rows.TIMING.draw(ui.split(layout), settings)
     if settings.timing == 'PINS':
@@ -129,12 +129,12 @@ def draw_timing(layout, context):
 
 
 def draw_orientation(layout, context):
-    """Draw the settings of the orientation."""
+    """Draw the settings of the follower's orientation along the path."""
     rows.ORIENTATION.draw(ui.split(layout), context.object.motus.path)
 
 
 def draw_train(layout, context):
-    """Draw the list of wagons and their gaps."""
+    """Draw the list of a train's wagons with their gaps."""
     settings = context.object.motus.path
     _, _, buttons = ui.draw_list(
         layout, "MOTUS_UL_path_wagons", settings, "wagons", "active_wagon", "motus.path_wagon_add", "motus.path_wagon_remove", rows=4

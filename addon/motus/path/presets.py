@@ -1,4 +1,4 @@
-"""Presets of Follow Path."""
+"""Presets of a follower's settings."""
 
 import math
 
@@ -6,7 +6,7 @@ from ..core.interface import presets
 from ..core.interface.presets import Preset
 from .properties import KEYWORDS
 
-# Settings that belong to one shot are not part of a preset.
+# A preset leaves out settings that belong to one shot, such as frames and distances.
 OF_THE_SHOT = {"spline", "start_frame", "offset", "distance_factor", "influence"}
 
 BROUGHT = (

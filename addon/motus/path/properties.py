@@ -1,4 +1,4 @@
-"""Settings of Follow Path, in Object.motus.path, and the keywords that its operators share with them."""
+"""Settings of Follow Path in Object.motus.path, and mixins with the properties that its operators have too."""
 
 from functools import partial
 
@@ -130,9 +130,10 @@ KEYWORDS = tuple(FollowKeywords.__annotations__)
 
 
 class NewFollowKeywords(FollowKeywords):
-    """Keywords of operators that make new followers.
+    """Mixin with the properties of the operators that create followers.
 
-    Without a keyword *Ends* is chosen by the curve: closed curves loop, trains line up.
+    If the caller does not give *Ends*, the curve decides: on closed curves followers loop; on open curves trains line up and single objects
+    stop.
     """
 
     extend: choice(

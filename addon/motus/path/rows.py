@@ -1,4 +1,4 @@
-"""Rows of the follower's settings, for the panels and for the redo panels of the operators."""
+"""Rows of a follower's settings, drawn in the panels and in the operators' Adjust Last Operation panels."""
 
 from ..core.interface.rows import Row, Rows, is_not, is_one_of, is_positive
 from ..core.translations import OWN_SENSE

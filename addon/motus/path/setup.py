@@ -1,4 +1,4 @@
-"""Functions that set followers up and remove them, used by the operators."""
+"""Functions that set up followers and remove them; the operators call them."""
 
 from ..core import wiring
 from ..core.blender import actions
@@ -11,15 +11,18 @@ PREFIX = "motus.path."
 
 
 def system():
-    """The registered System of Follow Path. It cannot be imported at the top, since the package's __init__ imports this module."""
+    """The registered System of Follow Path. A top-level import is impossible, since the package's __init__ imports this module."""
     return registered["path"]
 
 
 def attach(owner, curve, keywords, wagons=None):
-    """Let `owner` follow `curve`. keywords: settings. wagons: list of (object, gap); None keeps the present wagons."""
+    """Let `owner` follow `curve`.
+
+    keywords: {name: value} of path settings. wagons: list of (object, gap); None keeps the present wagons.
+    """
     settings = owner.motus.path
     if settings.is_active:
-        # Wire once at the end, instead of after every change of a setting.
+        # attach() below adds the constraints and drivers once, instead of after every change of a setting.
         wiring.detach(system(), owner)
     settings.curve = curve
     for name, value in keywords.items():
@@ -33,7 +36,7 @@ def attach(owner, curve, keywords, wagons=None):
 
 
 def clear(owner):
-    """Remove a follower: its wiring, the keys and drivers of its settings, and the settings."""
+    """Remove the follower set-up of an owner and its wagons: constraints and drivers, the settings' keys and drivers, and the settings."""
     driven = members.members(owner)
     wiring.detach(system(), owner)
     actions.remove(owner, (PREFIX,))
@@ -42,7 +45,7 @@ def clear(owner):
 
 
 def is_stray(obj):
-    """Whether a train drives the object without listing it: the object is the copy of a wagon, or its leader was deleted."""
+    """Whether a train drives an object that no train lists: a copied wagon, or a wagon whose leader was deleted."""
     settings = obj.motus.path
     if settings.is_active or members.is_wagon(obj):
         return False
@@ -50,18 +53,18 @@ def is_stray(obj):
 
 
 def free(obj):
-    """Free a stray wagon, so that it stands at its own transform again."""
+    """Remove what drives a stray wagon (a wagon that no train lists), so that the object returns to its own transform."""
     wiring.release(system(), obj)
     reset(obj)
 
 
 def reset(obj):
-    """Reset an object's path settings to their defaults."""
+    """Reset the path settings of an object to their defaults."""
     forget(system(), obj)
 
 
 def uncouple(leader, index):
-    """Remove a wagon from its train; the wagons behind it keep their places."""
+    """Remove the wagon at `index` from the train of its leader; the wagons behind it keep their places."""
     wagon = pointed(leader.motus.path.wagons[index], "object")
     members.take_out(leader, index)
     wiring.refresh(system(), leader)

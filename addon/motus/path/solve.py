@@ -1,4 +1,4 @@
-"""Solver of Follow Path: declares its inputs and calls the library once for the whole train."""
+"""Solver of Follow Path: declares its inputs and calls the native module once for the owner and all its wagons."""
 
 from ..core import native
 from ..core.declare import Deformed, Matrix, Problem, Setting, Splines
@@ -42,7 +42,11 @@ OUTPUTS = ("parameter", "fraction", "distance", "speed", "length")
 
 
 def solve(context, matrix, splines, deformed, **numbers):
-    """Compute the world-space poses of the owner and its wagons at the context's frame. Never raises for a user's error."""
+    """Write the world-space poses of the owner and its wagons at the context's frame into context.locations and context.rotations.
+
+    matrix, splines, deformed: evaluated inputs from the curve object. numbers: numeric settings by name.
+    Returns a Problem or None; a user's error never raises an exception.
+    """
     index = int(numbers["spline"])
     path = context.common.get(index)
     if path is None:
@@ -67,7 +71,7 @@ def solve(context, matrix, splines, deformed, **numbers):
 
 
 def _path(context, matrix, splines, index):
-    """Read the curve as a native WorldCurve; returns a Problem if it cannot be followed."""
+    """Convert the followed curve into a curves.WorldCurve; returns a Problem if the curve cannot be followed."""
     followed = context.target("curve")
     if matrix is None or splines is None or followed is None or followed.type != 'CURVE':
         return NO_CURVE
@@ -80,9 +84,10 @@ def _path(context, matrix, splines, index):
 
 
 def _still(context, numbers, length):
-    """Compute values that stay the same while no setting changes: (Motion, keywords of follow(), offsets of members, mirrored members).
+    """Compute the values that stay constant until a setting changes, so that the result can be cached.
 
-    Returns a Problem if the settings have no meaning.
+    Returns (Motion, keyword arguments of the native follow(), offsets of the owner and its wagons along the path, indices of mirrored
+    objects). Returns a Problem if the settings have no meaning.
     """
     settings = context.settings
     if chosen(settings, "forward_axis")[-1] == chosen(settings, "up_axis")[-1]:
@@ -109,10 +114,10 @@ def _mirrored(context):
 
 
 def _turn_mirrored(rotations, which, settings):
-    """Correct the rotations of mirrored members.
+    """Correct the quaternions of objects whose scale mirrors them; `which` holds their rows in `rotations`, which are changed in place.
 
-    Blender's constraints write a mirrored object's rotation as if its matrix had all axes reversed. A half turn about the third axis
-    brings the forward and up axes back.
+    Blender's constraints write the rotation of a mirrored object as if its matrix had all axes reversed. A half turn about the third axis
+    restores the forward and up axes.
     """
     across = ({"X", "Y", "Z"} - {chosen(settings, name)[-1] for name in ("forward_axis", "up_axis")}).pop()
     half_turn = np.array(HALF_TURNS[across])
@@ -122,7 +127,7 @@ def _turn_mirrored(rotations, which, settings):
 
 
 def follow_options(settings, numbers, tilt):
-    """Keywords of the library's follow() for these settings."""
+    """Keyword arguments of the native follow() for the settings of a follower. tilt: array for the orientation Tilt, or None."""
     mode, extend = chosen(settings, "orientation"), chosen(settings, "extend")
     options = {
         "mode": 'minimal' if mode == 'NONE' else mode.lower(),
@@ -138,7 +143,7 @@ def follow_options(settings, numbers, tilt):
 
 
 def mode_options(settings, numbers, tilt):
-    """Keywords that the orientation mode adds for the library's frames() and follow()."""
+    """Keyword arguments that the chosen orientation mode needs in the native functions frames() and follow()."""
     mode = chosen(settings, "orientation")
     if mode == 'TILT':
         return {"tilt": tilt}
@@ -169,7 +174,10 @@ def _write_outputs(outputs, curve, length, moving, time, offset, extend):
 
 
 def _within(distance, length, extend):
-    """Distance along the path after *Ends* is applied: stopped at an end, wrapped, or beyond the ends."""
+    """Apply the setting *Ends* to a distance along a path of this length.
+
+    The result stops at an end (clamp), wraps around (loop, ping-pong), or goes on beyond the ends (extrapolate).
+    """
     if 0.0 <= distance <= length or extend == 'extrapolate' or length == 0.0:
         return distance
     if extend == 'clamp':

@@ -1,4 +1,4 @@
-"""Find the objects that an operator works on: by the names that scripts give, or by selection. Errors are raised as Refused."""
+"""Find the objects that an operator works on, by the names that scripts give or by selection. Raise Refused if they do not suit."""
 
 import bpy
 
@@ -11,7 +11,7 @@ from .properties import EASE_TOLERANCE, KEYWORDS
 
 
 def named_list(names):
-    """Objects by comma-separated names, or all objects of the collection of this name."""
+    """Return the objects of a list of names with commas between, or all objects of the collection of this name."""
     collection = bpy.data.collections.get(names)
     if collection and names not in bpy.data.objects:
         return sorted(collection.objects, key=lambda found: found.name)
@@ -19,7 +19,7 @@ def named_list(names):
 
 
 def curve_for(context, name, *owners):
-    """The curve of this name; without a name the active or selected curve, or the curve of the first owner."""
+    """Return the curve object of this name; without a name the active or a selected curve, or the curve that owners[0] follows."""
     if name:
         found = named(name)
         if found.type != 'CURVE':
@@ -34,13 +34,16 @@ def curve_for(context, name, *owners):
 
 
 def selected_followers(context):
-    """The selected objects except curves, the active one first; without any the active object."""
+    """Return the selected objects that are no curves, the active object first.
+
+    If there are none, returns the active object, unless it is a curve.
+    """
     objects = sorted(context.selected_objects, key=lambda found: (found != context.object, found.name))
     return [found for found in objects if found.type != 'CURVE'] or [found for found in [context.object] if found and found.type != 'CURVE']
 
 
 def ends_for(curve, spline, is_train):
-    """Default of *Ends* for a spline: an item of EXTENDS. spline: index, or -1 for all splines."""
+    """Default of the setting *Ends* (an item of EXTENDS) for a new follower of a spline. spline: index, or -1 for all splines."""
     splines = curves.long_splines(curve.data.splines) if spline < 0 else curve.data.splines[spline : spline + 1]
     if splines and all(one.use_cyclic_u for one in splines):
         return 'LOOP'
@@ -48,14 +51,17 @@ def ends_for(curve, spline, is_train):
 
 
 def followers_of(curve):
-    """Objects with path settings that name the curve, sorted by name. Wagons are not among them."""
+    """Return the objects whose path settings name the curve, sorted by name. Wagons of their trains are not included."""
     users = bpy.data.user_map(subset=[curve], key_types={'OBJECT'}, value_types={'OBJECT'})
     found = [obj for obj in users.get(curve, ()) if obj.motus.path.is_active and pointed(obj.motus.path, "curve") == curve]
     return sorted(found, key=lambda obj: obj.name_full)
 
 
 def check_free(obj, curve, leader=None):
-    """Refuse an object that cannot follow the curve. leader: train that the object may be a wagon of already."""
+    """Raise Refused if an object cannot follow the curve.
+
+    leader: leader of the train in which the object may be a wagon already; None for no train.
+    """
     check_editable(obj)
     if obj == curve:
         raise Refused(tr("{object} cannot follow itself").format(object=obj.name))
@@ -67,13 +73,13 @@ def check_free(obj, curve, leader=None):
 
 
 def check_settings(obj, curve, keywords):
-    """Refuse settings that cannot work. The settings are checked as these keywords would change them."""
+    """Raise Refused if the path settings of an object, with the values of `keywords` in place of the present ones, cannot work."""
     if keywords.get("ease_in", 0.0) + keywords.get("ease_out", 0.0) > 1.0 + EASE_TOLERANCE:
         raise Refused(tr("ease_in and ease_out are together more than 1"))
     wanted = {name: keywords.get(name, getattr(obj.motus.path, name)) for name in KEYWORDS}
     if wanted["forward_axis"][-1] == wanted["up_axis"][-1]:
         raise Refused(tr(solve.AXES_NOT_ACROSS.sentence))
-    if curve.modifiers:  # these types make splines
+    if curve.modifiers:  # modifiers may create splines
         return
     if not curve.data.splines:
         raise Refused(tr(curves.NO_SPLINES.sentence))
@@ -82,13 +88,13 @@ def check_settings(obj, curve, keywords):
 
 
 def check_editable(obj):
-    """Refuse an object whose path settings must not be changed, such as a linked one."""
+    """Raise Refused if the path settings of an object must not be changed, such as those of a linked or baked object."""
     check_local(obj)
     check_unbaked(obj, obj.motus.path)
 
 
 def check_uncouplable(leader, index):
-    """Refuse to take a wagon out of a train that an override has from its library."""
+    """Raise Refused if the wagon at `index` came from a library: a library override cannot remove it from the train."""
     if index < libraries.count_from_library(leader, "motus.path.wagons"):
         raise Refused(
             tr("The wagons of {object} are from its library and cannot be uncoupled here: remove the train").format(object=leader.name)
@@ -96,14 +102,17 @@ def check_uncouplable(leader, index):
 
 
 def check_wagon(obj, curve, leader=None):
-    """Refuse an object that cannot become a wagon of a train."""
+    """Raise Refused if an object cannot become a wagon of a train on the curve.
+
+    leader: leader of the train in which the object may be a wagon already; None for no train.
+    """
     check_free(obj, curve, leader)
     if obj.motus.path.is_active:
         raise Refused(tr("{object} follows a path of its own: remove that first").format(object=obj.name))
 
 
 def curve_depends_on(curve, obj):
-    """Whether the curve is parented or hooked to the object."""
+    """Whether the curve is parented or hooked to the object, directly or through parents."""
     movers = [modifier.object for modifier in curve.modifiers if modifier.type == 'HOOK']
     seen = set()
     for mover in [curve.parent, *movers]:

@@ -1,4 +1,4 @@
-"""Operator that sets up a train: the wagons follow the leader at exact distances along the arc."""
+"""Operator that sets up a train: wagons follow a leader on the same curve at constant distances along the arc."""
 
 import bpy
 

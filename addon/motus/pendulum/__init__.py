@@ -1,4 +1,8 @@
-"""Pendulums: single, double, and fans of them, on pivots that may be moved."""
+"""Pendulums: single pendulums, double pendulums and fans of double pendulums, on pivots that may be moved.
+
+A fan is a number of double pendulums on one pivot that differ slightly in their starting angles. A pendulum has one or two rods with
+a bob at the end of each.
+"""
 
 from ..core.declare import System
 from . import build, drag, operators, over_time, overlay, panel, parts, presets, properties, solve, trail
@@ -8,7 +12,7 @@ SYSTEM = System(
     label="Pendulum",
     settings=properties.MOTUS_PG_pendulum,
     classes=(
-        # The group before the one that holds it.
+        # Blender has to know a property group before the property group that contains it is registered.
         properties.MOTUS_PG_pendulum_rod,
         properties.MOTUS_PG_pendulum,
         *operators.classes,

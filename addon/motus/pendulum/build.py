@@ -1,4 +1,4 @@
-"""Makes rods and bobs, parents them to the pivot, and takes them back: plain functions behind the operators."""
+"""Make rods and bobs, parent them to the pivot, and remove them: the functions that the operators call."""
 
 import colorsys
 import math
@@ -22,7 +22,11 @@ SATURATION, VALUE = 0.85, 0.8
 
 
 class Look(NamedTuple):
-    """Radii, m: of the rods, and of a bob of 1 kg. spacing: from one of the fan to the next, across the plane. hue: of the first."""
+    """Sizes and colours of new rods and bobs.
+
+    rod_radius: in m. bob_radius: of a bob of 1 kg, in m. spacing: distance between pendulums of a fan along the pivot's Y axis, in m.
+    hue: of the first pendulum's colour, from 0 to 1.
+    """
 
     rod_radius: float = 0.012
     bob_radius: float = 0.08
@@ -31,12 +35,12 @@ class Look(NamedTuple):
 
 
 def system():
-    """The registered System: the package's __init__ imports this module, not the other way round."""
+    """Return the System of pendulums from the registry, because this module cannot import the package that imports it."""
     return registered["pendulum"]
 
 
 def rebuild(pivot):
-    """Wire a pivot anew after its parts have changed, and its trail with it."""
+    """Adapt rods and bobs to the pivot's settings, then renew the drivers and constraints of the pendulum and its trail."""
     parts.fit(pivot)
     wiring.refresh(system(), pivot)
     own_trail = parts.own_trail(pivot)
@@ -45,7 +49,7 @@ def rebuild(pivot):
 
 
 def new_pivot(context, name, place):
-    """A new pivot in the active collection."""
+    """Make an empty as a new pivot in the active collection. place: its location."""
     pivot = bpy.data.objects.new(name, None)
     pivot.location = place
     pivot.empty_display_type = 'SPHERE'
@@ -55,7 +59,11 @@ def new_pivot(context, name, place):
 
 
 def attach(context, owner, kind, count, keywords, look, bobs=(), has_made_pivot=False):
-    """Give a pivot its pendulum, or fan of `count`. keywords: settings. bobs: objects that stand there, instead of new ones."""
+    """Make a pendulum, or a fan of `count` pendulums, on a pivot.
+
+    owner: the pivot. kind: 'SINGLE' or 'DOUBLE'. keywords: {setting: value}. look: a Look.
+    bobs: existing objects that become the bobs; if empty, bobs are made. has_made_pivot: whether the pivot is removed with the pendulum.
+    """
     settings = owner.motus.pendulum
     settings.kind, settings.count, settings.has_made_pivot = kind, count, has_made_pivot
     for name, value in keywords.items():
@@ -69,12 +77,12 @@ def attach(context, owner, kind, count, keywords, look, bobs=(), has_made_pivot=
 
 
 def angle_of(rod):
-    """Angle from hanging down of a vector in the pivot's space."""
+    """Return the angle between a rod, a vector in the pivot's space, and straight down, in radians; positive towards +X."""
     return math.atan2(rod.x, -rod.z)
 
 
 def end_matrices(settings):
-    """Matrices of the rods' ends of the first pendulum, in the pivot's space, at the start."""
+    """List the matrices of the ends of the first pendulum's rods at the start of the motion, in the pivot's space."""
     matrix = Matrix()
     found, above = [], 0.0
     for length, angle in zip(parts.lengths(settings), (settings.angle1, settings.angle2)):
@@ -106,7 +114,7 @@ def _add(collection, owner, index, shapes, material, look, bobs):
 
 
 def _take(entry, bob, rod, end):
-    """Hang a bob that is there on a rod, so that it stands where it does while the rod's end is at `end` in the world."""
+    """Parent an existing object to a rod as its bob, so that it keeps its place if the rod's end has the world matrix `end`."""
     entry.bob, entry.is_placed = bob, True
     entry.before, entry.rest = parts.values(bob.matrix_parent_inverse), parts.values(end.inverted_safe())
     bob.parent = rod
@@ -116,14 +124,14 @@ def _link(collection, name, mesh, parent, material):
     obj = bpy.data.objects.new(name, mesh)
     collection.objects.link(obj)
     obj.parent = parent
-    # The meshes are shared by all of the fan.
+    # All pendulums of a fan share the meshes, so the material is assigned to the object instead of the mesh.
     (slot,) = obj.material_slots
     slot.link, slot.material = 'OBJECT', material
     return obj
 
 
 def _shapes(settings, look, has_balls):
-    """(mesh of the rod, mesh of the bob or None) of each rod of one pendulum."""
+    """List (mesh of the rod, mesh of the bob or None) for each rod of one pendulum. has_balls: whether bobs are made."""
     masses = settings.mass1, settings.mass2
     thickest = max(look.rod_radius, 1e-5)
     return [
@@ -133,7 +141,7 @@ def _shapes(settings, look, has_balls):
 
 
 def _rod(length, radius):
-    """A round rod from the origin down to -length."""
+    """Make the mesh of a cylindrical rod from the origin down to z = -length."""
     ring = [(radius * math.cos(math.tau * i / SIDES), radius * math.sin(math.tau * i / SIDES)) for i in range(SIDES)]
     vertices = [(x, y, z) for z in (0.0, -length) for x, y in ring]
     sides = [(i, (i + 1) % SIDES, SIDES + (i + 1) % SIDES, SIDES + i) for i in range(SIDES)]
@@ -146,7 +154,7 @@ def _rod(length, radius):
 
 
 def _ball(radius):
-    """A sphere about the origin."""
+    """Make the mesh of a bob: a sphere around the origin."""
     vertices, faces = [(0.0, 0.0, radius)], []
     for ring in range(1, RINGS):
         turn = math.pi * ring / RINGS
@@ -182,7 +190,7 @@ def _mesh(name, vertices, faces):
 
 
 def _material(name, hue):
-    """A glossy colour."""
+    """Make a glossy material of a hue from 0 to 1."""
     color = (*colorsys.hsv_to_rgb(hue, SATURATION, VALUE), 1.0)
     material = bpy.data.materials.new(name)
     material.diffuse_color = color  # type: ignore[assignment]
@@ -196,7 +204,10 @@ def _material(name, hue):
 
 
 def clear(owner, keeps_objects):
-    """Take the pendulum back: wiring, keys of its settings, what was made, and the settings themselves."""
+    """Remove a pendulum: its drivers and constraints, the keys of its settings, its trail, and the settings themselves.
+
+    owner: the pivot. keeps_objects: whether the rods, bobs and pivot that Motus has made stay in the file.
+    """
     settings = owner.motus.pendulum
     entries = [
         (pointed(entry, "object"), pointed(entry, "bob"), entry.is_placed, parts.matrix(entry.before)) for entry in parts.own_rods(owner)
@@ -217,7 +228,11 @@ def clear(owner, keeps_objects):
 
 
 def free(rod, keeps_objects):
-    """Let the copy of a rod hang as it is placed; of a pendulum whose pivot is gone, take all back that is left."""
+    """Free a rod without a pendulum, such as a duplicated rod, from its constraints.
+
+    If the pivot of the rod's pendulum does not exist any more, all rods, bobs and trails that are left of the pendulum are treated.
+    keeps_objects: whether the rods and bobs stay in the file. Trails are always removed.
+    """
     rods = wiring.abandoned(system(), rod)
     bobs, trails = parts.left_with(rods)
     for obj in trails:

@@ -1,4 +1,7 @@
-"""The pendulum's own time: it runs while it is played, at a speed that may be keyed, from the start frame on."""
+"""The pendulum's own time: from the start frame on it runs while Playing is set, at the speed of the setting Speed.
+
+Both settings may have keys.
+"""
 
 import math
 from typing import NamedTuple
@@ -11,7 +14,10 @@ UNKNOWN = Problem("Playing or Speed is driven, or in NLA strips that are not kno
 
 
 class Clock(NamedTuple):
-    """seconds: since the start. rate: seconds in a second, where that is always the same; else None."""
+    """Time of a pendulum at a frame.
+
+    seconds: of the pendulum's own time since its start. rate: seconds of that time per second of the scene; None if the rate changes.
+    """
 
     seconds: float
     rate: float | None
@@ -19,12 +25,12 @@ class Clock(NamedTuple):
 
 
 def steady(settings):
-    """(start frame, rate) where nothing animates the settings."""
+    """Return (start frame, rate) of a pendulum whose settings are not animated. The rate is 0 if the pendulum is paused."""
     return settings.start_frame, settings.speed if settings.is_playing else 0.0
 
 
 def read(owner, settings, frame, fps):
-    """Clock of the pendulum at a frame of the scene: the time it has been running, from its keys. owner: original or evaluated."""
+    """Return the Clock of a pendulum at a frame of the scene: the time it has been running, from its keys. owner: original or evaluated."""
     start, frame = settings.start_frame, max(settings.start_frame, frame)
     playing, speed = (Channel(owner, f"{settings.path_from_id()}.{name}", -1) for name in ("is_playing", "speed"))
     if playing.reason or speed.reason:
@@ -41,7 +47,7 @@ def _steady(settings, frame, fps):
 
 
 def _runs(playing, first, last):
-    """(first, last) frames of the times between two frames in which a boolean Channel is on."""
+    """List the spans, [first, last] frame, between two frames in which a boolean Channel is true."""
     edges = playing.bounds(first, last)
     middles = 0.5 * (np.array(edges[:-1]) + np.array(edges[1:]))
     runs = []

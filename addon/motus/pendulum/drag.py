@@ -1,4 +1,4 @@
-"""The operator that drags the end bob of a paused pendulum: both rods follow, and the motion starts there, at rest."""
+"""The operator that drags the end bob of a paused pendulum: the rods follow, and the motion starts from that pose, at rest."""
 
 import math
 
@@ -17,12 +17,12 @@ from ..core.translations import tr
 from . import build, clock, parts, solve, targets
 
 NEAR = 30.0
-"""Pixels, at the interface's normal size."""
+"""Greatest distance between the mouse and a bob that can be grabbed, in pixels at the interface's normal size."""
 KEPT = ("angle1", "angle2", "velocity1", "velocity2", "start_frame")
 
 
 class Held:
-    """The end bob of one pendulum of a pivot's, which pull() takes to a place."""
+    """The end bob of one pendulum while it is dragged. number: index of the pendulum in its fan."""
 
     def __init__(self, context, pivot, number=0):
         depsgraph = context.view_layer.depsgraph
@@ -40,7 +40,7 @@ class Held:
         return self._pivot.motus.pendulum
 
     def pull(self, place):
-        """Take the bob to a place in the world, as far as the rods reach, in the plane of the swing."""
+        """Set the starting angles so that the bob is at a place in the world, as near as the rods and their plane of motion allow."""
         if place == self.point:
             self.restore()
             return
@@ -56,18 +56,18 @@ class Held:
 
     @property
     def has_new_start(self):
-        """Whether the motion starts later than before, so that what was before is replaced."""
+        """Whether the drag has moved the start of the motion to a later frame, so that the motion before that frame is lost."""
         return self._settings.start_frame > self._before["start_frame"]
 
     def restore(self):
-        """Put the settings back."""
+        """Restore the settings as they were before the drag."""
         for name, value in self._before.items():
             setattr(self._settings, name, value)
 
     def _bent(self, goal):
         lengths = parts.lengths(self._settings)
         upper, _ = self._angles
-        # The elbow stays on its side of the line from the pivot to the end.
+        # The joint between the rods stays on its side of the line from the pivot to the end.
         end, elbow = _reach(self._settings, self._angles), lengths[0] * _direction(upper)
         side = 1.0 if end.cross(elbow).y >= 0.0 else -1.0
         across = Vector((goal.z, 0.0, -goal.x)) * side
@@ -84,7 +84,7 @@ def _direction(angle):
 
 
 def _reach(settings, angles):
-    """Position of the end of the last rod in the pivot's space, for the `angles` of all rods."""
+    """Return the position of the end of the last rod in the pivot's space, for the `angles` of all rods."""
     found = Vector()
     for length, angle in zip(parts.lengths(settings), angles):
         found = found + length * _direction(angle)
@@ -92,7 +92,7 @@ def _reach(settings, angles):
 
 
 def _angles(context, pivot, number):
-    """Angles of one pendulum at the present frame."""
+    """Return the angles of one pendulum's rods at the present frame; refuses a pendulum whose motion cannot be computed."""
     settings, scene = pivot.motus.pendulum, context.scene
     swing = solve.swing_of(settings, scene)
     seconds = clock_at(context, pivot).seconds
@@ -105,20 +105,23 @@ def _angles(context, pivot, number):
 
 
 def clock_at(context, pivot):
-    """The Clock of a pendulum at the present frame."""
+    """Return the clock.Clock of a pendulum at the present frame."""
     scene = context.scene
     return clock.read(pivot, pivot.motus.pendulum, scene_time.present(scene), scene_time.fps(scene))
 
 
 def end_of(pivot, depsgraph, number, world):
-    """The end of a pendulum's rod, in the pivot's space."""
+    """Return the upper end of a pendulum's first rod in the pivot's space; zero if the rod does not exist.
+
+    number: index of the pendulum in its fan. world: world matrix of the pivot.
+    """
     settings = pivot.motus.pendulum
     rod = next((pointed(entry, "object") for entry in parts.own_rods(pivot) if entry.number == number * parts.rods_each(settings)), None)
     return world.inverted_safe() @ rod.evaluated_get(depsgraph).matrix_world.translation if rod else Vector()
 
 
 def check_stands_still(context, pivot):
-    """Refuse a pendulum whose time runs."""
+    """Refuse a pendulum that is playing at the present frame."""
     settings = pivot.motus.pendulum
     if settings.is_playing and scene_time.present(context.scene) > settings.start_frame:
         raise Refused(tr("The pendulum is playing: pause it first, or go to its start"))

@@ -1,4 +1,4 @@
-"""Operators that add pendulums, take them back, and let their time run or stand still."""
+"""Operators that add and remove pendulums and their trails, play and pause pendulums, and select their pivots."""
 
 import math
 
@@ -38,7 +38,7 @@ PLAYS = (
 )
 OTHER_ANGLES = math.radians(-70.0), math.radians(-170.0)
 APART = 1.25
-"""Of the reach of both rods, between the edges of the demonstration's pendulums."""
+"""Distance between neighbouring pivots of the demonstration, as a share of twice the length of both rods together."""
 
 _has_look = is_one_of("take", 'NEW', 'ACTIVE')
 
@@ -99,7 +99,7 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
     needs_native = True
     redo = (
         Rows(("kind", "take", Row("count", when=is_one_of("kind", 'FAN', 'CHAOS'))), title="Add"),
-        # What the panel does not have comes first: the whole is higher than most viewports.
+        # Settings that the system's panel does not show come first, because the redo panel is higher than most viewports.
         Rows(
             (
                 Row("rod_radius"),
@@ -147,9 +147,9 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
         return [pivot]
 
     def _kind_of(self, bobs):
-        """Single or double, by how many bobs there are."""
+        """Return 'SINGLE' or 'DOUBLE' by the number of bobs; refuses a different kind that was given together with the bobs."""
         kind = 'SINGLE' if len(bobs) == 1 else 'DOUBLE'
-        # Of selected bobs the kind is not asked for: an earlier call may have left it.
+        # If the bobs are the selected objects, a given kind is ignored, because an earlier call may have left it.
         if self.bobs and self.is_given("kind") and self.kind != kind:
             raise Refused(tr("A single pendulum has one placed bob, a double one two, and a fan none"))
         return kind
@@ -181,7 +181,7 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
         return look._replace(**units.defaults(context.scene, self.properties, free))
 
     def _checked(self, context):
-        """The keywords of the operator, completed by defaults from the scene; refuses values with which no pendulum can be made."""
+        """Return the operator's keywords, completed by defaults from the scene; refuses values with which no pendulum can be made."""
         keywords = self.given(KEYWORDS)
         check_finite(self, (*KEYWORDS, "rod_radius", "bob_radius", "spacing", "hue", "location"))
         positive = ("length1", "length2", "mass1", "mass2", "most_velocity", "most_acceleration")
@@ -249,7 +249,7 @@ def _check_any(found):
 
 
 class _OfAPivot(OfAnObject):
-    """Operators on a pendulum."""
+    """Base class of operators on the pendulum to which an object belongs."""
 
     object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
     modes = OBJECT_MODE

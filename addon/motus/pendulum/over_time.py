@@ -1,4 +1,4 @@
-"""Where the rods of a pendulum are at any times, for systems that need their past."""
+"""Motion of the rods of a pendulum at any times, for systems of Motus that need the past of objects."""
 
 import functools
 
@@ -17,7 +17,10 @@ from . import clock, parts, pivot_motion, solve
 
 
 def over_time(owner, thing, scene):
-    """System.over_time; None for what is no rod of the owner."""
+    """Return the motion over time of a rod; None if the object is no rod of the pendulum of this owner.
+
+    This is the function System.over_time. owner, thing: the pivot and the rod, both original or both evaluated.
+    """
     numbers = {pointed(entry, "object"): entry.number for entry in parts.own_rods(owner)}
     return OverTime(owner, thing, numbers[thing], tuple(numbers.values()), scene) if thing in numbers else None
 
@@ -40,20 +43,20 @@ class OverTime:
 
     @property
     def reason(self):
-        """The Reason for which the motion is not known at other frames; None if it is known."""
+        """The Reason why the motion at other frames cannot be computed; None if it can."""
         if self._pivot and not self._pivot.is_known:
             return self._pivot.reason
         return next((channel.reason for channel in self._channels.values() if channel.reason), None)
 
     def applied(self, times, matrices):
-        """See core/tracks/solved.py."""
+        """World matrices (n, 4, 4) of the rod with its swing, from `matrices` without the swing, at times (n,) of the scene."""
         turns = np.zeros((len(times), 3))
         turns[:, 1] = -self._channels["influence"].values(times) * self._angles(times)
         scales = own_track(self._rod).values(times).scales
         return turned(matrices, rotations.from_euler(turns, "Y"), scales)
 
     def _angles(self, times):
-        """(n,) of the rod against the one above it."""
+        """Return the angles (n,) of the rod relative to the rod above it, at times (n,); zeros if the pendulum cannot swing."""
         swing = solve.swing_of(self._settings, self._scene)
         if isinstance(swing, Problem) or deleted.is_deleted(self._owner) or not swing.has_rods(self._numbers):
             return np.zeros(len(times))
@@ -66,12 +69,12 @@ class OverTime:
 
         try:
             found = states(seconds)
-        except ValueError:  # some are too far from the start, where the rods hang as they are placed
+        except ValueError:  # at some times, too far from the start, the motion is unknown, and there the rods hang as they are placed
             found = np.concatenate([_known(states, second, 2 * swing.each) for second in seconds])
         return found[:, rod] - (found[:, 0] if rod else 0.0)
 
     def _clock(self, times):
-        """(seconds (n,), rate) as clock.Clock has them."""
+        """Return (seconds (n,), rate) of the pendulum's own time at times (n,); the rate is None if it changes."""
         fps = scene_time.fps(self._scene)
         if all(self._channels[name].is_constant for name in ("is_playing", "speed")):
             start, rate = clock.steady(self._settings)
@@ -84,20 +87,26 @@ class OverTime:
         return not (playing.is_constant and speed.is_constant) or clock.steady(self._settings)[1] != 0.0
 
     def bounds(self, first, last):
-        """Rising frames between which the motion is smooth: the start, and every whole frame."""
+        """Return rising frames from first to last; the rod's motion is smooth between neighbours.
+
+        They include the start, all whole frames, and frames at which animated settings are not smooth.
+        """
         start = self._settings.start_frame
         found = [channel.bounds(first, last) for channel in self._channels.values()]
         return union([[first, *([start] if first < start < last else []), *whole(first, last), last], *found])
 
     @property
     def extent(self):
-        """First and last frame between which the motion changes: from the start on, without end."""
+        """First and last frame between which the motion changes: the start frame and infinity, if the pendulum runs; None if it rests.
+
+        Keys of the influence extend the range.
+        """
         moving = (self._settings.start_frame, np.inf) if self._is_running else None
         return united([moving, self._channels["influence"].extent])
 
     @property
     def stamp(self):
-        """Changes whenever the motion may."""
+        """Hashable value that changes whenever the rod's motion may."""
         settings, scene = self._settings, self._scene
         return together(
             (
@@ -117,7 +126,7 @@ class OverTime:
 
 
 def _known(states, second, count):
-    """(1, count): the states at a time, those of a pendulum that hangs down where nobody knows them."""
+    """Return the states of a pendulum at one time, (1, count); zeros if they are unknown. states: function of times (n,)."""
     try:
         return states(np.array([second])) if abs(second) < INFINITE else np.zeros((1, count))
     except ValueError:

@@ -1,17 +1,17 @@
-"""What the viewport shows of a pendulum: the way of its end from the start on, in the pivot's plane."""
+"""Overlay of a pendulum in the viewport: the path of its end bob around the present time."""
 
 from ..core.interface.overlay import Batch, Overlay
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from . import clock, parts, solve
 
-SECONDS = 4.0  # of the pendulum's time, before and after the present one
+SECONDS = 4.0  # of the pendulum's own time, before and after the present moment
 STEPS = 480
 COLOR = (0.98, 0.80, 0.25, 0.9)
 
 
 def _batches(context, obj):
-    """The way that the end bob of the first pendulum takes around the present frame."""
+    """List the Batches that draw the path of the first pendulum's end bob around the present frame; [] if it cannot be computed."""
     pivot = parts.pivot_of(obj)
     if pivot is None:
         return []

@@ -1,4 +1,4 @@
-"""The panel of a pendulum: in the sidebar's tab and in the object's constraint properties, on pivot, rods and bobs."""
+"""The panel of a pendulum, in the sidebar and in the constraint properties of its pivot, rods and bobs."""
 
 import math
 
@@ -17,7 +17,7 @@ def _pivot(context):
 
 
 def draw_main(layout, context):
-    """Draw what is wrong, and the pendulum's settings; on a rod or bob the name of its pivot."""
+    """Draw the pendulum's problem if there is one, and its settings; for a rod or bob also the name of its pivot."""
     pivot = _pivot(context)
     if pivot is None:
         ui.draw_message(layout, STRAY.sentence, 'INFO')
@@ -41,12 +41,12 @@ def draw_forces(layout, context):
 
 
 def draw_time(layout, context):
-    """When and how fast it swings."""
+    """Draw the settings of when and how fast the pendulum swings."""
     rows.TIME.draw(ui.split(layout), _pivot(context).motus.pendulum)
 
 
 def draw_trail(layout, context):
-    """The ways of the end bobs."""
+    """Draw the settings of the pendulum's trail, or the button that adds a trail."""
     pivot = _pivot(context)
     obj = parts.own_trail(pivot)
     if obj is None:
@@ -58,7 +58,7 @@ def draw_trail(layout, context):
 
 
 def draw_readouts(layout, context):
-    """Draw the present angles, the pendulum's time, and the period."""
+    """Draw the pendulum's angles and time at the present frame, and its period."""
     pivot, depsgraph = _pivot(context), context.view_layer.depsgraph
     settings = pivot.motus.pendulum
     values = {name: wiring.output(system(), pivot, name, depsgraph) for name in ("angle1", "angle2", "seconds")}
@@ -80,7 +80,7 @@ def _degrees(angle):
 
 
 def _period(settings, scene):
-    """Period of a single pendulum without damping, s; None for other pendulums."""
+    """Return the period of a single pendulum without damping, in s; None for a double or damped pendulum and for an infinite period."""
     if settings.kind != 'SINGLE' or settings.damping > 0.0 or not settings.length1 > 0.0:
         return None
     gravity = max(solve.gravity_of(settings, scene), 0.0)
@@ -89,7 +89,7 @@ def _period(settings, scene):
 
 
 def draw_actions(layout, context):
-    """Playing, dragging, baking, removing."""
+    """Draw the buttons that play, drag, bake and remove the pendulum."""
     pivot = _pivot(context)
     column = layout.column(align=True)
     is_playing = pivot.motus.pendulum.is_playing
@@ -100,7 +100,7 @@ def draw_actions(layout, context):
 
 
 def draw_add(layout, context):
-    """A pendulum on the object, at the 3D cursor where there is none, or of the selected ones."""
+    """Draw the buttons that add a pendulum on the active object (or at the 3D cursor if there is none) or from the selected objects."""
     column = layout.column(align=True)
     column.operator("motus.pendulum_add", icon='ADD').take = 'ACTIVE' if context.object else 'NEW'
     row = column.row(align=True)
@@ -135,7 +135,7 @@ PANEL = panels.SystemPanel(
 
 
 def draw_own_trail(layout, context):
-    """Draw the panel of a trail's own object: what is wrong, and its settings."""
+    """Draw the panel of a trail object: its problem if there is one, and its settings."""
     ui.draw_problem(layout, context, trail.system(), context.object)
     rows.TRAIL.draw(ui.split(layout), context.object.motus.pendulum_trail)
 

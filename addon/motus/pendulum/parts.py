@@ -1,4 +1,4 @@
-"""What a pendulum is made of: the pivot, rods and bobs, found from any of them, and fitted to the lengths."""
+"""The objects of a pendulum (pivot, rods, bobs and trail): find them from each other, and fit them to the settings' lengths."""
 
 import bpy
 from mathutils import Matrix
@@ -9,28 +9,28 @@ from ..core.file import libraries
 from ..core.file.pointers import pointed
 
 MADE_KEY = "motus_pendulum"
-"""Custom property of a mesh that was made for rods: their length; 0 for one that was made for bobs."""
+"""Name of a custom property of meshes that Motus has made: the length of a rod's mesh, 0 for a bob's mesh."""
 
 LARGEST_FAN = 500
 
 
 def rods_each(settings):
-    """How many rods a pendulum has."""
+    """Return the number of rods of one pendulum: 1 or 2."""
     return 1 if settings.kind == 'SINGLE' else 2
 
 
 def members(owner):
-    """Rod objects of a pendulum. Deleted rods, and rods that belong to the pivot from which this one was duplicated, are left out."""
+    """List the rod objects of a pivot's pendulums, without deleted rods and rods of the pivot from which this one was duplicated."""
     return [pointed(entry, "object") for entry in own_rods(owner)]
 
 
 def numbers(owner):
-    """Number of each member: of its pendulum in the fan times the rods each, and of the rod in it."""
+    """List the number of each rod of members(): index of its pendulum in the fan, times rods per pendulum, plus index in its pendulum."""
     return [entry.number for entry in own_rods(owner)]
 
 
 def own_rods(owner):
-    """The entries of the rods that are members."""
+    """List the entries in the pivot's settings of the rods that members() returns."""
     return [entry for entry in owner.motus.pendulum.rods if _is_own(pointed(entry, "object"), owner)]
 
 
@@ -39,14 +39,17 @@ def _is_own(rod, owner):
 
 
 def own_trail(owner):
-    """Trail object of a pendulum; None if it has none. A duplicated pivot points to the original's trail, which does not count."""
+    """Return the trail object of a pendulum; None if it has none.
+
+    A duplicated pivot points to the trail of the original pivot, which does not count.
+    """
     trail = pointed(owner.motus.pendulum, "trail")
     is_own = trail and libraries.is_free_or_of(trail, pointed(trail.motus.pendulum_trail, "pivot"), owner)
     return trail if is_own else None
 
 
 def pivot_of(obj):
-    """The pivot of the pendulum that an object is part of, whether that is active or not; None without."""
+    """Return the pivot of the pendulum to which an object belongs as pivot, rod, bob or trail; None if there is none."""
     if has_pendulum(obj):
         return obj
     of_trail = pointed(obj.motus.pendulum_trail, "pivot") if obj.is_property_set("motus") else None
@@ -61,25 +64,25 @@ def pivot_of(obj):
 
 
 def is_stray(obj):
-    """Whether an object is a rod of no pendulum that lists it: the copy of a rod, or one whose pivot is gone."""
+    """Whether an object is a rod that no pivot lists: a duplicated rod, or a rod whose pivot was deleted."""
     if pivot_of(obj) is not None or not obj.is_property_set("motus"):
         return False
     return _leader(obj) is not None or wiring.has_sinks(registered["pendulum"], obj)
 
 
 def is_trail(obj):
-    """Whether an object is a trail."""
-    # To ask an object for its settings gives it some.
+    """Whether an object is the trail of a pendulum, even if the pendulum does not exist any more."""
+    # Reading obj.motus creates the settings, so first check that they exist.
     return obj.is_property_set("motus") and obj.motus.pendulum_trail.is_active
 
 
 def is_stray_trail(obj):
-    """Whether an object is a trail whose pivot is gone."""
+    """Whether an object is a trail whose pivot was deleted."""
     return is_trail(obj) and pointed(obj.motus.pendulum_trail, "pivot") is None
 
 
 def stray_rod_of(obj):
-    """Rod without a pendulum to which an object belongs as the rod itself, its bob or its trail; None if there is none.
+    """Return the rod without a pendulum to which an object belongs as the rod itself, its bob or its trail; None if there is none.
 
     All stray rods of one pendulum are represented by the rod whose name sorts first.
     """
@@ -90,7 +93,7 @@ def stray_rod_of(obj):
 
 
 def left_with(rods):
-    """(made bobs, trails) that are left of a pendulum whose pivot is gone."""
+    """Return ([bobs made by Motus], [trails]) that are left of a pendulum whose pivot was deleted. rods: its rods."""
     bobs = [child for rod in rods for child in rod.children if _is_made_bob(child) and not child.library]
     trails = [
         obj for obj in bpy.data.objects if is_stray_trail(obj) and pointed(obj.motus.pendulum_trail, "rod") in rods and not obj.library
@@ -104,7 +107,7 @@ def _is_made_bob(obj):
 
 def has_pendulum(obj):
     """Whether an object is the pivot of a pendulum."""
-    # To ask an object for its settings gives it some.
+    # Reading obj.motus creates the settings, so first check that they exist.
     return obj.is_property_set("motus") and obj.motus.pendulum.is_active
 
 
@@ -113,12 +116,12 @@ def _leader(obj):
 
 
 def lengths(settings):
-    """Lengths of the rods of one pendulum."""
+    """Return the lengths of the rods of one pendulum, upper rod first."""
     return (settings.length1, settings.length2)[: rods_each(settings)]
 
 
 def fit(owner):
-    """Let rods and bobs have the settings' lengths; what is another file's stays."""
+    """Adapt the rods' meshes and the places of lower rods and bobs to the lengths in the settings; linked objects are left unchanged."""
     settings = owner.motus.pendulum
     each = rods_each(settings)
     for entry in own_rods(owner):
@@ -136,7 +139,7 @@ def fit(owner):
 
 
 def _fit_mesh(mesh, length):
-    # None where the artist has given the rod another shape.
+    # The artist may have given the rod a different mesh, which has no such property.
     made = mesh.get(MADE_KEY) if mesh else None
     if not isinstance(made, float) or not made > 0.0 or made == length or mesh.library:
         return
@@ -147,10 +150,10 @@ def _fit_mesh(mesh, length):
 
 
 def matrix(values):
-    """A matrix from its 16 values, row after row."""
+    """Make a matrix from its 16 values, row after row."""
     return Matrix([values[row : row + 4] for row in range(0, 16, 4)])
 
 
 def values(of_matrix):
-    """The 16 values of a matrix."""
+    """List the 16 values of a matrix, row after row."""
     return [value for row in of_matrix for value in row]

@@ -1,4 +1,4 @@
-"""The pivot's accelerations, in the plane of the swing, where its own motion is to be felt."""
+"""Accelerations of a moving pivot in the plane in which its pendulum swings, for pendulums with the setting Pivot Motion."""
 
 import math
 
@@ -7,22 +7,23 @@ from ..core.declare import Problem
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 
-MOST = 20_000  # frames of the pivot's motion that are felt
-BESIDE = 8  # frames before and after these that their accelerations are found by
+MOST = 20_000  # greatest number of frames of the pivot's motion that act on the pendulum
+BESIDE = 8  # number of further frames before and after, which the accelerations at the ends need
 
 UNKNOWN = Problem("The pivot's motion is not known ahead, and is not felt: record it, or key it", False)
 NOT_STEADY = Problem("The pivot's motion is felt only while the pendulum plays all the time at one speed above 0", False)
 
 
 def track(owner, scene):
-    """The Track of the pivot."""
+    """Return the Track of the pivot's world matrix, from which the matrix at any time can be read."""
     return tracks.world_track(owner, scene)
 
 
 def felt(owner, scene, rate):
-    """(keywords of the native pendulums, Problem or None): none of a pivot that rests, or whose motion is not known.
+    """Return (keywords for the native pendulum functions, Problem or None) that describe the pivot's motion.
 
-    owner: evaluated. rate: of the pendulum's time; None where it is not always the same.
+    The keywords are {} if the pivot rests or its motion cannot be used. owner: the evaluated pivot.
+    rate: seconds of the pendulum's own time per second; None if the rate changes.
     """
     if rate is None or not rate > 0.0:
         return {}, NOT_STEADY
@@ -41,7 +42,7 @@ def felt(owner, scene, rate):
 
 
 def _sampled(moved, start, count, step):
-    # What the pivot does before the start and after the end is read too: at the ends of a table accelerations are not known.
+    # The motion before the start and after the end is read as well, because accelerations at the ends of a table are not known.
     matrices = moved.values(start + np.arange(-BESIDE, count + BESIDE))
     if not np.isfinite(matrices).all():
         return None

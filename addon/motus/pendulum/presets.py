@@ -1,4 +1,4 @@
-"""Presets of a pendulum's settings."""
+"""Presets for the settings of a pendulum."""
 
 import math
 
@@ -6,7 +6,7 @@ from ..core.interface import presets
 from ..core.interface.presets import Preset
 from .properties import KEYWORDS
 
-# What belongs to one shot is not part of a style.
+# Settings that presets do not store, because they depend on the shot.
 OF_THE_SHOT = {"start_frame", "is_playing", "influence"}
 
 BROUGHT = (

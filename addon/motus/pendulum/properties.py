@@ -1,4 +1,4 @@
-"""Settings of pendulums: Object.motus.pendulum of the pivot."""
+"""Settings of pendulums in Object.motus.pendulum of the pivot, and of trails in Object.motus.pendulum_trail of the trail object."""
 
 import math
 from functools import partial
@@ -27,9 +27,9 @@ _switch = partial(switch, tells_no_keys=True)
 
 
 class PendulumKeywords:
-    """Mixin of the settings and of the operator, which share these properties; scripts use the names as keywords.
+    """Mixin with the properties that a pendulum and the operator that adds one share. Scripts use the names as keywords.
 
-    Most have no keys: the whole motion follows from them, and would be another one on every frame.
+    Most of these properties cannot have keys: the whole motion follows from them, so it would be a different motion on every frame.
     """
 
     length1: _number(
@@ -173,7 +173,7 @@ class MOTUS_PG_pendulum(SystemSettings, PendulumKeywords, bpy.types.PropertyGrou
 
 
 class TrailKeywords:
-    """Mixin of a trail's settings and of the operator, which share these properties."""
+    """Mixin with the properties that a trail and the operator that adds trails share."""
 
     seconds: _number("Length", "How far back the trail goes, in seconds of the pendulum's time", 2.0, ANIMATED, soft_min=0.1, soft_max=20.0)
     fade: _number("Fade", "How much the trail vanishes towards its end", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')

@@ -1,4 +1,4 @@
-"""The rows of a pendulum's settings: in the panels, and for the keywords in the redo panel."""
+"""The rows in which the panels show a pendulum's settings and the redo panel shows the operator's keywords."""
 
 from ..core.interface.rows import Row, Rows
 
@@ -6,7 +6,7 @@ from ..core.interface.rows import Row, Rows
 def _is_fan(settings):
     if hasattr(settings, "rods"):
         return settings.kind == 'DOUBLE' and settings.count > 1
-    return settings.kind in {'FAN', 'CHAOS'}  # of the operator
+    return settings.kind in {'FAN', 'CHAOS'}  # `settings` are the operator's keywords
 
 
 def _has_two(settings):
@@ -18,7 +18,7 @@ def _has_one(settings):
 
 
 def _of_rods(name, text):
-    """Panel rows of a setting that each rod has: one with the label `text` for a single pendulum, two for a double pendulum."""
+    """Make the panel rows of a setting that each rod has: one with the label `text` for a single pendulum, two for a double pendulum."""
     return Row(f"{name}1", when=_has_one, text=text), Row(f"{name}1", when=_has_two), Row(f"{name}2", when=_has_two)
 
 

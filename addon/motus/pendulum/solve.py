@@ -1,4 +1,4 @@
-"""Pendulums: what their solver reads, and the look-up in the native tables."""
+"""Solve pendulums: read the settings from Blender and look the motion up in the native tables."""
 
 import functools
 import math
@@ -25,7 +25,7 @@ FAN_TOO_FAR = Problem(
 )
 TOO_EXTREME = Problem("A length, mass, angle, velocity, gravity or damping is too large or too small for the motion to be computed")
 NEAR = 60.0
-"""Seconds from the start within which only extreme numbers let the motion be unknown."""
+"""Seconds since the start within which the motion is unknown only if the settings have extreme values."""
 PROBLEMS = (
     NO_RODS,
     PIVOT_DELETED,
@@ -66,10 +66,13 @@ OUTPUTS = ("angle1", "angle2", "velocity1", "velocity2", "seconds")
 
 
 class Swing(NamedTuple):
-    """A pendulum, or the fan, that can be asked for its states.
+    """Motion of a pendulum or fan of pendulums, which gives the states at any time.
 
-    at(seconds, **pivot): rows of [angle1, velocity1] or [angle1, angle2, velocity1, velocity2], one a pendulum.
-    way(times, number=0, **pivot): array of such rows of one pendulum, one a time.
+    A state is [angle1, velocity1] or [angle1, angle2, velocity1, velocity2].
+    at(seconds, **pivot): list of the states of all pendulums at one time.
+    way(times, number=0, **pivot): states of one pendulum at times (n,), one row for each time.
+    pivot: keywords from pivot_motion.felt(). each: rods of one pendulum. count: number of pendulums. Both functions raise ValueError
+    if the motion is not known at a time.
     """
 
     each: int
@@ -78,12 +81,16 @@ class Swing(NamedTuple):
     count: int = 1  # type: ignore[assignment]  # a tuple has a method of this name
 
     def has_rods(self, numbers):
-        """Whether the pendulum has rods of all of these numbers; if one is missing, none is turned."""
+        """Whether the pendulum or fan has rods with all of these numbers. numbers: as parts.numbers() returns them."""
         return min(numbers) >= 0 and max(numbers) < self.each * self.count
 
 
 def solve(context, pivot, influence):
-    """Turns of the rods at the context's frame, on top of their own. Never raises for a user's error."""
+    """Fill the context's arrays with the rotations that the swing adds to the rods at the context's frame.
+
+    pivot: world matrix of the pivot, or None if its motion does not count. influence: share of the swing, from 0 to 1.
+    Returns a Problem or None. A user's error never raises an exception.
+    """
     settings = context.settings
     if deleted.is_deleted(context.owner):
         return PIVOT_DELETED
@@ -121,30 +128,30 @@ def solve(context, pivot, influence):
 
 
 def _turn(rows, number, swing, influence):
-    """(w, y) of the quaternion that turns a rod, which hangs on the one above it."""
+    """Return (w, y) of the quaternion that turns a rod relative to the rod above it. rows: states of all pendulums. number: of the rod."""
     fan, rod = divmod(number, swing.each)
     angle = rows[fan][rod] - (rows[fan][0] if rod else 0.0)
-    # About the pivot's Y axis a positive turn swings to -X. Of the math module: NumPy's sine is not always the same.
+    # A positive turn about the pivot's Y axis swings to -X. The math module is used because NumPy's sine is not always the same to the last bit.
     half = -0.5 * influence * angle
     return math.cos(half), math.sin(half)
 
 
 def unknown(seconds, count=1):
-    """The Problem of a motion, or of a fan of so many, that the library does not know at a time."""
+    """Return the Problem to report if the native module cannot compute the motion at a time. count: number of pendulums of the fan."""
     if abs(seconds) < NEAR:
         return TOO_EXTREME
     return TOO_FAR if count == 1 else FAN_TOO_FAR
 
 
 def gravity_of(settings, scene):
-    """Acceleration along the pivot's -Z axis, m/s^2."""
+    """Return the acceleration of gravity along the pivot's -Z axis, in m/s^2: the scene's or the pendulum's own."""
     if settings.use_scene_gravity:
         return scene.gravity.length if scene.use_gravity else 0.0
     return settings.gravity
 
 
 def swing_of(settings, scene):
-    """Swing, the native model of the pendulum or fan with these settings; a Problem if the settings are invalid."""
+    """Make the Swing, the native model of the pendulum or fan with these settings; a Problem if the settings are invalid."""
     if not all(abs(getattr(settings, name)) < INFINITE for name in NUMBERS):
         return NOT_FINITE
     if not all(length > 0.0 for length in parts.lengths(settings)):

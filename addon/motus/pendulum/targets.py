@@ -1,4 +1,7 @@
-"""Which pendulum an operator works on, and which objects one can be made of. Refusals are sentences."""
+"""Find the pendulum that an operator works on, and the objects from which a pendulum can be made.
+
+Errors are raised as Refused, with a sentence for the user.
+"""
 
 from mathutils import Vector
 
@@ -7,11 +10,14 @@ from ..core.translations import tr
 from . import build, parts
 
 FLAT = 1e-3
-"""How far bobs may lie beside the plane of the swing, as a share of the lengths."""
+"""Greatest distance of bobs from the plane in which the pendulum swings, as a share of the rods' lengths."""
 
 
 def pivot_for(context, name):
-    """The pivot of the pendulum that an object of this name, or the active one, is part of; it can be changed."""
+    """Return the pivot of the pendulum to which an object belongs; refuses if there is none or if it must not be changed.
+
+    name: of the object; "" takes the active object.
+    """
     obj = named(name) if name else context.object
     pivot = obj and parts.pivot_of(obj)
     if pivot is None:
@@ -21,13 +27,13 @@ def pivot_for(context, name):
 
 
 def check_editable(obj):
-    """Refuse an object whose set-up must not be changed."""
+    """Refuse an object whose pendulum must not be changed, because it is linked or its pendulum is baked."""
     check_local(obj)
     check_unbaked(obj, obj.motus.pendulum)
 
 
 def check_free(obj):
-    """Refuse an object that cannot be a pivot."""
+    """Refuse an object that cannot become a pivot, because it is linked, baked, or belongs to a pendulum already."""
     check_local(obj)
     if obj.motus.bake.is_baked:
         check_unbaked(obj, obj.motus.pendulum)
@@ -38,7 +44,7 @@ def check_free(obj):
 
 
 def placed_objects(context, pivot_name, bob_names):
-    """(pivot, bobs) by their names; without names, the active object is the pivot and the other selected objects are the bobs.
+    """Return (pivot, bobs) by their names; without names, the active object is the pivot and the other selected objects are the bobs.
 
     Selected bobs are sorted by their distance from the pivot. Refuses more than two bobs, or none.
     """
@@ -56,7 +62,7 @@ def placed_objects(context, pivot_name, bob_names):
 
 
 def check_bobs(bobs):
-    """Refuse objects that cannot be hung on rods."""
+    """Refuse objects that cannot become bobs, because they are linked, have a parent, or belong to a pendulum already."""
     for bob in bobs:
         check_local(bob)
         if bob.parent:
@@ -66,7 +72,10 @@ def check_bobs(bobs):
 
 
 def measured(pivot, bobs):
-    """Lengths and angles of placed objects, as keywords."""
+    """Return {"length1": ..., "angle1": ...} and so on, measured from the places of the pivot and the bobs.
+
+    Refuses bobs that lie beside the plane of the pivot's X and Z axes, and a rod of length 0.
+    """
     place, found, scale = Vector(), {}, 0.0
     inverse = pivot.matrix_world.inverted_safe()
     for number, bob in enumerate(bobs, 1):
@@ -87,12 +96,15 @@ def _place(obj):
 
 
 def removable(obj):
-    """The object by which the pendulum that an object is or was part of can be removed: its pivot, a stray rod, or a stray trail; None without one."""
+    """Return the object by which the pendulum that an object is or was part of can be removed; None if there is none.
+
+    It is the pivot, a rod without a pendulum, or a trail whose pivot was deleted.
+    """
     return parts.pivot_of(obj) or parts.stray_rod_of(obj) or (obj if parts.is_stray_trail(obj) else None)
 
 
 def set_up(context):
-    """The selected objects' pendulums, as removable() names them."""
+    """List what removable() returns for the selected objects, or for the active object if none is selected."""
     objects = context.selected_objects or [obj for obj in [context.object] if obj]
     found = [removable(obj) for obj in objects]
     return list(dict.fromkeys(one for one in found if one))

@@ -1,4 +1,4 @@
-"""Trails: the ways that the end bobs have come, as tubes in the bobs' colours, computed anew on each frame."""
+"""Trails: the recent paths of the end bobs, as tubes in the bobs' colours, computed anew on each frame."""
 
 from dataclasses import dataclass
 
@@ -12,8 +12,8 @@ from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from . import clock, parts, pivot_motion, solve
 
-RATE = 60.0  # places of a trail in a second
-MOST = 20_000  # places of one trail
+RATE = 60.0  # points of a trail per second
+MOST = 20_000  # greatest number of points of one trail
 MATERIAL = "Motus Trail"
 PLAIN = (0.8, 0.8, 0.8)
 
@@ -21,13 +21,13 @@ NO_PENDULUM = Problem("The pendulum of this trail is gone")
 NOT_FINITE = Problem("A setting of the trail is not a finite number")
 UNBAKEABLE = Problem("A trail is computed from the pendulum on each frame: there is nothing to bake")
 PROBLEMS = (NO_PENDULUM, NOT_FINITE, *(problem for problem in solve.PROBLEMS if problem.blocking))
-# Cycles has an own sense for an attribute that is named "color", which comes out black (5.2).
+# The attribute is not named "color", because Cycles gives this name a special meaning and renders it black (Blender 5.2).
 POINTS = Points(attributes=(("curve", 'INT'), ("radius", 'FLOAT'), ("tint", 'COLOR'), ("age", 'FLOAT')), shape='TUBES', space='LOCAL')
 
 
 @dataclass(frozen=True)
 class PivotInfluence:
-    """The influence of the pendulum whose trail it is: the trail waits for its settings."""
+    """Input of the trail's solver: the influence of the trail's pendulum. It makes the trail wait for the pendulum's settings."""
 
     name: str
 
@@ -45,7 +45,11 @@ INPUTS = (Matrix("matrix", of="pivot"), PivotInfluence("swing"), Setting("second
 
 
 def make(context, matrix, swing, seconds, fade, thickness):
-    """The solver: tubes in the pivot's space."""
+    """Compute the points of the trail's tubes in the pivot's space. This is the solver of trails; it returns a Problem or None.
+
+    matrix: world matrix of the pivot. swing: influence of the pendulum. seconds: length of the trail in time. fade: how much the
+    trail vanishes towards its end, from 0 to 1. thickness: radius in m.
+    """
     pivot = context.target("pivot")
     if pivot is None or matrix is None or not parts.has_pendulum(pivot):
         return NO_PENDULUM
@@ -61,7 +65,7 @@ def make(context, matrix, swing, seconds, fade, thickness):
     if len(times) < 2 or thickness <= 0.0:
         return None
     try:
-        found.at(now.seconds, **felt)  # all at once, which is sooner, or refused where they are too many for so long a time
+        found.at(now.seconds, **felt)  # computes all pendulums together, which is faster; raises if they are too many for so long a time
         ways = [found.way(times, number, **felt)[:, : found.each] for number in range(found.count)]
     except ValueError:
         return solve.unknown(now.seconds, found.count)
@@ -70,7 +74,11 @@ def make(context, matrix, swing, seconds, fade, thickness):
 
 
 def _times(now, length):
-    """Rising seconds of the trail, whose places stay where they are as time goes on, but for its ends."""
+    """Return the times of the trail's points, rising, in seconds of the pendulum's own time; empty if the trail has no length.
+
+    Except at the ends they are multiples of a fixed step, so that the points do not move as time goes on.
+    now: present time. length: of the trail. A trail does not reach beyond the start, time 0.
+    """
     first, last = (max(0.0, now - length), now) if now >= 0.0 else (now, min(0.0, now + length))
     step = max(1.0 / RATE, (last - first) / MOST)
     inner = step * np.arange(np.floor(first / step) + 1.0, np.ceil(last / step))
@@ -84,11 +92,11 @@ def _fill(points, pivot, ways, ages, looks):
     colors, offsets = _of_bobs(settings)
     for number, angles in enumerate(ways):
         rows = slice(number * count, (number + 1) * count)
-        if len(points["curve"][rows]) < count:  # there is no room for more
+        if len(points["curve"][rows]) < count:  # the mesh has no room for further points
             points["radius"][rows], points["tint"][rows], points["age"][rows] = 0.0, 0.0, 0.0
             points["position"][rows], points["curve"][rows] = 0.0, -1
             continue
-        # NumPy's sine is not always the same; its complex exponential is.
+        # NumPy's sine is not always the same to the last bit; its complex exponential is.
         turned = np.exp(1j * (swing * angles))
         points["position"][rows, 0] = turned.imag @ lengths
         points["position"][rows, 1] = offsets.get(number, 0.0)
@@ -101,11 +109,11 @@ def _fill(points, pivot, ways, ages, looks):
 
 
 def _of_bobs(settings):
-    """({index of the pendulum in the fan: colour of its end bob}, {index: offset of its upper rod along the pivot's Y axis, m})."""
+    """Return ({index of the pendulum in the fan: colour of its end bob}, {index: offset of its upper rod along the pivot's Y axis, m})."""
     each, colors, offsets = parts.rods_each(settings), {}, {}
     for entry in settings.rods:
         number, rod = divmod(entry.number, each)
-        # Blender may be making evaluated copies of these at this very time: the solver waits for the pivot alone.
+        # Originals are read, because Blender may be making the evaluated copies at this moment: the solver only waits for the pivot.
         thing, bob = (one and one.original for one in (pointed(entry, "object"), pointed(entry, "bob")))
         if rod == 0 and thing:
             offsets[number] = thing.location.y
@@ -119,12 +127,15 @@ def _of_bobs(settings):
 
 
 def system():
-    """The registered System of trails."""
+    """Return the System of trails from the registry, because this module cannot import the package that imports it."""
     return registered["pendulum_trail"]
 
 
 def add(collection, pivot, keywords):
-    """Give a pendulum a trail, or the trail that it has other settings."""
+    """Add a trail to a pendulum, or change the settings of its existing trail.
+
+    collection: of a new trail object. keywords: {setting: value}.
+    """
     obj = parts.own_trail(pivot)
     if obj is None:
         name = f"{pivot.name} Trail"
@@ -141,21 +152,21 @@ def add(collection, pivot, keywords):
 
 
 def dress(obj):
-    """Give a trail its material."""
+    """Assign the material of trails to a trail object; the material is made if it does not exist."""
     wiring.set_points_material(system(), obj, _material())
 
 
 def remove(pivot):
-    """Take the trail of a pendulum away."""
+    """Remove the trail of a pendulum, if it has one. pivot: of the pendulum."""
     obj, pivot.motus.pendulum.trail = parts.own_trail(pivot), None
     if obj and not obj.library:
         discard(obj)
 
 
 def discard(obj):
-    """Remove a trail that no pendulum names."""
+    """Remove a trail object to which no pendulum points any more."""
     if wiring.is_attached(system(), obj):
-        # With a modifier whose hub is gone Blender 5 does not count the material's user down.
+        # Otherwise Blender 5 keeps counting the material's user after the hub (hidden object with the solver's results) is removed.
         wiring.set_points_material(system(), obj, None)
         wiring.detach(system(), obj)
     datablocks.remove_objects([obj])
@@ -165,14 +176,14 @@ def discard(obj):
 
 
 def _material():
-    """Light in the colour of the bob, that vanishes with age."""
+    """Return the material of trails, which is made if it does not exist: it emits the bob's colour and becomes transparent with age."""
     found = bpy.data.materials.get((MATERIAL, None))
     if found:
         return found
     material = bpy.data.materials.new(MATERIAL)
     if not material.use_nodes:
         material.use_nodes = True
-    if not hasattr(material, "surface_render_method"):  # of the EEVEE before Blender 4.2
+    if not hasattr(material, "surface_render_method"):  # EEVEE before Blender 4.2
         material.blend_method = 'HASHED'
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()

@@ -1,4 +1,4 @@
-"""Pick & Pull: sculpts meshes by pulling them, and keeps pulls as pins that can be animated."""
+"""Pick & Pull: sculpts meshes by pulling vertices, and keeps pulls as pins, which can be animated."""
 
 from ..core.declare import System
 from . import grid, operators, panel, presets, properties

@@ -1,4 +1,4 @@
-"""Settings of the pull brush as plain values, and the transform between the object's space and the world."""
+"""Settings of the pull brush as plain values, and conversion between an object's local space and the world."""
 
 import math
 from dataclasses import dataclass
@@ -14,14 +14,14 @@ CHOICES = ("unit", "falloff", "distance", "direction", "clamp_axis")
 FINITE = ("radius", "strength", "scale_factor", "minimum", "maximum")
 AXIS_INDEX = {'X': 0, 'Y': 1, 'Z': 2}
 SMALLEST_SCALE = 1e-12
-"""Least ratio of an object's smallest scale to its largest one; a flatter object has no inverse matrix."""
+"""Least ratio of an object's smallest scale to its largest; below it the object's matrix counts as not invertible."""
 
 
 @dataclass(frozen=True)
 class Brush:
-    """Values of the brush; BrushKeywords in properties.py explains them.
+    """Values of the pull brush; the tooltips of BrushKeywords in properties.py explain them.
 
-    Lengths are metres of the world, or units of the object if unit is LOCAL.
+    Lengths are metres of the world, or lengths in the object's space if `unit` is LOCAL.
     """
 
     radius: float = 1.0
@@ -45,7 +45,10 @@ class Brush:
 
     @classmethod
     def of(cls, settings, given=None):
-        """The scene's brush, with the values of `given` (keyword -> value) in place of its own. Raises Refused."""
+        """Create a Brush from the scene's brush settings.
+
+        given: {keyword: value} that replace values of the scene's brush. Raises Refused if the values have no meaning.
+        """
         values = {name: chosen(settings, name) if name in CHOICES else getattr(settings, name) for name in KEYWORDS}
         for name in ("use_pressure_strength", "use_pressure_size"):
             values[name] = getattr(settings, name)
@@ -59,7 +62,7 @@ class Brush:
         return made
 
     def check(self):
-        """Raise Refused if a number is not finite or the limits exclude each other."""
+        """Raise Refused if a number is not finite, or the minimum exceeds the maximum."""
         for name in FINITE:
             if not is_finite(getattr(self, name)):
                 raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
@@ -69,30 +72,36 @@ class Brush:
             raise Refused(tr("The minimum is above the maximum"))
 
     def reach_of(self, radius):
-        """Distance from the root at and beyond which the pull moves nothing."""
+        """Distance from the pulled vertex at and beyond which a pull with this radius moves nothing."""
         return math.sqrt(radius) if self.falloff == 'CLASSIC' else radius
 
     @property
     def profile(self):
-        """Keyword arguments of the library's functions that say how the force fades with the distance."""
+        """Keyword arguments of native functions that say how the force of a pull fades with the distance from the pulled vertex."""
         curve = {"curve": np.array(self.curve, np.float32)} if self.falloff == 'CURVE' else {}
         return {"falloff": self.falloff.lower(), "scale_factor": self.scale_factor, **curve}
 
     @property
     def largest_force(self):
-        """Largest factor between a vertex's displacement and the root's; infinite if limits may move a vertex further."""
+        """Largest ratio of a vertex's displacement to the displacement of the pulled vertex.
+
+        Infinite if the brush has limits, which may move a vertex further.
+        """
         if self.use_minimum or self.use_maximum:
             return math.inf
         return max(map(abs, self.curve), default=1.0) if self.falloff == 'CURVE' else 1.0
 
     def mirror_bits(self):
-        """Axes that each mirror image of a pull reverses, as bits (x 1, y 2, z 4); the first entry is the pull itself."""
+        """Return one integer for the pull itself (0) and for each of its mirror images.
+
+        Its bits are the axes of the object that the image reverses (X: 1, Y: 2, Z: 4).
+        """
         mask = sum(1 << AXIS_INDEX[axis] for axis in self.mirror)
         return [bits for bits in range(8) if bits & ~mask == 0]
 
 
 class Space:
-    """Transform between an object's space and the world."""
+    """Conversion between the local space of an object with this world matrix and the world. Raises Refused if the object is flat."""
 
     def __init__(self, matrix):
         self.matrix = np.array(matrix, float)
@@ -103,28 +112,31 @@ class Space:
         self.inverse = np.linalg.inv(self.linear)
 
     def metric(self, unit):
-        """3x3 matrix: the length of metric @ vector is the length of a local vector in the brush's unit."""
+        """3x3 matrix that measures lengths: |metric @ v| is the length of a local vector v in the brush's unit."""
         return self.linear if unit == 'WORLD' else np.eye(3)
 
     def point_to_world(self, point):
-        """World positions of a local point, or of rows of local points."""
+        """World position of a local position (3,), or of rows of local positions (n, 3)."""
         return np.asarray(point, float) @ self.linear.T + self.matrix[:3, 3]
 
     def point_to_local(self, point):
-        """Local positions of a world point, or of rows of world points."""
+        """Local position of a world position (3,), or of rows of world positions (n, 3)."""
         return (np.asarray(point, float) - self.matrix[:3, 3]) @ self.inverse.T
 
     def normal_to_world(self, normal):
-        """World direction of a local normal, with length 1; zero for a zero vector."""
+        """World direction of length 1 for a local surface normal; a zero vector for a zero vector."""
         return unit(self.inverse.T @ np.asarray(normal, float))
 
     def is_skewed_by_mirrors(self, unit_name):
-        """Whether mirroring a vector on the object's axes may change its length, as on a sheared object."""
+        """Whether reversing a local axis may change a vector's length in this unit, as happens in a sheared object."""
         products = self.metric(unit_name).T @ self.metric(unit_name)
         return bool(np.abs(products - np.diag(np.diag(products))).max() > 1e-6 * np.diag(products).max())
 
     def limits(self, brush):
-        """Limits of the brush along a local axis: (axis, minimum, maximum); None if no local axis is parallel to the limits' axis."""
+        """Limits of the brush as (local axis, minimum, maximum), infinite if unused.
+
+        None if the limits are along a world axis to which no local axis is parallel.
+        """
         low = brush.minimum if brush.use_minimum else -math.inf
         high = brush.maximum if brush.use_maximum else math.inf
         axis = AXIS_INDEX[brush.clamp_axis]
@@ -138,7 +150,7 @@ class Space:
         return along, ends[0], ends[1]
 
     def clamp(self, places, brush):
-        """Move local places (m, 3) between the brush's limits, along any axis."""
+        """Move local positions (m, 3) between the brush's limits, along a local or a world axis; returns float32 (m, 3)."""
         axis = AXIS_INDEX[brush.clamp_axis]
         low = brush.minimum if brush.use_minimum else -math.inf
         high = brush.maximum if brush.use_maximum else math.inf
@@ -149,6 +161,6 @@ class Space:
 
 
 def unit(vector):
-    """The vector scaled to length 1; a zero vector stays zero."""
+    """Scale a vector to length 1; a zero vector, or one that is not finite, gives a zero vector."""
     length = np.linalg.norm(vector)
     return vector / length if length > 0.0 and np.isfinite(length) else np.zeros(3)

@@ -1,4 +1,7 @@
-"""The user's falloff curve, kept in a Float Curve node of a hidden node group, since no property type holds a curve."""
+"""The brush's falloff curve, as the user has drawn it.
+
+The curve is stored in a Float Curve node of a hidden node group, since no property type of Blender holds a curve.
+"""
 
 import bpy
 
@@ -6,14 +9,14 @@ from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 
 CURVE_SAMPLES = 32
-"""Number of forces that are sampled from the curve, at equal steps from the radius to the root."""
+"""Number of forces that are sampled from the falloff curve, at equal steps from the radius to the pulled vertex."""
 
 GROUP_NAME = ".Motus Falloff"
 NODE_TYPE = 'ShaderNodeFloatCurve'
 
 
 def ensure(brush):
-    """The brush's curve node, made with the smooth falloff if there is none. Must not be called from draw()."""
+    """Return the brush's Float Curve node; create it with the falloff Smooth if there is none. Must not be called from draw()."""
     found = node(brush)
     if found is not None:
         return found
@@ -28,7 +31,7 @@ def ensure(brush):
 
 
 def node(brush):
-    """The brush's curve node, for template_curve_mapping(node, "mapping"); None if no curve was made yet."""
+    """Float Curve node of the brush, for template_curve_mapping(node, "mapping"); None if no curve was created yet."""
     nodes = pointed(brush, "curve_nodes")
     if nodes is None:
         return None
@@ -36,9 +39,9 @@ def node(brush):
 
 
 def samples(brush, count=CURVE_SAMPLES):
-    """Forces of the curve at equal steps from the radius to the root, float32 (count,).
+    """Forces of the falloff curve at equal steps from the radius to the pulled vertex, float32 (count,).
 
-    Without a curve the forces are those of the smooth falloff, which ensure() makes.
+    If no curve was created yet, the forces are those of the falloff Smooth, with which ensure() begins.
     """
     steps = np.linspace(0.0, 1.0, count)
     found = node(brush)

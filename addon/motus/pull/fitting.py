@@ -1,4 +1,4 @@
-"""Default radius and strength of the brush for the size of an object."""
+"""Set the brush's default radius and strength by the size of an object."""
 
 from mathutils import Vector
 
@@ -7,7 +7,7 @@ STRENGTH_SHARE = 0.03  # strength, as a share of the radius; a held mouse makes 
 
 
 def fit(settings, obj):
-    """Set radius and strength of the scene's brush by an object's size, unless the user has changed them."""
+    """Set radius and strength of the scene's brush by the size of an object, unless the user has changed them."""
     if settings.distance == 'EDGES':
         return  # with this distance the radius is a number of edges
     side = _longest_side(obj, settings.unit)

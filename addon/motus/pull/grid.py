@@ -80,7 +80,10 @@ class MOTUS_OT_grid_add(Operator, AddObjectHelper, bpy.types.Operator):
         object_data_add(context, mesh, operator=self)
 
     def _choose_alignment(self, context):
-        """Use the alignment that the caller gave, or that of the preferences. Without a rotation Blender always uses the preferences'."""
+        """Set the alignment of the new grid: the one that the caller gave, or the alignment in the preferences.
+
+        Without this method object_data_add() would always use the preferences if no rotation is given.
+        """
         if not self.is_given("rotation"):
             if not self.properties.is_property_set("align", ghost=False):
                 self.align = context.preferences.edit.object_align
@@ -88,7 +91,10 @@ class MOTUS_OT_grid_add(Operator, AddObjectHelper, bpy.types.Operator):
 
 
 def grid_mesh(name, width, height, size, is_smooth=True, has_uv=True):
-    """Make a mesh of width x height vertices in the plane z = 0, row by row from -X -Y, with normals up."""
+    """Create a mesh of width x height vertices in the plane z = 0, with normals along +Z.
+
+    The vertices are in rows along +X; the first row has the least Y. size: lengths of the sides along X and Y.
+    """
     mesh = bpy.data.meshes.new(name)
     steps = [np.linspace(0.0, 1.0, count) for count in (width, height)]
     fractions = np.empty((height, width, 2), np.float32)
@@ -115,14 +121,14 @@ def grid_mesh(name, width, height, size, is_smooth=True, has_uv=True):
 
 
 def _corners(width, height):
-    """Vertices of each face, int32 (faces, 4), counterclockwise from the lowest one."""
+    """Vertex indices of each face, int32 (faces, 4), counterclockwise from the corner with the least X and Y."""
     vertices = np.arange(width * height, dtype=np.int32).reshape(height, width)
     rings = vertices[:-1, :-1], vertices[:-1, 1:], vertices[1:, 1:], vertices[1:, :-1]
     return np.stack(rings, axis=-1).reshape(-1, 4)
 
 
 def _add_faces(mesh, corners, width, height):
-    """Add faces and edges to a mesh; finding the edges by Blender's mesh.update() would take far longer."""
+    """Add faces and edges to a grid's mesh; mesh.update() of Blender would take far longer to find the edges."""
     vertices = np.arange(width * height, dtype=np.int32).reshape(height, width)
     along = np.stack((vertices[:, :-1], vertices[:, 1:]), axis=-1).reshape(-1, 2)
     across = np.stack((vertices[:-1], vertices[1:]), axis=-1).reshape(-1, 2)
@@ -141,7 +147,7 @@ def _add_faces(mesh, corners, width, height):
 
 
 def _set(mesh, attribute, value, items, prop, array):
-    """Fill an attribute if this Blender has it, which is faster; otherwise the property of the items."""
+    """Fill an attribute of the mesh if this Blender has the attribute, which is faster; otherwise set the property `prop` of the items."""
     found = mesh.attributes.get(attribute)
     if found is not None:
         found.data.foreach_set(value, array.ravel())
@@ -150,7 +156,7 @@ def _set(mesh, attribute, value, items, prop, array):
 
 
 def _is_smooth_at_first(mesh):
-    """Whether new faces are smooth, as they are since Blender 4.1."""
+    """Whether new faces of a mesh are shaded smooth, as they are from Blender 4.1 on."""
     return mesh.polygons[0].use_smooth
 
 

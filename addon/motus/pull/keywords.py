@@ -1,4 +1,4 @@
-"""Keywords of the operators that pull: the object and the brush that they name."""
+"""Read the keywords of the operators that pull: the object to pull and the values of the brush."""
 
 from ..core.refusals import Refused, named
 from ..core.translations import tr
@@ -7,7 +7,7 @@ from .properties import KEYWORDS, is_finite
 
 
 def object_of(operator, context):
-    """The object that the operator's keyword `object` names, or the active one. Raises Refused if there is none."""
+    """Return the object that the operator's keyword `object` names, or the active object. Raises Refused if there is none."""
     if not operator.object:
         if context.object is None:
             raise Refused(tr("Select a mesh"))
@@ -16,7 +16,10 @@ def object_of(operator, context):
 
 
 def brush_of(operator, context):
-    """The scene's brush, with the keywords that were given in place of its own values. Raises Refused for values without meaning."""
+    """Return the scene's Brush, with the operator's given keywords in place of its values.
+
+    Raises Refused if the values have no meaning.
+    """
     names = [name for name in (*KEYWORDS, "curve") if operator.properties.is_property_set(name)]
     given = {name: getattr(operator, name) for name in names}
     for name in ("location", "displacement"):
@@ -26,14 +29,14 @@ def brush_of(operator, context):
 
 
 def show(operator, brush):
-    """Set the operator's keywords to the brush, so that the redo panel shows what was done and starts from it."""
+    """Copy a Brush into the operator's keywords, so that Adjust Last Operation shows the values that were used and starts from them."""
     copy(brush, operator)
     if brush.curve:
         operator.curve = brush.curve
 
 
 def copy(brush, target):
-    """Copy a brush's values into an object with BrushKeywords."""
+    """Copy the values of a Brush into a property group or operator that has the properties of BrushKeywords."""
     for name in KEYWORDS:
         value = getattr(brush, name)
         setattr(target, name, set(value) if name == "mirror" else value)

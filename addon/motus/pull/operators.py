@@ -1,4 +1,4 @@
-"""Operator motus.pick_pull, run by keywords alone; window/modal.py adds the mouse."""
+"""Operator motus.pick_pull, as scripts run it by keywords; window/modal.py adds the mouse."""
 
 import bpy
 
@@ -72,11 +72,14 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, Operator, BrushKeywords, bpy.types
             self.report({'WARNING'}, object_mesh.not_seen(session.mesh.key))
 
     def start(self, context):
-        """Start a Session with the operator's keywords. Raises Refused."""
+        """Create a Session from the operator's keywords. Raises Refused if the mesh or the keywords do not suit."""
         return start(self, context)
 
     def remember(self, context, session, with_dabs=True):
-        """Store what a session did: in the operator for Redo, and in the scene as the last pull."""
+        """Store what a Session did: the dabs in the operator for Redo, and the last stroke in the scene as the last pull.
+
+        with_dabs: whether the dabs are stored.
+        """
         keywords.show(self, session.brush)
         self.object = session.object_name
         if with_dabs:
@@ -94,7 +97,7 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, Operator, BrushKeywords, bpy.types
         return session.pull(vertex, displacement)
 
     def _root(self, session):
-        """Vertex that the keywords name. Raises Refused if they name none."""
+        """Index of the vertex to pull (the root), by the keywords `vertex` or `location`. Raises Refused if there is none."""
         if self.vertex >= 0:
             if self.vertex >= len(session.current):
                 raise no_such_vertex(session, self.vertex)
@@ -111,12 +114,18 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, Operator, BrushKeywords, bpy.types
 
 
 def start(operator, context):
-    """Start a Session with the keywords that were given, and the scene's brush for the others. Raises Refused."""
+    """Create a Session with the operator's given keywords, and values of the scene's brush for the remaining ones.
+
+    Raises Refused if the mesh or the keywords do not suit.
+    """
     return Session(context, keywords.object_of(operator, context), keywords.brush_of(operator, context))
 
 
 def replay(session, dabs):
-    """Repeat recorded dabs with the brush's present radius and strength; returns whether there was anything to repeat."""
+    """Repeat recorded dabs in a Session with the brush's present radius and strength; returns whether anything was done.
+
+    dabs: items that keep_dabs() has written. Raises Refused if the mesh has fewer vertices than a dab needs.
+    """
     brush = session.brush
     has_acted = False
     for dab in dabs:
@@ -132,7 +141,10 @@ def replay(session, dabs):
 
 
 def keep_dabs(items, session):
-    """Record a session's dabs for replay(), with lengths as shares of the brush's; lengths of drags are kept, since the mouse gave them."""
+    """Store the dabs of a Session in a collection property, for replay().
+
+    Lengths are stored as shares of the brush's radius and strength. Displacements of drags are stored in full, since the mouse gave them.
+    """
     items.clear()
     radius = session.brush.radius
     for dab in session.dabs:
@@ -148,7 +160,7 @@ def _length_of_dab(dab, brush):
 
 
 def keep_last(record, session):
-    """Record the session's last stroke in the scene."""
+    """Store the last stroke of a Session in the scene's record of the last pull."""
     pulled = session.last
     keywords.copy(pulled.brush, record)
     record.radius = pulled.dab.radius
@@ -162,14 +174,14 @@ def keep_last(record, session):
 
 
 def no_such_vertex(session, vertex):
-    """The Refused that says that a mesh has fewer vertices than needed."""
+    """Return the Refused that reports that a Session's mesh has no vertex of this index."""
     return Refused(
         tr("{object} has no vertex {index}: it has {count}").format(object=session.object_name, index=vertex, count=len(session.current))
     )
 
 
 def toward_viewer(context):
-    """World direction towards the viewer of the 3D viewport that the operator runs in; None outside of a viewport."""
+    """World direction towards the viewer of the 3D viewport in which the operator runs; None outside of a 3D viewport."""
     view = getattr(context, "region_data", None)
     if view is None or not hasattr(view, "view_rotation"):
         return None

@@ -1,4 +1,4 @@
-"""Panel of the pull brush in the sidebar's tab."""
+"""Panel of the pull brush in the viewport's sidebar."""
 
 from ..core.interface import panels, ui
 from ..core.interface.rows import Row, Rows
@@ -9,33 +9,33 @@ PRESSURE_ICON = 'STYLUS_PRESSURE'
 
 
 def draw_number(layout, brush, name, pressure):
-    """Draw a number of the brush with the switch for the pen's pressure."""
+    """Draw a number of the brush, with the switch that lets the pen's pressure scale the number."""
     row = layout.row(align=True)
     row.prop(brush, name)
     row.prop(brush, pressure, text="", icon=PRESSURE_ICON)
 
 
 def draw_radius(layout, brush):
-    """Draw the radius, which is a length or a number of edges."""
+    """Draw the radius of the brush: a length, or a number of edges if distances are measured in edges."""
     draw_number(layout, brush, "edge_count" if brush.distance == 'EDGES' else "radius", "use_pressure_size")
 
 
 def draw_strength(layout, brush):
-    """Draw the strength, greyed out if the direction is Cursor: then the drag gives the length."""
+    """Draw the strength of the brush; greyed out if the direction is Cursor, since the drag then gives the displacement."""
     row = layout.row(align=True)
     row.active = brush.direction != 'CURSOR'
     draw_number(row, brush, "strength", "use_pressure_strength")
 
 
 def draw_accumulate(layout, brush):
-    """Draw the switch *Accumulate*, greyed out if the direction is Cursor."""
+    """Draw the brush's switch *Accumulate*; greyed out if the direction is Cursor."""
     row = layout.row(align=True)
     row.active = brush.direction != 'CURSOR'
     row.prop(brush, "accumulate")
 
 
 def draw_main(layout, context):
-    """Draw the settings of the brush, and why the active object cannot be pulled."""
+    """Draw the settings of the brush; above them the reason if the active object cannot be pulled."""
     brush = context.scene.motus.pull
     problem = object_mesh.problem(context.object)
     if problem:
@@ -58,7 +58,7 @@ def draw_main(layout, context):
 
 
 def draw_actions(layout, context):
-    """Draw the button that begins a session of pulls."""
+    """Draw the button that starts pulling with the mouse."""
     start = layout.row()
     start.scale_y = 1.3
     start.enabled = not object_mesh.problem(context.object)
@@ -67,7 +67,7 @@ def draw_actions(layout, context):
 
 
 def _draw_rows(*found):
-    """Part of the panel that draws these rows of the brush."""
+    """Return a function that draws these rows of brush settings in the panel."""
     return lambda layout, context: Rows(found).draw(_split(layout), context.scene.motus.pull)
 
 

@@ -1,4 +1,4 @@
-"""Presets of the brush."""
+"""Presets of the pull brush."""
 
 from ..core.interface import presets
 from ..core.interface.presets import Preset

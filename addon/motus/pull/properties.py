@@ -1,4 +1,4 @@
-"""Settings of the pull brush in Scene.motus.pull, and the record of the last pull."""
+"""Settings of the pull brush in Scene.motus.pull, and the record of the last pull, from which a pin can be made."""
 
 import bpy
 
@@ -8,7 +8,7 @@ from . import falloff_curve
 from .falloff_curve import CURVE_SAMPLES
 
 LARGEST = 1e18
-"""Largest absolute value of settings; its square is still finite in single precision."""
+"""Limit of the absolute value of settings; its square is still finite in single precision."""
 
 UNITS = (
     ('WORLD', "World Space", "Lengths and directions are those of the world, whatever the object's scale"),
@@ -43,7 +43,10 @@ DAB_KINDS = (('PULL', "Pull", ""), ('SMOOTH', "Smooth", ""), ('DRAG', "Drag", ""
 
 
 class BrushKeywords:
-    """Properties that the brush, the operator and the record of a pull have in common; their names are keywords of scripts."""
+    """Mixin with the properties that the scene's brush, the operator and the record of a pull have in common.
+
+    The names of the properties are the operator's keywords in scripts.
+    """
 
     radius: bpy.props.FloatProperty(
         name="Radius",
@@ -125,7 +128,7 @@ def _ensure_curve(settings):
 
 
 class MOTUS_PG_pull_record(BrushKeywords, bpy.types.PropertyGroup):
-    """Record of the last stroke, from which a pin can be made."""
+    """Record of the last stroke of pulls, from which a pin can be made."""
 
     object: bpy.props.StringProperty(name="Object", description="Name of the object that was pulled", options=set())
     is_shape: bpy.props.BoolProperty(
@@ -151,7 +154,7 @@ class MOTUS_PG_pull_record(BrushKeywords, bpy.types.PropertyGroup):
 
 
 class MOTUS_PG_dab(bpy.types.PropertyGroup):
-    """Record of one dab of a session, so that Redo can repeat it."""
+    """Record of one dab (one application of the brush), so that Redo can repeat it."""
 
     kind: bpy.props.EnumProperty(name="Kind", description="Kind of change that the dab made", items=DAB_KINDS, options=set())
     vertex: bpy.props.IntProperty(name="Vertex", description="Index of the root", options=set())
@@ -197,9 +200,9 @@ class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
 
 
 def is_finite(value):
-    """Whether a number, or each of several, is finite with a square that is finite in single precision.
+    """Whether a number, or each number of a sequence, is smaller in size than LARGEST.
 
-    Blender stores infinity as the largest number of a property.
+    This excludes infinity, which Blender stores as the largest number of a property.
     """
     return all(abs(one) < LARGEST for one in (value if hasattr(value, "__len__") else (value,)))
 

@@ -1,4 +1,4 @@
-"""Rows of settings of the brush, the operators and a pin, for panels and redo panels."""
+"""Rows of settings of the brush, of pins and of the operators, for panels and for Adjust Last Operation."""
 
 import bpy
 
@@ -6,7 +6,7 @@ from ..core.interface.rows import Row, Rows, is_given, is_one_of
 
 
 def _vertex_groups(settings):
-    """Vertex groups to choose from: those of the settings' object, or of the active object for an operator."""
+    """Return (object, name of its collection of vertex groups) to choose from: a pin's object, otherwise the active object."""
     is_pin = isinstance(settings, bpy.types.PropertyGroup) and isinstance(settings.id_data, bpy.types.Object)
     return (settings.id_data if is_pin else bpy.context.object), "vertex_groups"
 
@@ -37,7 +37,7 @@ PULL = (
     ),
     Rows((*LIMITS, CLAMPED), title="Limits"),
 )
-"""Rows of the operator that pulls."""
+"""Rows of settings of the operator motus.pick_pull."""
 
 
 def _is_new(operator):
@@ -58,4 +58,4 @@ PIN = (
     ),
     Rows((*LIMITS, CLAMPED), title="Limits", when=_is_new),
 )
-"""Rows of the operator that adds a pin."""
+"""Rows of settings of the operator that adds a pin."""

@@ -1,4 +1,4 @@
-"""Snow: flakes that are computed anew on each frame, without a cache, in any order of frames."""
+"""Snow: falling flakes that are computed anew on each frame, without a cache, so that frames can be shown in any order."""
 
 from ..core.declare import System
 from . import build, cover, gizmo, landings, look, operators, overlay, panel, presets, properties, solve
@@ -8,7 +8,7 @@ SYSTEM = System(
     label="Snow",
     settings=properties.MOTUS_PG_snow,
     classes=(
-        # The groups before the one that holds them.
+        # Blender has to register property groups before the group that contains them.
         properties.MOTUS_PG_snow_stop,
         properties.MOTUS_PG_snow_recorded,
         properties.MOTUS_PG_snow_collider,

@@ -1,4 +1,4 @@
-"""The emitter's motion and the wind over time, which flakes start with."""
+"""Motion of the emitter and velocity of the wind over the lives of the flakes: the native library computes flakes from both."""
 
 import math
 from typing import Any, NamedTuple
@@ -10,17 +10,20 @@ from ..core.scenery.meshes import hash_of, is_same
 from . import shots
 
 BLOCK = 256
-"""Frames. Motions are read by whole blocks, so that what is read stays the same for a while."""
+"""Number of frames in a block. Long motions are sampled in whole blocks, so that the samples do not change on every frame."""
 LONGEST = 4096
-"""Frames of a motion that are read at once, whatever frame it is."""
+"""Most frames of a motion that is sampled as a whole, on whatever frame; a longer motion is sampled in blocks."""
 PARTS = 4
-"""Samples from one frame, or key, to the next, between which the library goes on linearly and turns evenly."""
+"""Number of samples from one key, or whole frame, to the next; between samples the library moves and turns evenly."""
 WIND = "motus.snow.wind"
 CALM = 0.0, 0.0, 0.0
 
 
 class Poses(NamedTuple):
-    """Poses of the emitter over time. stamp: hashable, changes with whatever the samples were read from."""
+    """World matrices of the emitter over time. seconds: (k,), since the start frame, rising. matrices: (k, 4, 4).
+
+    stamp: hashable value that changes whenever the samples may change.
+    """
 
     stamp: Any
     seconds: Any
@@ -30,7 +33,10 @@ class Poses(NamedTuple):
 
 
 class Winds(NamedTuple):
-    """Velocities (k, 3) of the air over time. stamp: as of Poses."""
+    """Velocities of the air over time. seconds: (k,), since the start frame, rising. velocities: (k, 3), m/s, world space.
+
+    stamp: hashable value that changes whenever the samples may change.
+    """
 
     stamp: Any
     seconds: Any
@@ -40,21 +46,23 @@ class Winds(NamedTuple):
 
 
 def track(obj, scene):
-    """The Track of what flakes are born at."""
+    """Return the Track (world matrix at any frame) of the object at which flakes are born."""
     return tracks.world_track(obj, scene)
 
 
 def standing(matrix):
-    """Poses of an emitter that has always been where it is."""
+    """Return the Poses of an emitter that does not move: a single sample. matrix: its world matrix."""
     rows = np.array(matrix, float)
     return Poses(rows.tobytes(), np.zeros(1), rows[None])
 
 
 def over_time(obj, scene, present, frame, longest, start_frame, fps, view=None):
-    """(Poses at which the flakes of a frame were born, whether the motion is known; else it counts as standing).
+    """Return (Poses at which the flakes of a frame were born, whether the motion is known).
 
-    The Poses are None where they are not finite. present: the matrix of the object now. longest: as in moving(). view: of a
-    camera whose shots count one by one, what shots.alone() compares; flakes are born then as if it had always filmed that one.
+    An object whose motion is not known counts as one that does not move. The Poses are None if they are not finite.
+    obj: object at which flakes are born. present: its world matrix now. longest: most seconds that a flake lives.
+    start_frame: frame at which the seconds of the Poses begin. view: (half the angles of the view, closest, farthest) of a camera, for
+    shots.alone(); each shot of the camera then has flakes of its own, born as if the camera filmed this shot at all times.
     """
     moved = track(obj, scene)
     is_standing = not moved.is_known or moved.extent is None
@@ -67,18 +75,20 @@ def over_time(obj, scene, present, frame, longest, start_frame, fps, view=None):
 
 
 def moving(moved, frame, longest, start_frame, fps):
-    """Poses of an emitter at which the flakes that there are on a frame were born; None where they are not finite.
+    """Return the Poses of a moving emitter at which the flakes of a frame were born; None if they are not finite.
 
-    moved: a Track that is known. longest: seconds that a flake lives, at most.
+    moved: Track of the emitter, whose values are known. longest: most seconds that a flake lives.
+    start_frame: frame at which the seconds of the Poses begin.
     """
     found = _over_lives([moved], frame, longest, start_frame, fps)
     return found and Poses(found[0], found[1], found[2][0])
 
 
 def winds(emitter, frame, longest, start_frame, fps):
-    """(wind of an evaluated emitter over the lives of the flakes that there are on a frame, whether it is known).
+    """Return (wind over the lives of the flakes of a frame, whether the wind is known at all these times).
 
-    Winds if the wind is keyed, else its one velocity; None if a keyed wind is not finite. longest: as in moving().
+    The wind is a Winds if it is keyed, otherwise a single velocity (x, y, z); None if a keyed wind is not finite.
+    emitter: evaluated emitter. longest: most seconds that a flake lives. start_frame: frame at which the seconds of the Winds begin.
     """
     settings = emitter.motus.snow
     if settings.drag == 0.0:
@@ -95,7 +105,10 @@ def winds(emitter, frame, longest, start_frame, fps):
 
 
 def _over_lives(moved, frame, longest, start_frame, fps):
-    """(stamp, seconds, samples of each track); None where they are not finite."""
+    """Sample Tracks over the lives of the flakes of a frame; returns (stamp, seconds (k,), [samples (k, ...) of each Track]).
+
+    None if a sample is not finite. moved: Tracks. longest: most seconds that a flake lives.
+    """
     extents = [one.extent for one in moved if one.extent is not None]
     extent = (min(start for start, _ in extents), max(end for _, end in extents)) if extents else None
     first, last = _span(extent, frame - longest * fps, frame)
@@ -105,7 +118,7 @@ def _over_lives(moved, frame, longest, start_frame, fps):
     seconds, values = tracks.kept_by(stamp, name, lambda: _sampled(moved, first, last, start_frame, fps))
     if not all(np.isfinite(one).all() for one in values):
         return None
-    # Where nobody can tell whether the motion is still the same, these are samples like no others.
+    # If changes of the motion cannot be detected, the stamp differs from every stamp before.
     return (object() if stamp is None else (stamp, name)), seconds, values
 
 
@@ -115,7 +128,11 @@ def wind_tracks(owner):
 
 
 def _span(extent, first, last):
-    """Frames over which the motion is read: all of a short one, or the blocks that hold what is asked for."""
+    """Return the (first, last) frame over which a motion is sampled.
+
+    They are the whole extent of a short motion, or of a long one the blocks of frames that contain `first` to `last`.
+    extent: (first, last) frame of the motion; None if it does not move.
+    """
     start, end = extent or (last, last)
     if not end - start <= LONGEST:
         start = min(max(start, BLOCK * math.floor(first / BLOCK)), BLOCK * math.floor(last / BLOCK))

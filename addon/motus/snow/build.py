@@ -1,4 +1,4 @@
-"""Making emitters and taking them away."""
+"""Create, wire and remove emitters of snow."""
 
 import math
 
@@ -13,7 +13,7 @@ from ..core.translations import tr
 from . import colliders, landings, look, view
 
 DOWN = Euler((math.pi, 0.0, 0.0))
-# Edges that show where an emitter is and to where flakes leave: a square and an arrow. Edges are not rendered.
+# Mesh of an emitter (vertices, edges, faces): a square at its place, and an arrow along which flakes leave. Edges are not rendered.
 MARK = (
     [
         (-0.5, -0.5, 0.0),
@@ -31,17 +31,17 @@ MARK = (
 
 
 def system():
-    """The registered System."""
+    """Return the System of snow from the registry of systems."""
     return registered["snow"]
 
 
 def is_emitter(obj):
-    """Whether an object has snow, which it is not given by asking."""
+    """Whether an object is an emitter of snow. The question does not create settings on an object that has none."""
     return is_owner(system(), obj)
 
 
 def groups(owner):
-    """Group of the solver's additional inputs: cameras bound to timeline markers, if flakes are born in the camera's view.
+    """Return the Group of an emitter, whose inputs are the cameras bound to timeline markers, if flakes are born in a camera's view.
 
     Blender evaluates these cameras before the solver runs.
     """
@@ -50,7 +50,7 @@ def groups(owner):
 
 
 def rebuild(emitter):
-    """Wire an emitter anew, with the materials and objects that its flakes show."""
+    """Make an emitter's modifier and drivers anew, and the materials and objects that its flakes are shown with."""
     wiring.refresh(system(), emitter)
     look.dress(emitter)
 
@@ -71,21 +71,21 @@ def new_emitter(context, place):
 
 
 def wire(emitter):
-    """Let an emitter with its settings snow."""
+    """Make the modifier and drivers of a new emitter, as its settings require, so that flakes fall."""
     _note_reads(emitter)
     wiring.attach(system(), emitter)
     look.dress(emitter)
 
 
 def settle(emitter):
-    """Wire an emitter again whose markers bind other cameras than it was wired for, and go on with what its solver has left."""
+    """Update an emitter's drivers if timeline markers bind different cameras than before, and continue the search for landing places."""
     if _note_reads(emitter):
         wiring.refresh(system(), emitter)
     landings.settle()
 
 
 def _note_reads(emitter):
-    """Whether other cameras count than those that the solver was wired for, which is noted."""
+    """Write the names of the cameras that an emitter's solver waits for into its settings; returns whether they have changed."""
     settings = emitter.motus.snow
     reads = view.names(settings, emitter.users_scene)
     is_new = reads != settings.reads
@@ -95,7 +95,10 @@ def _note_reads(emitter):
 
 
 def remove(emitter, keeps_object):
-    """Take the snow off an emitter, and the emitter away where it was made for it."""
+    """Remove the snow from an emitter, and the emitter object too if Motus has made it.
+
+    keeps_object: whether the emitter object stays in any case.
+    """
     was_made = emitter.motus.snow.has_made_emitter
     look.drop(emitter)
     colliders.forget(emitter)

@@ -1,7 +1,7 @@
-"""What flakes land on: meshes that stand still, or how they were recorded on one frame.
+"""Colliders, which flakes land on: meshes that do not move, or meshes as they were recorded on one frame.
 
-Where a flake lands is found once, for all frames. What moves or is deformed is therefore no collider as it is: on each frame all
-flakes that ever landed would lie elsewhere.
+The place where a flake lands is found once, for all frames. A mesh that moves or is deformed can therefore be a collider only if it is
+recorded: otherwise all flakes that ever landed would lie at different places on each frame.
 """
 
 import bpy
@@ -25,18 +25,21 @@ NAME = "Motus Colliders"
 
 
 def are_any(settings):
-    """Whether there is anything to land on, but for the ground."""
+    """Whether an emitter's settings name any collider, single, in a collection or recorded; the level ground does not count."""
     return bool(alone(settings)) or any(pointed(settings, name) is not None for name in ("colliders", "recorded"))
 
 
 def alone(settings):
-    """The objects that are named one by one, as the settings name them."""
+    """List the collider objects that an emitter's settings name one by one, each once, without the collection."""
     named = [pointed(settings, "collider"), *(pointed(entry, "object") for entry in settings.more_colliders)]
     return list(dict.fromkeys(obj for obj in named if obj is not None))
 
 
 def objects(settings):
-    """The objects that have to be evaluated before flakes can land: meshes, and the empties that make collections' objects visible."""
+    """List the objects that Blender has to evaluate before flakes can land.
+
+    They are the recorded mesh, or else the collider objects and the empties that instance collections with colliders.
+    """
     recorded = pointed(settings, "recorded")
     if recorded is not None:
         return [recorded]
@@ -44,13 +47,17 @@ def objects(settings):
 
 
 def barrier(context):
-    """(the native SnowCollider or None, Problem or None)."""
+    """Return (native SnowCollider of an emitter's colliders or None, Problem to show or None). context: Context of the solver."""
     found, fault = parts(context.settings, context.depsgraph.scene)
     return (flakes.collider(found) if found else None), fault or (None if found else NO_FACES)
 
 
 def parts(settings, scene, left_out=()):
-    """(those that stand still, as a tuple of Placed, Problem or None) of evaluated settings. left_out: originals."""
+    """Return (tuple of meshes.Placed, Problem to show or None): the colliders that do not move, or the recorded ones.
+
+    A Placed is a triangle mesh with its world matrix. settings: evaluated settings of an emitter.
+    left_out: original objects that do not count as colliders.
+    """
     recorded = pointed(settings, "recorded")
     if recorded is not None:
         kept = _recorded(recorded, left_out)
@@ -63,12 +70,12 @@ def parts(settings, scene, left_out=()):
 
 
 def record(emitter, view_layer):
-    """Let flakes land on the colliders as they are now, whatever these do later.
+    """Record the colliders of an emitter as they are now: flakes land on this copy, whatever the colliders do later.
 
-    Returns whether there were any faces; if not, what was recorded before stays.
+    Returns whether the colliders have any faces; if not, an earlier recording stays.
     """
     settings = emitter.motus.snow
-    # Colliders are evaluated for flakes that land on them.
+    # With a recording the emitter does not wait for the colliders, so that Blender may not evaluate them.
     before, settings.recorded = pointed(settings, "recorded"), None
     view_layer.update()
     found = [(one.objects[0].original, one.placed) for one in _found(emitter.evaluated_get(view_layer.depsgraph).motus.snow)[0]]
@@ -99,7 +106,10 @@ def _mesh(positions, triangles):
 
 
 def forget(emitter):
-    """Let flakes land on the colliders themselves again. What was recorded goes with the last emitter that has it."""
+    """Drop an emitter's recorded colliders, so that flakes land on the colliders themselves again.
+
+    The recorded mesh is removed from the file if no other emitter uses it.
+    """
     settings = emitter.motus.snow
     kept = pointed(settings, "recorded")
     if kept is not None:
@@ -113,11 +123,14 @@ def _drop(kept):
 
 
 def _recorded(kept, left_out):
-    """The recorded mesh, Placed, without the faces of objects that are left out; None if nothing is left."""
+    """Return the recorded mesh as meshes.Placed, without the faces of some colliders; None if no face remains.
+
+    left_out: original objects whose faces are left out.
+    """
     found = placed(kept, kept.matrix_world)
     entries = kept.motus.snow.recorded_of if kept.is_property_set("motus") else ()
     counts = [entry.count for entry in entries]
-    # In the file may stand anything.
+    # In a damaged file the counts may not fit the mesh.
     if found is None or min(counts, default=-1) < 0 or sum(counts) != len(found.faces.triangles):
         return found
     sources = [pointed(entry, "object") for entry in entries]
@@ -126,7 +139,10 @@ def _recorded(kept, left_out):
 
 
 def _found(settings):
-    """([Seen], Problem or None) of evaluated settings: the colliders themselves, recorded or not."""
+    """Return ([seen.Seen], Problem or None): each occurrence of the colliders themselves, not their recording.
+
+    settings: evaluated settings of an emitter.
+    """
     ready = wiring.waited_for(settings)
     found, fault = seen.gathered(_members(settings), ready), None
     for obj in alone(settings):
@@ -144,5 +160,5 @@ def _members(settings):
 
 
 def _is_snow(obj):
-    """Whether an object is an emitter or a snow cover, whose geometry waits for the colliders' geometry."""
+    """Whether an object is an emitter of snow or a snow cover, which cannot be a collider: its geometry depends on the colliders."""
     return any(is_owner(registered[name], obj) for name in ("snow", "snow_cover"))

@@ -1,4 +1,4 @@
-"""motus.snow_drag: the handle of an emitter is taken elsewhere, and what it stands for is set."""
+"""Operator motus.snow_drag: dragging a handle of an emitter in the viewport sets the setting that the handle shows."""
 
 import bpy
 from mathutils import Vector
@@ -21,19 +21,19 @@ SETTINGS = (
 
 
 class Held:
-    """A handle that sets what it stands for."""
+    """A handle of an emitter while it is dragged: pull() sets its setting, restore() sets the old value again."""
 
     def __init__(self, emitter, setting):
         self._emitter, self.setting = emitter, setting
         self._before = getattr(emitter.motus.snow, setting)
 
     def pull(self, place):
-        """Take it to a place in the world."""
+        """Drag the handle to a place in the world, and set its setting accordingly. Raises Refused if the emitter has a scale of 0."""
         settings = self._emitter.motus.snow
         setattr(settings, self.setting, handles.value(settings, self.setting, self._inverse() @ Vector(place)))
 
     def restore(self):
-        """All is as it was."""
+        """Set the setting to its value from before the drag."""
         setattr(self._emitter.motus.snow, self.setting, self._before)
 
     def _inverse(self):
@@ -44,7 +44,7 @@ class Held:
 
 
 def places(emitter):
-    """(settings that handles stand for, their places in the world (n, 3))."""
+    """Return (names of the settings that an emitter's handles set, places (n, 3) of the handles in the world)."""
     found = handles.of(emitter.motus.snow)
     matrix = np.array(emitter.matrix_world)
     points = np.array([one.place for one in found], float).reshape(-1, 3)
@@ -52,9 +52,9 @@ def places(emitter):
 
 
 def pick(emitter, region, matrix, mouse, near):
-    """(setting, place in the world, place in the region) of the handle nearest to a place of the region.
+    """Return (setting, place in the world, place in the region) of the handle nearest to the mouse.
 
-    None if there is none within `near` pixels. matrix: the view's perspective matrix.
+    None if no handle is within `near` pixels of the mouse. mouse: place in the region, pixels. matrix: perspective matrix of the view.
     """
     settings, points = places(emitter)
     best = None
@@ -116,7 +116,7 @@ class MOTUS_OT_snow_drag(PointDrag, Operator, bpy.types.Operator):
         )
 
     def _hold(self, context, region, view, mouse):
-        emitter = _emitter(context, self.object)  # it may have been removed while the drag waited
+        emitter = _emitter(context, self.object)  # the emitter may have been removed while the operator waited for the mouse
         found = pick(emitter, region, view.perspective_matrix, mouse, handles.NEAR * context.preferences.system.ui_scale)
         if found is None:
             return None

@@ -1,4 +1,4 @@
-"""The native Snow that the settings ask for, and its flakes in Blender's memory."""
+"""Make the native Snow from an emitter's settings, and write its flakes into Blender's point attributes."""
 
 from ..core import keeping, native
 from ..core.declare import Problem
@@ -11,15 +11,15 @@ from .births import Winds
 from .properties import KEYWORDS, WHITE
 
 MOST = 1 << 24
-"""Flakes at once."""
+"""Most flakes that may exist at one time."""
 BYTES = 68
-"""Of a flake: position, velocity, turn, colour, radius, age and number."""
+"""Memory of one flake, in bytes: position, velocity, rotation, colour, radius, age and number."""
 _snows = keeping.OfFile(
     "native Snow of an emitter, with where its flakes land; or what is wrong with it", "all that the flakes' ways are made from", most=32
 )
 _colliders = keeping.OfFile("native SnowCollider of meshes that flakes land on", "stamps of the faces, and where they stand", most=4)
 STEP = 1 << 16
-"""Flakes for whose numbers there is room are a multiple of it, so that the room stays the same from frame to frame."""
+"""The size of the scratch array for flakes' numbers is a multiple of this, so that the array is seldom made anew."""
 
 NOT_FINITE = Problem("A setting is not a finite number")
 TOO_MANY = Problem("More than 16 million flakes at once would need over 1 GB of memory: lower the rate or the lifetime")
@@ -54,29 +54,32 @@ _DIRECT = (
     "melt_time",
     "friction",
 )
-"""Settings that the library has under the same names and in the same units."""
+"""Settings that are arguments of the native library, with equal names and units."""
 _SHAPES = {'CAMERA': "frustum"}
-"""The library's names that are others."""
+"""Shape in the settings -> name of the shape in the native library, if it is not the lower-case word."""
 _NAMES = (("position", "position"), ("velocity", "velocity"), ("size", "radius"), ("color", "tint"), ("age", "age"), ("rotation", "turn"))
-"""The library's name, and that of the points' attribute."""
+"""(name of a result of the native library, name of the point attribute that gets it)."""
 # The golden ratio of 2^32: products with it are spread evenly over 32 bits.
 _SCATTER = 2654435769
 
 
 def most(settings):
-    """How many flakes there can be at once."""
+    """Largest number of flakes that can exist at one time, by an emitter's settings."""
     longest = longest_life(settings)
     births = longest if settings.looping else min(longest, settings.duration)
     return settings.rate * births + 1.0 + settings.burst
 
 
 def longest_life(settings):
-    """Seconds that a flake lives, at most."""
+    """Most seconds that a flake of an emitter with these settings lives."""
     return settings.lifetime + (1.0 if settings.random_lifetime else 0.0)
 
 
 def numbers(settings):
-    """Keywords of the library as a tuple of pairs, hashable, without the wind; or what is wrong with the settings."""
+    """Return the settings as keywords of the native Snow, or the Problem if they are wrong.
+
+    The keywords are a hashable tuple of (name, value) pairs. The wind, which may change over time, is not among them.
+    """
     values = [getattr(settings, name) for name in KEYWORDS]
     parts = [part for value in values for part in (value if hasattr(value, "__len__") else (value,))]
     stops = sorted((stop.position, tuple(stop.color)) for stop in settings.stops) or [(0.0, WHITE)]
@@ -102,21 +105,25 @@ def numbers(settings):
 
 
 def _size(settings):
-    """Scale of instances: 1 for objects that the artist chose, half the width for Motus' own shapes and for points."""
+    """Scale of the instances that flakes are shown as, or radius of the points.
+
+    It is the setting Size, for Motus' own shapes and for points times half of Flake Width.
+    """
     is_scale = settings.look in {'OBJECT', 'COLLECTION'}
     return settings.start_size * (1.0 if is_scale else 0.5 * settings.flake_width)
 
 
 def made(*what):
-    """The native Snow of what _made() is given, or what is wrong with it."""
+    """Return the native Snow for the arguments of _made(), kept for equal arguments; a Problem if the library refuses them."""
     return _snows.made(what, lambda: _made(*what))
 
 
 def _made(keywords, acceleration, poses, wind, faces=None, angles=None, collider=None):
-    """The native Snow; or what is wrong with it.
+    """Make the native Snow of an emitter; returns the Problem OUT_OF_RANGE if the library refuses a value.
 
-    wind: of births.winds(). faces: that flakes leave. angles: half those that a camera sees by. collider: a SnowCollider. Each
-    of the last three may be None.
+    keywords: result of numbers(). acceleration: of gravity, m/s^2. poses: births.Poses of the emitter. wind: births.Winds or (x, y, z).
+    faces: meshes.Faces that flakes leave, or None. angles: half the angles of the camera's view in which flakes are born, or None.
+    collider: native SnowCollider that flakes land on, or None.
     """
     given = dict(keywords)
     if isinstance(wind, Winds):
@@ -136,7 +143,10 @@ def _made(keywords, acceleration, poses, wind, faces=None, angles=None, collider
 
 
 def collider(parts):
-    """The native SnowCollider of faces that are Placed, or None where they cannot be one."""
+    """Return the native SnowCollider of triangle meshes, kept for equal meshes; None if the library refuses them.
+
+    parts: tuple of meshes.Placed (a triangle mesh with its world matrix).
+    """
     return _colliders.made(parts, lambda: _collider(parts))
 
 
@@ -148,9 +158,10 @@ def _collider(parts):
 
 
 def fill(points, snow, seconds, share, is_found=True):
-    """Fill Blender's point arrays with the flakes of a time, all of them or a chosen share.
+    """Write the flakes of a time, all of them or a share, into Blender's point attributes.
 
-    points: Context.points. is_found: whether it is known where all flakes land; else those are left out of which it is not.
+    points: Context.points, a function that returns the arrays for a number of points. snow: native Snow. seconds: the time.
+    share: 0 to 1. is_found: whether all landing places are known; if not, flakes whose landing place is unknown are left out.
     """
     if share >= 1.0:
         found = {}
@@ -173,12 +184,18 @@ def fill(points, snow, seconds, share, is_found=True):
 
 
 def is_chosen(ids, share):
-    """Mask of the flakes that belong to a share of all; a smaller share is contained in a greater one."""
+    """Mask (n,) of the flakes that belong to a share of all flakes; a larger share contains every smaller share.
+
+    ids: (n,), numbers of the flakes. share: 0 to 1.
+    """
     return (ids.astype(np.uint64) * np.uint64(_SCATTER)).astype(np.uint32) < share * 2.0**32
 
 
 def _named(points):
-    """Blender's arrays by the library's names, but for the flakes' numbers, of which Blender has shorter ones."""
+    """Return {name of a result of the native library: Blender's point array that gets it}.
+
+    The flakes' numbers are left out: the library's are 64-bit integers, and Blender's are 32-bit.
+    """
     return {own: points[name] for own, name in _NAMES if name in points}
 
 

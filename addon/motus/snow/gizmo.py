@@ -1,4 +1,4 @@
-"""The handles of the active emitter in the viewport: drawn and picked all at once, by one gizmo."""
+"""Gizmo that draws and picks all handles of the active emitter in the viewport."""
 
 import bpy
 
@@ -9,7 +9,7 @@ from . import dragging, handles
 from .build import is_emitter, system
 
 RADIUS = 5.0
-"""Pixels, at the interface's normal size."""
+"""Radius of a drawn handle, in pixels at a Resolution Scale of 1."""
 RIM = 1.5
 COLOR, LIT, RIM_COLOR = (0.55, 0.80, 1.0, 0.95), (1.0, 0.75, 0.35, 1.0), (0.05, 0.05, 0.08, 0.85)
 
@@ -57,7 +57,7 @@ class MOTUS_GGT_snow(handle_groups.HandleGroup, bpy.types.GizmoGroup):
 
     @staticmethod
     def is_owner(obj):
-        """Whether an object is an emitter that may be edited."""
+        """Whether an object is an emitter of snow whose settings may be edited: it is not linked."""
         return is_emitter(obj) and obj.library is None
 
 

@@ -1,4 +1,4 @@
-"""Handles of an emitter in the viewport: what each of them sets, where it stands, and what taking it elsewhere means."""
+"""Handles of an emitter in the viewport: the setting of each handle, its place, and the setting's value after a drag."""
 
 import math
 from typing import Any, NamedTuple
@@ -8,17 +8,17 @@ from mathutils import Vector
 from ..core.lazy import numpy as np
 
 RADIUS, ANGLE, SPEED = "cone_radius", "cone_angle", "start_speed"
-"""The settings."""
+"""Names of the settings that handles set."""
 SECONDS = 0.5
-"""The arrow is as long as a flake's way in so much time."""
+"""Time, in seconds: the arrow of an emitter is as long as the way of a flake, at Speed, in this time."""
 LEAST_RAY = 0.5
-"""m, of the line by which flakes leave a cone's edge."""
+"""Smallest length, in metres, of the line that shows the direction of flakes at the edge of a cone."""
 NEAR = 11.0
-"""Pixels, at the interface's normal size: so near to a handle the mouse is on it."""
+"""Distance, in pixels at a Resolution Scale of 1, within which the mouse picks a handle."""
 
 
 class Handle(NamedTuple):
-    """setting: its name. place: in the emitter's space."""
+    """A handle of an emitter. setting: name of the setting that it sets. place: (3,), in the emitter's space."""
 
     setting: str
     place: Any
@@ -30,16 +30,16 @@ def leans(settings):
 
 
 def ray(settings):
-    """(start, end) of the line by which flakes leave at the edge, on the emitter's +X side."""
+    """Return (start, end) of the line that shows in which direction flakes leave the edge on the +X side, in the emitter's space."""
     angle, start = settings.cone_angle, np.array((settings.cone_radius, 0.0, 0.0))
     return start, start + max(settings.cone_radius, LEAST_RAY) * np.array((math.sin(angle), 0.0, math.cos(angle)))
 
 
 def of(settings):
-    """The handles of an emitter."""
+    """List the Handles of an emitter; [] if a mesh or a camera's view emits the flakes. settings: of the emitter."""
     if settings.shape in {'SURFACE', 'CAMERA'}:
         return []
-    # On the other side of the middle than the ray.
+    # The handle of the radius is on the -X side, as the handle of the angle is on the +X side.
     found = [
         Handle(RADIUS, np.array((-settings.cone_radius, 0.0, 0.0))),
         Handle(SPEED, np.array((0.0, 0.0, SECONDS * settings.start_speed))),
@@ -53,7 +53,7 @@ def value(settings, setting, place):
     """Value of a setting after its handle was dragged to a place in the emitter's space."""
     place = Vector(place)
     if setting == RADIUS:
-        if settings.shape in {'SQUARE', 'DISC', 'CONE'}:  # which are flat
+        if settings.shape in {'SQUARE', 'DISC', 'CONE'}:  # flat shapes
             place.z = 0.0
         return max(map(abs, place)) if settings.shape in {'SQUARE', 'BOX'} else place.length
     if setting == SPEED:

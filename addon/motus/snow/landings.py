@@ -1,8 +1,8 @@
-"""Where flakes land, found bit by bit in the viewport, so that Blender goes on answering.
+"""Search for the places where flakes land, in parts, so that Blender's interface does not freeze.
 
-It takes some 10 microseconds a flake, once. A solver finds a part of it at each evaluation; a timer goes on with the rest, and has
-Blender evaluate again. Without a window there is no timer: an evaluation finds as much as a frame has time for, and the next one more.
-Renders find all at once.
+The search takes about 10 microseconds for each flake, once. In the viewport the solver searches a part at each evaluation; a timer
+continues the search and lets Blender evaluate again. In background mode there is no timer: each evaluation searches as much as a frame
+has time for. Renders search for all landing places at once.
 """
 
 import time
@@ -15,13 +15,13 @@ from ..core.interface.view import viewports
 from ..core.measures import bounds
 
 AT_ONCE = 48
-"""Blocks of 256 flakes that an evaluation, or a call of the timer, looks at."""
+"""Number of blocks, of 256 flakes each, that one evaluation or one call of the timer searches."""
 BLOCK = 2560
-"""The price (core/measures/bounds.py) of looking at a block."""
+"""Price of searching one block: about the microseconds that it takes (see core/measures/bounds.py)."""
 PAUSE = 0.01
-"""Seconds that Blender has to itself between calls of the timer."""
+"""Seconds between two calls of the timer, in which Blender handles the interface."""
 SHOWN = 0.3
-"""Seconds from one time to the next that what has been found is shown."""
+"""Seconds between two updates of the viewport while the search goes on."""
 
 _searches = keeping.OfFile(
     "which flakes' landings are still looked for (Search)",
@@ -32,16 +32,16 @@ _searches = keeping.OfFile(
 
 
 class Search:
-    """Search for the landings of a native Snow at a time, block by block; `left` blocks remain."""
+    """Search for the landing places of a native Snow's flakes at a time, block by block. left: number of blocks that remain."""
 
     def __init__(self, snow, seconds, left):
         self._snow, self._seconds, self._first, self._left = snow, seconds, left, left
         self._shown = time.monotonic()
         self.has_no_room = False
-        """Whether there is no room to keep more of what is found: then it is found anew at each evaluation, all at once."""
+        """Whether the memory for landing places is full: then each evaluation searches for all landing places anew, at once."""
 
     def is_for(self, snow, seconds):
-        """Whether the search is for this Snow and time."""
+        """Whether the search is for this native Snow and this time, in seconds."""
         return self._snow is snow and self._seconds == seconds
 
     @property
@@ -68,11 +68,11 @@ def are_left(context, snow, seconds):
 
     If the result is true, a timer continues the search after the evaluation; in background mode, the next evaluation does.
     """
-    if context.owner.library:  # of which no local object can be evaluated again
+    if context.owner.library:  # a timer cannot let Blender evaluate a linked object again
         return False
     if bpy.app.background:
         before = snow.find_landings(seconds, 0)
-        # Where there is no room to keep more, nothing goes on.
+        # If the memory for landing places is full, the number of remaining blocks stays.
         return 0 < snow.find_landings(seconds, bounds.times(BLOCK)) < before
     name = context.owner.name
     search = _searches.get(name)
@@ -89,13 +89,13 @@ def are_left(context, snow, seconds):
 
 
 def done(emitter):
-    """How much of an emitter's search is done, from 0 to 1; None where nothing is looked for."""
+    """Share of an emitter's search for landing places that is completed, from 0 to 1; None if no search is going on."""
     search = _searches.get(emitter.name)
     return search.done if search and not search.has_no_room else None
 
 
 def settle():
-    """Go on with what solvers have left."""
+    """Start the timer that continues the searches which solvers have begun, if there are any and it is not running."""
     if _searches and not bpy.app.timers.is_registered(_go_on):
         bpy.app.timers.register(_go_on, first_interval=PAUSE)
 
@@ -122,6 +122,6 @@ def register():
 
 
 def unregister():
-    """Look for nothing more."""
-    if bpy.app.timers.is_registered(_go_on):  # not after another file was opened, which ends it
+    """Stop the timer that continues the searches for landing places."""
+    if bpy.app.timers.is_registered(_go_on):  # the timer ends when a different file is opened
         bpy.app.timers.unregister(_go_on)

@@ -1,4 +1,4 @@
-"""What flakes look like: what the snow's modifier makes of its points."""
+"""Look of flakes: the materials and objects with which the emitter's modifier shows its points."""
 
 import math
 
@@ -11,25 +11,26 @@ from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 
 KEY = "motus_flakes"
-"""Custom property of what is made here, by which it is found again: which of these it is."""
+"""Custom property of the objects and materials that this module makes. Its value, a look or a name, tells them apart."""
 ICE, GLOW, WHITE = "Motus Flake", "Motus Spark", "Motus Flake Points"
-"""Materials."""
+"""Names of the materials that this module makes."""
 GLOW_STRENGTH = 12.0
 
-# Of a crystal's arm along +X, of a flake of radius 1: half the width of the arm at its foot and near its tip, and
-# (foot, length, half the width) of the twigs, which leave it by 60 degrees.
+# The arm along +X of a crystal of radius 1: half its width at the foot and near the tip, and (position on the arm, length, half the
+# width) of its twigs, which leave the arm at 60 degrees.
 ARM_WIDTHS = 0.075, 0.05
 TIP = 0.93
 TWIGS = (0.32, 0.22, 0.045), (0.52, 0.30, 0.045), (0.74, 0.17, 0.035)
 CORE = 0.2
-# Of a petal of radius 1: (along, half the width, how far it is bent up) from its foot to its tip.
+# Rows of a petal of radius 1 from foot to tip: (position along the petal, half the width, height to which it is bent up).
 PETAL = (-0.9, 0.12, 0.22), (-0.3, 0.55, 0.02), (0.35, 0.75, 0.0), (0.85, 0.45, 0.14)
 
 
 def dress(owner):
-    """Let the flakes of an emitter look as its settings say.
+    """Show the flakes of an emitter with the material, object or collection that its settings require.
 
-    What the look before was made of stays until the snow is removed or the file is closed: somebody may have changed the material.
+    The objects and materials of the look before stay until snow is removed or the file is closed, since the artist may have changed
+    them.
     """
     settings, system = owner.motus.snow, registered["snow"]
     if settings.look == 'POINTS':
@@ -43,18 +44,21 @@ def dress(owner):
 
 
 def drop(owner):
-    """Remove the materials and objects that were made for an emitter."""
+    """Remove the material of an emitter's points, and the objects and materials of this module that no emitter uses any more."""
     wiring.set_points_material(registered["snow"], owner, None)
     _drop_unused()
 
 
 def _own(collection, what):
-    """A material or object of this file that was made here before; None without one."""
+    """Return the material or object that this module has made before in this file; None if there is none.
+
+    collection: bpy.data.materials or bpy.data.objects. what: value of its custom property KEY.
+    """
     return next((one for one in collection if one.get(KEY) == what and one.library is None), None)
 
 
 def _drop_unused():
-    """Remove shapes and materials where no emitter has them any more."""
+    """Remove the flake objects and materials of this module that no emitter uses any more."""
     for look in _SHAPES:
         shape = _own(bpy.data.objects, look)
         if shape is not None and shape.users == 0:
@@ -68,11 +72,14 @@ def _drop_unused():
             bpy.data.materials.remove(material)
 
 
-# --- the shapes ------------------------------------------------------------------------------------------------------
+# --- objects and materials of flakes ----------------------------------------------------------------------------------
 
 
 def _shape(look):
-    """The shape of this file that goes by the name of a look: an object in no collection, which modifiers alone show."""
+    """Return the object whose instances are flakes of a look; makes it if the file has none.
+
+    The object is in no collection: only the emitters' modifiers show it. look: key of _SHAPES.
+    """
     found = _own(bpy.data.objects, look)
     if found is not None:
         return found
@@ -102,7 +109,7 @@ def _crystal():
 
 
 def _twig(start, length, width, side):
-    """Corners of a twig beside the arm, pointed at its end."""
+    """Corners (x, y) of a twig of a crystal's arm, with a pointed end. side: 1 for the left side of the arm, -1 for the right side."""
     along = math.cos(math.pi / 3.0), side * math.sin(math.pi / 3.0)
     across = -along[1] * side, along[0] * side
     outline = ((0.0, -width), (0.85 * length, -0.8 * width), (length, 0.0), (0.85 * length, 0.8 * width), (0.0, width))
@@ -117,7 +124,7 @@ def _add(vertices, faces, angle, corners):
 
 
 def _petal():
-    """A petal, bent up at its ends and notched at its tip."""
+    """Vertices and faces of a petal of radius 1, bent up at its ends and along its sides, so that its tip has a notch."""
     vertices = [place for x, width, z in PETAL for place in ((x, -width, z + 0.1), (x, 0.0, z), (x, width, z + 0.1))]
     rows = range(len(PETAL) - 1)
     return vertices, [(3 * row + side, 3 * row + 3 + side, 3 * row + 4 + side, 3 * row + 1 + side) for row in rows for side in (0, 1)]
@@ -130,12 +137,12 @@ def _speck():
 
 
 def _ice():
-    """A surface in the flake's colour, which instances have from the points that they stand on."""
+    """Return the material of crystals, petals and specks: a diffuse surface in the flake's colour, the attribute "tint" of its point."""
     return _own(bpy.data.materials, ICE) or _material(ICE, "ShaderNodeBsdfDiffuse", has_tint=True)
 
 
 def _glow():
-    """Light in the flake's colour."""
+    """Return the material of sparks: it emits light in the flake's colour."""
     found = _own(bpy.data.materials, GLOW)
     if found is None:
         found = _material(GLOW, "ShaderNodeEmission", has_tint=True)
@@ -144,12 +151,15 @@ def _glow():
 
 
 def _white():
-    """White, as Cycles reads no colours of bare points."""
+    """Return the material of bare points: white, because Cycles does not read the colours of bare points."""
     return _own(bpy.data.materials, WHITE) or _material(WHITE, "ShaderNodeBsdfDiffuse", has_tint=False)
 
 
 def _material(name, kind, has_tint):
-    """A new material of one shader, white or in the colour of the instance. Few nodes, for the file's sake."""
+    """Make a material with one shader node; it has few nodes, so that the file stays small.
+
+    kind: identifier of the shader node. has_tint: whether it has the instance's colour (attribute "tint"), not white.
+    """
     material = bpy.data.materials.new(name)
     material[KEY] = name
     if not material.use_nodes:
@@ -174,4 +184,4 @@ _SHAPES = {
     'SPECK': ("Motus Speck", _speck, _ice),
     'SPARK': ("Motus Spark", _speck, _glow),
 }
-"""Look -> name, function that gives vertices and faces, function that gives the material."""
+"""Look -> (name of the object, function that returns vertices and faces, function that returns the material)."""

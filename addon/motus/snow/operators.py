@@ -1,4 +1,4 @@
-"""Operators that add snow, give it another look, and take it away."""
+"""Operators that add and remove snow, apply presets, edit the colour gradient, and record colliders."""
 
 import dataclasses
 
@@ -17,7 +17,7 @@ from ..core.translations import tr
 from . import build, colliders, flakes, presets, rows
 from .properties import KEYWORDS, SnowKeywords
 
-ABOVE = 6.0  # m, of an emitter that is added by hand, over the 3D cursor or what the viewport looks at
+ABOVE = 6.0  # height, in metres, of a new emitter above the 3D cursor or the place that the viewport shows
 
 
 def _name(name, description):
@@ -61,7 +61,7 @@ class MOTUS_OT_snow_add(FindsValues, SnowKeywords, bpy.types.Operator):
     redo = (Rows(("preset",), title="Preset"), *(dataclasses.replace(group, when=_is_custom) for group in rows.ALL))
 
     def invoke(self, context, _event):
-        # By hand: snow that looks like snow at once, and falls on what is there.
+        # From a menu, without properties: the emitter gets the preset Gentle Snow, and a place above the scene.
         if not self.is_given("preset"):
             self.preset = 'GENTLE'
         if not self.is_given("location") and not self.surface:
@@ -100,7 +100,7 @@ class MOTUS_OT_snow_add(FindsValues, SnowKeywords, bpy.types.Operator):
         wiring.report_problems(self, context, build.system(), [emitter])
 
     def _chosen(self):
-        """Settings of what flakes look like, where it was named."""
+        """Return {setting: value} for the object or collection that the operator's properties name as flakes; {} if they name none."""
         if self.flake and self.flakes:
             raise Refused(tr("Name an object or a collection, not both"))
         if self.flake:
@@ -110,7 +110,10 @@ class MOTUS_OT_snow_add(FindsValues, SnowKeywords, bpy.types.Operator):
         return {}
 
     def _camera(self, context):
-        """The camera that was named, or else the scene's; None where flakes have another emitter."""
+        """Return the camera in whose view flakes are born: the one that is named, or else the scene's camera.
+
+        None if the emitter is not a camera's view. Raises Refused if there is no such camera.
+        """
         if self.camera:
             found = named(self.camera)
             if found.type != 'CAMERA':
@@ -124,7 +127,7 @@ class MOTUS_OT_snow_add(FindsValues, SnowKeywords, bpy.types.Operator):
 
 
 def _check_count(settings):
-    """Refuse more flakes than there can be."""
+    """Raise Refused if an emitter's settings ask for more flakes at one time than flakes.MOST."""
     count = flakes.most(settings)
     if not count <= flakes.MOST:
         memory = f"{count * flakes.BYTES / 2**30:.3g} GB" if count < INFINITE else "∞"
@@ -136,7 +139,10 @@ def _check_count(settings):
 
 
 def emitter_for(context, name):
-    """The emitter of this name, or the active one; refuses what has no snow."""
+    """Return the emitter of this name, or the active object if the name is empty.
+
+    Raises Refused if the object is no emitter of snow, is linked, or is baked.
+    """
     found = named(name) if name else context.object
     if found is None or not build.is_emitter(found):
         raise Refused(tr("Nothing here snows"))
@@ -181,7 +187,7 @@ class MOTUS_OT_snow_remove(Operator, bpy.types.Operator):
 
 
 class _OnEmitter(OfAnObject):
-    """Operators on the emitter that is named, or the active one."""
+    """Base of operators that change one emitter: the one that `object` names, or the active object."""
 
     object: object_keyword("Name of the emitter; empty takes the active object")
     found = staticmethod(emitter_for)
@@ -209,7 +215,7 @@ class MOTUS_OT_snow_stop_add(_OnEmitter, bpy.types.Operator):
     def run(self, context):
         stops = self.found(context, self.object).motus.snow.stops
         last = stops[-1] if stops else None
-        # What is added comes last, so its position is kept apart from the one before.
+        # A new colour is added at position 1: a last colour that is there already moves halfway to the colour before it.
         color = tuple(last.color) if last else None
         if last and last.position >= 1.0 and len(stops) > 1:
             last.position = 0.5 * (stops[-2].position + 1.0)

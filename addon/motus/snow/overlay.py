@@ -1,4 +1,4 @@
-"""What the viewport shows of an emitter, with its handles: the shape that flakes are born in, and to where they leave."""
+"""Overlay of an emitter in the viewport: the shape in which flakes are born, and the directions in which they leave."""
 
 import math
 
@@ -23,7 +23,7 @@ def _batches(context, obj):
 
 
 def _lines(settings):
-    """Ends of lines (2n, 3) in the emitter's space."""
+    """Ends of the line segments (2n, 3) of the shape in which flakes are born, in the emitter's space."""
     radius = settings.cone_radius
     if settings.shape == 'SQUARE':
         return radius * _square(0.0)
@@ -49,7 +49,7 @@ def _circle():
 
 
 def _rays(settings):
-    """Lines by which flakes leave at the edge, at most."""
+    """Ends of line segments (2 * RAYS, 3) that show the largest angle at which flakes leave the edge, in the emitter's space."""
     ends = np.array(handles.ray(settings))
     turns = np.arange(RAYS) * 2.0 * math.pi / RAYS
     across = ends[None, :, :1] * np.stack((np.cos(turns), np.sin(turns)), axis=1)[:, None, :]
@@ -57,7 +57,7 @@ def _rays(settings):
 
 
 def _arrow(settings):
-    """Arrow from the emitter's middle along the way of a flake in a short time."""
+    """Ends of the line segments (6, 3) of an arrow from the emitter's middle: the way of a flake in handles.SECONDS."""
     length = handles.SECONDS * settings.start_speed
     head = 0.15 * length
     tip = (0.0, 0.0, length)

@@ -1,4 +1,4 @@
-"""The panel of snow: in the sidebar's tab and in the object's constraint properties, on the emitter."""
+"""Panel of snow, in the sidebar and in the object's constraint properties; shown for emitters."""
 
 from ..core.file.pointers import pointed
 from ..core.interface import panels, ui
@@ -20,7 +20,7 @@ def draw_main(layout, context):
 
 
 def draw_emitter(layout, context):
-    """Draw where flakes are born, and how the emitter's motion is known."""
+    """Draw the settings of where flakes are born, and how the motion of the emitter, mesh or camera is known."""
     emitter = context.object
     settings = emitter.motus.snow
     column = ui.split(layout)
@@ -40,7 +40,7 @@ def draw_random(layout, context):
 
 
 def draw_steering(layout, context):
-    """How flakes turn as they fall."""
+    """Draw the settings of how flakes steer and tumble as they fall."""
     rows.STEERING.draw(ui.split(layout), context.object.motus.snow)
 
 
@@ -49,18 +49,18 @@ def _draw_steering_switch(layout, context):
 
 
 def draw_air(layout, context):
-    """Gravity and the air."""
+    """Draw the settings of gravity, air drag, wind and turbulence, and how an animated wind is known."""
     emitter = context.object
     rows.AIR.draw(ui.split(layout), emitter.motus.snow)
     if emitter.motus.snow.drag > 0.0 and emitter.animation_data is not None:
         moved = [(axis, one) for axis, one in enumerate(births.wind_tracks(emitter)) if not one.is_constant]
-        # One that has to be recorded first; what is known of one is known of all.
+        # One axis is drawn: an axis whose motion is not known comes first, since the artist has to record it.
         for axis, one in sorted(moved, key=lambda pair: pair[1].is_known)[:1]:
             track_panel.draw(layout, one, datablock=emitter.name, data_path=births.WIND, index=axis)
 
 
 def draw_landing(layout, context):
-    """Draw what flakes land on, and what they do there."""
+    """Draw the colliders that flakes land on, the button that records them, and the behavior of landed flakes."""
     emitter = context.object
     settings = emitter.motus.snow
     column = ui.split(layout)
@@ -77,7 +77,7 @@ def draw_landing(layout, context):
 
 
 def draw_flakes(layout, context):
-    """Draw what flakes look like, and their colours."""
+    """Draw the settings of the flakes' look, and the gradient of their colours."""
     settings = context.object.motus.snow
     rows.FLAKES.draw(ui.split(layout), settings)
     layout.label(text="Gradient")
@@ -92,7 +92,7 @@ def draw_flakes(layout, context):
 
 
 def draw_readouts(layout, context):
-    """How many flakes there are at most, and what they take."""
+    """Draw the largest number of flakes, their memory, and the progress of the search for landing places."""
     count = flakes.most(context.object.motus.snow)
     if not count < flakes.MOST:
         return
@@ -107,12 +107,12 @@ def draw_readouts(layout, context):
 
 
 def draw_actions(layout, context):
-    """Removing."""
+    """Draw the button that removes the snow."""
     layout.operator("motus.snow_remove", text="Remove", icon='X').object = context.object.name
 
 
 def draw_add(layout, context):
-    """Snow, snow from the active mesh, or in the view of the active camera."""
+    """Draw the buttons that add snow: from an emitter, from the active mesh's faces, or in the active camera's view."""
     layout.operator_context = 'INVOKE_DEFAULT'
     column = layout.column(align=True)
     column.operator("motus.snow_add", icon='ADD')

@@ -1,4 +1,4 @@
-"""Snow that goes by a name, and presets of the user's own."""
+"""Presets of snow: those that Motus brings, and those that users save."""
 
 import math
 
@@ -146,7 +146,7 @@ ITEMS = tuple((identifier, label, told) for identifier, label, told, _, _ in KIN
 NUMBERS = {identifier: numbers for identifier, _, _, numbers, _ in KINDS}
 _GRADIENTS = {identifier: gradient for identifier, _, _, _, gradient in KINDS}
 
-# What belongs to one shot is not part of a style.
+# Settings that presets of the user leave out, as they belong to one shot and not to a style.
 OF_THE_SHOT = {"start_frame", "delay", "use_ground", "ground", "all_attributes", "preview", "influence", "seed", "look"}
 LEFT_ALONE = {
     "start_frame",
@@ -162,15 +162,16 @@ LEFT_ALONE = {
     "closest",
     "farthest",
 }
-"""Settings that no preset of ours says anything of."""
+"""Settings that the presets of KINDS leave unchanged."""
 CHOSEN = 'OBJECT', 'COLLECTION', 'POINTS'
-"""Looks that are the user's."""
+"""Looks that the presets of KINDS leave unchanged, together with the flakes' width: the user has chosen them."""
 
 
 def put(settings, identifier, scene):
-    """Give an emitter's settings the values of a preset, all that it does not name at their defaults.
+    """Set an emitter's settings to the values of a preset; settings that the preset does not name get their defaults.
 
-    Flakes are in the air already on the scene's first frame, but for the plain ones.
+    The start frame is set so that flakes are already in the air on the scene's first frame, except for the preset Plain.
+    identifier: of the preset.
     """
     numbers = NUMBERS[identifier]
     for name in _of_a_kind(settings):
@@ -197,21 +198,21 @@ def kind_of(settings):
 
 
 def _of_a_kind(settings):
-    """Names of the settings that a preset says something of."""
+    """Names of the settings that a preset sets: without those that are left unchanged for the emitter's shape and look."""
     left_alone = LEFT_ALONE | ({"shape"} if settings.shape in {'SURFACE', 'CAMERA'} else set())
     left_alone |= {"look", "flake_width"} if settings.look in CHOSEN else set()
     return [name for name in KEYWORDS if name not in left_alone]
 
 
 def _set(settings, name, value):
-    """Set what is different: the file grows by each setting that was ever set."""
+    """Set a setting if its value differs: each setting that was ever set makes the file larger."""
     present = getattr(settings, name)
     if (tuple(present) if isinstance(value, tuple) else present) != value:
         setattr(settings, name, value)
 
 
 def _is_alike(present, wanted):
-    """Whether a setting, which Blender keeps in single precision, has a value."""
+    """Whether the present value of a setting equals a wanted one within single precision, in which Blender keeps it."""
     if isinstance(wanted, float):
         return math.isclose(present, wanted, rel_tol=1e-6, abs_tol=1e-9)
     if isinstance(wanted, tuple):

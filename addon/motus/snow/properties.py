@@ -1,4 +1,4 @@
-"""Settings of snow: Object.motus.snow of the emitter."""
+"""Settings of snow: the property group Object.motus.snow of the emitter."""
 
 import math
 
@@ -47,9 +47,10 @@ def _redress(settings, context):
 
 
 class SnowKeywords:
-    """Mixin of the settings and of the operator, which share these properties; scripts use the names as keywords.
+    """Mixin of an emitter's settings and of the operator that adds snow; in scripts the names are the operator's keywords.
 
-    Nearly none has keys: all flakes of all times follow from them, and would be different ones on each frame.
+    Nearly all of these properties cannot be animated: all flakes of all times follow from a single value of each, and with keys there
+    would be different flakes on each frame.
     """
 
     start_speed: number("Speed", "Speed at which flakes leave the emitter", 5.0, soft_min=0.0, soft_max=10.0, unit='VELOCITY')
@@ -235,12 +236,12 @@ class MOTUS_PG_snow_stop(bpy.types.PropertyGroup):
 
 
 def _is_other(settings, obj):
-    """Whether an object is not the emitter itself."""
+    """Whether an object is different from the emitter that has the settings."""
     return obj != settings.id_data
 
 
 def _is_other_mesh(settings, obj):
-    # An object of another type is read all the same, and the panel says that it has no faces.
+    # If a script sets an object that is no mesh, the panel says that it has no faces.
     return obj.type == 'MESH' and _is_other(settings, obj)
 
 

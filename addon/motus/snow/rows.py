@@ -1,4 +1,4 @@
-"""The rows of snow's settings: in the panels, and for the keywords in the redo panel."""
+"""Rows of snow's settings, as the panels and the operators' redo panel draw them."""
 
 import bpy
 
@@ -87,5 +87,5 @@ FLAKES = Rows(
     title="Flakes",
 )
 LOOK = Rows(("look", _WIDTH, "all_attributes", "preview", "influence"), title="Flakes")
-"""For the operator, which names objects otherwise."""
+"""Rows of the look in the redo panel of the operator, which has no pointers to objects but properties with their names."""
 ALL = (EMISSION, EMITTER, RANDOM, SNOW, AIR, LANDING, LOOK)

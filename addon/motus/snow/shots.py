@@ -1,4 +1,4 @@
-"""The shots of a camera, in whose view flakes are born: what lies between the cuts, at which the view is another one at once."""
+"""Shots of a camera in whose view flakes are born. A shot is the time between two cuts, at which the view jumps."""
 
 import math
 
@@ -6,19 +6,22 @@ from ..core import tracks
 from ..core.lazy import numpy as np
 
 SUDDEN = 1.0 / 64.0
-"""Frames: what moves the view within them is a jump, not a motion."""
+"""Time in frames: a change of the view within this time is a jump, not a motion."""
 SAME, OTHER = 0.9, 0.1
-"""Shares of the view that were seen before: after a jump that leaves less than SAME, or a frame that leaves less than OTHER, it is
-another shot."""
+"""Shares of the view that were also seen before, below which a new shot begins.
+
+SAME is compared with the view just before (SUDDEN frames), OTHER with the view one frame before.
+"""
 ACROSS = 5
-"""Places along each axis of the view at which it is compared with the one before."""
+"""Number of places, along each axis of the view, at which two views are compared."""
 
 
 def alone(poses, moved, view, frame, start_frame, fps):
     """Poses of a camera within the shot that `frame` is in, as if the camera filmed this shot at all times.
 
     Samples outside the shot are dropped; the first and last pose within the shot hold beyond it. A shot lies between two cuts, at
-    which the view jumps. poses: births.Poses of the camera. moved: Track of the camera. view: hashable arguments of _places().
+    which the view jumps. poses: births.Poses of the camera. moved: Track of the camera (world matrices at any frame).
+    view: (half the angles of the view, closest, farthest), hashable.
     start_frame: frame at which the seconds of the poses begin.
     """
     first, last = (start_frame + fps * poses.seconds[at] for at in (0, -1))
@@ -38,9 +41,9 @@ def alone(poses, moved, view, frame, start_frame, fps):
 
 
 def unscaled(matrices):
-    """Matrices (k, 4, 4) with axes of length 1, as Blender has those of a camera, however it or its parents are scaled."""
+    """Return world matrices (k, 4, 4) with axes of length 1: Blender ignores the scale of a camera and of its parents."""
     axes = matrices[:, :3, :3]
-    # Summed by hand, so that the bits are the same wherever the matrices lie.
+    # Summed term by term, so that the result has the same bits whatever the memory layout of the matrices is.
     lengths = np.sqrt(axes[:, 0] * axes[:, 0] + axes[:, 1] * axes[:, 1] + axes[:, 2] * axes[:, 2])
     found = matrices.copy()
     found[:, :3, :3] = axes / np.where(lengths > 0.0, lengths, 1.0)[:, None]
@@ -48,7 +51,7 @@ def unscaled(matrices):
 
 
 def _cuts(moved, view, first, last):
-    """(rising frames (n,) of the cuts after the first frame, matrices (n, 4, 4) just before them)."""
+    """Return (frames (n,) of the cuts after the first frame, rising; the camera's matrices (n, 4, 4) just before each cut)."""
     frames = np.array([at for at in moved.bounds(first, last) if at > first], float)
     if len(frames) == 0:
         return frames, np.empty((0, 4, 4))
@@ -58,7 +61,7 @@ def _cuts(moved, view, first, last):
 
 
 def _share_seen(before, after, view):
-    """Share of the view from poses (n, 4, 4) that was also seen from other poses (n, 4, 4)."""
+    """Shares (n,) of the views after n moments that were also seen before. before, after: world matrices (n, 4, 4) of the camera."""
     places, slopes, closest, farthest = _places(*view)
     found = np.einsum("nij,kj->nki", np.linalg.inv(before) @ after, places)
     depths = -found[:, :, 2]
@@ -69,7 +72,10 @@ def _share_seen(before, after, view):
 
 
 def _places(angles, closest, farthest):
-    """(places (k, 4) that are evenly spread in what a camera sees, in its space, tangents of the angles, closest, farthest)."""
+    """Return (places (k, 4) evenly spread in a camera's view, in camera space; tangents of the angles; closest; farthest).
+
+    angles: half the angles of the view in X and Y. closest, farthest: distances from the camera.
+    """
     shares = (np.arange(ACROSS) + 0.5) / ACROSS
     depths = np.cbrt(closest**3 + shares * (farthest**3 - closest**3))
     across, up, depth = (part.ravel() for part in np.meshgrid(2.0 * shares - 1.0, 2.0 * shares - 1.0, depths))

@@ -1,4 +1,7 @@
-"""Snow: what its solver reads, and the one call of the library."""
+"""Solver of snow: it reads the emitter's settings, lets the native library compute the flakes, and fills the emitter's points.
+
+A Problem is a sentence that the panel shows.
+"""
 
 from ..core.declare import Geometries, Geometry, Matrix, OwnMatrix, Points, Problem, Setting
 from ..core.file import deleted
@@ -33,13 +36,16 @@ PROBLEMS = (
 
 
 def _unneeded(settings):
-    """Instances are blurred by their own motion, and bare points do not show how they are turned."""
+    """Names of the attributes that Blender does not need for the look of the flakes, and that are therefore left out.
+
+    Motion blur of instances does not need their velocity, and bare points do not show a rotation.
+    """
     if settings.all_attributes:
         return ()
     return ("turn",) if settings.look == 'POINTS' else ("velocity",)
 
 
-# Cycles has an own sense for an attribute that is named "color".
+# The colour is named "tint" because Cycles gives an attribute named "color" a meaning of its own.
 POINTS = Points(
     attributes=(("velocity", 'VECTOR'), ("radius", 'FLOAT'), ("tint", 'COLOR'), ("age", 'FLOAT'), ("turn", 'QUATERNION'), ("id", 'INT')),
     capacity=flakes.MOST,
@@ -57,7 +63,12 @@ INPUTS = (
 
 
 def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence):
-    """Flakes in world space."""
+    """Compute the flakes at the frame of the context, in world space, as the points of the emitter; returns the Problem to show, or None.
+
+    emitter: world matrix of the emitter. placed, surface: world matrix and evaluated object of the mesh that emits flakes.
+    seeing: world matrix of the chosen camera. lens: an input only so that the solver runs again if the lens changes.
+    landed_on: colliders, an input only so that Blender evaluates them first. influence: 0 hides the snow.
+    """
     settings = context.settings
     keywords = context.kept("keywords", None, lambda: flakes.numbers(settings))
     if isinstance(keywords, Problem):
@@ -99,13 +110,19 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
 
 
 def source(owner):
-    """The object at whose poses flakes are born: the emitter, the mesh whose faces they leave, or the camera."""
+    """Object whose motion gives the places where flakes are born: the emitter, the mesh that emits them, or the camera.
+
+    owner: emitter. None if the mesh or camera is not chosen.
+    """
     settings = owner.motus.snow
     return {'SURFACE': pointed(settings, "surface"), 'CAMERA': pointed(settings, "camera")}.get(settings.shape, owner)
 
 
 def _poses(context, born_at, present, angles):
-    """(Poses, Problem or None); None for poses that are not finite."""
+    """Return (births.Poses over time, Problem to show or None); the Poses are None if they are not finite.
+
+    born_at: object whose poses count. present: its world matrix now. angles: half the angles of a camera's view, otherwise None.
+    """
     settings = context.settings
     poses, is_known = births.over_time(
         born_at,

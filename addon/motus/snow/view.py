@@ -1,4 +1,4 @@
-"""The part of space that a camera sees, in which flakes come into being."""
+"""View of a camera, in which flakes are born: which camera counts, and the angles of its view."""
 
 import math
 from dataclasses import dataclass
@@ -15,16 +15,16 @@ NO_PERSPECTIVE = Problem("Flakes are born only in the view of a perspective came
 LENS_UNKNOWN = Problem("The camera's lens is not known ahead, and flakes are born in what it sees now: key it, or record it", False)
 PROBLEMS = NO_CAMERA, CAMERA_DELETED, NO_PERSPECTIVE, LENS_UNKNOWN
 WIDEST = math.radians(89.0)
-"""Half of what a camera sees by, at most."""
+"""Largest half angle of a camera's view, in radians, that is used."""
 _OF_LENS = "lens", "sensor_width", "sensor_height", "shift_x", "shift_y"
-"""Of a camera's data, the numbers that what it sees follows from."""
+"""Properties of a Camera datablock that its view depends on."""
 
 
 @dataclass(frozen=True)
 class Lens:
-    """Focal length, mm, of the camera object that the pointer setting `of` names; None without it.
+    """Declared input of a solver: focal length, in mm, of the camera object that the pointer setting `of` names.
 
-    The solver runs again whenever the camera's data are edited.
+    None if there is no such camera. Because of this input the solver runs again whenever the camera's data are edited.
     """
 
     name: str
@@ -40,7 +40,10 @@ class Lens:
 
 
 def cameras(settings, scene):
-    """The original cameras that the timeline's markers bind, if flakes follow markers and the chosen camera is one of them; else none."""
+    """List the original cameras that timeline markers of a scene bind, if an emitter's flakes follow the markers.
+
+    Empty if Follow Markers is off, or if no marker binds the chosen camera.
+    """
     chosen = pointed(settings, "camera")
     if chosen is None or not settings.follow_markers or settings.shape != 'CAMERA':
         return []
@@ -49,11 +52,14 @@ def cameras(settings, scene):
 
 
 def filming(camera, settings, depsgraph, frame):
-    """The evaluated camera in whose view flakes are born on a frame: the one that is bound there, or the chosen one."""
+    """Return the evaluated camera in whose view flakes are born: the one that markers bind at a frame, or else the chosen camera.
+
+    camera: chosen camera, evaluated. settings: of an emitter.
+    """
     scene = depsgraph.scene
     if not cameras(settings, scene):
         return camera
-    # As Blender has it: before the first marker its camera counts, and those that are not rendered do not.
+    # Blender does the same: before the first marker that marker's camera counts, and cameras that are not rendered are skipped.
     bound = sorted(
         ((marker.frame, marker.camera) for marker in scene.timeline_markers if marker.camera and not marker.camera.hide_render),
         key=lambda one: one[0],
@@ -63,13 +69,17 @@ def filming(camera, settings, depsgraph, frame):
 
 
 def names(settings, scenes):
-    """The names of the cameras that the solver waits for in some scenes, beside the chosen one, a line each."""
+    """Return the names of the cameras that timeline markers of the scenes bind for an emitter, sorted, one on each line."""
     found = {camera.name for scene in scenes for camera in cameras(settings, scene)}
     return "\n".join(sorted(found))
 
 
 def angles(camera, matrix, scene):
-    """Half the angles, in X and Y, by which an evaluated camera sees, at the widest that its lens ever is; or a Problem."""
+    """Return half the angles of a camera's view in X and Y, radians, for its widest lens on any frame.
+
+    Returns a Problem if the camera is missing, deleted or not a perspective camera. camera: evaluated object, or None.
+    matrix: world matrix of the camera, or None.
+    """
     if camera is None or matrix is None or camera.type != 'CAMERA':
         return NO_CAMERA
     if deleted.is_deleted(camera):
@@ -78,28 +88,31 @@ def angles(camera, matrix, scene):
         return NO_PERSPECTIVE
     data = camera.data
     sensor = "sensor_height" if data.sensor_fit == 'VERTICAL' else "sensor_width"
-    # Flakes of all times are born in the same view: whatever is seen on any frame.
+    # Flakes of all times are born in one view, which contains the views of all frames.
     wider = _on_all_frames(data, sensor).max() / max(1.0, _on_all_frames(data, "lens").min())
     shifts = (np.abs(_on_all_frames(data, name)).max() for name in ("shift_x", "shift_y"))
     return tuple(min(math.atan(wider * (half + shift)), WIDEST) for half, shift in zip(_halves(data, scene.render), shifts))
 
 
 def _halves(data, render):
-    """Half the picture's width and height, in sizes of the sensor. Not by view_frame(), whose bits differ with lens and shift."""
+    """Half the picture's width and height, in multiples of the sensor's size.
+
+    Camera.view_frame() is not used: its result changes in the last bits with lens and shift. render: RenderSettings of the scene.
+    """
     width, height = render.resolution_x * render.pixel_aspect_x, render.resolution_y * render.pixel_aspect_y
     fitted = {'HORIZONTAL': width, 'VERTICAL': height}.get(data.sensor_fit, max(width, height))
     return 0.5 * width / fitted, 0.5 * height / fitted
 
 
 def lens_problem(data):
-    """LENS_UNKNOWN of a camera's data whose lens may be another one on other frames, and nobody can tell which; else None."""
+    """Return the Problem LENS_UNKNOWN if a camera's lens is animated in a way that is not known ahead, such as by a driver; else None."""
     if data.animation_data is None or all(tracks.property_track(data, name).is_known for name in _OF_LENS):
         return None
     return LENS_UNKNOWN
 
 
 def _on_all_frames(data, name):
-    """Values of a number of a camera's data, (n,): those of its keys, and between; or its present one."""
+    """Values (n,) that a number property of a camera's data has at its keys and between them; only the present value if it has no keys."""
     track = tracks.property_track(data, name) if data.animation_data is not None else None
     if track is None or not track.is_known or track.extent is None:
         return np.array([getattr(data, name)], float)

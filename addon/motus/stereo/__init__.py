@@ -1,4 +1,4 @@
-"""Stereo camera rig: sets a camera's eyes by a depth budget, and checks what an audience will see."""
+"""Stereo camera rig: sets a camera's eye distances by a depth budget, and checks how the result looks to an audience."""
 
 from ..core.declare import System
 from . import checking, measuring, operators, output, overlay, panel, presets, properties, rig, solve, viewing

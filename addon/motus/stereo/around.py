@@ -1,8 +1,8 @@
-"""Switch a camera to a stereo panorama of 360 degrees and back."""
+"""Switch a camera to a stereo panorama of 360 degrees, and later restore its previous type."""
 
 
 def begin(settings, camera):
-    """Make a camera render a stereo panorama, and store its previous type. settings: of its rig."""
+    """Make a camera render a stereo panorama, and store its previous type in `settings`, the settings of the camera's rig."""
     panorama = _panorama(camera)
     if not settings.before_type:
         settings.before_type, settings.before_spherical = camera.type, camera.stereo.use_spherical_stereo
@@ -11,7 +11,7 @@ def begin(settings, camera):
 
 
 def end(settings, camera):
-    """Restore the camera's type before the panorama, if the camera renders one."""
+    """Restore the camera type that begin() has stored in `settings`; nothing happens if none is stored."""
     if not settings.before_type:
         return
     panorama = _panorama(camera)
@@ -24,7 +24,7 @@ def end(settings, camera):
 
 
 def put(holder, name, value):
-    """Set an enum to a value that was read from a file; returns whether the enum has that item."""
+    """Assign an item's identifier, read from a file, to an enum property; returns False if the enum has no such item."""
     is_known = value in holder.bl_rna.properties[name].enum_items
     if is_known:
         setattr(holder, name, value)
@@ -32,5 +32,5 @@ def put(holder, name, value):
 
 
 def _panorama(camera):
-    # panorama settings belong to Cycles before 5.0
+    # Before Blender 5.0 the panorama settings belong to Cycles.
     return camera if hasattr(camera, "panorama_type") else camera.cycles

@@ -1,4 +1,4 @@
-"""Operator that searches the frames for faults that an audience would suffer from."""
+"""Operator that searches a range of frames for faults of a stereo rig that would strain an audience."""
 
 import bpy
 
@@ -10,17 +10,17 @@ from . import judging, results, rig, samples, screens, targets
 
 
 class _Found:
-    """Faults and parallax of one camera, on the frames on which it is seen."""
+    """Faults and parallax of one camera, collected over the frames on which the camera is used."""
 
     def __init__(self, screen):
         self.screen = screen
         self.faults = {}
-        """Worst value of each kind of fault on each frame: {kind: [(frame, value)]}."""
+        """Frames with each kind of fault: {kind: [(frame, worst value on the frame)]}."""
         self.parallax = []
-        """Parallax of the samples, one array for each frame."""
+        """Parallax of the sampled depths, one array for each frame."""
 
     def add(self, scene, camera, depsgraph, frame):
-        """Judge the camera on the present frame."""
+        """Sample what the camera sees on the present frame, and add its parallax and its faults."""
         eyes, lens = rig.eyes(scene, camera, depsgraph)
         if eyes is None:
             return

@@ -1,4 +1,4 @@
-"""Judge a rig on one frame: numbers for each kind of fault, and the sentences that report them."""
+"""Judge a stereo rig on one frame: a number for each kind of fault, and the sentences that report faults."""
 
 from typing import Any, NamedTuple
 
@@ -8,18 +8,25 @@ from ..core.lazy import numpy as np
 from ..core.translations import tr
 
 HIDDEN_PIXELS = 1.0
-"""Pixels of parallax that are not noticed: in front of the screen at an edge of the image, and vertically."""
+"""Parallax in pixels that viewers do not notice: in front of the screen at an edge of the image, and vertical parallax."""
 
 
 class Seen(NamedTuple):
-    """Judgement of one frame. parallax: of the samples, fractions of the width. faults: {kind: value of the worst place}."""
+    """Judgement of one frame.
+
+    parallax: array of the samples' parallax, in fractions of the image width. faults: {kind: value of the worst sample}, a key of SENTENCES
+    for each fault found.
+    """
 
     parallax: Any
     faults: dict
 
 
 def judge(eyes, lens, screen, pixels, x, depths):
-    """Judge samples of a frame; returns a Seen. eyes, screen: keywords of the library. pixels: width of the image."""
+    """Judge the sampled depths of a frame; returns a Seen.
+
+    eyes, screen: keyword arguments of the native functions. pixels: width of the image. x, depths: samples from samples.take().
+    """
     if len(depths) == 0:
         return Seen(np.zeros(0), {'EMPTY': 0.0})
     call = native.module
@@ -41,7 +48,7 @@ def judge(eyes, lens, screen, pixels, x, depths):
 
 
 def _vertical(depth, lens, eyes):
-    """Vertical parallax of the image's corner at a depth; the whole width of the image if the corner is behind an eye."""
+    """Vertical parallax of the image corner at a depth, in fractions of the image width; 1.0 if the corner is behind an eye."""
     try:
         return native.module.vertical_parallax(depth, lens.aspect, **eyes)
     except ValueError:

@@ -1,4 +1,4 @@
-"""Focal length of a camera, and the part of its sensor behind the image's width, on which parallax depends."""
+"""Focal length of a camera, and the width of its sensor that the image covers; parallax depends on both."""
 
 from typing import NamedTuple
 
@@ -8,11 +8,11 @@ ANIMATED = ("lens", "sensor_width", "sensor_height")
 
 
 class Lens(NamedTuple):
-    """Lens of a camera for an image.
+    """Lens of a camera for an image of a given aspect ratio.
 
-    focal_length: mm. sensor_width: mm of the sensor behind the image's width. aspect: width of the image / its height. off_axis: factor on
-    the
-    convergence distance for Blender's off-axis mode, which divides its shift by the sensor's width even if the sensor's height is fitted.
+    focal_length: mm. sensor_width: mm of the sensor that the image's width covers. aspect: image width divided by image height.
+    off_axis: factor on the convergence distance in Blender's off-axis mode. Blender divides the shift by the sensor's width even if the
+    sensor fit is by its height.
     """
 
     focal_length: float
@@ -22,7 +22,7 @@ class Lens(NamedTuple):
 
 
 def of(camera, render, frame=None):
-    """Lens of a camera for the images of these render settings.
+    """Return the Lens of a camera for the render settings of a scene.
 
     frame: frame at which the camera's keys are read; None for the present values.
     """

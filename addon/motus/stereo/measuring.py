@@ -1,4 +1,7 @@
-"""Operator that measures near and far of the visible scene; over several frames as smooth curves that change ahead of their cause."""
+"""Operator that measures the nearest and farthest depth that a camera sees.
+
+Over several frames it keys both as smooth curves that change before the depths do.
+"""
 
 import bpy
 

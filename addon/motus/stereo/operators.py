@@ -16,14 +16,14 @@ MODES = (
     ('TOE', "Toe-In", "The eyes are turned towards each other, which moves corners up and down"),
 )
 LENGTHS = "interocular", "distance", "near", "far"
-"""Keywords whose defaults are lengths in metres."""
+"""Keywords of the operator whose default values are lengths in metres."""
 PARALLAXES = "near_parallax", "far_parallax"
 LEFT_OUT = 0.01
-"""Share of the picture that is left out at either end of the measured depths."""
+"""Share of the sampled depths that is ignored at the near end, and again at the far end."""
 
 
 class OfARig:
-    """Mixin of operators that change a rig."""
+    """Mixin of the operators that change the stereo rig of a camera."""
 
     object: object_keyword("Name of the camera; empty takes the active one, or the scene's")
 
@@ -99,7 +99,7 @@ class MOTUS_OT_stereo_rig_add(FindsValues, StereoKeywords, bpy.types.Operator):
 
     @staticmethod
     def _select(context, camera):
-        """Make the camera active, so that the panel shows its rig."""
+        """Make the camera the active object, so that the panel shows its rig."""
         if camera.name in context.view_layer.objects:
             camera.select_set(True)
             context.view_layer.objects.active = camera

@@ -1,4 +1,4 @@
-"""Operator that sets the format of the images of both eyes."""
+"""Operator that sets the file format in which a scene saves the images of both eyes."""
 
 import bpy
 

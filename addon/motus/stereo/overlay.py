@@ -1,4 +1,4 @@
-"""Viewport overlay of a rig: planes at near, screen and far, the volume that is safe on the screen, and a ruler of parallax."""
+"""Viewport overlay of a stereo rig: planes at near, screen and far, the comfortable volume, and a ruler of parallax."""
 
 from ..core import native
 from ..core.interface.overlay import Batch, Overlay, Switch
@@ -12,11 +12,11 @@ COMFORTABLE, STRAINED, DIVERGING = (0.35, 0.85, 0.45, 0.9), (0.98, 0.75, 0.25, 0
 SCALE = (0.80, 0.80, 0.80, 0.7)
 
 STEP, STEPS = 0.005, 8
-"""Parallax between marks of the ruler, and number of marks in front of the screen and behind it."""
+"""Parallax between two marks of the ruler, and number of marks on either side of the screen. Parallax is a fraction of the width."""
 MARKS = 0.015, 0.03
-"""Half the length of the ruler's marks at half and whole percents, as fractions of the image's width."""
+"""Half the length of the ruler's marks at half percents and at whole percents, as fractions of the image width."""
 MOST_RULED = 64
-"""Most selected objects that the ruler shows."""
+"""Largest number of selected objects whose parallax the ruler shows."""
 
 PLANES = Switch("show_stereo_planes", "Planes", "Draw the planes of the depth budget: near in red, the screen in white, far in blue")
 VOLUME = Switch("show_stereo_volume", "Safe Volume", "Draw the volume that an audience can look at without strain")
@@ -61,7 +61,11 @@ def _batches(context, owner):
 
 
 def _ruler(context, owner, frame, eyes, screen):
-    """Batches of the ruler: marks along the lower edge of the image at the screen, and a line to each selected object."""
+    """Return the drawing batches of the ruler.
+
+    The ruler has marks of equal parallax along the lower edge of the image, and a line to each selected object. frame: the camera's _Frame.
+    eyes, screen: keyword arguments of the native functions.
+    """
     camera, call = owner.data, native.module
     ends = camera.clip_start, camera.clip_end
     marks = [(eyes["convergence"], MARKS[1])]
@@ -86,7 +90,7 @@ def _ruler(context, owner, frame, eyes, screen):
 
 
 class _Frame:
-    """Corners of the camera's view at any depth."""
+    """World positions of the corners and edges of a camera's image at any depth."""
 
     def __init__(self, scene, evaluated):
         corners = np.array(evaluated.data.view_frame(scene=scene))
@@ -97,20 +101,20 @@ class _Frame:
         return (self._corners * depth) @ self._matrix[:3, :3].T + self._matrix[:3, 3]
 
     def loop(self, depth):
-        """Edge of the image at a depth, as a closed line (5, 3)."""
+        """Edge of the image at a depth, as a closed line of world positions, (5, 3)."""
         return self._at(depth)[[0, 1, 2, 3, 0]].astype(np.float32)
 
     def below(self, depth, aside):
-        """Place on the lower edge of the image at a depth.
+        """World position on the lower edge of the image at a depth.
 
-        aside: distance to the right of the middle, as a fraction of the image's width.
+        aside: distance to the right of the middle, as a fraction of the image width.
         """
         corners = self._at(depth)
         right, left = corners[1], corners[2]
         return 0.5 * (left + right) + aside * (right - left)
 
     def sides(self, near, far):
-        """Edges of the image at two depths, and the lines between them, as pairs of ends (24, 3)."""
+        """Edges of the image at two depths, and the lines between the corners, as pairs of line ends, (24, 3)."""
         first, last = self._at(near), self._at(far)
         turned = [1, 2, 3, 0]
         pairs = [(first, last), (first, first[turned]), (last, last[turned])]

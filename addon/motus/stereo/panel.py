@@ -1,4 +1,4 @@
-"""The panel of a stereo rig: in the sidebar's tab and in the camera's properties."""
+"""Panel of a stereo rig, in the sidebar and in the camera's properties."""
 
 import math
 
@@ -16,7 +16,7 @@ BAR = 8  # points of the graph for each column of the histogram
 
 
 def draw_main(layout, context):
-    """Draw what is wrong, and the settings of the eyes."""
+    """Draw the solver's error message, and the settings of the rig's eyes."""
     owner = context.object
     ui.draw_problem(layout, context, system(), owner)
     if not rig.renders_both_eyes(context.scene):
@@ -43,7 +43,7 @@ def draw_screen(layout, context):
 
 
 def draw_readouts(layout, context):
-    """Draw the present distances of the eyes, parallax of the selected objects, and the result of the last check."""
+    """Draw the present eye distances, the parallax of the selected objects, and the result of the last check."""
     owner, scene, depsgraph = context.object, context.scene, context.view_layer.depsgraph
     eyes, _ = rig.eyes(scene, owner, depsgraph)
     settings = owner.motus.stereo
@@ -56,7 +56,7 @@ def draw_readouts(layout, context):
 
 
 def _of_eyes(context, settings, eyes, screen):
-    """Read-outs of the distances of the eyes that the solver has found, if no setting shows them."""
+    """Return read-outs of the eye distances that the solver has computed, unless a setting shows them already."""
     if settings.convergence == 'BUDGET':
         yield ui.Readout(text="Interocular", value=ui.length(context, eyes["interaxial"]))
     if math.isfinite(eyes["convergence"]):
@@ -71,7 +71,7 @@ def _of_eyes(context, settings, eyes, screen):
 
 
 def _draw_strain(layout, settings, screen):
-    """Draw a warning if the depth budget is uncomfortable on the audience's screen."""
+    """Draw a warning if the rig's depth budget is uncomfortable on the audience's screen."""
     limits = [100.0 * limit for limit in native.module.comfortable_parallax(**screen)]
     if any(mine > limit for mine, limit in zip((settings.near_parallax, settings.far_parallax), limits)):
         near, far = (f"{limit:.2f}" for limit in limits)
@@ -80,7 +80,7 @@ def _draw_strain(layout, settings, screen):
 
 
 def _rulers(context, owner, eyes):
-    """Read-outs of the parallax of objects that are selected beside the camera."""
+    """Return read-outs of the parallax of the selected objects, the camera excepted."""
     matrix, pixels = owner.matrix_world, rig.width_in_pixels(context.scene.render)
     for obj in [obj for obj in context.selected_objects if obj != owner][:MOST_RULERS]:
         depth = depth_of(matrix, obj.matrix_world.translation)
@@ -105,7 +105,7 @@ def _draw_check(layout, owner):
 
 
 def draw_actions(layout, context):
-    """Draw the buttons for viewing, checking, output, baking and removing."""
+    """Draw the buttons that show the anaglyph view, check the frames, set the output, bake the rig, and remove it."""
     name = context.object.name
     column = layout.column(align=True)
     column.operator_context = 'INVOKE_DEFAULT'

@@ -1,4 +1,4 @@
-"""Presets of stereo rigs."""
+"""Presets of a stereo rig's settings."""
 
 from ..core.interface import presets
 from .properties import KEYWORDS

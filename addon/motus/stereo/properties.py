@@ -1,4 +1,4 @@
-"""Settings of a stereo rig, in Object.motus.stereo of the camera."""
+"""Settings of a stereo rig, in Object.motus.stereo of the camera object."""
 
 from functools import partial
 
@@ -24,7 +24,10 @@ _number = partial(number, options=ANIMATED)
 
 
 class StereoKeywords:
-    """Properties that the settings and the operator have in common; their names are keywords of scripts."""
+    """Mixin with the properties that a rig's settings and the operator that adds a rig have in common.
+
+    The names of the properties are the operator's keywords in scripts.
+    """
 
     convergence: bpy.props.EnumProperty(
         name="Convergence",

@@ -1,4 +1,4 @@
-"""Results of the last check of each rig, kept while the file is open: sentences, and a histogram of parallax."""
+"""Results of the last check of each stereo rig, kept while the file is open: sentences on faults, and a histogram of parallax."""
 
 from typing import Any, NamedTuple
 
@@ -7,13 +7,17 @@ from ..core.lazy import numpy as np
 
 COLUMNS = 32
 NARROWEST = 0.001
-"""Least range of the histogram, in parallax; equal parallax everywhere gives one column."""
+"""Least range of the histogram, in fractions of the image width; if all parallax is equal, one column contains all samples."""
 
 _found = keeping.OfFile("what the last check of a stereo rig has found (Result)", "name of the camera with its library", most=64)
 
 
 class Result(NamedTuple):
-    """Result of a check. lowest, highest: parallax, fractions of the width. shares: part of the samples in each column of the histogram."""
+    """Result of a check.
+
+    sentences: one for each fault. lowest, highest: parallax in fractions of the image width. shares: share of the samples in each column of
+    the histogram.
+    """
 
     sentences: tuple
     lowest: float
@@ -22,7 +26,10 @@ class Result(NamedTuple):
 
 
 def keep(camera, sentences, parallax):
-    """Keep the result of a check."""
+    """Store the result of a check of a camera's stereo rig.
+
+    sentences: one for each fault. parallax: list of arrays, one for each frame.
+    """
     values = np.concatenate(parallax) if parallax else np.zeros(0)
     lowest, highest = (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)
     wider = 0.5 * max(NARROWEST - (highest - lowest), 0.0)
@@ -36,5 +43,5 @@ def of(camera):
 
 
 def forget(camera):
-    """Drop the result of a camera."""
+    """Delete the stored result of a camera's check."""
     _found.drop(camera.name_full)

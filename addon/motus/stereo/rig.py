@@ -1,4 +1,4 @@
-"""Set up and remove a stereo rig: the camera's properties that it drives, and the keywords that the library gets."""
+"""Add and remove a stereo rig: the properties of the camera that the rig drives, and the eyes as arguments of native functions."""
 
 import math
 
@@ -14,20 +14,20 @@ from . import around, lens, results
 
 PREFIX = "motus.stereo."
 OUTPUTS = ("interocular", "convergence")
-"""Outputs of the solver that drive the camera; lens.Lens.off_axis explains the factor on the convergence."""
+"""Names of the solver's results that drive the camera: interocular and convergence distance."""
 MODES = {'OFFAXIS': "off_axis", 'PARALLEL': "parallel", 'TOE': "toe_in"}
 CENTRE = 'CENTER'
 ONE_EYE, BOTH_EYES = 'LEFT', 'S3D'
-"""Values of a viewport's stereo_3d_camera: one eye, or both eyes."""
+"""Values of SpaceView3D.stereo_3d_camera: one eye, and both eyes."""
 
 
 def system():
-    """The registered System of the rigs. It cannot be imported at the top, since the package's __init__ imports this module."""
+    """The registered System of stereo rigs. A top-level import is impossible, since the package's __init__ imports this module."""
     return registered["stereo"]
 
 
 def groups(owner):
-    """Declare the driven properties: interocular and convergence distance of the camera's data."""
+    """Declare the driven properties to the registry: interocular and convergence distance of the camera's data."""
     if owner.type != 'CAMERA':
         return ()
     return (
@@ -42,13 +42,16 @@ def groups(owner):
 
 
 def has_rig(obj):
-    """Whether an object is a camera with a rig."""
+    """Whether an object is a camera that has a stereo rig."""
     # Accessing obj.motus would create the settings.
     return obj.type == 'CAMERA' and obj.is_property_set("motus") and obj.motus.stereo.is_active
 
 
 def add(scene, owner, mode, focus, keywords):
-    """Add a rig to a camera. keywords: values of settings."""
+    """Add a stereo rig to a camera.
+
+    mode: Blender's convergence mode. focus: object that lies on the screen, or None. keywords: {name: value} of the rig's settings.
+    """
     settings, stereo = owner.motus.stereo, owner.data.stereo
     settings.before_mode, settings.before_pivot = stereo.convergence_mode, stereo.pivot
     stereo.convergence_mode, stereo.pivot = mode, CENTRE
@@ -56,12 +59,12 @@ def add(scene, owner, mode, focus, keywords):
     for name, value in keywords.items():
         setattr(settings, name, value)
     settings.focus = focus
-    results.forget(owner)  # results of a deleted camera with the same name
+    results.forget(owner)  # a deleted camera with the same name may have left results
     wiring.attach(system(), owner)
 
 
 def remove(owner):
-    """Remove a rig: its wiring, keys of its settings, its changes to camera and scenes, and its settings."""
+    """Remove a camera's stereo rig: its drivers, its settings with their keys, and its changes to the camera and the scenes."""
     settings, camera = owner.motus.stereo, owner.data
     before = settings.before_mode, settings.before_pivot
     around.end(settings, camera)
@@ -82,12 +85,12 @@ def renders_both_eyes(scene):
 
 
 def one_eye():
-    """Sentence for a scene that does not render both eyes."""
+    """Return the sentence that reports a scene that does not render both eyes."""
     return tr("The scene does not render a left and a right eye: Stereo Output lets it")
 
 
 def begin_multiview(scene):
-    """Switch multiview on in a scene without it, and store its previous settings."""
+    """Switch on stereoscopy (multiview) in a scene that has it off, and store the scene's previous views format."""
     render, noted = scene.render, scene.motus.stereo
     if render.use_multiview:
         return
@@ -97,9 +100,9 @@ def begin_multiview(scene):
 
 
 def _look_through(eye, before):
-    """Replace one value of stereo_3d_camera by another in all viewports.
+    """Change SpaceView3D.stereo_3d_camera from `before` to `eye` in all viewports that have the value `before`.
 
-    With multiview switched on Blender would show both eyes on top of each other in every camera view.
+    Otherwise Blender would show both eyes on top of each other in every camera view when multiview is switched on.
     """
     for space in viewports.all_spaces():
         if space.stereo_3d_camera == before:
@@ -107,7 +110,7 @@ def _look_through(eye, before):
 
 
 def _give_multiview_back(scene):
-    """Switch multiview off in a scene if it was switched on for rigs and none is left."""
+    """Switch off multiview in a scene if a rig has switched it on and no camera of the scene has a rig any more."""
     noted = scene.motus.stereo
     if not noted.is_multiview_made or scene.library or any(has_rig(obj) for obj in scene.objects):
         return
@@ -119,7 +122,10 @@ def _give_multiview_back(scene):
 
 
 def eyes(scene, owner, depsgraph):
-    """(keywords of the library for the eyes that Blender renders with, the Lens); (None, None) if the camera is not perspective."""
+    """Describe the eyes with which Blender renders: (keyword arguments of the native functions, Lens).
+
+    Returns (None, None) if the camera is not perspective.
+    """
     camera = owner.evaluated_get(depsgraph).data
     if camera.type != 'PERSP':
         return None, None
@@ -138,9 +144,9 @@ def eyes(scene, owner, depsgraph):
 
 
 def axis_matrix(matrix):
-    """World to camera, as Blender renders it: right, up and backward, in units of the world.
+    """Matrix from the world to the camera's axes as Blender renders: x right, y up, z backward, in world units.
 
-    The camera's scale has no effect, but what mirrors or shears the camera has: its axes are no rotation then.
+    The camera's scale is ignored. A mirrored or sheared camera keeps its mirrored or sheared axes, so that the matrix is no rotation.
     """
     return matrix.normalized().inverted_safe()
 
@@ -151,10 +157,10 @@ def width_in_pixels(render):
 
 
 def shown(scene, camera):
-    """Camera of the present frame if markers bind cameras; otherwise the given camera."""
+    """Return the scene's camera if timeline markers bind cameras to frames; otherwise return the given camera."""
     return scene.camera if scene.camera and any(marker.camera for marker in scene.timeline_markers) else camera
 
 
 def all_rigs():
-    """All cameras of the file that have a rig."""
+    """Return all cameras of the file that have a stereo rig."""
     return [obj for obj in bpy.data.objects if has_rig(obj)]

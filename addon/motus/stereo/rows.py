@@ -1,4 +1,4 @@
-"""Rows of the rig's settings, and the conditions under which they are shown, for the panel and the redo panel."""
+"""Rows of a rig's settings and the conditions under which they are shown, for the panel and Adjust Last Operation."""
 
 from ..core.interface.rows import Row, Rows, is_not, is_one_of
 

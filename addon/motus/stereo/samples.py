@@ -1,15 +1,18 @@
-"""Depths of the visible scene, sampled by rays through a grid over the camera's image."""
+"""Sample the depths of the visible scene by rays through a grid over the camera's image."""
 
 from ..core import native
 from ..core.lazy import numpy as np
 from .rig import axis_matrix
 
 COLUMNS, ROWS = 41, 23
-"""Columns and rows of the grid of rays; the outer ones lie on the edges of the image."""
+"""Numbers of columns and rows of the grid of rays; the outer columns and rows lie on the edges of the image."""
 
 
 def take(scene, owner, depsgraph):
-    """Samples as seen from the middle between the eyes: (x, depths), (m,) each. x: fraction of the image's width from its middle."""
+    """Sample the depths that a camera sees, from the middle between its eyes: (x, depths), each (m,).
+
+    x: distance from the middle of the image, as a fraction of its width. Rays that hit nothing give no sample.
+    """
     evaluated = owner.evaluated_get(depsgraph)
     camera, matrix = evaluated.data, evaluated.matrix_world
     into_camera = axis_matrix(matrix)
@@ -31,18 +34,21 @@ def take(scene, owner, depsgraph):
 
 
 def depth_range(scene, owner, depsgraph, left_out):
-    """(near, far) of the visible scene, without a share of the picture at either end; None if no ray meets anything."""
+    """Return (near, far) depth of the visible scene; None if no ray hits anything.
+
+    left_out: share of the samples that is ignored at the near end, and again at the far end.
+    """
     _, depths = take(scene, owner, depsgraph)
     return native.module.depth_range(depths, left_out, 1.0 - left_out)
 
 
 def beyond(near, far):
-    """The far depth, moved a little behind near if both are equal."""
+    """Return `far`, or a depth slightly behind `near` if `far` is not behind it."""
     return max(far, near * 1.001)
 
 
 def _depth(scene, depsgraph, into_camera, start, direction, ray, camera):
-    """Depth of the first surface that a ray meets between the camera's clipping planes; None if it meets nothing."""
+    """Depth of the first surface that a ray hits between the camera's clipping distances; None if it hits nothing."""
     slope = ray.length / -ray.z
     origin = start + direction.normalized() * (camera.clip_start * slope)
     reach = max(camera.clip_end - camera.clip_start, 0.0) * slope

@@ -1,4 +1,4 @@
-"""Named screens, and the keywords that the library gets for a rig's screen."""
+"""Sizes of named screens, and a rig's screen as keyword arguments of the native functions."""
 
 import math
 
@@ -11,15 +11,15 @@ ITEMS = (
     ('CUSTOM', "Custom", "Custom width and viewing distance"),
 )
 SIZES = {'PHONE': (0.14, 0.3), 'MONITOR': (0.6, 0.7), 'TELEVISION': (1.2, 2.5), 'CINEMA': (12.0, 15.0), 'DOME': (18.0, 9.0)}
-"""Width and viewing distance of each screen, in metres."""
+"""(Width, viewing distance) of each named screen, in metres."""
 
 
 def of(settings):
-    """Keywords of the library for the screen of a rig."""
+    """Return the screen of a rig's settings as keyword arguments of the native functions: width, viewing distance, eye separation (m)."""
     width, distance = SIZES.get(settings.screen, (settings.screen_width, settings.screen_distance))
     return {"width": width, "viewing_distance": distance, "eye_separation": settings.eye_separation}
 
 
 def is_sound(screen):
-    """Whether all lengths of a screen are finite and above 0."""
+    """Whether all lengths of a screen, from of(), are finite and greater than 0."""
     return all(math.isfinite(value) and value > 0.0 for value in screen.values())

@@ -20,7 +20,11 @@ PERCENT = 0.01
 
 
 def solve(context, matrix, focus):
-    """Compute interocular and convergence distance at the context's frame. Never raises for a user's error."""
+    """Compute the interocular and convergence distance at the context's frame, and write them into context.outputs.
+
+    matrix: world matrix of the camera. focus: world matrix of the focus object, or None. Returns a Problem or None; a user's error never
+    raises an exception.
+    """
     settings, camera = context.settings, context.owner.data
     if camera.type == 'PANO' and camera.stereo.use_spherical_stereo:
         return _around(context, matrix, focus)
@@ -43,7 +47,10 @@ def solve(context, matrix, focus):
 
 
 def _around(context, matrix, focus):
-    """Solve a panoramic camera. It has no image width that parallax could be a fraction of, and so no depth budget."""
+    """Compute the eye distances of a panoramic camera that renders spherical stereo; returns a Problem or None.
+
+    Its image has no width that parallax could be a fraction of. So a depth budget is a Problem.
+    """
     if context.settings.convergence == 'BUDGET':
         return NOT_PERSPECTIVE
     found = _by_distance(context.settings, matrix, focus)
@@ -54,7 +61,7 @@ def _around(context, matrix, focus):
 
 
 def _by_distance(settings, matrix, focus):
-    """(interocular, convergence) distance from the settings or the focus object; a Problem if there is none."""
+    """Return (interocular, convergence) distance by a fixed distance or the focus object; a Problem if the values are invalid."""
     if settings.convergence == 'OBJECT':
         if focus is None or matrix is None:
             return NO_FOCUS
@@ -67,7 +74,7 @@ def _by_distance(settings, matrix, focus):
 
 
 def _by_budget(settings, seen, mode):
-    """(interocular, convergence) distance from near, far and their parallax; a Problem if they have no meaning."""
+    """Return (interocular, convergence) distance by the depths near and far and their parallax; a Problem if these are invalid."""
     near, far = settings.near, settings.far
     limits = PERCENT * settings.near_parallax, PERCENT * settings.far_parallax
     if not all(map(math.isfinite, (near, far, *limits))):
@@ -83,5 +90,5 @@ def _by_budget(settings, seen, mode):
 
 
 def depth_of(matrix, place):
-    """Depth of a place in the world before a camera, along the camera's axis; below 0 behind the camera."""
+    """Depth of a world position in front of a camera with this world matrix, along the view axis; negative behind the camera."""
     return -(rig.axis_matrix(matrix).to_3x3() @ (place - matrix.translation)).z

@@ -1,4 +1,4 @@
-"""Find the camera that an operator works on. Errors are raised as Refused."""
+"""Find the camera that an operator works on, and raise Refused if it does not suit."""
 
 import math
 
@@ -11,7 +11,7 @@ from ..core.translations import tr
 from . import rig
 
 IN_FRONT = Matrix.Translation((0.0, -10.0, 1.5)) @ Matrix.Rotation(math.radians(90.0), 4, 'X')
-"""World matrix of a new camera if no viewport gives a view: before the origin, looking along +Y."""
+"""World matrix of a new camera if there is no viewport whose view it could take: in front of the origin, looking along +Y."""
 
 
 def camera_for(context, name):
@@ -26,12 +26,12 @@ def camera_for(context, name):
 
 
 def lacks_camera(context):
-    """Whether the scene has no camera."""
+    """Whether no object of the scene is a camera."""
     return not any(obj.type == 'CAMERA' for obj in context.scene.objects)
 
 
 def new_camera(context):
-    """Create a camera at the viewport's view; without a viewport before the origin."""
+    """Create the scene's camera with the viewport's view; if there is no viewport, in front of the origin."""
     camera = bpy.data.objects.new(tr("Camera"), bpy.data.cameras.new(tr("Camera")))
     context.scene.collection.objects.link(camera)
     view = context.region_data
@@ -41,7 +41,10 @@ def new_camera(context):
 
 
 def rig_for(context, name):
-    """The camera of this name, the active camera, or the scene's camera, which must have a rig. Raises Refused if it has none."""
+    """Return the camera of this name, the active camera, or the scene's camera, if it has a stereo rig.
+
+    Raises Refused if there is no such camera, or it has no rig.
+    """
     found = camera_for(context, name)
     if not rig.has_rig(found):
         raise Refused(tr("{object} has no stereo rig").format(object=found.name))
@@ -49,7 +52,7 @@ def rig_for(context, name):
 
 
 def focus_for(context, camera, name):
-    """The object of this name, or the object that is selected beside a camera; None if there is none."""
+    """Return the object of this name; without a name the only selected object except the camera; None if there is not exactly one."""
     if name:
         return named(name)
     others = [obj for obj in context.selected_objects if obj != camera]
@@ -57,7 +60,7 @@ def focus_for(context, camera, name):
 
 
 def check_free(camera):
-    """Refuse a camera that cannot get a rig."""
+    """Raise Refused if a camera cannot get a stereo rig."""
     check_local(camera)
     check_local(camera.data)
     if camera.motus.bake.is_baked:
@@ -76,14 +79,14 @@ def check_free(camera):
 
 
 def check_removable(camera):
-    """Refuse a camera whose rig must not be changed."""
+    """Raise Refused if a camera's stereo rig must not be changed, since the camera is linked or baked."""
     check_local(camera)
     check_local(camera.data)
     check_unbaked(camera, camera.motus.stereo)
 
 
 def check_solved(context, camera):
-    """Refuse a rig whose solver does not set the camera's eyes now."""
+    """Raise Refused if the solver of a camera's rig does not set the eye distances at present."""
     check_evaluated(camera, context.view_layer)
     problem = wiring.problem(rig.system(), camera, context.view_layer.depsgraph)
     if problem and problem.blocking:

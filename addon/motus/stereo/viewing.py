@@ -10,15 +10,15 @@ from . import rig, targets
 
 _BOTH = {"region_3d.view_perspective": 'CAMERA', "stereo_3d_camera": rig.BOTH_EYES, "overlay.show_overlays": False}
 _ONE = {"region_3d.view_perspective": 'PERSP', "overlay.show_overlays": True, "stereo_3d_camera": rig.ONE_EYE}
-"""Values of a viewport by their data paths: the first for the anaglyph view, the second if the previous values are unknown."""
+"""Values of viewport settings by data path: _BOTH for the anaglyph view; _ONE after it, if the previous values are unknown."""
 _DISPLAY = {"display_mode": 'ANAGLYPH', "anaglyph_type": 'RED_CYAN'}
-"""Display mode of a window for the anaglyph view."""
+"""Values of Window.stereo_3d_display for the anaglyph view."""
 _displays = viewports.PerViewport()
-"""Display mode of a window before the anaglyph view: {name: value} for each viewport."""
+"""Values of Window.stereo_3d_display before the anaglyph view, {name: value} for each viewport."""
 
 
 def is_shown(context, camera):
-    """Whether a viewport shows the anaglyph view of a camera."""
+    """Whether the viewport shows the anaglyph view through a camera."""
     space = viewports.space_for(context)
     if space is None or space.region_3d is None or not viewports.has(space, _BOTH):
         return False
@@ -57,7 +57,7 @@ class MOTUS_OT_stereo_view(Operator, bpy.types.Operator):
 
 
 def _show_images(window, values):
-    """Set how a window displays stereo images."""
+    """Set how a window displays stereo images. values: {name: value} of Window.stereo_3d_display."""
     for name, value in values.items():
         # Each assignment of the display mode recreates the windows.
         if getattr(window.stereo_3d_display, name) != value:

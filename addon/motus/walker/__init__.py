@@ -1,4 +1,4 @@
-"""Walkers: legs that step by themselves under a body that is moved, planned for the whole shot."""
+"""Walker: legs that step by themselves under a body that the artist moves. All steps of the shot are planned in advance."""
 
 from ..core.declare import System
 from . import groups, operators, over_time, overlay, panel, presets, properties, solve

@@ -1,4 +1,7 @@
-"""How the bone that a walker's legs hang on moves by its own animation, so that the reach of the legs is that of the real hips."""
+"""Motion of the body bone, the common parent of a walker's legs, by its own animation.
+
+It moves the hips, from which the reach of each leg is measured.
+"""
 
 import hashlib
 
@@ -9,10 +12,11 @@ from . import legs
 
 
 def moved(owner, times, digest):
-    """((k, 4, 4), stamp): what the body bone's own animation and pose do to what hangs on it, in the evaluated owner's space.
+    """Return (matrices (k, 4, 4), stamp) by which the body bone's own animation moves its children, in the owner's space.
 
-    At times (k,), of which digest tells one array from another; (None, None) where it does nothing. Equal matrices have equal stamps.
-    Constraints of the body bone and of the bones above are not looked at.
+    (None, None) if there is no body bone, or if it stays in its rest pose. The stamp is a hashable value; equal matrices have equal
+    stamps. Constraints of the body bone and of its parents are ignored. owner: evaluated object that walks.
+    times: (k,), frames. digest: hash that differs for different times.
     """
     body = legs.body(owner) if owner.pose else None
     if body is None:
@@ -43,9 +47,10 @@ def _present(bone):
 
 
 def _posed(chain, bases):
-    """Matrices (k, 4, 4), in the rig's space, by which the lowest bone of a chain moves from its rest pose at k times.
+    """Matrices (k, 4, 4), in the rig's space, that take the first bone of a chain from its rest pose to its pose at k times.
 
-    chain: PoseBones from the lowest one to the root. bases: own transforms (k or 1, 4, 4) of each bone.
+    chain: a PoseBone, followed by its parents up to the root. bases: for each of these bones, matrices (k, 4, 4) or (1, 4, 4) of its
+    own location, rotation and scale; (1, 4, 4) if they are constant.
     """
     found = np.eye(4)[None]
     for bone, basis in zip(chain, bases):

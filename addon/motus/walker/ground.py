@@ -1,4 +1,4 @@
-"""What a walker's feet stand on: meshes that stand still, beside the plane."""
+"""Ground of a walker: the meshes that its feet stand on. Only meshes that do not move count, in addition to a level plane."""
 
 from ..core import native, tracks, wiring
 from ..core.declare import Problem, has_settings, is_owner, leader_of, registered
@@ -13,20 +13,24 @@ MOVING = Problem("Ground that may move is left out: feet do not stand on it", bl
 PROBLEMS = GONE, NO_FACES, MOVING
 
 DEEPEST = 64
-"""Parents above each other that are looked through."""
+"""Most parents, one above the other, that is_walking() goes through."""
 
 
 def objects(settings):
-    """The objects that have to be evaluated before a walk is planned: meshes, and the empties that make collections' objects visible."""
+    """List the objects that Blender has to evaluate before a walk is planned.
+
+    They are the meshes of the ground, and the empties that instance collections with such meshes. settings: of a walker.
+    """
     ground = pointed(settings, "ground")
     alone = [] if ground is None or _leaves_out(settings)(ground) else [ground]
     return alone + seen.awaited(_members(settings))
 
 
 def parts(settings, scene):
-    """Collect the ground of a walker: (Placed of each mesh that stands still, the Problem to show or None).
+    """Collect the ground of a walker; returns (tuple of meshes.Placed, Problem to show or None).
 
-    settings: evaluated walker settings, with the ground's object and collection.
+    A Placed is a triangle mesh with its world matrix. Each ground mesh that does not move over time gives one.
+    settings: evaluated settings of the walker, which name the ground's object and collection.
     """
     ready = wiring.waited_for(settings)
     found, fault = seen.gathered(_members(settings), ready), None
@@ -45,7 +49,10 @@ def parts(settings, scene):
 
 
 def made(placed, plane):
-    """The native WalkerGround of what is Placed, and of a level plane of a height, or None without."""
+    """Make the native WalkerGround of ground meshes and a level plane.
+
+    placed: tuple of meshes.Placed (a triangle mesh with its world matrix). plane: height of the plane, or None if there is no plane.
+    """
     ground = tracks.kept_by(tuple(one.stamp for one in placed), "walker ground", lambda: _made(placed))
     return ground if plane is None else ground.with_plane(np.array([(0.0, 0.0, plane), (0.0, 0.0, 1.0)]))
 
@@ -60,15 +67,19 @@ def _members(settings):
 
 
 def _leaves_out(settings):
-    """A function that tells which objects are no ground: parts of this walker (its feet too while it is being wired) and of other walkers."""
+    """Return a function that tells whether an object is no ground because it is a part of a walker.
+
+    The feet that these settings name count as parts even if the walker has not been wired yet.
+    """
     feet = {foot.original for foot in (pointed(leg, "foot") for leg in settings.legs) if foot}
     return lambda obj: is_walking(obj, feet)
 
 
 def is_walking(obj, feet=frozenset()):
-    """Whether an object belongs to a walker and is no ground: ground that moves with the walker would form a dependency cycle.
+    """Whether an object moves with a walker, so that it cannot be ground: as ground it would form a dependency cycle.
 
-    feet: original objects that count as parts of a walker, whether it is set up or not.
+    An object moves with a walker if the object, one of its parents, or the armature that deforms it is the walker or a part of it.
+    feet: original objects that count as feet, even if no walker drives them yet.
     """
     walker = registered["walker"]
     for modifier in obj.modifiers:

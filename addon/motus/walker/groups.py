@@ -1,4 +1,7 @@
-"""What is wired on a walker: its feet by one solver, the body that leans by another."""
+"""Groups of a walker: one solver drives the feet, and a second solver drives the body, which rises and leans with the feet.
+
+A Group lists what a solver reads and drives. The owner is the object that walks.
+"""
 
 import json
 from typing import Any, NamedTuple
@@ -10,9 +13,12 @@ from ..core.lazy import numpy as np
 from . import legs
 
 PLAN = "plan"
-"""Key of a group's data: a JSON object, see _FORM and parsed(). The fingerprint of the rig is there so that the data changes with it."""
+"""Key of a group's data, under which a JSON text of the form _FORM stands; parsed() reads it.
+
+The text has the fingerprint of the rig's bones, so that the data changes whenever the bones change.
+"""
 FEET, BODY = "feet", "body"
-"""Names of the entries; the first one's group has no key."""
+"""Names of the two parts of a walker that have a solver each. BODY is also the key of its group; the group of the feet has no key."""
 PLACE, LEANING, TURN = frozenset({"location"}), frozenset({"location", "rotation"}), frozenset({"rotation"})
 
 _FORM = {"feet": [{"leg": int, "is_bone": bool}], "is_looped": bool, "lacks": int, "is_bodiless": bool, "fingerprint": int}
@@ -20,7 +26,10 @@ _noted = keeping.OfProcess("what a walker's groups note (Noted)", "the text", mo
 
 
 def entries(owner):
-    """For the order of evaluation: what feet and body read and drive."""
+    """List what the feet and the body of a walker read and drive, as Entry; the order of evaluation follows from it.
+
+    owner: object that walks. Empty if no foot is there.
+    """
     feet = legs.feet(owner)
     if not feet:
         return []
@@ -32,7 +41,7 @@ def entries(owner):
 
 
 def _above(owner, body):
-    """The bone that a body bone hangs on, as what is read."""
+    """[(rig, name)] of the parent of a body bone, which the body's solver reads; [] for an object or a bone without a parent."""
     return [(owner, body.parent.name)] if owner.pose and body.parent else []
 
 
@@ -41,7 +50,10 @@ def _is_foot(body, feet):
 
 
 def groups(owner):
-    """One group for the feet, one for the body. What would wait for itself is left out."""
+    """Return the Groups of a walker: one for the feet, and one for the body if there is a body.
+
+    Feet or a body that would form a dependency cycle with what they read are left out; the data notes this as "is_looped".
+    """
     levels = wiring.levels(owner)
     feet, body = legs.feet(owner), legs.body(owner)
     looped = {name for name in (FEET, BODY) if levels.get(("walker", name), 0) is None}
@@ -83,10 +95,11 @@ def _channels(owner, body):
 
 
 class Noted(NamedTuple):
-    """What a group notes.
+    """Data that is stored with a walker's group: facts about its feet and body that hold until the drivers are made anew.
 
-    legs: those of the members, rising. bones: rows of the members that are bones. lacks: how many legs have no foot.
-    is_bodiless: whether the body that is named is not there.
+    legs: index of the leg of each member (driven foot), rising. bones: rows of the members that are bones. is_looped: whether feet or body
+    are left out because of a dependency cycle. lacks: number of legs that have no foot. is_bodiless: whether the settings
+    name a body that is not there.
     """
 
     legs: Any
@@ -97,7 +110,7 @@ class Noted(NamedTuple):
 
 
 def parsed(text):
-    """The Noted of a group's data. Raises Damaged."""
+    """Return the Noted that a group's JSON text says. Raises Damaged if the text does not have the form _FORM."""
     return _noted.made(text, lambda: _parsed(text))
 
 
@@ -111,7 +124,10 @@ def _parsed(text):
 
 
 def bone_renamed(owner, rig, old, new):
-    """Let feet and body follow a bone that was given another name."""
+    """Write the new name of a renamed bone into the settings of a walker, for its feet and its body.
+
+    owner: object that walks. rig: armature object of the bone. old, new: names of the bone.
+    """
     settings = owner.motus.walker
     for leg in settings.legs if rig == owner else ():
         if leg.name == old:

@@ -1,4 +1,4 @@
-"""What a body does beyond its own animation, so that it rises and leans with its feet; and where bones are put."""
+"""Transforms of a walker's body, which rises and leans with the feet in addition to its own animation, and of posed bones."""
 
 from mathutils import Matrix, Quaternion, Vector
 
@@ -6,9 +6,10 @@ IDENTITY = Matrix.Identity(4)
 
 
 def relative(place, axes, origin, lift, turn):
-    """(move, turn) on top of its own location and rotation, of a thing that is lifted, and turned about a point, in the world.
+    """Convert a world motion of an object or bone to (location, rotation) that are added to its own location and rotation.
 
-    place: world matrix that its own animation gives it. axes: 3x3, from its own location to the world.
+    The motion is a turn about a point and a lift. place: world matrix by the thing's own animation. axes: 3x3 matrix from the thing's
+    location channels to the world. origin: the point, in the world. lift: Vector, in the world. turn: Quaternion, in the world.
     """
     arm, linear = place.translation - origin, place.to_3x3()
     move = lift + turn @ arm - arm
@@ -17,27 +18,34 @@ def relative(place, axes, origin, lift, turn):
 
 
 def share(lift, turn, weight):
-    """A share of what a native Walker says of a body, as Vector and Quaternion."""
+    """Return a share of a body's motion as (Vector, Quaternion). lift, turn: from the native Walker. weight: the share, 0 to 1."""
     return weight * Vector(lift), Quaternion().slerp(Quaternion(turn), weight)
 
 
 def of_object(obj, basis, parent):
-    """(world matrix, axes) of an object with this own transform, on a parent that stands so."""
+    """Return (world matrix, 3x3 matrix from the object's location channels to the world) of an object.
+
+    basis: matrix of the object's own location, rotation and scale. parent: world matrix of the object's parent.
+    """
     above = parent @ obj.matrix_parent_inverse
     return above @ basis, above.to_3x3()
 
 
 def of_bone(bone, basis, parent, world):
-    """The pose of a PoseBone that rises and leans. parent: pose of its parent bone, None without one; world: matrix of the rig."""
+    """Return (world matrix, 3x3 matrix from the bone's location channels to the world) of a PoseBone, without its constraints.
+
+    basis: matrix of the bone's own location, rotation and scale. parent: PoseBone.matrix of the parent bone, None if there is none.
+    world: world matrix of the rig.
+    """
     at_rest = posed(bone, IDENTITY, parent)
     columns = [posed(bone, Matrix.Translation(axis), parent).translation - at_rest.translation for axis in IDENTITY.to_3x3().col]
     return world @ posed(bone, basis, parent), world.to_3x3() @ Matrix(columns).transposed()
 
 
 def posed(bone, basis, parent):
-    """Matrix, in the rig's space, of a PoseBone with the given own transform and its constraints ignored.
+    """Matrix, in the rig's space, of a PoseBone without its constraints.
 
-    basis: the own transform. parent: pose of the parent bone, None without a parent.
+    basis: matrix of the bone's own location, rotation and scale. parent: PoseBone.matrix of the parent bone, None if there is none.
     """
     above = {} if parent is None else {"parent_matrix": parent, "parent_matrix_local": bone.parent.bone.matrix_local}
     return bone.bone.convert_local_to_pose(basis, bone.bone.matrix_local, **above)

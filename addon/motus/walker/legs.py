@@ -1,4 +1,7 @@
-"""The legs of a walker: whose feet they are, and which of them are there."""
+"""Legs of a walker: find the objects or bones that are the feet, and the object or bone that is the body.
+
+The owner is the object that walks. The body is a part of it that rises and leans with the feet.
+"""
 
 from typing import Any, NamedTuple
 
@@ -10,7 +13,7 @@ from ..core.file.pointers import pointed
 
 
 class Foot(NamedTuple):
-    """The foot of a leg that is there. index: of the leg. thing: an Object, or a PoseBone of the owner."""
+    """A foot that exists. index: of its leg in the walker's settings. thing: the Object, or the PoseBone of the owner, that is the foot."""
 
     index: int  # type: ignore[assignment]  # a tuple has a method of this name
     thing: Any
@@ -21,18 +24,21 @@ class Foot(NamedTuple):
 
     @property
     def driven(self):
-        """The foot as Entry.drives names it: the name of the bone, or the object."""
+        """The foot as an item of Entry.drives: the name of a bone, or an object."""
         return self.thing.name if self.is_bone else self.thing
 
 
 def label(leg):
-    """What the interface calls a leg."""
+    """Name of a leg in the interface: the name of its foot's bone or object; "" if it has none. leg: settings of the leg."""
     foot = pointed(leg, "foot")
     return leg.name or (foot.name if foot else "")
 
 
 def feet(owner):
-    """The Foots that the owner drives, each thing once. The copy of a body lists the first one's objects, which are not its own."""
+    """List the Foot of each leg whose foot exists and is the owner's; each object or bone appears once.
+
+    A duplicate of a walker names the same foot objects as the original walker, which drives them: these are left out.
+    """
     found, taken = [], set()
     for index, leg in enumerate(owner.motus.walker.legs):
         thing = _thing(owner, leg)
@@ -52,7 +58,10 @@ def _thing(owner, leg):
 
 
 def stretches(owner, leg):
-    """Whether a leg can reach any distance: its IK chain has Stretch 1 and the foot as its target."""
+    """Whether a leg can reach any distance: its chain in the system Inverse Kinematics has Stretch 1 and the foot as target.
+
+    owner: object that walks. leg: settings of the leg.
+    """
     foot = owner if leg.name else pointed(leg, "foot")
     return foot is not None and any(
         target.original == foot.original and (not leg.name or bone == leg.name) for target, bone in offered("ik").stretching_targets(owner)
@@ -60,12 +69,12 @@ def stretches(owner, leg):
 
 
 def names_body(owner):
-    """Whether the settings say what rises and leans, be it there or not."""
+    """Whether a walker's settings name an object or bone as the body that rises and leans, even if that no longer exists."""
     return bool(owner.motus.walker.body_bone if owner.pose else pointed(owner.motus.walker, "body"))
 
 
 def body(owner):
-    """The Object or PoseBone that rises and leans; None without one."""
+    """Return the Object or PoseBone that rises and leans with a walker's feet; None if there is none."""
     settings = owner.motus.walker
     if owner.pose:
         return owner.pose.bones.get(settings.body_bone)

@@ -1,4 +1,4 @@
-"""Operators that let bodies walk, and take it back."""
+"""Operators that add, remove and select walkers, and set the rest positions of their feet."""
 
 import bpy
 
@@ -13,7 +13,7 @@ from .properties import KEYWORDS, WalkerKeywords
 
 
 class GroundKeywords:
-    """Mixin of operators that add a walker: the keywords that name its ground."""
+    """Mixin of operators that add a walker: properties that name the ground, which its feet stand on."""
 
     ground: bpy.props.StringProperty(name="Ground", description="Name of a mesh object that the feet stand on", options={'SKIP_SAVE'})
     grounds: bpy.props.StringProperty(
@@ -22,7 +22,10 @@ class GroundKeywords:
 
 
 def ground_of(operator, owner=None):
-    """Settings of the ground that an operator was given, by name."""
+    """Return {name: value} of the walker settings for the ground that an operator's properties name; {} if they name none.
+
+    owner: object that walks, which cannot be its own ground; None if it does not exist yet.
+    """
     found = {}
     if operator.ground:
         found["ground"] = targets.ground_for(operator.ground, owner)
@@ -76,13 +79,13 @@ class MOTUS_OT_walker_add(FindsValues, WalkerKeywords, GroundKeywords, bpy.types
         wiring.report_problems(self, context, setup.system(), [owner])
 
     def _body(self, owner):
-        """Keyword of setup.change() that names the body; {} if the operator was given no body."""
+        """Return {setting: value} for the body that the operator's property names; {} if it is empty."""
         feet = [leg.name or pointed(leg, "foot") for leg in owner.motus.walker.legs]
         return {"body_bone" if owner.pose else "body": targets.body_for(owner, self.body, feet)} if self.body else {}
 
 
 class _OfAWalker(OfAnObject):
-    """Operators on a walker."""
+    """Base of operators that change one walker: the one that `object` names, or the active object's."""
 
     object: object_keyword("Name of the body that walks; empty takes the active object")
     modes = OBJECT_OR_POSE_MODE

@@ -1,4 +1,4 @@
-"""Where feet and bodies of walkers are at any times, for systems that need their past, and for the legs that reach for feet."""
+"""Motion of a walker's feet and body at any times, for solvers that need their past, such as those of the legs' IK chains."""
 
 import functools
 
@@ -17,15 +17,18 @@ from ..core.tracks.transforms import World
 from . import leaning, legs, plan
 
 CYCLES = 2.0
-"""Of the slowest cadence, in which all feet come to rest."""
+"""Number of cycles of all legs, at the slowest cadence, in which all feet come to rest after the body has stopped."""
 SLOWEST = 1e-3
-"""Hz: what a file that somebody has changed may fall short of."""
+"""Smallest cadence and frequency, in Hz, that count; a damaged file may have smaller ones, such as 0."""
 FADES = 8.0
-"""Swings of the body's filter until it rests."""
+"""Number of periods of the body's spring, of the setting Frequency, in which the body comes to rest over its feet."""
 
 
 def over_time(owner, thing, scene):
-    """System.over_time; None for what the owner does not drive."""
+    """Return the motion over time of an object or bone that a walker drives; None if the walker does not drive the thing.
+
+    This is System.over_time of walkers. owner: object that walks. thing: Object or PoseBone. scene: Scene whose frame rate counts.
+    """
     foot = next((foot for foot in legs.feet(owner) if foot.thing == thing), None)
     if foot is not None:
         return (_BoneFoot if foot.is_bone else _Foot)(owner, foot, scene)
@@ -35,7 +38,10 @@ def over_time(owner, thing, scene):
 
 
 class _OverTime:
-    """The motion of a foot or body of a walker, as core/tracks/solved.py asks for it. Thing and owner are both original or both evaluated."""
+    """Motion over time of a foot or body of a walker, in the form that core/tracks/solved.py asks for.
+
+    The thing (foot or body) and the owner (object that walks) are both original or both evaluated.
+    """
 
     def __init__(self, owner, thing, scene):
         self._owner, self._thing, self._scene = owner, thing, scene
@@ -44,14 +50,14 @@ class _OverTime:
 
     @functools.cached_property
     def _plan(self):
-        """The Plan, or the Problem that keeps the owner from walking."""
+        """The Plan of the owner's walk, or the Problem that keeps the owner from walking."""
         return answered(
             (hash(self._owner), hash(self._scene), "walker"), lambda: plan.of(self._owner, self._scene, plan.read(self._owner.motus.walker))
         )
 
     @property
     def reason(self):
-        """The Reason for which the motion is not known at other frames; None if it is known."""
+        """The Reason for which the motion is not known at frames different from the present one; None if it is known."""
         return (None if self._body.is_known else self._body.reason) or self._influence.reason
 
     @property
@@ -62,14 +68,15 @@ class _OverTime:
         return np.asarray(times, float) / self._fps
 
     def bounds(self, first, last):
-        """Rising frames between which the motion is smooth: every whole frame, and where the body's motion bends."""
+        """Rising frames from `first` to `last` between which the motion is smooth: whole frames, and bends of body and influence."""
         return union([[first, *whole(first, last), last], self._body.bounds(first, last), self._influence.bounds(first, last)])
 
     @property
     def extent(self):
-        """First and last frame between which the motion changes. The end is an estimate: the feet come to rest after the body.
+        """(first, last) frame between which the motion changes; None if it never changes.
 
-        An exact end would need the plan of the walk, which takes longer to compute.
+        The last frame is an estimate of when the feet come to rest, which is later than when the body does. The exact frame would need
+        the plan of the walk, which takes longer to compute.
         """
         moving, settings = self._body.extent, self._owner.motus.walker
         if moving is not None:
@@ -79,7 +86,7 @@ class _OverTime:
 
     @property
     def stamp(self):
-        """Changes whenever the motion may."""
+        """Hashable value that changes whenever the motion may change at any time; None if changes cannot be detected."""
         found = self._plan
         if isinstance(found, Problem):
             return together((found.sentence, self._influence.stamp))
@@ -87,25 +94,25 @@ class _OverTime:
 
     @property
     def _own(self):
-        """The part of the native plan that moves the thing."""
+        """Hashable name of the thing (foot or body) within the plan, so that two things of one walker have different stamps."""
         return self._thing.name
 
 
 class _Foot(_OverTime):
-    """A foot that is an object."""
+    """Motion over time of a foot that is an object."""
 
     def __init__(self, owner, foot, scene):
         super().__init__(owner, foot.thing, scene)
         self._leg = foot.index
 
     def _places(self, times):
-        """(n, 3) in the world; None where nothing walks."""
+        """Places (n, 3) of the foot, in world space, at frames (n,); None if a Problem keeps the owner from walking."""
         if isinstance(self._plan, Problem):
             return None
         return self._plan.walker.feet(self._seconds(times))[:, self._leg]
 
     def applied(self, times, matrices):
-        """World matrices of a foot that is an object, moved to where the walk puts the foot, by the influence.
+        """Move the world matrices of a foot object to the footholds of the walk, by the setting Influence; returns (n, 4, 4).
 
         times: (n,), frames. matrices: (n, 4, 4), by the object's own channels and parents.
         """
@@ -123,25 +130,25 @@ class _Foot(_OverTime):
 
 
 class _OnBone:
-    """Mixin for a foot or body that is a bone of the walker's rig: its motion depends also on that of its parent bone."""
+    """Mixin for a foot or body that is a bone of the walker's rig: its motion depends on the motion of the parent bone too."""
 
     @functools.cached_property
     def _above(self):
-        """World of what the bone hangs on; None without."""
+        """World (pose and world matrix over time) of the parent bone; None if the bone has no parent."""
         return World(self._thing.parent, self._scene) if self._thing.parent else None
 
     @property
     def reason(self):
-        """The Reason for which the motion is not known at other frames; None if it is known."""
+        """The Reason for which the motion is not known at frames different from the present one; None if it is known."""
         return super().reason or (self._above.reason if self._above else None)  # type: ignore[misc]
 
     @property
     def stamp(self):
-        """Changes whenever the motion may."""
+        """Hashable value that changes whenever the motion may change at any time; None if changes cannot be detected."""
         return together((super().stamp, *((self._above.stamp,) if self._above else ())))  # type: ignore[misc]
 
     def _each(self, times):
-        """Yields (world matrix of the rig, pose of what the bone hangs on or None) of each time."""
+        """Yields (world matrix of the rig, pose of the parent bone in the rig's space or None if there is no parent) for each time."""
         worlds = self._body.values(times)
         poses = self._above.poses(times) if self._above else [None] * len(times)
         for world, pose in zip(worlds, poses):
@@ -149,12 +156,12 @@ class _OnBone:
 
 
 class _BoneFoot(_OnBone, _Foot):
-    """A foot that is a bone."""
+    """Motion over time of a foot that is a bone."""
 
     def applied(self, times, transforms):
-        """Own transforms of a foot that is a bone, with the locations that put the foot where the walk needs it, by the influence.
+        """Replace the locations of a foot bone's own transforms so that the bone stands on the walk's footholds; returns Transforms.
 
-        times: (n,), frames. transforms: Transforms from the bone's own channels.
+        The setting Influence mixes the two locations. times: (n,), frames. transforms: Transforms from the bone's own channels.
         """
         places = self._places(times)
         if places is None:
@@ -170,10 +177,10 @@ class _BoneFoot(_OnBone, _Foot):
 
 
 class _Leaning(_OverTime):
-    """A body."""
+    """Motion over time of a body that rises and leans with the feet."""
 
     def _shares(self, times):
-        """[(lift, turn)] of the times; None where nothing walks."""
+        """List (lift, turn) of the body at each time, in the world, by the setting Influence; None if a Problem prevents walking."""
         if isinstance(self._plan, Problem):
             return None
         lifts, turns = self._plan.walker.body(self._seconds(times))
@@ -181,10 +188,10 @@ class _Leaning(_OverTime):
 
 
 class _Body(_Leaning):
-    """A body that is an object."""
+    """Motion over time of a body that is an object."""
 
     def applied(self, times, matrices):
-        """World matrices of a body that is an object, lifted and leaned by the walk on top of its own motion.
+        """Lift and lean the world matrices of a body object as the walk requires, in addition to its own motion; returns (n, 4, 4).
 
         times: (n,), frames. matrices: (n, 4, 4), by the object's own channels and parents.
         """
@@ -200,10 +207,10 @@ class _Body(_Leaning):
 
 
 class _BoneBody(_OnBone, _Leaning):
-    """A body that is a bone."""
+    """Motion over time of a body that is a bone."""
 
     def applied(self, times, transforms):
-        """Own transforms of a body that is a bone, lifted and leaned by the walk on top of its own motion.
+        """Lift and lean the own transforms of a body bone as the walk requires, in addition to its own motion; returns Transforms.
 
         times: (n,), frames. transforms: Transforms from the bone's own channels.
         """

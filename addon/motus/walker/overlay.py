@@ -1,4 +1,4 @@
-"""What the viewport shows of a walker: footholds, the ways that feet take from one to the next, and where each foot belongs."""
+"""Overlay of a walker in the viewport: footholds, the ways of the feet between footholds, and the rest position of each foot."""
 
 import math
 
@@ -12,14 +12,14 @@ from . import told
 LEFT_COLOR, RIGHT_COLOR = (0.35, 0.80, 1.0, 0.9), (1.0, 0.65, 0.25, 0.9)
 REST_COLOR = (0.85, 0.85, 0.90, 0.5)
 FAINT = 0.35
-"""Of the colour of a foothold, that of the way to it."""
+"""Opacity of the line of a foot's way, as a share of the opacity of the foothold that it leads to."""
 SECONDS = 4.0
-"""Before and after the present frame in which footholds are shown."""
+"""Seconds before and after the present frame within which footholds are drawn."""
 SIDES = 12
 SIZE = 0.12
-"""Radius of a foothold, of the body's stride."""
+"""Radius of a drawn foothold, as a share of the stride."""
 TINY = 1e-30
-"""Lets the rings of a body that is scaled to nothing be points."""
+"""Smallest length that is divided by, so that the rings of a body that is scaled to nothing are points."""
 
 
 def _batches(context, obj):
@@ -50,7 +50,7 @@ def _rests(owner):
 
 
 def _is_left(owner):
-    """Whether each leg is on the left of the others, as the gaits see it, (n,)."""
+    """Whether each leg is on the left side of the body, (n,) bool: left of the middle of all rest positions, as the gaits count."""
     settings = owner.motus.walker
     across = _rests(owner) @ np.cross(axes.vector(chosen(settings, "forward_axis")), axes.vector(chosen(settings, "up_axis")))
     return across < 0.5 * (across.min() + across.max())
@@ -76,7 +76,7 @@ def _of_steps(walker, now, size, is_left):
 
 
 def _rings(middles, normals, radius):
-    """Ends of the lines of rings about places (n, 3), across normals (n, 3) of any length: (n, 2 * SIDES, 3)."""
+    """Ends of the line segments of rings, (n, 2 * SIDES, 3). middles: (n, 3). normals: (n, 3), of any length. radius: of all rings."""
     angles = np.repeat(np.arange(SIDES + 1) * 2.0 * math.pi / SIDES, 2)[1:-1, None]
     aside = np.cross(normals, np.where(np.abs(normals).argmax(axis=1)[:, None] == 0, (0.0, 1.0, 0.0), (1.0, 0.0, 0.0)))
     sides = [part / np.maximum(np.linalg.norm(part, axis=1, keepdims=True), TINY) for part in (aside, np.cross(normals, aside))]

@@ -1,4 +1,4 @@
-"""The panel of a walker: in the sidebar's tab and in the object's constraint properties, on the body and on feet that are objects."""
+"""Panel of a walker, in the sidebar and in the object's constraint properties; shown for the walker, its body and its foot objects."""
 
 from ..core.declare import Problem, is_owner, leader_of
 from ..core.interface import panels, ui
@@ -8,22 +8,22 @@ from . import legs, plan, presets, rows, told
 from .setup import system
 
 MOST_SHOWN = 16
-"""Legs in the panel."""
+"""Most legs that the panel lists."""
 
 
 def _walker(context):
-    """The walker that the active object is, or belongs to as a body or foot."""
+    """Return the walker of the active object, which is the walker itself, its body or one of its feet; None if there is none."""
     obj = context.object
     return obj if is_owner(system(), obj) else leader_of(system(), obj)
 
 
 def is_used(obj):
-    """Whether an object walks, or is part of what does."""
+    """Whether an object is a walker, or the body or a foot of a walker."""
     return is_owner(system(), obj) or leader_of(system(), obj) is not None
 
 
 def draw_main(layout, context):
-    """Draw what is wrong, how the body's motion is known, and the gait."""
+    """Draw the walker's problem if there is one, how the motion of the walking object is known, and the settings of the gait."""
     owner = _walker(context)
     if owner != context.object:
         box = layout.box().column()
@@ -37,7 +37,7 @@ def draw_main(layout, context):
 
 
 def draw_ground(layout, context):
-    """Draw what the feet stand on."""
+    """Draw the settings of the ground that the feet stand on."""
     settings = _walker(context).motus.walker
     column = ui.split(layout)
     column.prop(settings, "ground")
@@ -46,7 +46,7 @@ def draw_ground(layout, context):
 
 
 def draw_body(layout, context):
-    """How the body goes along with its feet."""
+    """Draw the settings of how the body rises and leans with the feet."""
     owner = _walker(context)
     settings = owner.motus.walker
     column = ui.split(layout)
@@ -58,7 +58,7 @@ def draw_body(layout, context):
 
 
 def draw_legs(layout, context):
-    """The feet, with phases of their own where the gait has these, and where they belong."""
+    """Draw the list of feet, their phases if the gait is Custom, and the button that sets the rest positions."""
     owner = _walker(context)
     settings = owner.motus.walker
     column = layout.column(align=True)
@@ -73,12 +73,12 @@ def draw_legs(layout, context):
 
 
 def draw_whole(layout, context):
-    """The body's axes, jumps, and how much of the walk there is."""
+    """Draw the settings of the body's axes, of jumps, and of the walk's influence."""
     rows.WHOLE.draw(ui.split(layout), _walker(context).motus.walker)
 
 
 def draw_readouts(layout, context):
-    """How many steps are planned, and until when."""
+    """Draw the number of planned steps, and the frame from which the feet rest. Draws nothing if there is no plan."""
     owner = _walker(context)
     planned = told.found(context, owner)
     if isinstance(planned, Problem):
@@ -91,7 +91,7 @@ def draw_readouts(layout, context):
 
 
 def draw_actions(layout, context):
-    """Baking and removing."""
+    """Draw the buttons that bake and remove the walker."""
     column = layout.column(align=True)
     ui.draw_bake(column)
     column.operator("motus.walker_remove", text="Remove", icon='X').object = _walker(context).name

@@ -1,4 +1,7 @@
-"""The steps of a whole shot, planned by the native library from the body's motion, the legs and the ground."""
+"""Plan the steps of a whole shot: the native library computes them from the body's motion, the legs and the ground.
+
+The owner is the object that walks; its world matrix is the motion of the body. A Problem is a sentence that the panel shows.
+"""
 
 import hashlib
 import itertools
@@ -17,19 +20,25 @@ from . import carrying, ground, legs
 from .properties import NUMBERS
 
 UNLIKE = 1e-4
-"""How far numbers of a matrix are apart, of the largest, that somebody has changed. Blender's own are in single precision."""
+"""Difference between numbers of two world matrices, as a share of the largest, from which on the body counts as moved by the artist.
+
+It is larger than the rounding of Blender's matrices, which are in single precision.
+"""
 MOST_FRAMES = 9_000
-"""That are planned: fewer than keys.MOST, as each has to be a sample. *Jump* counts from one to the next."""
+"""Most frames of a motion that are planned. Fewer than keys.MOST, since each whole frame has to be a sample.
+
+The setting Jump compares the body's place in one sample with its place in the next.
+"""
 LEAST_STRIDE = 1e-4
-"""m: a body that is scaled to nothing has steps too."""
+"""Smallest stride, in metres, so that a body that is scaled to nothing has steps too."""
 MARGIN = 250.0
-"""Frames after the scene's last one, to which a foot that is lifted by then may be on its way."""
+"""Frames after the scene's last one that are planned too: a foot that is lifted at the end of the scene touches down later."""
 EVERYWHERE = 1e6
-"""m: length of a leg of which nobody knows how long it is."""
+"""Length, in metres, that the library is given for a leg of unknown length, so that the leg reaches everywhere."""
 SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down"
-"""Lengths before the body's scale, under the library's names."""
+"""Settings that are lengths in the body's space, which the body's scale multiplies; the library has arguments of these names."""
 BODY = "body_height", "body_tilt"
-"""Settings of what rises and leans."""
+"""Settings that have an effect only if the walker has a body part that rises and leans."""
 SETTINGS = {
     "height": "body_height",
     "tilt": "body_tilt",
@@ -39,7 +48,7 @@ SETTINGS = {
     "lengths": "length",
     "phases": "phase",
 }
-"""Arguments of the library that settings, also of legs, give under another name."""
+"""Argument of the library -> setting of the walker, or of a leg, that has a different name."""
 
 NO_LEGS = Problem("There are no legs: add the walker again, and name its feet")
 NOT_FINITE = Problem("A setting is not a finite number")
@@ -73,10 +82,11 @@ EVER = -math.inf, math.inf
 
 
 class Poses(NamedTuple):
-    """Where the body is over time.
+    """World matrices of an object that walks, over time.
 
-    digest: of the samples, which is the same in the viewport and on each frame of a render. known: (first, last) frame up to
-    which it goes on as the samples say.
+    digest: hash of the samples; equal in the viewport and on each frame of a render. seconds: (k,), rising.
+    matrices: (k, 4, 4). known: (first, last) frame between which the samples tell where the object is; a side is infinite if the object
+    rests before its first or after its last sample.
     """
 
     digest: bytes
@@ -86,7 +96,11 @@ class Poses(NamedTuple):
 
 
 class Numbers(NamedTuple):
-    """Settings that the plan is made from."""
+    """Settings of a walker that the plan is made from, as numbers and tuples, so that they can be compared and hashed.
+
+    values: of the settings properties.NUMBERS. rest, hips, lengths, phases: an item for each leg. plane: height of the plane, or None.
+    duty: 0 for the usual one of the gait. A length of 0 is for a leg that reaches everywhere.
+    """
 
     gait: str
     duty: float
@@ -100,15 +114,16 @@ class Numbers(NamedTuple):
     phases: tuple
 
     def value(self, name):
-        """A number among NUMBERS."""
+        """Value of the setting of this name, one of properties.NUMBERS."""
         return self.values[NUMBERS.index(name)]
 
 
 class Plan(NamedTuple):
-    """A walk that is planned.
+    """The planned walk of one owner over the whole shot.
 
-    walker: the native Walker. fault: Problem or None. known: as of Poses. stamp: of all that the plan was made from.
-    has_problems: whether walker.problems has any.
+    walker: the native Walker. fault: the Problem to show, which does not keep the owner from walking, or None.
+    known: (first, last) frame for which the walk is planned, see Poses. stamp: hashable value that changes with all that the plan
+    was made from. has_problems: whether walker.problems lists any footholds that cannot be reached.
     """
 
     walker: Any
@@ -119,9 +134,10 @@ class Plan(NamedTuple):
 
 
 def of(owner, scene, numbers, frame=None):
-    """The Plan of an evaluated owner, or the Problem that keeps it from walking. numbers: read() of its settings.
+    """Return the Plan of an evaluated owner (the object that walks), or the Problem that keeps it from walking.
 
-    frame: the present one in a viewport, where somebody may have moved the body without keys.
+    numbers: result of read() for the owner's settings. frame: the present frame in a viewport, where the artist may have moved the body
+    without keys; None if that is not to be examined, as in a render.
     """
     if isinstance(numbers, Problem):
         return numbers
@@ -130,7 +146,7 @@ def of(owner, scene, numbers, frame=None):
     beyond = None
     if poses is not None and frame is not None:
         if not poses.known[0] <= frame <= poses.known[1]:
-            # A body that rests where the samples begin or end, such as one that has arrived, is as it is planned.
+            # A body that stands where the first or last sample has it, such as one that has arrived, is planned correctly.
             beyond = BEYOND if _differs(owner, poses.matrices[0 if frame < poses.known[0] else -1]) else None
         elif _is_elsewhere(owner, poses, frame / fps):
             poses, fault = _standing(owner), UNRECORDED if body_track(owner, scene).reason else UNKEYED
@@ -147,11 +163,14 @@ def of(owner, scene, numbers, frame=None):
 
 
 def read(settings):
-    """Numbers of the settings, or what is wrong with them: Problem.about names the setting then, of a leg too."""
+    """Read the settings of a walker as Numbers; returns a Problem if a setting is wrong.
+
+    Problem.about is the name of the wrong setting, of the walker or of a leg.
+    """
     if not settings.legs:
         return NO_LEGS
     for name in ("forward_axis", "up_axis"):
-        if getattr(settings, name) not in axes.IDENTIFIERS:  # in a file that somebody has changed
+        if getattr(settings, name) not in axes.IDENTIFIERS:  # possible in a damaged file
             return replace(OUT_OF_RANGE, about=name)
     if settings.forward_axis[-1] == settings.up_axis[-1]:
         return AXES_NOT_ACROSS
@@ -159,7 +178,7 @@ def read(settings):
     rest, hips = ([tuple(getattr(leg, name)) for leg in settings.legs] for name in ("rest", "hip"))
     lengths = [0.0 if legs.stretches(owner, leg) else leg.length for leg in settings.legs]
     phases = [leg.phase for leg in settings.legs]
-    # Where nothing rises and leans, the hips stay where they are moved.
+    # Without a part that rises and leans, the hips follow the owner alone.
     stays = () if legs.body(owner) else BODY
     values = tuple(0.0 if name in stays else getattr(settings, name) for name in NUMBERS)
     found: dict[str, Iterable[float]] = dict(zip(NUMBERS, ((number,) for number in values)))
@@ -182,17 +201,20 @@ def read(settings):
 
 
 def body_track(owner, scene):
-    """The Track of what is moved."""
+    """Return the Track (world matrices at any frame) of the object that walks."""
     return tracks.world_track(owner, scene)
 
 
 def body(owner, scene, fps):
-    """(Poses, Problem or None) of an evaluated owner; None for poses that are not finite."""
+    """Sample the motion of an evaluated owner; returns (Poses, Problem to show or None).
+
+    The Poses are None if they are not finite. An owner whose motion is unknown, or that does not move, has a single sample.
+    """
     track = body_track(owner, scene)
     if not track.is_known:
         return _standing(owner), UNKNOWN
     stamp = track.stamp
-    # To find the extent takes longer than the stamp.
+    # The extent takes longer to find than the stamp: it is kept until the stamp changes.
     extent = tracks.kept_by(stamp, "walker", lambda: track.extent)
     if extent is None:
         return _standing(owner), None
@@ -207,13 +229,16 @@ def body(owner, scene, fps):
 
 
 def is_moved(owner, scene):
-    """Whether an evaluated owner is known to move."""
+    """Whether the world matrix of an evaluated owner is known to change over time; false if its motion is unknown."""
     poses, fault = body(owner, scene, scene_time.fps(scene))
     return fault != UNKNOWN and (poses is None or len(poses.seconds) > 1)
 
 
 def _is_elsewhere(owner, poses, seconds):
-    """Whether an evaluated owner stands where its Poses do not have it; it can be told on whole frames, and where it rests."""
+    """Whether an evaluated owner stands at a place different from its Poses, because the artist has moved it without keys.
+
+    seconds: the present time. False for a time between two samples, at which the exact place is not known.
+    """
     times = poses.seconds
     if len(times) == 1:
         return False
@@ -223,7 +248,7 @@ def _is_elsewhere(owner, poses, seconds):
 
 
 def _differs(owner, known):
-    """Whether an evaluated owner stands elsewhere than this matrix says."""
+    """Whether the world matrix of an evaluated owner differs from a known one, (4, 4), by more than UNLIKE."""
     return np.abs(np.array(owner.matrix_world, float) - known).max() > UNLIKE * max(1.0, np.abs(known).max())
 
 
@@ -233,7 +258,7 @@ def _standing(owner):
 
 
 def _digested(seconds, matrices):
-    """(digest, seconds, matrices); None where these are not finite."""
+    """Return (hash, seconds, matrices) of the samples of a motion; None if a matrix is not finite."""
     if not np.isfinite(matrices).all():
         return None
     digest = hashlib.blake2b(np.ascontiguousarray(seconds), digest_size=16)
@@ -242,24 +267,25 @@ def _digested(seconds, matrices):
 
 
 def span(extent, scene):
-    """(first, last) frame of a motion that is read: all of one that ends, else the scene's.
+    """Return the (first, last) frame between which a motion is sampled: its whole extent, or the scene's frames if it has no end.
 
-    From a frame before, so that the library sees the body come, or rest. A motion without a beginning is read from frame 0 on,
-    even if the scene begins later, and one without an end beyond the scene's: the steps on a frame are the same whichever part of
-    the shot is rendered.
+    extent: (first, last) frame of the motion, each may be infinite. Sampling begins a frame earlier, so that the library knows the
+    body's velocity at the beginning. A motion without a beginning is sampled from frame 0 on, even if the scene begins later, and a
+    motion without an end up to MARGIN frames after the scene's end. So the steps on a frame do not depend on which part of the shot is
+    rendered.
     """
     start, end = extent
     last = end if math.isfinite(end) else scene_time.last(scene) + MARGIN
     first = start if math.isfinite(start) else min(scene_time.first(scene), 1.0, end + 1.0)
     if math.isinf(start) and last - first >= MOST_FRAMES:
-        first = scene_time.first(scene)  # then there is not room for all
+        first = scene_time.first(scene)  # all frames from 0 on would be more than MOST_FRAMES
     return first - 1.0, max(last, first - 1.0)
 
 
 def _sampled(track, first, last, fps):
     whole = [first, *keys.whole(first, last), last]
     frames = keys.union([whole, track.bounds(first, last)])
-    if len(frames) >= keys.MOST:  # which leaves some out
+    if len(frames) >= keys.MOST:  # keys.union() leaves out frames beyond this number
         frames = keys.union([whole])
     at = np.array(frames)
     seconds, places = np.unique(at / fps, return_index=True)
@@ -267,8 +293,11 @@ def _sampled(track, first, last, fps):
 
 
 def _made(numbers, poses, placed, bodies):
-    """(the native Walker, whether there are problems with its steps), or what is wrong with the settings."""
-    # The largest: what grows from nothing has legs as well.
+    """Make (the native Walker, whether some of its footholds cannot be reached); returns a Problem if the settings are refused.
+
+    poses: Poses of the body. placed: ground meshes, tuple of meshes.Placed. bodies: matrices (k, 4, 4) of the body bone, or None.
+    """
+    # The largest scale over time counts, so that a body that grows from a scale of 0 has steps.
     scale = np.abs(np.linalg.det(poses.matrices[:, :3, :3])).max() ** (1.0 / 3.0)
     rest = np.array(numbers.rest)
     try:
@@ -301,7 +330,7 @@ def _made(numbers, poses, placed, bodies):
 
 
 def _refusal(sentence):
-    """The Problem for a sentence of the library, which begins with the name of an argument."""
+    """Return the Problem for an error message of the native library, whose first word is the name of the wrong argument."""
     if "more than 1,000,000 steps" in sentence:
         return TOO_MANY
     name = sentence.split()[0].rstrip(":")
@@ -309,7 +338,10 @@ def _refusal(sentence):
 
 
 def _reach(numbers, matrices, bodies):
-    """Keywords of the native Walker for the legs' reach; {} if it is not known."""
+    """Keywords of the native Walker that tell how far each leg reaches; {} if no leg's length is known.
+
+    matrices: world matrices (k, 4, 4) of the body. bodies: matrices (k, 4, 4) of the body bone's own motion, or None.
+    """
     if not any(numbers.lengths):
         return {}
     # A leg may point along any axis of a body that is scaled unevenly: along the longest one it reaches farthest.

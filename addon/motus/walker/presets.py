@@ -1,4 +1,4 @@
-"""Walks that go by a name, and presets of the user's own."""
+"""Presets of walks: those that Motus brings, and those that users save."""
 
 from ..core.declare import is_owner, registered
 from ..core.interface import presets
@@ -18,7 +18,7 @@ OF_THE_SHOT = {
     "up_axis",
     "influence",
 }
-"""What belongs to one body or one shot is not part of a style."""
+"""Settings that presets leave unchanged, as they belong to one body or one shot and not to a style of walking."""
 
 BROUGHT = (
     Preset('SPIDER', "Spider", "Eight legs in two groups, a body that hangs calmly between them", {}),

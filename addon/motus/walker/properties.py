@@ -1,4 +1,4 @@
-"""Settings of walkers: Object.motus.walker of the body that is moved."""
+"""Settings of walkers: the property group Object.motus.walker of the object that the artist moves."""
 
 from functools import partial
 
@@ -36,9 +36,9 @@ def _length(name, description, default, **more):
 
 
 class WalkerKeywords:
-    """Mixin of the settings and of the operators, which share these properties; scripts use the names as keywords.
+    """Mixin of a walker's settings and of the operators that add a walker; in scripts the names are the operators' keywords.
 
-    Most have no keys: the steps of all frames follow from them.
+    Most of these properties cannot be animated, because the steps of all frames follow from a single value of each.
     """
 
     gait: choice("Gait", "Which legs step together, and which after them", GAITS, 'TETRAPOD')
@@ -93,7 +93,7 @@ NUMBERS = (
     "damping",
     "jump",
 )
-"""Of the keywords, what the plan is made of and may be no finite number."""
+"""Names of the number settings that the plan is made from. A script can give them values that are not finite."""
 
 
 def _numbers(name, description):

@@ -1,4 +1,4 @@
-"""The rows of a walker's settings: in the panels, and for the keywords in the redo panel."""
+"""Rows of a walker's settings, as the panels and the operators' redo panel draw them."""
 
 from ..core.interface.rows import Row, Rows
 

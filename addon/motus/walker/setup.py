@@ -1,4 +1,4 @@
-"""Setting walkers up and taking them back: plain functions behind the operators."""
+"""Set up, change and remove walkers: functions that the operators call."""
 
 from typing import Any, NamedTuple
 
@@ -15,13 +15,14 @@ from . import legs
 
 PREFIX = "motus.walker."
 SHARES = {"stride": 0.5, "clearance": 0.16, "reach_up": 0.8, "reach_down": 1.2}
-"""Lengths where none are given, times how far the feet stand from their middle on the average."""
+"""Default of each length setting of a new walker, as a multiple of the average distance of the feet from their middle."""
 
 
 class Leg(NamedTuple):
-    """A leg of a walker that is about to be set up. bone: name of the owner's bone at the foot, or "" and foot: the foot's Object.
+    """A leg of a walker that is about to be set up.
 
-    hip: place in the owner's space. length: of the leg, 0 if it is unknown.
+    bone: name of the owner's bone that is the foot; "" if the foot is an object. foot: the Object that is the foot; None for a bone.
+    hip: place, in the owner's space, at which the leg begins. length: length of the whole leg, 0 if it is unknown.
     """
 
     bone: str
@@ -30,20 +31,22 @@ class Leg(NamedTuple):
     length: float
 
     def place(self, owner):
-        """The foot's place in the world; owner and foot are both original or both evaluated."""
+        """Place of the foot, in world space. owner: object that walks; owner and foot are both original or both evaluated."""
         return owner.matrix_world @ owner.pose.bones[self.bone].head if self.bone else self.foot.matrix_world.translation
 
 
 def system():
-    """The registered System: the package's __init__ imports this module, not the other way round."""
+    """Return the System of walkers from the registry: the package's __init__ imports this module, which cannot import it in turn."""
     return registered["walker"]
 
 
 def attach(context, owner, found, body, changes):
-    """Let an owner walk. found: Legs. body: name of a bone, or an Object, or None. changes: settings by name.
+    """Set up an object to walk on legs, or change the legs of an object that walks already.
 
-    The feet stand where they belong; of lengths that are not given those of a new walker suit the legs. Feet that it has already
-    keep their phases.
+    The present places of the feet become their rest positions. A new walker gets lengths that suit its legs, if `changes` does not set
+    them. Feet that a walker has already keep their phases.
+    found: the legs, as Leg. body: name of the bone, or the Object, that rises and leans; None if there is none.
+    changes: {name: value} of settings.
     """
     was_active = owner.motus.walker.is_active
     phases = {(leg.name, pointed(leg, "foot")): leg.phase for leg in owner.motus.walker.legs}
@@ -63,14 +66,14 @@ def attach(context, owner, found, body, changes):
 
 
 def _forget_others():
-    """Let objects that were feet or bodies, and that nobody drives any more, hold no settings."""
+    """Remove the walker settings from objects that were feet or bodies and are no longer driven by a walker."""
     for obj in bpy.data.objects:
         if has_settings(system(), obj) and not (obj.library or says_anything(of_owner(system(), obj))):
             forget(system(), obj)
 
 
 def change(owner, changes):
-    """Set several walker settings of an owner, {name: value}, and wire the owner once."""
+    """Set several walker settings of an object, then update its drivers and constraints once. changes: {name: value}."""
     with entries.unwired(owner.motus.walker) as settings:
         for name, value in changes.items():
             setattr(settings, name, value)
@@ -78,7 +81,7 @@ def change(owner, changes):
 
 
 def wire(owner):
-    """Wire an owner as its settings are now."""
+    """Make or update the drivers and constraints of a walker as its settings require."""
     if owner.motus.walker.is_active:
         wiring.refresh(system(), owner)
     else:
@@ -86,7 +89,10 @@ def wire(owner):
 
 
 def _own_rests(context, owner, found):
-    """Rest positions of the feet of Legs by their own transforms, in the owner's space."""
+    """List the places of feet by their own transforms, without the walk, in the owner's space.
+
+    found: the legs, as Leg. The walker's constraints are muted during the measurement.
+    """
     is_active = owner.motus.walker.is_active
     if is_active:
         wiring.set_muted(system(), owner, True)
@@ -102,14 +108,14 @@ def _own_rests(context, owner, found):
 
 
 def lengths(rests):
-    """Settings that suit feet which stand so, in the owner's space."""
+    """Return {name: value} of the length settings that suit feet with these rest positions. rests: Vectors in the owner's space."""
     middle = sum(rests, Vector()) / len(rests)
     size = sum((rest - middle).length for rest in rests) / len(rests) or 1.0
     return {name: share * size for name, share in SHARES.items()}
 
 
 def take_rests(context, owner):
-    """Let the feet belong where their own transforms have them now; returns how many there are."""
+    """Set the rest positions of a walker's feet to their present places by their own transforms; returns the number of feet."""
     entries_of = owner.motus.walker.legs
     feet = legs.feet(owner)
     found = [Leg(entries_of[foot.index].name, pointed(entries_of[foot.index], "foot"), Vector(), 0.0) for foot in feet]
@@ -119,7 +125,7 @@ def take_rests(context, owner):
 
 
 def remove(owner):
-    """Take the walker back: wiring, keys of its settings, and the settings themselves."""
+    """Remove a walker: its drivers and constraints, the F-curves of its settings, and the settings themselves."""
     wiring.detach(system(), owner)
     actions.remove(owner, (PREFIX,))
     forget(system(), owner)

@@ -1,4 +1,4 @@
-"""Results that a walker's two solvers (feet and body) share within one evaluation."""
+"""Results that the two solvers of a walker, one for its feet and one for its body, share within one evaluation by Blender."""
 
 from ..core import keeping, wiring
 from ..core.evaluated import copies, read_keys
@@ -12,12 +12,16 @@ _WAITING = keeping.OfEvaluation(
 
 
 def found(context, make):
-    """The result of make(), made by the first of an owner's two solvers and kept for the second one."""
+    """Return the result of make(), which the first of a walker's two solvers calls; the second solver takes the kept result.
+
+    The result is kept for one evaluation and one frame, on the evaluated copy of the owner (the object that walks).
+    context: Context of the solver that asks. make: function without arguments.
+    """
     copy = copies.of(context.owner)
     if copy is None:
         return make()
     moment = wiring.evaluation(), context.frame
-    # Taken by one alone: who is solved again by itself may be so because the rest has changed.
+    # The kept result is taken once: a solver that is called again by itself may be called because the input has changed.
     kept = _WAITING.on(copy)
     waiting = kept.pop("waiting", None)
     if waiting is not None and waiting[0] == moment and waiting[1] != context.group and read_keys.note(waiting[3]):

@@ -1,4 +1,7 @@
-"""Walkers: what their solvers read, and the look-up in the plan of the shot."""
+"""Solvers of walkers: they look up the feet and the body in the plan of the shot, which plan.py makes.
+
+A Problem is a sentence that the panel shows.
+"""
 
 from mathutils import Matrix
 
@@ -19,7 +22,7 @@ INPUTS = (Geometries("awaited", of=ground.objects),)
 
 
 class Wired:
-    """Rows of the body's bone in the arrays of its rig."""
+    """The row of a body bone in the arrays of its rig, and the rig's data that stay until its bones change (rigs.still())."""
 
     def __init__(self, rig, rows, name):
         self.still = rigs.still(rig, tuple(rows))
@@ -27,9 +30,10 @@ class Wired:
 
 
 def solve(context, awaited):
-    """Solve one group of a walker at the context's frame: the places of the feet, or the lift and lean of the body.
+    """Solve one group of a walker at the frame of the context; returns the Problem to show, or None.
 
-    awaited: ground meshes, declared as input only so that Blender evaluates them first.
+    The group is either the feet, whose places are written into the context, or the body, whose location and rotation are written.
+    awaited: ground meshes. They are a declared input only so that Blender evaluates them before the walker.
     """
     del awaited
     owner, scene = context.owner, context.depsgraph.scene
@@ -65,7 +69,10 @@ def _fault(found, noted):
 
 
 def _stand(context, places, noted):
-    """Put the feet where they stand."""
+    """Write the places (m, 3) of the feet into the context: in world space for objects, in the armature's space for bones.
+
+    places: (legs, 3), world space, from the plan. noted: the groups.Noted of this group. Raises Damaged if they do not fit together.
+    """
     legs_of, bones = noted.legs, noted.bones
     if len(legs_of) != len(context.locations) or (len(legs_of) and legs_of[-1] >= len(places)):
         raise Damaged("another number of feet")
@@ -95,7 +102,10 @@ def _lean(context, walker, seconds):
 
 
 def _basis(body, frame):
-    """Matrix of an object's own channels at a frame, read from keys: no solver may wait for the channels, since its sinks come after them."""
+    """Matrix of an object's own location, rotation and scale at a frame, read from F-curves; the present one if they are not known.
+
+    The solver cannot read the evaluated object: Blender evaluates it after the solver, whose result drives it.
+    """
     track = tracks.own_track(body)
     if not track.is_known:
         return body.matrix_basis

@@ -1,4 +1,7 @@
-"""Which objects an operator works on, and what their legs are: by name from scripts, else by selection. Refusals are sentences."""
+"""Find the walker, legs, body and ground that an operator works on: by name from scripts, otherwise from the selection.
+
+Functions raise Refused, with a sentence for the artist, if an object does not fit.
+"""
 
 from mathutils import Vector
 
@@ -11,7 +14,10 @@ from .properties import MOST_LEGS
 
 
 def owner_for(context, name):
-    """The object that shall walk: by name, else the active one."""
+    """Return the object that is to walk: the one of this name, or the active object if the name is empty.
+
+    Raises Refused if there is none, or if its set-up may not be changed.
+    """
     found = named(name) if name else context.object
     if found is None:
         raise Refused(tr("Select the body that shall walk"))
@@ -21,7 +27,10 @@ def owner_for(context, name):
 
 
 def walker_for(context, name):
-    """The walker by name, or else the active object's; a foot or body stands for its walker. Raises Refused without one."""
+    """Return the walker of this name, or the active object's if the name is empty; for a foot or body the walker that drives it.
+
+    Raises Refused if there is none.
+    """
     found = named(name) if name else context.object
     if found is not None and not is_owner(setup.system(), found):
         found = leader_of(setup.system(), found)
@@ -31,24 +40,27 @@ def walker_for(context, name):
 
 
 def editable_walker(context, name):
-    """The walker by name, or else the active object's. Raises Refused if its set-up may not be changed."""
+    """Return the walker of this name, or the active object's if the name is empty.
+
+    Raises Refused if there is none, or if its set-up may not be changed.
+    """
     found = walker_for(context, name)
     check_editable(found)
     return found
 
 
 def check_editable(owner):
-    """Refuse an object whose set-up must not be changed."""
+    """Raise Refused if the walker set-up of an object must not be changed: the object is linked, or its walk is baked."""
     check_local(owner)
     if owner.is_property_set("motus"):
         check_unbaked(owner, owner.motus.walker)
 
 
 def legs_for(context, owner, names):
-    """The legs, as setup.Leg, of an owner that is about to walk. Raises Refused if there are none or they do not fit.
+    """List the legs, as setup.Leg, of an object that is about to walk. Raises Refused if there are none or they do not fit.
 
-    names: comma-separated names of the feet. If empty, an armature's legs are its IK chains with targets, and another object's
-    feet are the selected objects.
+    names: names of the feet, between commas. If it is empty, the legs of an armature are its chains of the system Inverse Kinematics
+    that have targets, and the feet of an object without bones are the selected objects.
     """
     listed = [name.strip() for name in names.split(",") if name.strip()]
     if owner.type == 'ARMATURE':
@@ -66,9 +78,10 @@ def legs_for(context, owner, names):
 
 
 def legs_again(context, owner, is_named):
-    """Legs of an object that walks already, if no feet are named; None if its legs stay as they are.
+    """List the legs, as setup.Leg, of an object that walks already, if no feet are named; None if its legs stay as they are.
 
-    Feet that are selected beside it are its feet from now on, unless a script names the object; else legs without a foot go.
+    Objects that are selected together with a walker without bones become its feet, unless a script names the walker (is_named).
+    Otherwise legs whose foot no longer exists are left out.
     """
     settings, present = owner.motus.walker, legs.feet(owner)
     if not present:
@@ -98,12 +111,15 @@ def _checked(owner, found):
 
 def _selected_feet(context, owner):
     chosen = [obj for obj in context.selected_objects if obj != owner] if context.object == owner else []
-    # A child that is selected too is the body that shall rise and lean, unless all of them are children.
+    # A selected child is the body that is to rise and lean, not a foot, unless all selected objects are children.
     return sorted([obj for obj in chosen if obj.parent != owner] or chosen, key=lambda obj: obj.name)
 
 
 def _named_foot(owner, name):
-    """A bone of the armature that is moved by itself, or the end of a chain, whose target is the foot."""
+    """Return the setup.Leg of a bone that a script names as a foot.
+
+    If the bone is the last bone or the target of an IK chain, the leg is this chain; otherwise the bone alone is the foot.
+    """
     check_bone(owner, name)
     return next((leg for bone, leg in _chains(owner) if bone == name or leg.bone == name), None) or setup.Leg(name, None, Vector(), 0.0)
 
@@ -113,7 +129,10 @@ def _legs_of_chains(owner):
 
 
 def _chains(owner):
-    """(last bone, Leg) of each chain of Inverse Kinematics that has a target: an object, or a bone of the armature itself."""
+    """List (name of the last bone, setup.Leg) of each chain of the system Inverse Kinematics that can be a leg.
+
+    Such a chain is not muted, and its target is an object without bones or a bone of the owner itself.
+    """
     found = []
     for name, chain in offered("ik").chains(owner).items():
         target = chain.target
@@ -135,9 +154,11 @@ def _chains(owner):
 
 
 def body_for(owner, name, feet):
-    """The part that rises and leans: on an armature a bone by name, or the bone that all legs hang on; on other objects a child by name. None without one.
+    """Return the part that rises and leans with the feet: the name of a bone of an armature, or a child of an object without bones.
 
-    A walker that is there keeps its own where none is named. feet: names of bones, and objects, that are no body.
+    If `name` is empty, an object that walks already keeps its body, and a new armature gets the bone that all legs are children of.
+    None or "" if there is no body. feet: names of bones, or objects, that cannot be the body. Raises Refused if the named one does not
+    fit.
     """
     found = _named_body(owner, name) if name else _usual_body(owner)
     if found not in feet:
@@ -166,14 +187,14 @@ def _usual_body(owner):
 
 
 def _common_bone(owner):
-    """Name of the lowest bone that all chains hang on; "" where there is none."""
+    """Name of the lowest bone that is a parent of all IK chains of an armature; "" if there is none."""
     above = [[one.name for one in chain.bones[-1].parent_recursive] for chain in offered("ik").chains(owner).values()]
     shared = [name for name in above[0] if all(name in one for one in above)] if above else []
     return shared[0] if shared else ""
 
 
 def _check_feet(owner, found):
-    """Refuse feet that cannot be moved."""
+    """Raise Refused if a foot cannot be moved, such as a connected bone, or if two legs have the same foot."""
     for leg in found:
         if leg.bone:
             bone = owner.pose.bones[leg.bone]
@@ -190,7 +211,10 @@ def _check_feet(owner, found):
 
 
 def _check_free(owner, obj):
-    """Refuse an object that an owner cannot drive, or where it is the owner itself, that others drive."""
+    """Raise Refused if `obj` cannot be a part of the walker `owner`: it is linked, walks itself, or is part of a different walker.
+
+    `obj` may be the owner itself, which may walk already.
+    """
     check_local(obj)
     if obj != owner and is_owner(setup.system(), obj):
         raise Refused(tr("{object} walks itself, and can be no part of {owner}").format(object=obj.name, owner=owner.name))
@@ -200,7 +224,7 @@ def _check_free(owner, obj):
 
 
 def ground_for(name, owner):
-    """The mesh object of this name that feet stand on."""
+    """Return the mesh object of this name as ground. Raises Refused if there is none, or if it moves with a walker."""
     found = named_mesh(name)
     if found == owner or ground.is_walking(found):
         raise Refused(tr("{object} walks itself, and is no ground").format(object=found.name))

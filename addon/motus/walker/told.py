@@ -1,4 +1,4 @@
-"""What is wrong with a walk, with the names of what it is about."""
+"""Sentences for the panel about problems of a walk, with the names of the feet, objects and settings concerned."""
 
 import math
 
@@ -12,13 +12,16 @@ from . import ground, legs, plan, solve
 
 
 def found(context, owner):
-    """The Plan of an original owner as it is evaluated now, or the Problem that keeps it from walking."""
+    """Return the Plan of a walker as it is evaluated now, or the Problem that keeps it from walking.
+
+    owner: original object that walks.
+    """
     evaluated = _evaluated(context, owner)
     return plan.of(evaluated, context.scene, plan.read(evaluated.motus.walker))
 
 
 def is_moved(context, owner):
-    """Whether an original owner's body is known to move: of the evaluated one that is kept."""
+    """Whether the world matrix of a walker is known to change over time. owner: original object, whose evaluated copy is examined."""
     return plan.is_moved(_evaluated(context, owner), context.scene)
 
 
@@ -27,7 +30,7 @@ def _evaluated(context, owner):
 
 
 def sentence(context, owner, problem):
-    """The sentence of a Problem of an original owner, in the user's language."""
+    """Return the sentence about a Problem of a walker, in the user's language. owner: original object that walks."""
     if problem == solve.UNREACHED:
         planned = found(context, owner)
         troubles = [] if isinstance(planned, Problem) else planned.walker.problems
@@ -43,7 +46,10 @@ def sentence(context, owner, problem):
 
 
 def _about_setting(settings, problem, planned):
-    """Sentence about a problem, with the name of the setting that the plan named, if the plan's problem is still this one."""
+    """Return the sentence about a wrong setting, with the setting's name.
+
+    planned: Plan or Problem of the walker now. The name is left out if it differs from `problem`: the setting was changed since.
+    """
     of_legs = settings.bl_rna.properties["legs"].fixed_type.properties
     declared = planned == problem and (settings.bl_rna.properties.get(planned.about) or of_legs.get(planned.about))
     if not declared:
@@ -56,7 +62,7 @@ def _about_setting(settings, problem, planned):
 
 
 def shown(scene, seconds):
-    """The frame of the time line that shows a time of a walk."""
+    """Frame of the timeline at which a time of a walk, in seconds, is shown; the two differ under Time Stretching."""
     return scene_time.time_line(scene, seconds * scene_time.fps(scene))
 
 

@@ -1,1 +1,1 @@
-"""F-curves, NLA strips and drivers of a property: what they make of it at any frame."""
+"""Animation of a property by F-curves, NLA strips and drivers: the values that result at any frame."""

@@ -1,4 +1,4 @@
-"""What animates one number of a datablock, and its values at any times."""
+"""Channel: one number property of a datablock over time, with what animates it and its values at any frames."""
 
 from __future__ import annotations
 
@@ -19,18 +19,21 @@ if TYPE_CHECKING:
 
 _CUSTOM = re.compile(r'\["(?:[^"\\]|\\.)*"\]$')
 TRUE = 1.0 - 2.0**-23
-"""Above it Blender takes a number for True."""
+"""Blender sets an animated boolean to True if the F-curve's value is greater than this."""
 
 
 class Number(NamedTuple):
-    """A number property of a datablock: what holds it, its name there, its type, and between which values Blender keeps it.
+    """A number property of a datablock, or one element of an array property, with its type and limits.
 
-    index: in an array; -1 where it is none. subtype: of RNA. default: its value in the NLA, where no strip sets it.
+    holder: the datablock or group that has the property. name: the property's name in the holder; a custom property's name has its
+    brackets. index: of the array's element; -1 if the property is no array. type: 'FLOAT', 'INT', 'BOOLEAN' or 'ENUM'.
+    least, most: limits that Blender applies to values. subtype: of RNA, such as 'QUATERNION'. default: value in the NLA if no strip sets
+    the property.
     """
 
     holder: Any
     name: str
-    index: int  # type: ignore[assignment]  # a tuple has a method of this name
+    index: int  # type: ignore[assignment]  # NamedTuple: tuple.index is a method
     type: str
     least: float
     most: float
@@ -39,14 +42,14 @@ class Number(NamedTuple):
 
     @property
     def present(self) -> float:
-        """The property's value now."""
+        """Present value of the property; of an enum property, the integer of its chosen item."""
         if self.type == 'ENUM':
             return float(choices.number(self.holder, self.name))
         value = self.holder[_key(self.name)] if self.name.startswith("[") else getattr(self.holder, self.name)
         return float(value if self.index < 0 else value[self.index])
 
     def write(self, value: Any) -> None:
-        """Set the property, or the element of it at `index`, to a value."""
+        """Set the property, or the array's element at `index`, to a value."""
         is_custom = self.name.startswith("[")
         if self.index >= 0:
             (self.holder[_key(self.name)] if is_custom else getattr(self.holder, self.name))[self.index] = value
@@ -68,7 +71,7 @@ class Channel:
     """Value of a number property of a datablock at any time, read from its keys and NLA strips.
 
     reason: the Reason why the value at other frames cannot be computed; None if it can. values() and bounds() need reason to be None.
-    stamp: changes whenever values() may change. is_beneath_driver: ignore the driver of the property, and read the animation below it.
+    is_beneath_driver: ignore the driver of the property, and read the animation below the driver.
     """
 
     def __init__(self, id_data: Any, data_path: str, index: int, is_beneath_driver: bool = False) -> None:
@@ -92,11 +95,11 @@ class Channel:
 
     @property
     def is_constant(self) -> bool:
-        """Whether nothing animates it."""
+        """Whether nothing animates the property: neither an F-curve, NLA strips nor a driver."""
         return self._curve is None and self._stack is None and self.reason is None
 
     def values(self, times: Array) -> Array:
-        """(n,) float64 at times of the scene (n,)."""
+        """Values (n,), float64, of the property at times, (n,) frames of the scene."""
         if self._stack is not None:
             return self.number.rounded(self._stack.values(times))
         if self._curve is not None:
@@ -104,13 +107,13 @@ class Channel:
         return np.full(len(times), self.number.present)
 
     def bounds(self, first: float, last: float) -> list[float]:
-        """Rising times from first to last, between which it is smooth, as far as they are not too many."""
+        """Rising frames from first to last, between which the value changes smoothly; at most about keys.MOST."""
         if self._stack is not None:
             return self._stack.bounds(first, last)
         return keys.bounds(self._curve, first, last) if self._curve is not None else [first, last]
 
     def integral(self, first: float, last: float) -> float:
-        """Integral of a float over the frames from first to last."""
+        """Integral of the value of a float property over the frames from first to last, in frames times the unit of the value."""
         if self.is_constant:
             return self.number.present * (last - first)
         if self._curve is not None:
@@ -119,14 +122,20 @@ class Channel:
 
     @property
     def extent(self) -> tuple[float, float] | None:
-        """(first, last) frame between which the value changes; infinite for NLA strips or extrapolation without end; None if constant."""
+        """(first, last) frame between which the property's value changes, infinite if it goes on changing; None if it is constant.
+
+        Infinite for NLA strips, for an F-curve that is extrapolated without end, and for F-curve modifiers.
+        """
         if self._stack is not None:
             return -np.inf, np.inf
         return keys.extent(self._curve) if self._curve is not None else None
 
     @property
     def stamp(self) -> Any:
-        """Something hashable that changes whenever values() of an evaluated datablock may; None for an original datablock."""
+        """Hashable value that changes whenever values() of an evaluated datablock may change.
+
+        None for an original datablock, or if edits cannot be detected.
+        """
         if not self._id.is_evaluated:
             return None
         if self._stack is not None:
@@ -137,25 +146,28 @@ class Channel:
 
 
 def number(id_data: Any, data_path: str, index: int = -1) -> Number:
-    """The Number at a data path; refuses what is none. index: in an array, -1 for a property that is none."""
+    """The Number at a data path. Raises Refused if there is no number property of this datablock.
+
+    index: index of an array's element; -1 for a property that is no array.
+    """
     try:
         holder, name = _holder(id_data, data_path)
-        if holder.id_data != id_data:  # what animates it is that one's
+        if holder.id_data != id_data:  # the path leads to a different datablock, which has its own animation
             raise TypeError
         found = (_custom if name.startswith("[") else _declared)(holder, name, index)
-        _ = found.present  # whether it is there at all
+        _ = found.present  # raises if the property does not exist
     except (AttributeError, KeyError, IndexError, TypeError, ValueError):
         raise Refused(tr("{object} has no number {path}").format(object=id_data.name, path=data_path)) from None
     return found
 
 
 def acting_curve(id_data: Any, data_path: str, index: int = 0) -> Any:
-    """The F-curve of the active action that animates a number, or None. `id_data` may be evaluated."""
+    """The F-curve of the active action that animates a number property; None if there is none. `id_data` may be evaluated."""
     return strips.acting(strips.read(id_data.animation_data), data_path, index)
 
 
 def is_driven(id_data: Any, data_path: str, index: int = 0) -> bool:
-    """Whether a driver sets a number."""
+    """Whether an unmuted driver sets a number property of a datablock. index: of an array's element, 0 for a property that is no array."""
     animation = id_data.animation_data
     driver = animation and animation.drivers.find(data_path, index=index)
     return driver is not None and not driver.mute
@@ -183,7 +195,7 @@ def is_in_strips(id_data: Any, data_path: str, index: int = 0) -> bool:
 
 
 def _holder(id_data: Any, data_path: str) -> tuple[Any, str]:
-    """(datablock or group that holds the property at a data path, name of the property there); a custom property's name has its brackets."""
+    """(datablock or group that holds the property at a data path, the property's name there). A custom property's name has its brackets."""
     custom = _CUSTOM.search(data_path)
     path, _, name = data_path.rpartition(".")
     if custom:
@@ -206,7 +218,7 @@ def _declared(holder: Any, name: str, index: int) -> Number:
     if isinstance(holder, bpy.types.ShapeKey) and name == "value":
         least, most = holder.slider_min, holder.slider_max
     default = declared.default_array[index] if is_array else declared.default
-    # Blender warns of a subtype that is a unit, which no array of four has.
+    # Only arrays of four: Blender prints a warning if a script reads some subtypes that are units, which arrays of four do not have.
     subtype = declared.subtype if is_array and len(declared.default_array) == 4 else 'NONE'
     if subtype == 'QUATERNION':
         default = float(index == 0)
@@ -221,7 +233,7 @@ def _custom(holder: Any, name: str, index: int) -> Number:
     kind = {bool: 'BOOLEAN', int: 'INT', float: 'FLOAT'}[type(one)]
     limits = holder.id_properties_ui(_key(name)).as_dict()
     default = limits.get("default", 0.0)
-    if hasattr(default, "__len__"):  # empty where an array has none (3.4)
+    if hasattr(default, "__len__"):  # an array without a default gives an empty one (Blender 3.4)
         default = default[index] if len(default) else 0.0
     return Number(
         holder, name, index, kind, limits.get("min", -np.inf), limits.get("max", np.inf), limits.get("subtype", 'NONE'), float(default)

@@ -1,4 +1,4 @@
-"""An F-curve over time: its values, where it bends, and its integral; bounded work however many keys it has."""
+"""Values, bends and integral of one F-curve over time. The work is bounded, however many keys the F-curve has."""
 
 from __future__ import annotations
 
@@ -14,26 +14,32 @@ if TYPE_CHECKING:
 
 NODES = 0.5 - 0.5 * math.sqrt(0.6), 0.5, 0.5 + 0.5 * math.sqrt(0.6)
 WEIGHTS = 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0
-"""Gauss-Legendre on [0, 1]: exact for polynomials up to degree 5, and never at an end, where a stepped key jumps."""
+"""Nodes and weights of three-point Gauss-Legendre quadrature on [0, 1]: exact for polynomials up to degree 5.
 
-CLOSE = 1e-4  # frames; nearer bounds are one
-BEFORE = 1e-3  # frames, from a bound to the step after it
+No node lies at an end of the interval, where the value of a key with constant interpolation jumps.
+"""
+
+CLOSE = 1e-4  # frames; bounds that are nearer to each other count as one
+BEFORE = 1e-3  # frames, from the bound before a jump of the value to the jump
 CONSTANT = 0
-"""What foreach_get makes of the interpolation of a key that holds its value."""
-SHORT = 2.0  # frames; between nearer keys the value bends so much in a frame that it is halved
-STEP = 0.5  # frames, to either side of where a rate is measured
+"""Keyframe.interpolation 'CONSTANT' (the key holds its value until the next one) as foreach_get reads it."""
+SHORT = 2.0  # frames; between keys that are nearer, pieces are halved, since the value bends much within a frame
+STEP = 0.5  # frames; a rate is measured between this long before and after a frame
 
 MOST = 10_000
-"""Pieces between the keys in all, and in samples(): where there are more frames, a piece has several."""
+"""Most pieces between all keys, and most pieces in samples(); if there are more frames, a piece has several frames."""
 LEAST = 32
-"""Pieces between two keys, however many keys there are, up to MOST keys. Of more keys MOST // LEAST stand for all."""
-NEAR = 2048  # frames beyond the keys, each a piece where modifiers change the value there
-OCTAVE = 256  # pieces from there to twice as far, and so on
-FARTHEST = 2.0**20  # frames; what lies beyond is one piece
+"""Between two keys at least this many pieces are allowed, however many keys there are, up to MOST keys.
+
+If there are more than MOST keys, MOST // LEAST evenly chosen keys stand for all.
+"""
+NEAR = 2048  # frames beyond the keys; if modifiers change the value there, each of these frames is a piece
+OCTAVE = 256  # pieces from NEAR frames to twice as many, and in each further doubling of the distance
+FARTHEST = 2.0**20  # frames beyond the keys; everything farther away is one piece
 
 
 def values(curve: Any, times: Array) -> Array:
-    """The F-curve's values at times of the scene, in any order; times: (n,). As Blender evaluates them, unrounded."""
+    """Values (n,), float64, of an F-curve at times, (n,) frames of the scene in any order, as Blender evaluates them, unrounded."""
     times = np.asarray(times, float)
     return np.fromiter(map(curve.evaluate, times.tolist()), float, len(times))
 
@@ -56,14 +62,18 @@ def integral(curve: Any, first: float, last: float) -> float:
 
 
 def samples(curve: Any, first: float, last: float) -> tuple[list[float], list[float]]:
-    """(frames, values) of the F-curve: at `first` and `last`, and three or more in each piece of bounds()."""
+    """Samples (frames, values) of the F-curve: at `first` and `last`, and three between each two neighbouring frames of bounds()."""
     nodes = _nodes(bounds(curve, first, last)).tolist()
     frames = [first, *nodes, last]
     return frames, list(map(curve.evaluate, frames))
 
 
 def bounds(curve: Any, first: float, last: float) -> list[float]:
-    """Rising frames from `first` to `last`: those of the keys, and whole ones, all of them where they are not too many."""
+    """Rising frames from `first` to `last`, between which the F-curve changes smoothly: its keys, and whole frames.
+
+    All whole frames are included unless there are more than MOST. Also included are frames just before the value jumps, middles between
+    near keys, and repeated keys of a Cycles modifier. If the value is constant beyond the keys, no whole frames beyond them are included.
+    """
     places = _places(curve)
     start, end = first, last
     if curve.extrapolation == 'CONSTANT' and _is_straight_beyond(curve, places):
@@ -73,7 +83,7 @@ def bounds(curve: Any, first: float, last: float) -> list[float]:
 
 
 def extent(curve: Any) -> tuple[float, float]:
-    """(frame of the first key, of the last): outside of them the value rests; infinite where it goes on."""
+    """(frame of the first key, frame of the last key), if the value of the F-curve is constant before and after; otherwise (-inf, inf)."""
     places = _places(curve)
     points = curve.keyframe_points
     if _is_straight_beyond(curve, places) and (curve.extrapolation == 'CONSTANT' or len(points) < 2):
@@ -82,13 +92,16 @@ def extent(curve: Any) -> tuple[float, float]:
 
 
 def united(extents: Iterable[tuple[float, float] | None]) -> tuple[float, float] | None:
-    """The extent of several, each of which may be None: nothing changes then; None where nothing changes at all."""
+    """Extent that covers several extents, each (first, last) frame of change, or None for no change; None if all are None."""
     found = [one for one in extents if one is not None]
     return (min(first for first, _ in found), max(last for _, last in found)) if found else None
 
 
 def union(lists: list[list[float]]) -> list[float]:
-    """Bounds of several F-curves at once: rising frames, MOST at most; all from one first frame to one last frame."""
+    """Rising frames that combine the bounds of several F-curves; at most MOST, evenly chosen if there are more.
+
+    lists: rising frames of each F-curve; all lists have the first and the last frame in common.
+    """
     first, last = lists[0][0], lists[0][-1]
     frames = _rising(first, last, {frame for frames in lists for frame in frames})
     if len(frames) <= MOST:
@@ -97,12 +110,15 @@ def union(lists: list[list[float]]) -> list[float]:
 
 
 def rate(curve: Any, frame: float) -> float:
-    """Change of the value per frame."""
+    """Change of the F-curve's value per frame, at a frame."""
     return (curve.evaluate(frame + STEP) - curve.evaluate(frame - STEP)) / (2.0 * STEP)
 
 
 class _Laps:
-    """Integral of an F-curve that nothing but a Cycles modifier changes, from its first key on."""
+    """Integral, from the first key on, of an F-curve that has no modifier but a Cycles modifier. A lap is one repetition of the keys.
+
+    places: frames of the keys, rising. cycles: the Cycles modifier.
+    """
 
     def __init__(self, curve: Any, places: list[float], cycles: Any) -> None:
         self._curve, self._places, self._cycles = curve, places, cycles
@@ -111,7 +127,7 @@ class _Laps:
         self._lap = self._within(self._first, self._last)
 
     def until(self, frame: float) -> float:
-        """Integral from the first key to a frame, which may lie before the key."""
+        """Integral from the first key to a frame, which may lie before the first key."""
         if frame < self._first:
             return -self._beyond(self._first - frame, -1.0, self._cycles.mode_before, self._cycles.cycles_before)
         if frame > self._last:
@@ -120,11 +136,14 @@ class _Laps:
         return self._within(self._first, frame)
 
     def _beyond(self, distance: float, side: float, mode: str, count: int) -> float:
-        """Over a distance from the first key back (side -1) or from the last one on (side 1)."""
+        """Integral over a distance in frames beyond the keys: before the first key (side -1) or after the last key (side 1).
+
+        mode, count: mode and number of repetitions of the Cycles modifier on this side; a count of 0 repeats without end.
+        """
         cyclic = 0.0 if mode == 'NONE' else min(distance, count * self._period) if count else distance
         laps = math.floor(cyclic / self._period)
         rest = min(max(cyclic - laps * self._period, 0.0), self._period)
-        # Mirrored, every other lap begins where the one before has ended.
+        # In mode MIRROR every second lap runs backward.
         from_first = (side > 0.0) != (mode == 'MIRROR' and laps % 2 == 0)
         if from_first:
             part = self._within(self._first, self._first + rest)
@@ -151,7 +170,7 @@ def over_pieces(evaluate: Callable[[Any], Any], edges: Any) -> float:
     """
     widths = np.diff(edges)[:, None]
     parts = evaluate(_nodes(edges)) * (widths * np.array(WEIGHTS)).ravel()
-    # fsum: rounded once, so that the same samples give the same bits in every process.
+    # fsum rounds only once, so that equal samples give equal bits in every process.
     return math.fsum(parts.tolist())
 
 
@@ -182,7 +201,10 @@ def _pieces(curve: Any, places: list[float], first: float, last: float) -> list[
 
 
 def _away(start: float, side: float, distance: float) -> Iterator[float]:
-    """Whole frames from `start` away to one side: every one at first, then ever fewer."""
+    """Yields whole frames from `start` to one side (side 1 or -1): each frame near `start`, fewer and fewer farther away.
+
+    distance: frames up to which they are needed.
+    """
     reached, step = 0, 1
     while reached < min(distance, FARTHEST):
         yield start + side * reached
@@ -198,7 +220,10 @@ def whole(first: float, last: float) -> Iterable[float]:
 
 
 def _before_steps(curve: Any, places: list[float]) -> list[float]:
-    """Just before the keys at which a stepped value jumps, as far as there are not too many."""
+    """Frames just before each key at which the value jumps, since the key before has constant interpolation.
+
+    Empty if there are more than MOST keys.
+    """
     points = curve.keyframe_points
     if len(points) != len(places):
         return []
@@ -221,7 +246,10 @@ def _rising(first: float, last: float, inner: Iterable[float]) -> list[float]:
 
 
 def _places(curve: Any) -> list[float]:
-    """Frames of the keys; of the first and the last sample where it was made of samples; one at least."""
+    """Rising frames of the keys of an F-curve: at least one frame, and evenly chosen keys if there are more than MOST.
+
+    For a baked F-curve, which has samples in place of keys, these are the frames of its first and last sample.
+    """
     points = curve.keyframe_points
     count = len(points)
     if count == 0 and len(curve.sampled_points) > 0:
@@ -234,7 +262,7 @@ def _places(curve: Any) -> list[float]:
 
 
 def _modifiers(curve: Any, places: list[float]) -> list[Any]:
-    """The modifiers that change the value."""
+    """F-curve modifiers that change the value: all unmuted ones, but a Cycles modifier only if the keys span some time."""
     has_period = len(curve.keyframe_points) > 1 and places[-1] - places[0] > CLOSE
     return [modifier for modifier in curve.modifiers if not modifier.mute and (has_period or modifier.type != 'CYCLES')]
 
@@ -245,7 +273,7 @@ def _is_straight_beyond(curve: Any, places: list[float]) -> bool:
 
 
 def _cycles(curve: Any, places: list[float]) -> Any:
-    """The Cycles modifier, where it alone changes the value, at all times; else None."""
+    """The Cycles modifier of an F-curve, if it is the only modifier and acts at all times; None otherwise."""
     modifiers = _modifiers(curve, places)
     if len(modifiers) != 1 or modifiers[0].type != 'CYCLES':
         return None
@@ -254,11 +282,11 @@ def _cycles(curve: Any, places: list[float]) -> Any:
 
 
 def _repeated(curve: Any, places: list[float], first: float, last: float) -> list[float]:
-    """Frames near the keys at which a Cycles modifier meets a key again; none where they are too many."""
+    """Frames at which a Cycles modifier repeats a key, from about `first` to `last`; empty if there are none, or more than MOST."""
     if all(modifier.type != 'CYCLES' for modifier in _modifiers(curve, places)):
         return []
     period = places[-1] - places[0]
-    # Those of a mirrored lap as well.
+    # The keys of a mirrored lap are included.
     within = {*places, *(places[0] + places[-1] - place for place in places)}
     laps = range(math.floor((first - places[-1]) / period), math.ceil((last - places[0]) / period) + 1)
     if len(laps) * len(within) > MOST:

@@ -1,4 +1,4 @@
-"""Why something over time is not known ahead, in a sentence for the artist."""
+"""Reason why the value of a property or transform is unknown at frames other than the present one, as a sentence for the artist."""
 
 from __future__ import annotations
 
@@ -6,7 +6,10 @@ from ..translations import tr
 
 
 class Reason:
-    """One of the kinds below, with the names that its sentence has."""
+    """Reason why a value is unknown at other frames: one of the kinds below.
+
+    names: the names of objects, bones, constraints or data paths that the kind's sentence contains.
+    """
 
     CONSTRAINED, DRIVEN, SOLVED_BONE, PHYSICS, VERTICES, ALONG_CURVE, STRIPS, MODE, INFLUENCE, GEOMETRY, LOOP = range(11)
 

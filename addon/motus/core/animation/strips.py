@@ -1,4 +1,4 @@
-"""One number under strips of the NLA: their times, extrapolation, influence and blending, as Blender evaluates them."""
+"""Value of one number property under NLA strips: their times, extrapolation, influence and blending, as Blender evaluates them."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ if TYPE_CHECKING:
     Array = np.ndarray[Any, Any]
 
 SAME = 2.0**-23
-"""Numbers that are nearer are one to Blender (frames, influences)."""
+"""Blender takes two numbers for equal if they differ by less (frames, influences)."""
 SCALES = {"scale", "delta_scale"}
-"""Properties that Combine multiplies."""
+"""Names of properties that the blend mode Combine multiplies."""
 REPEATS = 1000
-"""Repetitions of a strip in which bounds() looks for keys."""
+"""Most repetitions of a strip for which Stack.bounds() gives the frames of keys."""
 
 
 def acting(curves: Any, data_path: str, index: int) -> Any:
-    """The F-curve of an action (actions.curves_of) that animates a number; None without one."""
+    """The F-curve in `curves` (from actions.curves_of) that animates a number property; None if there is none, or if it has no effect."""
     curve = curves.find(data_path, index=index) if curves else None
     if curve is None or curve.is_empty or curve.mute or (curve.group and curve.group.mute) or not curve.is_valid:
         return None
@@ -32,7 +32,7 @@ def acting(curves: Any, data_path: str, index: int) -> Any:
 
 
 def animates(strip: Any, data_path: str, index: int) -> bool:
-    """Whether an unmuted NLA strip, or a strip inside a meta strip, has a usable F-curve for an element of a property."""
+    """Whether an unmuted NLA strip, or a strip inside a meta strip, has an F-curve with an effect on an element of a property."""
     if strip.mute:
         return False
     if strip.type == 'META':
@@ -45,14 +45,17 @@ def _curve(strip: Any, data_path: str, index: int) -> Any:
 
 
 def read(player: Any) -> Any:
-    """actions.curves_of(), whose keys are read."""
+    """F-curves of a player (AnimData, NLA strip or None), as actions.curves_of() returns them, noted as read by the solver at work."""
     if read_keys.is_noting() and player and player.action:
         read_keys.number_of(player.action)
     return actions.curves_of(player)
 
 
 class Stack:
-    """All that the NLA lays over each other for one number, the lowest first."""
+    """Value over time of one number property that several NLA strips and the active action animate.
+
+    layers: the NLA tracks and the active action, the lowest first. number: the property, as a channel.Number.
+    """
 
     def __init__(self, layers: list[Any], number: Any) -> None:
         self._layers, self._number = layers, number
@@ -76,7 +79,7 @@ class Stack:
         if animation.action:
             layers.append(_Acting(animation, top))
         layers = [layer for layer in layers if layer.animates]
-        # Where at times nothing sets it, it stays at what it was on the frame before.
+        # At times at which no layer sets the property, it keeps the value of the frame before.
         if not any(layer.is_always for layer in layers):
             return unknown
         if not all(layer.is_known(number, data_path) for layer in layers):
@@ -84,7 +87,7 @@ class Stack:
         return cls(layers, number)
 
     def values(self, times: Array) -> Array:
-        """(n,) at times (n,)."""
+        """Blended values (n,) at times, (n,) frames of the scene, without the rounding for the property's type."""
         times = np.asarray(times, np.float32).astype(float)
         lower = np.full(len(times), self._number.default)
         for layer in self._layers:
@@ -104,21 +107,24 @@ class Stack:
 
 
 def together(stamps: Iterable[Any]) -> tuple[Any, ...] | None:
-    """Combines several stamps into one; None if one of them is None."""
+    """Combine several stamps (hashable values that change with their input) into one; None if one of them is None."""
     found = tuple(stamps)
     return None if None in found else found
 
 
 def stamp_of_action(player: Any) -> tuple[int, int] | None:
-    """Stamp of the action and slot that an evaluated player plays (actions.curves_of); None for an original, or without an action."""
+    """Stamp of the action and slot that an evaluated player (AnimData or NLA strip) plays; None for an original, or without an action."""
     action = player.action
     number = action and read_keys.number_of(action)
-    # The handle is a property of what plays actions since these have slots.
+    # action_slot_handle exists since actions have slots (Blender 4.4).
     return None if number is None else (number, getattr(player, "action_slot_handle", 0))
 
 
 def stamp_of(animation: Any) -> tuple[Any, ...] | None:
-    """Hashable stamp of everything that evaluated animation data plays; None if edits cannot be told."""
+    """Hashable value that changes whenever the action or the NLA strips of evaluated animation data change; drivers are not covered.
+
+    () if there is no animation data; None if edits cannot be detected.
+    """
     if animation is None:
         return ()
     acting = (
@@ -139,7 +145,7 @@ def stamp_of(animation: Any) -> tuple[Any, ...] | None:
 
 
 def keys_stamp(id_data: Any) -> tuple[int, int] | None:
-    """Stamp that changes with any key of an evaluated datablock's action, if no NLA takes part; None without an action."""
+    """Stamp that changes with any key of an evaluated datablock's action; None without an action, or if the datablock has NLA strips."""
     animation = id_data.animation_data
     if animation is None or (animation.use_nla and animation.nla_tracks):
         return None
@@ -161,7 +167,7 @@ def _blended(kind: str, lower: Array, upper: Array, influence: Any, number: Any)
 
 
 def _powers(bases: Array, exponents: Any) -> Array:
-    # By the mathematics library: NumPy's own results may differ in their last bit from call to call.
+    # math.pow, since NumPy's results may differ in their last bit from call to call.
     pairs = zip(bases.tolist(), np.broadcast_to(exponents, bases.shape).tolist())
     return np.array([math.pow(base, exponent) if base >= 0.0 or exponent.is_integer() else math.nan for base, exponent in pairs])
 
@@ -173,7 +179,7 @@ def _is_blend_known(kind: str, number: Any) -> bool:
 
 
 class _Acting:
-    """The active action, on top of the strips."""
+    """The active action as a layer of a Stack, on top of the NLA tracks. curve: the property's F-curve in the action, or None."""
 
     def __init__(self, animation: Any, curve: Any) -> None:
         self._animation, self._curve = animation, curve
@@ -186,7 +192,7 @@ class _Acting:
         self.is_always = self.animates and is_endless
 
     def is_known(self, number: Any, _data_path: str) -> bool:
-        # Held forward, it is not there before its first key in some Blenders (5.2), and in others it is (3.4, 4.3).
+        # With extrapolation Hold Forward the action has no effect before its first key in Blender 5.2, but has one in 3.4 and 4.3.
         return self._animation.action_extrapolation != 'HOLD_FORWARD' and _is_blend_known(self._animation.action_blend_type, number)
 
     def parts(self, times: Array) -> Iterator[tuple[Any, Any, str, Any]]:
@@ -205,7 +211,7 @@ class _Acting:
 
 
 class _Track:
-    """One track's strips, in the order of time, each with the F-curve that animates the number or None."""
+    """One NLA track as a layer of a Stack. strips: (strip, its F-curve for the property or None) in the order of time."""
 
     def __init__(self, strips: list[Any]) -> None:
         self._strips = strips
@@ -229,7 +235,7 @@ class _Track:
             return False
         if curve is None:
             return True
-        # Of a quaternion Blender sets all four numbers, whichever of them have keys.
+        # Blender sets all four numbers of a quaternion, even if only some of them have keys.
         is_whole = number.subtype != 'QUATERNION' or all(_curve(strip, data_path, index) for index in range(4))
         return is_whole and _is_blend_known(strip.blend_type, number)
 
@@ -245,7 +251,7 @@ class _Track:
             yield keys.values(curve, _action_times(strip, clamped[at])), influence[acts], strip.blend_type, at
 
     def _chosen(self, times: Array) -> tuple[Array, Array]:
-        """(index of the strip that acts at each time, -1 for none; the time within that strip)."""
+        """(index of the strip that acts at each time, -1 if none acts; the times, clamped to the strip's range), each (n,)."""
         chosen, clamped = np.full(len(times), -1), times.copy()
         left = np.ones(len(times), bool)
         for place, (strip, _) in enumerate(self._strips):
@@ -278,7 +284,7 @@ class _Track:
 
     @staticmethod
     def _keys(strip: Any, curve: Any) -> Iterator[float]:
-        """Frames of the scene at which a strip meets a key of its action."""
+        """Frames of the scene at which a strip reaches keys of its action, in all repetitions of the strip."""
         length = (strip.action_frame_end - strip.action_frame_start) or 1.0
         scale = abs(strip.scale) or 1.0
         inner = keys.bounds(curve, strip.action_frame_start, strip.action_frame_start + length)
@@ -294,7 +300,10 @@ class _Track:
 
 
 def _strip_stamp(strip: Any) -> tuple[Any, ...] | None:
-    """None of a strip with F-curves of its own, of which nothing tells whether they were edited."""
+    """Hashable value that changes whenever a strip's settings or action change.
+
+    None if F-curves animate the strip's influence or time, since edits of these F-curves cannot be detected.
+    """
     if strip.use_animated_influence or strip.use_animated_time:
         return None
     return together(
@@ -330,7 +339,7 @@ def _influences(strip: Any, times: Array) -> Array:
 
 
 def _controlled(strip: Any, name: str, times: Array) -> Array:
-    """A setting of a strip that has F-curves of its own."""
+    """Values (n,) at times (n,) of a setting of a strip that F-curves of the strip may animate."""
     curve = strip.fcurves.find(name)
     if curve is None or curve.is_empty or curve.mute:
         return np.full(len(times), getattr(strip, name))
@@ -338,14 +347,14 @@ def _controlled(strip: Any, name: str, times: Array) -> Array:
 
 
 def _action_times(strip: Any, times: Array) -> Array:
-    """Frames of a strip's action at times within the strip."""
+    """Frames within a strip's action, (n,), for frames of the scene within the strip, (n,)."""
     start, end = strip.action_frame_start, strip.action_frame_end
     if strip.use_animated_time:
         found = _controlled(strip, "strip_time", times)
-        # Not from the action's start on, as one would think.
+        # As Blender computes it: the start of the action is not added again.
         return np.fmod(found - start, (end - start) or 1.0) if strip.use_animated_time_cyclic else found
     scale = abs(strip.scale) or 1.0
-    # In single precision, as Blender: near the end of a lap its rounding decides on which side a time lies.
+    # In single precision as in Blender: near the end of a repetition, rounding decides to which repetition a time belongs.
     period = np.float32((end - start or 1.0) * scale)
     passed = np.fmod((times - strip.frame_start).astype(np.float32), period).astype(float) / scale
     if strip.repeat == np.floor(strip.repeat):

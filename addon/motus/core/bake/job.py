@@ -1,4 +1,7 @@
-"""Baking and unbaking as plain functions; baking in steps, so that it can show its progress and be cancelled."""
+"""Bake and unbake the systems of an owner (an object whose settings a system solves), as functions without an operator.
+
+bake() is a generator of steps, so that an operator can show its progress and cancel it.
+"""
 
 import bpy
 
@@ -14,9 +17,10 @@ from .sampling import NumberTrack, Track
 
 
 def owner_and_systems(thing, name=""):
-    """Find what to bake: (owner, [System]) of an object that is an owner or a member of one. Raises Refused if there is nothing.
+    """Find what to bake for an object: (owner, [System]). Raises Refused if no system drives the object, or none that can be baked.
 
-    name: of the one system to bake; "" for every system.
+    thing: an owner (object whose settings a system solves), or an object that an owner drives. name: of the one system to bake; "" for
+    every system.
     """
     refusals = []
     for owner, systems in declare.wired_on(thing):
@@ -31,9 +35,10 @@ def owner_and_systems(thing, name=""):
 
 
 def bake(scene, view_layer, owner, systems, frames):
-    """Bake the systems of an owner to keyframes: a generator that yields the number of frames recorded so far.
+    """Bake systems to keyframes: a generator that yields the number of frames recorded so far. Raises Refused before the first one.
 
-    The keyframes are written after the last frame, so closing the generator before that changes nothing.
+    owner: object whose settings the systems solve. systems: [System]. frames: of the time line. The keyframes are written after the last
+    frame has been recorded, so closing the generator before that changes nothing.
     """
     tracks = _tracks(owner, systems)
     _check(tracks, view_layer)
@@ -52,10 +57,11 @@ def bake(scene, view_layer, owner, systems, frames):
 
 
 def unbake(thing, name=""):
-    """Restore the live set-up of everything that was baked together with an object.
+    """Remove the keyframes of everything that was baked together with an object, and make the baked systems live again.
 
-    Returns (the restored objects, those of them that could not be restored completely). thing: the owner or one of its
-    members. name: of a system that must be among the baked ones; "" for any. Raises Refused.
+    Returns (the datablocks that were baked, those of them that could not be restored completely). thing: the owner of the baked systems, or
+    an object that the owner drives. name: of a system that must be among the baked ones; "" for any. Raises Refused if nothing is baked, or
+    if a datablock is linked or in the tweak mode of the NLA.
     """
     owner = _baked_owner(thing)
     systems, baked = check_baked(thing, name)
@@ -71,7 +77,11 @@ def unbake(thing, name=""):
 
 
 def check_baked(thing, name=""):
-    """(systems, objects) that were baked together with a thing. Raises Refused where nothing was."""
+    """Find what was baked together with an object: ([System], [datablock]). Raises Refused if nothing was baked.
+
+    thing: the owner of the baked systems, or an object that the owner drives. name: of a system that must be among the baked ones; "" for
+    any.
+    """
     owner = _baked_owner(thing)
     systems = [one for one in declare.systems() if state.is_baked_owner(one, owner)]
     baked = state.baked_with(owner)
@@ -81,9 +91,9 @@ def check_baked(thing, name=""):
 
 
 def _baked_owner(thing):
-    """The owner with whose systems an object was baked; the object itself if there is no such owner.
+    """The owner whose systems were baked together with an object; the object itself if there is no such owner.
 
-    An object whose motion is still live counts as well, if its leader's systems are baked.
+    The owner of an object that is not baked itself is its leader, the object whose settings drive it, if the leader's systems are baked.
     """
     if thing.motus.bake.is_baked:
         return pointed(thing.motus.bake, "owner") or thing
@@ -92,13 +102,19 @@ def _baked_owner(thing):
 
 
 def objects_of(owner, systems):
-    """The objects that the systems drive, themselves, their bones, or what they use."""
+    """Set of the objects whose motion or properties the systems of an owner drive.
+
+    The driven values are transforms of the object or of its bones, or properties of the object or of a datablock that the object uses.
+    """
     driven = {member.thing.id_data for one in systems for member in _members(one, owner)}
     return driven | {obj for one in systems for obj, _ in wiring.driven_properties(one, owner)}
 
 
 def inexact(owner, systems):
-    """Names of the bones whose baked scale can be wrong: keyframes cannot undo the stretch that they inherit from a stretching chain."""
+    """Names of the bones whose baked scale can be wrong, since keyframes cannot undo the stretch that they inherit from a chain.
+
+    owner: object whose settings the systems solve.
+    """
     return [
         member.thing.name for one in systems for member in _members(one, owner) if member.space == 'POSE' and "scale" in member.channels
     ]
@@ -121,8 +137,8 @@ def _tracks(owner, systems):
     for thing, names in channels.items():
         if "location" in names and isinstance(thing, bpy.types.PoseBone) and thing.bone.use_connect:
             raise Refused(tr("{bone} is connected to its parent, so keyframes cannot move it: disconnect it first").format(bone=thing.name))
-        # The user's constraints act on top of the result or below it: all of it is baked, and they are switched off.
-        # A mirrored thing loses its negative scale in the sinks.
+        # The user's constraints act before or after the system's result: all channels are baked, and these constraints are muted.
+        # The constraints that apply a system's result lose a negative scale, so all channels of a mirrored thing are baked too.
         if keys.others(thing, sinks) or scale_is_mirrored(thing.scale):
             names.update(("location", "rotation", "scale"))
     return [Track(thing, frozenset(names)) for thing, names in channels.items()] + [

@@ -1,4 +1,4 @@
-"""Writing baked keyframes into an action of their own, and taking them away again."""
+"""Write baked keyframes into a separate action of a datablock, and restore what the datablock had before baking."""
 
 import json
 import math
@@ -14,9 +14,9 @@ from . import state as states
 from .sampling import NumberTrack
 
 PARKED_KEY = "motus_parked"
-"""Custom property that the drivers of baked channels are aimed at until they are wanted again."""
+"""Custom property that the drivers of baked channels are redirected to while the channels are baked."""
 CHANNELS = {"location": 3, "rotation_euler": 3, "rotation_quaternion": 4, "rotation_axis_angle": 4, "scale": 3}
-"""What is baked, and put back: sizes of the transform channels."""
+"""Transform properties that are baked, and restored by unbaking: {name: number of components}."""
 LARGEST_CHANNEL = max(CHANNELS.values())
 _STRING = r'"(?:[^"\\]|\\.)*"'
 _BONE = rf"(?:pose\.bones\[{_STRING}\]\.)?"
@@ -25,16 +25,19 @@ _MUTE_PATH = re.compile(rf"{_BONE}constraints\[{_STRING}\]\.mute")
 
 
 def write(id_data, tracks, frames):
-    """Give an object an action with the tracks' keyframes beside its own other F-curves."""
+    """Assign an action with the keyframes of tracks, and with the F-curves of all different channels, to an object.
+
+    tracks: sampled Tracks and NumberTracks. frames: of the keyframes, in the keys' time (after Time Stretching).
+    """
     write_curves(actions.assign_copy(id_data, f"{id_data.name} Motus Bake"), tracks, frames)
     state = states.of(id_data)
     state.action, state.frame_start, state.frame_end = id_data.animation_data.action, frames[0], frames[-1]
 
 
 def write_curves(bag, tracks, frames):
-    """Write the samples of tracks as F-curves, in place of F-curves of the same channels.
+    """Write the samples of tracks as F-curves, in place of existing F-curves of these channels.
 
-    bag: what actions.assign_copy() returned. frames: of the keyframes.
+    bag: action or channelbag that actions.assign_copy() returned. frames: of the keyframes, one for each sample.
     """
     for track in tracks:
         for path, index, column in track.curves():
@@ -57,7 +60,10 @@ def _write_curve(curve, frames, values):
 
 
 def remember(id_data, owner, tracks, muted):
-    """Note on an object that is about to be baked what restore() needs. muted: what mute() returned."""
+    """Store on an object that is about to be baked what restore() needs: its action, its values, muted constraints and drivers.
+
+    owner: object whose systems are baked. tracks: of this object. muted: what mute() returned.
+    """
     state = states.of(id_data)
     animation = id_data.animation_data
     paths = [track.data_path(name) for track in tracks for name in track.values]
@@ -71,13 +77,13 @@ def remember(id_data, owner, tracks, muted):
 
 
 def restore(id_data):
-    """Undo what write(), mute() and remember() did to an object. Returns False if the file no longer says all of it."""
+    """Undo what write(), mute() and remember() did to an object. Returns False if the file lacks a part of what was stored."""
     state = states.of(id_data)
     values, constraints, drivers, is_whole = _kept(state.kept)
     baked, state.action = states.named(state, "action"), None
     own_numbers, has_all = _numbers(state.kept, baked)
     is_whole &= has_all
-    # Where the user has chosen yet another action since, it stays.
+    # An action that the user has assigned since baking stays assigned.
     if id_data.animation_data and id_data.animation_data.action == baked:
         is_whole &= _assign_previous(id_data, state)
     if baked and baked.users == 0:
@@ -97,17 +103,17 @@ def restore(id_data):
 def _assign_previous(id_data, state):
     try:
         actions.assign(id_data, states.named(state, "previous_action"), state.previous_slot)
-    except RuntimeError:  # it animates another type of datablock
+    except RuntimeError:  # the action animates a different type of datablock
         actions.assign(id_data, None)
         return False
     return True
 
 
 def _kept(text):
-    """Parse the JSON text in which a baked datablock keeps what it was before baking; skip entries that baking cannot have written.
+    """Parse the JSON text in which a baked object stores its state before baking, without entries that baking cannot have written.
 
-    Returns (own values by data path, data paths of `mute` of constraints, (data path, index, was muted) of each driver, whether
-    nothing was skipped).
+    Returns (values by data path, data paths of `mute` of constraints, (data path, index, was muted) of each driver, whether nothing was
+    left out).
     """
     try:
         found = json.loads(text)
@@ -124,11 +130,15 @@ def _kept(text):
 
 
 def _numbers(text, baked):
-    """((path, index, value) of properties, whether that is all): those alone that the baked action animates."""
+    """Read the values of properties before baking from the JSON text of a baked object.
+
+    Returns ([(data path, index, value)], whether nothing was dropped). Properties that the baked action does not animate are dropped:
+    baking cannot have written them. baked: the action with the baked keyframes, or None. Text that is no JSON gives ([], True).
+    """
     try:
         said = json.loads(text)
     except (ValueError, RecursionError):
-        return [], True  # which _kept() tells
+        return [], True  # _kept() reports unreadable text
     found = said.get("numbers", []) if isinstance(said, dict) else []
     if not stored.fits(found, [(str, lambda value: type(value) is int and value >= -1, float)]):
         return [], False
@@ -141,7 +151,7 @@ def _set_number(id_data, path, index, value):
     try:
         animated.number(id_data, path, index).write(value)
     except Refused:
-        pass  # the user has removed it since
+        pass  # the user has removed the property since baking
 
 
 def _get(holder, key, kind):
@@ -165,9 +175,9 @@ def _is_driver(place):
 def mute(id_data, tracks, sinks):
     """Mute the constraints and drivers that would still act on baked channels. Returns their states before, for restore().
 
-    sinks: the constraints that apply the solvers' results, which are left as they are.
-    A driver is not only muted but aimed at another property: in Blender 5.2 the value of a key for a property that has a
-    muted driver sometimes arrives after the transform was computed (seen in about one frame of a hundred).
+    tracks: of the baked channels. sinks: the constraints that apply the solvers' results; they stay as they are. A driver is not only muted
+    but redirected to a custom property: in Blender 5.2 the value of a key for a property that has a muted driver sometimes arrives after
+    the transform was computed (seen in about one frame of a hundred).
     """
     constraints = [f"{constraint.path_from_id()}.mute" for track in tracks if track.values for constraint in others(track.thing, sinks)]
     baked = {track.data_path(name) for track in tracks for name in track.values}
@@ -184,10 +194,13 @@ def mute(id_data, tracks, sinks):
 
 
 def _unpark(id_data, waiting):
-    """Aim parked drivers at their channels again; False where it is not known at which."""
+    """Redirect parked drivers to their channels again. Returns False if the channel of a driver is unknown.
+
+    waiting: [(data path, index, was muted)] of the drivers that mute() has parked, in their order; entries are removed when used.
+    """
     parked = [curve for curve in _drivers(id_data) if curve.data_path == f'["{PARKED_KEY}"]']
     for curve in parked:
-        # In the order of the datablock's drivers, but for those that the user has removed since.
+        # Drivers keep their order in the datablock; the user may have removed some since baking.
         place = next((place for place in waiting if place[1] == curve.array_index), None)
         if place is None:
             return False
@@ -199,7 +212,10 @@ def _unpark(id_data, waiting):
 
 
 def others(thing, sinks):
-    """Constraints in effect on an Object or PoseBone that are not the sinks."""
+    """List of the constraints of an Object or PoseBone that are not muted and not among `sinks`.
+
+    sinks: the constraints that apply the solvers' results.
+    """
     return [constraint for constraint in thing.constraints if not constraint.mute and constraint not in sinks]
 
 
@@ -208,11 +224,14 @@ def _drivers(id_data):
 
 
 def _set_muted(id_data, path, muted):
-    """Set whether a constraint is muted; does nothing if the user has removed or renamed it. path: data path of its `mute`."""
+    """Mute or unmute a constraint of an object, unless the user has removed or renamed the constraint.
+
+    path: data path of the constraint's property `mute`, from the object.
+    """
     try:
         constraint = id_data.path_resolve(path.removesuffix(".mute"))
     except ValueError:
-        return  # removed or renamed by the user since
+        return  # the user has removed or renamed the constraint since baking
     constraint.mute = muted
 
 
@@ -221,4 +240,4 @@ def _set_values(id_data, path, values):
     try:
         setattr(id_data.path_resolve(holder) if holder else id_data, name, values)
     except ValueError:
-        pass  # a bone that the user has removed or renamed since
+        pass  # the user has removed or renamed the bone since baking

@@ -1,4 +1,4 @@
-"""What a baked object remembers, to be put back by unbaking."""
+"""Property group of a baked object, with what unbaking needs to restore the object."""
 
 import bpy
 

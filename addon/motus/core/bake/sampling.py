@@ -1,4 +1,4 @@
-"""What a driven object or bone does over time, as values of its own transform channels."""
+"""Sample the evaluated transforms of driven objects and bones frame by frame, as values of their transform properties."""
 
 import math
 
@@ -12,7 +12,10 @@ ROTATION_PATHS = {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_a
 
 
 class Track:
-    """The channels of one Object or PoseBone, sampled frame by frame."""
+    """Samples of the baked transform channels of one Object or PoseBone, one for each frame.
+
+    channels: which of "location", "rotation" and "scale" are sampled. values: {name of a transform property: its samples}.
+    """
 
     def __init__(self, thing, channels):
         self._named = Named.of(thing)
@@ -29,17 +32,17 @@ class Track:
         return self._named.object
 
     def data_path(self, name):
-        """Path of a channel from the object."""
+        """Data path of a transform property from the object, or for a bone from its rig. name: of the property, such as "location"."""
         if isinstance(self.thing, bpy.types.PoseBone):
             return f"{self.thing.path_from_id()}.{name}"
         return name
 
     def record(self, depsgraph):
-        """Append the values that give the present evaluated transform."""
+        """Append samples that reproduce the thing's evaluated transform at the depsgraph's present frame."""
         self.record_basis(_basis(self.thing, self.id_data.evaluated_get(depsgraph)))
 
     def record_basis(self, matrix):
-        """Record a frame from the thing's matrix relative to its parents."""
+        """Append samples that reproduce a transform. matrix: of the Object or PoseBone relative to its parent."""
         deltas = _deltas(self.thing)
         signs = _signs(self.thing, deltas, matrix)
         if "location" in self.channels:
@@ -54,25 +57,29 @@ class Track:
             lengths = [axis.length * sign for axis, sign in zip(matrix.to_3x3().col, signs)]
             self.values["scale"].append(
                 [
-                    length / delta if delta else factor  # where the delta is 0 any value would do
+                    length / delta if delta else factor  # if the delta scale is 0 any value would do
                     for length, delta, factor in zip(lengths, deltas.scale, self.thing.scale)
                 ]
             )
 
     def curves(self):
-        """(data path, index, values by frames) of the F-curves that it makes."""
+        """Yield (data path, index, samples) for each F-curve that the track needs."""
         for name, rows in self.values.items():
             for index, column in enumerate(zip(*rows)):
                 yield self.data_path(name), index, column
 
     @property
     def group(self):
-        """Name of the group that the F-curves are listed under."""
+        """Name of the channel group for the track's F-curves: the bone's name, or "Object Transforms" for an object."""
         return self.thing.name if isinstance(self.thing, bpy.types.PoseBone) else "Object Transforms"
 
 
 class NumberTrack:
-    """A property, sampled frame by frame. It has no transform channels: `values` is empty. read: gives its Place from an object."""
+    """Samples of one property that a system drives, one for each frame; it has the interface of a Track.
+
+    read(obj): returns the Place (id_data, data_path, number) of the property on an original or evaluated object. `values` is empty, since
+    no transform channels are sampled.
+    """
 
     values = {}
     group = "Properties"
@@ -87,17 +94,17 @@ class NumberTrack:
         self._rows.append(self._read(self.thing.evaluated_get(depsgraph)).number.present)
 
     def curves(self):
-        """(data path, index, values by frames) of the F-curve that it makes."""
+        """Yield (data path, index, samples) for the property's F-curve."""
         yield self._path, max(self.number.index, 0), self._rows
 
     @property
     def own(self):
-        """(data path, index, value without the system) for what is remembered."""
+        """(data path, index, value without the system's result) of the property, for unbaking; index -1 stands for a single number."""
         return self._path, self.number.index, self.number.present
 
 
 class _Deltas:
-    """The delta transform that an object applies on top of its channels; a bone has none."""
+    """The delta transform that Blender applies on top of an object's transform properties; the identity for a bone."""
 
     location = Vector((0.0, 0.0, 0.0))
     rotation = Quaternion()
@@ -117,9 +124,10 @@ def _deltas(thing):
 
 
 def _signs(thing, deltas, matrix):
-    """Signs for the scale that is decomposed from a matrix: those of the thing's own scale if they fit the matrix's determinant.
+    """Signs (x, y, z) for the scale that is decomposed from a matrix: those of the thing's own scale if they fit the matrix.
 
-    If they do not fit, all three are -1 for a mirroring matrix and 1 for any other. thing: an Object or PoseBone.
+    They fit if their product has the sign of the matrix's determinant. If they do not fit, all three are -1 for a matrix that mirrors,
+    otherwise 1. thing: an Object or PoseBone. deltas: its delta transform.
     """
     signs = [math.copysign(1.0, factor * delta) for factor, delta in zip(thing.scale, deltas.scale)]
     if scale_is_mirrored(signs) != matrix.is_negative:
@@ -128,7 +136,7 @@ def _signs(thing, deltas, matrix):
 
 
 def rotation_path(thing):
-    """Name of the rotation property, such as "rotation_quaternion", that is in effect in the rotation mode of an Object or PoseBone."""
+    """Name of the property that holds the rotation of an Object or PoseBone in its rotation mode, such as "rotation_quaternion"."""
     return ROTATION_PATHS.get(thing.rotation_mode, "rotation_euler")
 
 
@@ -138,9 +146,9 @@ def _paths(thing, channels):
 
 
 def _basis(thing, evaluated):
-    """The evaluated matrix of an Object or PoseBone relative to its parent: the transform that its baked channels have to produce.
+    """Evaluated matrix of an Object or PoseBone relative to its parent: the transform that its baked channels have to produce.
 
-    thing: the original. evaluated: the evaluated object, of a PoseBone its rig.
+    thing: the original. evaluated: the evaluated object; for a PoseBone its evaluated rig.
     """
     if isinstance(thing, bpy.types.PoseBone):
         bone = evaluated.pose.bones[thing.name]
@@ -151,9 +159,9 @@ def _basis(thing, evaluated):
 
 
 def _rotation(thing, rotation, last):
-    """A rotation quaternion as values of the rotation channel of a thing, in its rotation mode, continuous with the last sample.
+    """Convert a rotation quaternion to a value of a thing's rotation property, as close as possible to the sample before it.
 
-    thing: an Object or PoseBone. last: value of the sample before, None at the first frame.
+    thing: an Object or PoseBone, whose rotation mode decides the property. last: the sample before, None at the first frame.
     """
     if thing.rotation_mode == 'QUATERNION':
         return -rotation if last is not None and rotation.dot(last) < 0.0 else rotation

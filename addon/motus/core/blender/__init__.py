@@ -1,1 +1,1 @@
-"""Differences between versions of Blender, and what its API takes several steps for; knows nothing of systems."""
+"""Wrappers of Blender's API: differences between versions, and tasks that take several API calls. They know nothing of systems."""

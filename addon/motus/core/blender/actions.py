@@ -1,4 +1,4 @@
-"""F-curves of a datablock, the same in every Blender: plain actions up to 4.3, slotted ones since."""
+"""F-curves of a datablock, with one interface for all Blender versions: plain actions up to 4.3, slotted actions since 4.4."""
 
 from __future__ import annotations
 
@@ -11,18 +11,21 @@ import bpy
 from . import capabilities
 
 Curves = Any
-"""A collection of F-curves, which versions have under different types; or an empty tuple."""
+"""Type of a collection of F-curves, which differs between Blender versions. Functions return an empty tuple if there is none."""
 OWN_CHANNEL = re.compile(r'pose\.bones\[(?:"(?P<bone>(?:[^"\\]|\\.)*)"|\d+)\]\.(?:location|rotation_\w+|scale)$')
-"""Matches data paths of a bone's own transform. "bone" is its name, escaped; None where the path has its number."""
+"""Matches data paths of a bone's location, rotation and scale.
+
+Group "bone" is the escaped name of the bone; None if the path has the bone's index.
+"""
 
 
 def fcurves(id_data: Any) -> Curves:
-    """The F-curves that animate a datablock; an empty tuple where there are none."""
+    """The F-curves of the action that is assigned to a datablock; an empty tuple if there are none."""
     return curves_of(id_data.animation_data)
 
 
 def curves_of(player: Any) -> Curves:
-    """F-curves that a player has: animation data, a strip of the NLA, or None."""
+    """The F-curves that a player plays; an empty tuple if there are none. player: AnimData, an NLA strip, or None."""
     action = player and player.action
     if not action:
         return ()
@@ -33,9 +36,10 @@ def curves_of(player: Any) -> Curves:
 
 
 def curves_for_object(action: Any, slot: str = "", bones: Container[str] = ()) -> Curves:
-    """The F-curves that an action has for an object.
+    """The F-curves that an action has for an object; an empty tuple if there are none.
 
-    slot: identifier of one of its slots; "" takes the first one that animates one of these bones, else the first one of an object.
+    slot: identifier of the action's slot to use. If the action has no such slot, the first slot for objects that animates one of the bones
+    is used, or else its first slot for objects. bones: names of bones.
     """
     if not capabilities.has_slotted_actions():
         return action.fcurves
@@ -46,23 +50,26 @@ def curves_for_object(action: Any, slot: str = "", bones: Container[str] = ()) -
 
 
 def animates(curves: Curves, bones: Container[str]) -> bool:
-    """Whether one of the F-curves animates the own transform of one of these bones."""
+    """Whether one of the F-curves animates location, rotation or scale of one of these bones. bones: names."""
     return any(bone_of(curve) in bones for curve in curves)
 
 
 def bone_of(curve: bpy.types.FCurve) -> str | None:
-    """Name of the bone whose own transform an F-curve animates; None for any other F-curve."""
+    """Name of the bone whose location, rotation or scale an F-curve animates; None if it animates something different."""
     match = OWN_CHANNEL.match(curve.data_path)
     return bpy.utils.unescape_identifier(match["bone"]) if match and match["bone"] is not None else None
 
 
 def slots_for_objects(action: Any) -> list[Any]:
-    """The slots of an action that can animate an object."""
+    """List of the slots of an action that can animate an object."""
     return [slot for slot in action.slots if slot.target_id_type in {'OBJECT', 'UNSPECIFIED'}]
 
 
 def players(id_data: Any) -> list[Any]:
-    """All that plays an action for a datablock: its animation data, and the strips of its NLA. Images, for one, have none."""
+    """List of everything that plays an action for a datablock: its animation data, and the NLA strips that have an action.
+
+    The list is empty if the datablock has no animation data, or is of a type that cannot have any, such as images.
+    """
     animation = getattr(id_data, "animation_data", None)
     if animation is None:
         return []
@@ -70,51 +77,54 @@ def players(id_data: Any) -> list[Any]:
 
 
 def make_own(player: Any) -> None:
-    """Let nobody else play the action of animation data or of a strip: a copy where it is shared or linked."""
+    """Replace the action of a player by a copy, if the action is linked or has further users.
+
+    player: AnimData or an NLA strip that has an action.
+    """
     action = player.action
     if not _is_linked(action) and action.users - action.use_fake_user <= 1:
         return
     slot = player.action_slot.identifier if capabilities.has_slotted_actions() and player.action_slot else ""
-    # The copy of an override is an override again.
+    # A copy of a library override is an override too, so the copy is made of the overridden action.
     player.action = (action.override_library.reference if action.override_library else action).copy()
     if slot:
         player.action_slot = player.action.slots.get(slot)
 
 
 def make_local(id_data: Any) -> None:
-    """Let a datablock play a local copy of its action if the action is linked, and so cannot be keyed."""
+    """Replace the action of a datablock by a local copy if the action is linked, since a linked action cannot be keyed."""
     animation = id_data.animation_data
     if animation and animation.action and _is_linked(animation.action):
         make_own(animation)
 
 
 def _is_linked(action: bpy.types.Action) -> bool:
-    """Whether its keys are a library's, which it overrides at most."""
+    """Whether the keys of an action belong to a library file: the action is linked, or is a library override."""
     return bool(action.library or action.override_library)
 
 
 def all_fcurves(action: Any) -> Iterable[Curves]:
-    """The F-curves of an action, of all its slots, as an iterable of collections."""
+    """Iterable of the F-curve collections of an action, one for each slot in each strip; of an action without slots the only one."""
     if not capabilities.has_slotted_actions():
         return (action.fcurves,)
     return (bag.fcurves for layer in action.layers for strip in layer.strips for bag in strip.channelbags)
 
 
 def find(id_data: Any, data_path: str, index: int = 0) -> bpy.types.FCurve | None:
-    """The F-curve of one property, or None."""
+    """The F-curve of one property of a datablock; None if there is none. index: of the component of an array property."""
     curves = fcurves(id_data)
     return curves.find(data_path, index=index) if curves else None
 
 
 def slot_identifier(id_data: Any) -> str:
-    """Identifier of the slot of its action that animates the datablock; "" if there is none, or actions have no slots."""
+    """Identifier of the action slot that animates a datablock; "" if there is none, or if actions have no slots."""
     animation = id_data.animation_data
     slot = animation.action_slot if animation and capabilities.has_slotted_actions() else None
     return slot.identifier if slot else ""
 
 
 def assign(id_data: Any, action: Any, slot: str = "") -> None:
-    """Let an action, by the slot of this identifier, animate the datablock; None takes it off."""
+    """Assign an action to a datablock. action: None removes the assigned action. slot: identifier of the slot to use."""
     animation = id_data.animation_data or id_data.animation_data_create()
     animation.action = action
     if action and capabilities.has_slotted_actions():
@@ -122,9 +132,9 @@ def assign(id_data: Any, action: Any, slot: str = "") -> None:
 
 
 def assign_copy(id_data: Any, name: str) -> Any:
-    """Let a copy of its action, without the slots of others, animate the datablock; a new one where it has none.
+    """Assign to a datablock a copy of its action in which only the datablock's own slot is left; a new action if it has none.
 
-    Returns what holds the F-curves (`fcurves`) and their groups (`groups`).
+    name: of the copy or the new action. Returns the action or channelbag that holds the F-curves (`fcurves`) and their groups (`groups`).
     """
     animation = id_data.animation_data or id_data.animation_data_create()
     slot = slot_identifier(id_data)
@@ -142,10 +152,10 @@ def assign_copy(id_data: Any, name: str) -> Any:
 
 
 def own_curves(id_data: Any, is_meant: Callable[[str], bool]) -> Iterator[Curves]:
-    """Yields, of each action that is played for it, the F-curves, if is_meant(data path) holds for any.
+    """Yield the F-curves of each action that a datablock plays, if is_meant(data path) is true for one of them.
 
-    Where others play the action too, or it is linked, it plays a copy from then on; but not in the tweak mode of the NLA, in
-    which Blender lets no action be exchanged.
+    An action that is linked or has further users is replaced by a copy first. In the tweak mode of the NLA no copy is made, since Blender
+    does not let scripts exchange an action then.
     """
     for player in players(id_data):
         if any(is_meant(curve.data_path) for curve in curves_of(player)):
@@ -155,9 +165,9 @@ def own_curves(id_data: Any, is_meant: Callable[[str], bool]) -> Iterator[Curves
 
 
 def remove(id_data: Any, prefixes: str | tuple[str, ...]) -> None:
-    """Remove keys and drivers whose data paths have one of these beginnings, and animation data that is empty then.
+    """Remove F-curves and drivers whose data paths have one of these prefixes, and animation data that is empty afterwards.
 
-    Of strips of the NLA the keys alone.
+    F-curves in actions of NLA strips are removed too; the strips stay.
     """
     animation = id_data.animation_data
     if animation is None:
@@ -175,7 +185,7 @@ def remove(id_data: Any, prefixes: str | tuple[str, ...]) -> None:
 
 
 def new_fcurve(bag: Any, data_path: str, index: int, group: str) -> bpy.types.FCurve:
-    """A new F-curve in what assign_copy() returned, listed under `group` in the animation editors."""
+    """Create an F-curve in the action or channelbag that assign_copy() returned. group: name of its group in the animation editors."""
     curve = bag.fcurves.new(data_path, index=index)
     curve.group = bag.groups.get(group) or bag.groups.new(group)
     return curve

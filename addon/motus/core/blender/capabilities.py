@@ -1,6 +1,6 @@
-"""What this Blender can do, asked by name. The one place where Blender versions are told apart.
+"""Tests for features of the running Blender, by name. No other module tells Blender versions apart.
 
-Functions, not constants: several answers come from RNA, which is read only when somebody asks.
+The tests are functions and not constants, because several of them read RNA, which takes time only if a test is called.
 """
 
 from __future__ import annotations
@@ -11,49 +11,55 @@ import bpy
 
 
 def _rna(kind: Any) -> Any:
-    """The RNA type of a class, whose properties the type stubs do not tell apart."""
+    """RNA type of a class, as Any: the type stubs do not declare the individual properties of RNA types."""
     return kind.bl_rna
 
 
 def has_geometry_attribute_constraint() -> bool:
-    """The constraint that takes a whole matrix from a mesh attribute (5.x): the better sink."""
+    """Whether Blender has the constraint that takes a whole matrix from a mesh attribute, Geometry Attribute (5.x).
+
+    This constraint is the better one to bring a solver's result to an object or bone.
+    """
     types = _rna(bpy.types.Constraint).properties["type"].enum_items
     return 'GEOMETRY_ATTRIBUTE' in types
 
 
 def keeps_settings_apart() -> bool:
-    """Settings of add-ons are no custom properties (5.0). Those of a file of an older Blender are such too."""
+    """Whether properties of add-ons are stored apart from custom properties (since Blender 5.0).
+
+    Properties of add-ons in a file of an older Blender are custom properties as well.
+    """
     return bpy.app.version >= (5, 0, 0)
 
 
 def has_quaternion_attributes() -> bool:
-    """Rotations are a type of attributes and sockets of their own (4.0)."""
+    """Whether attributes and node sockets have a data type of their own for rotations (since Blender 4.0)."""
     return 'QUATERNION' in _rna(bpy.types.Attribute).properties["data_type"].enum_items
 
 
 def has_slotted_actions() -> bool:
-    """Actions have slots, layers and strips (4.4), and from 5.0 on nothing else."""
+    """Whether actions have slots, layers and strips (since Blender 4.4). From 5.0 on actions have no F-curves elsewhere."""
     return hasattr(bpy.types, "ActionSlot")
 
 
 def has_bone_collections() -> bool:
-    """Bones stand in named collections of their armature (4.0), where they were in a group of the pose before."""
+    """Whether bones are in named collections of their armature (since Blender 4.0) instead of groups of the pose."""
     return "collections" in bpy.types.Armature.bl_rna.properties
 
 
 def eevee_engine() -> str:
-    """Identifier of EEVEE, which was renamed twice."""
+    """Identifier of the render engine EEVEE, which Blender has renamed twice: 'BLENDER_EEVEE_NEXT' or 'BLENDER_EEVEE'."""
     engines = _rna(bpy.types.RenderSettings).properties["engine"].enum_items
     return 'BLENDER_EEVEE_NEXT' if 'BLENDER_EEVEE_NEXT' in engines else 'BLENDER_EEVEE'
 
 
 def has_panel_category() -> bool:
-    """The sidebar's open tab can be read and set."""
+    """Whether scripts can read and set the open tab of a sidebar, by Region.active_panel_category."""
     return "active_panel_category" in bpy.types.Region.bl_rna.properties
 
 
 def line_shader(is_uniform: bool) -> str:
-    """Name of the built-in shader for wide lines, in one colour or in one a point."""
+    """Name of the built-in GPU shader for wide lines. is_uniform: one color for all points, otherwise one color for each point."""
     name = "POLYLINE_UNIFORM_COLOR" if is_uniform else "POLYLINE_SMOOTH_COLOR"
     return name if bpy.app.version >= (4, 0, 0) else "3D_" + name
 
@@ -81,7 +87,7 @@ def has_textures_in_display_colors() -> bool:
 
 
 def has_tree_interface() -> bool:
-    """Sockets of a node group belong to its interface (4.0), not to two lists."""
+    """Whether a node group's sockets are in NodeTree.interface (since Blender 4.0) instead of the lists `inputs` and `outputs`."""
     return "interface" in bpy.types.NodeTree.bl_rna.properties
 
 
@@ -96,17 +102,17 @@ def has_modifier_order() -> bool:
 
 
 def has_compositing_group() -> bool:
-    """The compositor's nodes are a node group that a scene points to (5.0), not a tree within the scene."""
+    """Whether the compositor's nodes are a node group to which a scene points (since Blender 5.0) instead of a tree in the scene."""
     return "compositing_node_group" in bpy.types.Scene.bl_rna.properties
 
 
 def has_compositor_sockets() -> bool:
-    """Options of the compositor's nodes are sockets (4.5), not properties."""
+    """Whether options of the compositor's nodes are sockets (since Blender 4.5) instead of properties."""
     return "clip_black" not in bpy.types.CompositorNodeKeying.bl_rna.properties
 
 
 def has_compositor_in_viewport() -> bool:
-    """Whether the viewport can show the compositor's result (since 3.5)."""
+    """Whether the viewport can show the compositor's result (since Blender 3.5)."""
     shading = bpy.types.View3DShading.bl_rna.properties
     return "use_compositor" in shading and shading["use_compositor"].type == 'ENUM'
 
@@ -117,20 +123,23 @@ def has_shader_nodes_in_compositor() -> bool:
 
 
 def has_premultiplied_images() -> bool:
-    """The compositor's node Image premultiplies pictures of 8 bits by their alpha (before 4.0 it leaves them straight)."""
+    """Whether the compositor's Image node multiplies the colours of 8-bit pictures by their alpha (since Blender 4.0).
+
+    Before 4.0 the node leaves the alpha of these pictures straight.
+    """
     return bpy.app.version >= (4, 0, 0)
 
 
 def computes_nodes_once() -> bool:
-    """The compositor computes what a node makes once (4.0 at the latest), not anew for each node that reads it."""
+    """Whether the compositor computes each node once, not again for every node that reads it (since Blender 4.0 at the latest)."""
     return bpy.app.version >= (4, 0, 0)
 
 
 def has_blended_surfaces() -> bool:
-    """Materials say how EEVEE draws what is transparent by `surface_render_method` (4.2), not by a blend and a shadow method."""
+    """Whether materials choose EEVEE's transparency by `surface_render_method` (since 4.2), not by blend and shadow methods."""
     return "surface_render_method" in bpy.types.Material.bl_rna.properties
 
 
 def has_dialog_titles() -> bool:
-    """A dialog may be called otherwise than its operator (4.1)."""
+    """Whether an operator's dialog may have a title that differs from the operator's label (since Blender 4.1)."""
     return "title" in _rna(bpy.types.WindowManager).functions["invoke_props_dialog"].parameters

@@ -1,4 +1,4 @@
-"""Copy F-curves and drivers of a number to another number, also of another datablock."""
+"""Copy F-curves and drivers of a number property to a different number property, also of a different datablock."""
 
 from __future__ import annotations
 
@@ -24,7 +24,10 @@ _KEY_FIELDS = (
 
 
 def copy_all(id_data: Any, path: str, holder: Any, name: str) -> None:
-    """Copy the keys and the driver of the property `path` of a datablock to a number of a datablock's item."""
+    """Copy the keys and the driver of the number property at data path `path` of a datablock to a different number property.
+
+    holder, name: item of a datablock, such as an entry of a list, and its property that receives the keys and the driver.
+    """
     animation = id_data.animation_data
     for curve in [curve for curve in actions.fcurves(id_data) if curve.data_path == path]:
         copy_curve(curve, holder, name)
@@ -33,7 +36,10 @@ def copy_all(id_data: Any, path: str, holder: Any, name: str) -> None:
 
 
 def copy_curve(source: Any, holder: Any, name: str) -> bpy.types.FCurve:
-    """Copy keys and modifiers of the F-curve `source` to a number of a datablock's item; returns the new F-curve."""
+    """Copy keys, extrapolation and modifiers of an F-curve to a number property; returns the new F-curve.
+
+    source: the F-curve. holder, name: item of a datablock, such as an entry of a list, and its property that receives the keys.
+    """
     holder.keyframe_insert(name, frame=source.keyframe_points[0].co.x if source.keyframe_points else 0.0)
     target: Any = actions.find(holder.id_data, f"{holder.path_from_id()}.{name}")
     for point in reversed(target.keyframe_points):
@@ -50,7 +56,7 @@ def copy_curve(source: Any, holder: Any, name: str) -> bpy.types.FCurve:
 
 
 def copy_driver(source: Any, holder: Any, name: str) -> None:
-    """Copy the driver `source` to a property of a datablock's item."""
+    """Copy a driver to a property. source: the driver's F-curve. holder, name: item of a datablock and its property to be driven."""
     animation = holder.id_data.animation_data or holder.id_data.animation_data_create()
     made = animation.drivers.from_existing(src_driver=source)
     made.data_path = f"{holder.path_from_id()}.{name}"

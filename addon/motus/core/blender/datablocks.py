@@ -1,4 +1,4 @@
-"""How operators name a datablock of any type, and one of its properties."""
+"""Datablocks of any type and their properties: how operators and scripts name them, safe references, lists of all of them."""
 
 import re
 from collections.abc import Iterable, Iterator
@@ -11,7 +11,7 @@ from ..translations import tr
 
 
 class OfADatablock:
-    """Mixin of an operator: the keywords that name a property of a datablock."""
+    """Mixin of an operator with the keywords that name a property of a datablock of any type."""
 
     datablock: bpy.props.StringProperty(
         name="Datablock", description="Name of the object or other datablock; empty takes the active object", options={'SKIP_SAVE'}
@@ -32,9 +32,9 @@ class OfADatablock:
     )
 
     def id_data(self, context: Any) -> Any:
-        """Datablock that the operator's keywords `datablock` and `collection` name; the active object if `datablock` is empty.
+        """Find the datablock that the operator's keywords `datablock` and `collection` name. Raises Refused if there is none.
 
-        Raises Refused if there is no such datablock.
+        If `datablock` is empty, the active object is meant.
         """
         if not self.datablock:
             if context.object is None:
@@ -48,9 +48,10 @@ class OfADatablock:
 
 
 class Named(NamedTuple):
-    """An Object, or a bone of it by its name, "" for the object itself: for what is kept while scripts may run.
+    """Reference to an Object or PoseBone that is safe to keep while scripts may remove the thing.
 
-    Of an object that is gone Python's reference raises ReferenceError; a reference to a PoseBone would be to freed memory.
+    bone: name of the PoseBone; "" for the object itself. Python's reference to a removed Object raises ReferenceError when used. Python's
+    reference to a removed PoseBone would point to freed memory, so a bone is kept by its name.
     """
 
     object: Any
@@ -58,12 +59,15 @@ class Named(NamedTuple):
 
     @classmethod
     def of(cls, thing: Any) -> "Named":
-        """Make the reference to an Object or PoseBone that stays safe if the thing is removed: its object, and its bone's name."""
+        """Make a safe reference (Named) to an Object or PoseBone from the thing itself."""
         return cls(thing.id_data, thing.name if isinstance(thing, bpy.types.PoseBone) else "")
 
     @property
     def thing(self) -> Any:
-        """The Object or PoseBone. Raises ReferenceError where it is gone."""
+        """The Object or PoseBone that the reference names. Raises ReferenceError if a bone or its rig was removed.
+
+        A removed Object itself raises ReferenceError only when it is used.
+        """
         if not self.bone:
             return self.object
         found = self.object.pose.bones.get(self.bone)
@@ -73,13 +77,16 @@ class Named(NamedTuple):
 
 
 def _collections() -> list[Any]:
-    """The file's collections of datablocks, each of one type; 5.2's collection of all datablocks is left out."""
+    """RNA properties of the collections in bpy.data, each of one type of datablock.
+
+    Blender 5.2's collection of all datablocks is left out.
+    """
     properties: Any = bpy.data.bl_rna.properties
     return [prop for prop in properties if prop.type == 'COLLECTION' and prop.fixed_type.identifier != 'ID']
 
 
 def everything() -> Iterator[Any]:
-    """All datablocks of the file, and the node trees that lie within others."""
+    """Yield all datablocks of the file, node trees that are embedded in datablocks included."""
     for collection in _collections():
         for datablock in getattr(bpy.data, collection.identifier):
             yield datablock
@@ -89,7 +96,7 @@ def everything() -> Iterator[Any]:
 
 
 def collection_of(datablock: Any) -> str:
-    """Name of the file's collection that a datablock stands in."""
+    """Name of the collection in bpy.data that holds a datablock, such as "objects". Raises ValueError if there is none."""
     for prop in _collections():
         if isinstance(datablock, getattr(bpy.types, prop.fixed_type.identifier)):
             return prop.identifier
@@ -106,14 +113,18 @@ _ID_TYPES = {
 
 
 def id_type(datablock: Any) -> str:
-    """Type of a datablock, as targets of drivers' variables name it."""
+    """Type of a datablock, by the identifier that DriverTarget.id_type has for it."""
     kind = next(one for one in type(datablock).__mro__ if one.__base__ is bpy.types.ID)
     name = kind.__name__.upper()
     return _ID_TYPES.get(name, name)
 
 
 def named_by(datablock: Any, path: str) -> tuple[Any, str]:
-    """A datablock that can be found by its name, and the path from there: node trees lie within others."""
+    """Find a datablock that has a name in bpy.data, and convert a data path to begin there: (datablock, data path).
+
+    An embedded node tree has no name in bpy.data: the datablock that contains the tree is returned, with a path that begins with
+    "node_tree.". For all different datablocks, the datablock and the path are returned unchanged.
+    """
     if not isinstance(datablock, bpy.types.NodeTree) or not datablock.is_embedded_data:
         return datablock, path
     for prop in _collections():
@@ -126,7 +137,7 @@ def named_by(datablock: Any, path: str) -> tuple[Any, str]:
 def label_of(id_data: Any, data_path: str, index: int = -1) -> str:
     """Name of a property in the interface, in the user's language; the data path if it has no name.
 
-    index: in an array, -1 for a property that is none.
+    index: of the component of an array property; -1 for a property that is no array.
     """
     custom = _CUSTOM.search(data_path)
     if custom:
@@ -147,9 +158,9 @@ def label_of(id_data: Any, data_path: str, index: int = -1) -> str:
 
 
 _CUSTOM = re.compile(r'\["(?P<name>(?:[^"\\]|\\.)*)"\]$')
-"""The end of a custom property's data path."""
+"""Matches the end of the data path of a custom property. Group "name" is the property's escaped name."""
 _SHOWN = {"rotation_euler": "Rotation"}
-"""Labels that Blender's panels give to properties whose RNA name is a different one, here "Euler Rotation"."""
+"""{name of a property: label in Blender's panels}, for properties whose RNA name is different, here "Euler Rotation"."""
 
 _AXES = {
     'TRANSLATION': "XYZ",
@@ -167,7 +178,10 @@ _AXES = {
 
 
 def remove_objects(objects: Iterable[bpy.types.Object]) -> None:
-    """Remove objects, with those of their data and materials that nothing else uses; other children stay where they stand."""
+    """Remove objects, and those of their data and materials that nothing else uses.
+
+    Children that are not removed keep their world matrix.
+    """
     objects = list(dict.fromkeys(objects))
     for child in [child for obj in objects for child in obj.children if child not in objects]:
         place = child.matrix_world.copy()
@@ -176,7 +190,7 @@ def remove_objects(objects: Iterable[bpy.types.Object]) -> None:
     used = dict.fromkeys(data for obj in objects for data in (obj.data, *(slot.material for slot in obj.material_slots)) if data)
     for obj in objects:
         bpy.data.objects.remove(obj)
-    # Meshes use materials.
+    # Meshes use materials, so materials come last.
     for data in sorted(used, key=lambda one: isinstance(one, bpy.types.Material)):
         if data.users == 0:
             getattr(bpy.data, collection_of(data)).remove(data)

@@ -1,4 +1,4 @@
-"""Going to frames, and back to how everything stood before."""
+"""Go to frames of the scene, restore the scene and changed values afterwards, and write frames as text."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from . import actions
 
 
 def ranges(frames: Iterable[float], step: float) -> str:
-    """Frames as text: those that follow one another by a step make a range."""
+    """Frames as text, such as "1-5, 8": frames that follow one another at a distance of `step` are written as a range."""
     runs: list[list[float]] = []
     for frame in frames:
         if runs and abs(frame - runs[-1][1] - step) < 1e-6:
@@ -25,18 +25,21 @@ def ranges(frames: Iterable[float], step: float) -> str:
 
 
 def spoken(text: str) -> str:
-    """The text of ranges() in a sentence, in the user's language."""
+    """Text of ranges() with the word "frame" or "frames" before it, in the user's language."""
     is_one = "," not in text and "-" not in text[1:]
     return (tr("frame {frames}") if is_one else tr("frames {frames}")).format(frames=text)
 
 
 def as_text(frame: float) -> str:
-    """A frame to a thousandth, without an exponent."""
+    """A frame as text: rounded to a thousandth, and without an exponent."""
     return f"{round(frame, 3):.12g}"
 
 
 class Kept:
-    """The frame, the scene's camera, and what animated properties of some objects stand at, keyed or not."""
+    """Stored state of a scene: its frame, its camera, and values of animated properties of some objects.
+
+    The state is stored when Kept is created. The values include changes that the user has not keyed.
+    """
 
     def __init__(self, scene: Any, objects: Iterable[Any] = ()) -> None:
         self._scene = scene
@@ -45,13 +48,13 @@ class Kept:
         self._values = {(obj, path): value for obj in objects for path, value in _animated(obj).items()}
 
     def restore(self, written: Container[tuple[Any, str]] = ()) -> None:
-        """Go back to the frame, and to values that were changed there without a key.
+        """Go back to the stored frame; set the camera and the animated properties to the stored values.
 
-        written: (object, path) of what has new keys, which count instead.
+        written: (object, data path) of properties that have new keys since then. They keep the values of their keys.
         """
         whole, part = self._frame
         self._scene.frame_set(whole, subframe=part)
-        # Markers choose cameras on the way, and the scene may have had another one on this frame.
+        # Markers choose the camera at each frame. The scene may have had a different camera than the marker's at the kept frame.
         if self._scene.camera != self._camera:
             with suppress(ReferenceError):  # if the camera was removed meanwhile
                 self._scene.camera = self._camera
@@ -63,38 +66,38 @@ class Kept:
 
 
 def _animated(obj: Any) -> dict[str, Any]:
-    """{data path: value} of what F-curves of the object animate, as far as it is there."""
+    """{data path: value} of the properties that F-curves of an object animate, except properties that do not exist."""
     found = {}
     for path in {curve.data_path for curve in actions.fcurves(obj)}:
         try:
             value = obj.path_resolve(path)
         except ValueError:
-            continue  # of a bone that was removed or renamed
+            continue  # the bone was removed or renamed
         found[path] = tuple(value) if hasattr(value, "__len__") and not isinstance(value, str) else value
     return found
 
 
 def assign(obj: Any, path: str, value: Any) -> None:
-    """Set the property at a data path."""
+    """Set the property at a data path of an object to a value, an array property to all its components at once."""
     if path.endswith('"]'):
         holder, _, key = path[:-2].rpartition('["')
         (obj.path_resolve(holder) if holder else obj)[bpy.utils.unescape_identifier(key)] = value
     else:
-        # Whole vectors: an item of rotation_euler would set the rotation mode back.
+        # A vector is set as a whole: setting an item of rotation_euler would reset the rotation mode.
         holder, _, name = path.rpartition(".")
         setattr(obj.path_resolve(holder) if holder else obj, name, value)
 
 
 def go_to(scene: bpy.types.Scene, frame: float) -> None:
-    """Evaluate a frame, which may be a fraction."""
+    """Set the scene to a frame, which may be a fraction, and evaluate the scene."""
     whole = math.floor(frame)
     scene.frame_set(whole, subframe=frame - whole)
 
 
 def depsgraph_of(scene: bpy.types.Scene, layer: str) -> bpy.types.Depsgraph:
-    """The depsgraph of a view layer of a scene, by its name: a reference to one that a script removes would be to freed memory.
+    """The depsgraph of a view layer of a scene. Raises ReferenceError if the scene has no such view layer.
 
-    Raises ReferenceError.
+    layer: name of the view layer. A Python reference to a view layer that a script has removed would point to freed memory.
     """
     found = scene.view_layers.get(layer)
     if found is None:

@@ -1,4 +1,4 @@
-"""Registers handlers and takes back whatever was registered, whatever other scripts have done to it meanwhile."""
+"""Add functions to Blender's handler lists and remove them, even if different scripts have changed the lists meanwhile."""
 
 from __future__ import annotations
 
@@ -10,26 +10,32 @@ import bpy
 from bpy.app.handlers import persistent
 
 Pair = tuple[Any, Callable[..., Any]]
-"""A list of handlers, and a function for it."""
+"""Type of a pair: a handler list of bpy.app.handlers, and a function to be added to the list."""
 
 log = logging.getLogger(__name__)
 
 
 def add(pairs: Iterable[Pair]) -> None:
-    """pairs: (list of handlers, function)."""
+    """Append functions to Blender's handler lists. pairs: (list of bpy.app.handlers, function) each."""
     for functions, function in pairs:
         functions.append(function)
 
 
 def remove(pairs: Sequence[Pair]) -> None:
-    """Take back what add() did, last first. A script may have cleared the list."""
+    """Remove functions from handler lists, last first; functions that are in their list no more are skipped.
+
+    pairs: (list of bpy.app.handlers, function) each. A script may have cleared a list.
+    """
     for functions, function in reversed(pairs):
         if function in functions:
             functions.remove(function)
 
 
 class Forgetting:
-    """Has what belongs to the file forgotten when another one is opened, and all when the add-on is disabled."""
+    """Removes kept values: those of the file when a different file was opened, all of them when the add-on is disabled.
+
+    forget: called when a file was opened. forget_all: called by unregister().
+    """
 
     def __init__(self, forget: Callable[[], None], forget_all: Callable[[], None]) -> None:
         @persistent
@@ -39,11 +45,11 @@ class Forgetting:
         self._forget_all, self._pairs = forget_all, ((bpy.app.handlers.load_post, loaded),)
 
     def register(self) -> None:
-        """Forget with each file from now on."""
+        """Add the handler that calls `forget` when a file was opened."""
         add(self._pairs)
 
     def unregister(self) -> None:
-        """Forget for the last time."""
+        """Remove the handler, and call `forget_all`."""
         remove(self._pairs)
         self._forget_all()
 
@@ -57,5 +63,5 @@ def take_back(*steps: Callable[[], Any]) -> None:
         try:
             step()
         except Exception as error:
-            # Blender says that something is gone by errors of every kind, plain Exception among them.
+            # If something no longer exists, Blender raises exceptions of many types, plain Exception among them.
             log.warning("Motus: something was gone already when the add-on was disabled: %s", error)

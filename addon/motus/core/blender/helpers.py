@@ -1,7 +1,7 @@
-"""Helpers: objects that work for others behind the scenes, such as hubs, proxies and the shapes of flakes.
+"""Helpers: objects that Motus creates for its own use, such as hubs (they carry a solver's driver), proxies and shapes of flakes.
 
-A helper stands in no collection: neither the viewport nor the outliner shows it or counts it. Its name begins with a dot: Blender's
-pickers leave such names out unless somebody types the dot.
+A helper is in no collection: neither the viewport nor the outliner shows or counts it. Its name begins with a dot, because Blender's
+pickers leave out such names unless the user types the dot.
 """
 
 from __future__ import annotations
@@ -11,13 +11,13 @@ from typing import Any
 import bpy
 
 KEY = "motus_helper"
-"""Custom property of a helper: whether it is hidden, or shown by instances, as the shapes of flakes are."""
+"""Custom property of a helper: 1 for a hidden helper; 0 for a helper that is shown by instances, such as the shapes of flakes."""
 PREFIX = "motus_"
-"""How the names of all custom properties of helpers begin."""
+"""Prefix of the names of all custom properties that helpers have."""
 
 
 def make(name: str, data: Any = None, is_hidden: bool = True) -> Any:
-    """A new helper. data: its datablock, which is named along with it."""
+    """Create a helper: an object in no collection. data: the object's data, which gets the helper's name; None for an empty."""
     if data is not None:
         data.name = f".{name}"
     helper = bpy.data.objects.new(f".{name}", data)
@@ -31,15 +31,15 @@ def _mark(helper: Any, is_hidden: bool) -> None:
 
 
 def is_helper(obj: Any) -> bool:
-    """Whether an object is a helper."""
+    """Whether an object is a helper, an object that Motus has created for its own use."""
     return KEY in obj
 
 
 def put_away() -> None:
-    """Take helpers out of the collections into which Blender puts what it appends or pastes along with what needs it.
+    """Unlink helpers from collections, into which Blender puts them when it appends or pastes something that needs them.
 
-    A hidden helper that nothing needs is removed. A shape that nothing needs is a copy that *Make Instances Real* has made: it
-    becomes an object of the artist's.
+    A hidden helper that nothing needs is removed. A shape of flakes that nothing needs is a copy that *Make Instances Real* has made: it
+    becomes an ordinary object of the user.
     """
     standing: dict[Any, list[Any]] = {}
     objects: Any = bpy.data.objects

@@ -1,4 +1,4 @@
-"""Node groups, and the modifiers that have them, in every Blender."""
+"""Node groups and Geometry Nodes modifiers, with one interface for all Blender versions."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from . import capabilities
 
 
 def add_sockets(group: Any, sockets: Iterable[tuple[str, str, str]]) -> None:
-    """Give a new group sockets: (name, 'INPUT' or 'OUTPUT', type) each."""
+    """Add inputs and outputs to a new node group. sockets: (name, 'INPUT' or 'OUTPUT', type of socket) each."""
     for name, way, kind in sockets:
         if capabilities.has_tree_interface():
             group.interface.new_socket(name, in_out=way, socket_type=kind)
@@ -20,17 +20,17 @@ def add_sockets(group: Any, sockets: Iterable[tuple[str, str, str]]) -> None:
 
 
 def has_inputs(group: Any, names: Iterable[str]) -> bool:
-    """Whether a group has them all, which somebody may have removed."""
+    """Whether a node group has inputs of all these names; the user may have removed some."""
     return {socket.name for socket in _inputs(group)}.issuperset(names)
 
 
 def set_input(modifier: Any, name: str, value: Any) -> None:
-    """Give the modifier's group a value for one of its inputs."""
+    """Set the value that a Geometry Nodes modifier has for an input of its node group. name: of the input."""
     _assign(modifier, _identifier(modifier, name), value)
 
 
 def input_of(modifier: Any, name: str) -> Any:
-    """The modifier's value for one of its group's inputs."""
+    """The value that a Geometry Nodes modifier has for an input of its node group. name: of the input."""
     return _values(modifier)[_identifier(modifier, name)]
 
 
@@ -55,7 +55,11 @@ def inputs_of(modifier: Any) -> list[Any]:
 
 
 def let_go(modifier: Any) -> None:
-    """Empty the inputs that name datablocks: Blender 5 goes on to count what a modifier had that is removed, or has another group."""
+    """Clear those inputs of a Geometry Nodes modifier that point to datablocks.
+
+    Otherwise Blender 5 counts the modifier as a user of the datablocks even after the modifier was removed or was given a different node
+    group.
+    """
     for identifier, value in _values(modifier).items():
         if isinstance(value, bpy.types.ID):
             _assign(modifier, identifier, None)
@@ -70,7 +74,7 @@ def _values(modifier: Any) -> dict[str, Any]:
 
 
 def link(group: Any, source: Any, target: Any) -> None:
-    """Connect two sockets; a value stands for a source that is none."""
+    """Connect two sockets of a node group. source: an output socket, or a value for the default_value of the target socket."""
     if isinstance(source, bpy.types.NodeSocket):
         group.links.new(source, target)
     else:
@@ -78,12 +82,12 @@ def link(group: Any, source: Any, target: Any) -> None:
 
 
 def input_items(group: Any) -> dict[str, Any]:
-    """Inputs of a group as its interface has them, by name: with default_value, min_value and max_value."""
+    """{name: interface socket} of a node group's inputs. Interface sockets have default_value, min_value and max_value."""
     return {socket.name: socket for socket in _inputs(group)}
 
 
 def add_node(group: Any, kind: str, **settings: Any) -> Any:
-    """A new node, to the right of the others."""
+    """Add a node of type `kind` to a node group, to the right of the existing nodes. settings: attributes of the node and values."""
     node = group.nodes.new(kind)
     node.location = (200.0 * (len(group.nodes) - 1), 0.0)
     for name, value in settings.items():

@@ -1,1 +1,1 @@
-"""What is kept of evaluated copies, by threads, and during one evaluation."""
+"""Data that is kept with evaluated copies of datablocks, for each thread, or during one evaluation."""

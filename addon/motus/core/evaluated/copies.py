@@ -1,8 +1,8 @@
-"""What was read of an evaluated object, kept for as long as Blender keeps that copy of it.
+"""Data that was read from an evaluated datablock, kept for as long as Blender keeps that evaluated copy.
 
-Blender evaluates copies of datablocks. Whatever is edited, undone or linked otherwise reaches the evaluation by a fresh
-copy; animation and drivers alone write into the copy that is there. So a number that is written into an evaluated copy,
-where the original has none, tells a fresh copy from one that was read before: all that is not animated is as it was.
+Blender evaluates copies of datablocks. If somebody edits, undoes or relinks a datablock, Blender makes a new evaluated copy of it;
+animation and drivers alone write into the existing copy. Therefore a number is written into a custom property of the evaluated
+copy (KEY), which is 0 on the original. A copy with a number was read before, and all its properties without animation are unchanged.
 """
 
 from __future__ import annotations
@@ -22,8 +22,11 @@ from ..file import stored
 
 T = TypeVar("T")
 KEY = "motus_copy"
-"""Custom property of what is prepared: one integer, 0 on the original. An array, since an item of it is written where it lies."""
-# From anywhere, so that an add-on that was enabled again does not give numbers that are still in use.
+"""Name of the marker: a custom property, an array of one integer, which is 0 on the original and the copy's number on an evaluated copy.
+
+It is an array because the memory of an array's element can be written in place.
+"""
+# The first number is random, so that an add-on that was enabled again does not assign numbers that are still in use.
 _first = random.randrange(1, 2**30)
 _numbers = itertools.count(_first)
 _latest = [_first - 1]
@@ -32,8 +35,8 @@ _latest = [_first - 1]
 def original_of(evaluated: Any, originals: Any, depsgraph: bpy.types.Depsgraph) -> Any:
     """The original of a datablock from depsgraph.updates; None if another handler has removed the original.
 
-    originals: the collection that holds it, such as bpy.data.objects. The search goes by name, since `original` and `library`
-    of the evaluated datablock point to what Blender may have freed since the evaluation.
+    originals: the collection that holds the original, such as bpy.data.objects. The search goes by name, since `original` and `library`
+    of the evaluated datablock may point to memory that Blender has freed since the evaluation.
     """
     name = evaluated.name
     found = (originals.get((name, path)) for path in (None, *(library.filepath for library in bpy.data.libraries)))
@@ -41,23 +44,26 @@ def original_of(evaluated: Any, originals: Any, depsgraph: bpy.types.Depsgraph) 
 
 
 class _OfCopies(keeping.OfEvaluation):
-    """Knowledge about evaluated datablocks, each kept until Blender copies the datablock anew.
+    """Data about evaluated datablocks, each kept until Blender makes a new evaluated copy of the datablock.
 
-    Blender copies a datablock anew to where it lay before.
+    Blender writes a new evaluated copy to the same memory address as the copy before.
     """
 
     FEW = 64
-    """Up to so many are kept without a look at which of them are gone."""
+    """Up to this many copies are kept without a search for copies that Blender has freed."""
 
     def __init__(self, what: str) -> None:
         super().__init__(what, "a number that no other copy has had", "one for each evaluated copy that Blender has")
-        self.known: dict[int | None, Any] = {}  # number -> what is known of the copy that has it
-        self._places: dict[int, tuple[Any, int]] = {}  # where a datablock lies -> (it, the number)
+        self.known: dict[int | None, Any] = {}  # number of an evaluated copy -> data about the copy
+        self._places: dict[int, tuple[Any, int]] = {}  # address of an evaluated datablock -> (datablock, number)
         self._most = self.FEW
         self._changing = threading.Lock()
 
     def add(self, evaluated: Any, number: int, found: T) -> T:
-        """Let this be known of a copy, in the place of what was known of the one before; gives it."""
+        """Keep `found` as the data of an evaluated copy, in place of the data of the copy before; returns `found`.
+
+        number: the number of the evaluated copy.
+        """
         place = evaluated.as_pointer()
         with self._changing:
             self._forget(place)
@@ -74,7 +80,7 @@ class _OfCopies(keeping.OfEvaluation):
         self.known.pop(number, None)
 
     def clear(self) -> None:
-        """Forget everything about all evaluated datablocks."""
+        """Remove the data about all evaluated datablocks."""
         with self._changing:
             self._places.clear()
             self.known.clear()
@@ -96,10 +102,10 @@ _REACH = keeping.OfEvaluation("which settings and bones an action sets", "the ac
 
 
 class Reach(NamedTuple):
-    """What animation sets.
+    """Which properties animation sets.
 
-    settings: whether any Motus setting. splines: whether anything of a curve's. bones: names of those whose own transform;
-    None: maybe any.
+    settings: whether any setting of Motus. splines: whether any property of a curve's splines or their points. bones: names of the bones
+    whose own transform (location, rotation or scale) is set; None if it may be any bone.
     """
 
     settings: bool
@@ -107,7 +113,7 @@ class Reach(NamedTuple):
     bones: frozenset[str] | None
 
     def poses(self, names: frozenset[str] | None) -> bool:
-        """Whether the animation sets the own transform of one of these bones. names: of the bones; None for all bones."""
+        """Whether the animation sets the own transform of one of the bones named in `names`; None stands for all bones."""
         if self.bones is None or names is None:
             return self.bones is None or len(self.bones) > 0
         return not self.bones.isdisjoint(names)
@@ -117,9 +123,9 @@ _NOTHING, _ANYTHING = Reach(False, False, frozenset()), Reach(True, True, None)
 
 
 class Copy:
-    """What is known of one evaluated copy of a datablock: what its animation sets, and what solvers have read of it.
+    """Data about one evaluated copy of a datablock: which properties its animation sets, and what solvers have read from the copy.
 
-    number: different for every copy. found: caches of values read from the copy, by their keeping.OfEvaluation.
+    number: different for every copy. found: the values that were read from the copy, by the keeping.OfEvaluation that declares them.
     """
 
     def __init__(self, evaluated: Any, number: int) -> None:
@@ -133,9 +139,9 @@ class Copy:
 
     @property
     def _acting(self) -> Reach:
-        """The settings, splines and bones that the copy's action sets, in any slot; with NLA tracks, possibly everything.
+        """What the copy's action sets, in any slot, as a Reach; with NLA tracks, possibly everything.
 
-        It is looked up at each use, since an edit makes Blender copy the action anew, but not the datablocks that use it.
+        It is determined at each use, since after an edit of keys Blender copies the action anew, but not the datablocks that use it.
         """
         if self._has_strips:
             return _ANYTHING
@@ -143,7 +149,7 @@ class Copy:
 
     @property
     def has_animated_settings(self) -> bool:
-        """Whether an action or driver sets any of the owner's Motus settings."""
+        """Whether an action, the NLA or a driver sets any setting of Motus on the datablock."""
         return self._driven.settings or self._acting.settings
 
     @property
@@ -152,12 +158,12 @@ class Copy:
         return self._driven.splines or self._acting.splines
 
     def has_animated_poses(self, names: frozenset[str] | None) -> bool:
-        """Whether action or NLA sets the own transform of a bone among `names`, a frozenset; None for all bones."""
+        """Whether an action, the NLA or a driver sets the own transform of a bone among `names`, a frozenset; None stands for all bones."""
         return self._driven.poses(names) or self._acting.poses(names)
 
 
 def prepare(owner: Any) -> None:
-    """Add the marker property by which evaluated copies of an owner are told apart. Called when the owner is wired.
+    """Add to an owner the marker property by which its evaluated copies are told apart. Called when the owner's drivers are added.
 
     A rig's armature and the scenes that use the rig get the marker too.
     """
@@ -165,7 +171,7 @@ def prepare(owner: Any) -> None:
 
 
 def mark(*datablocks: Any) -> None:
-    """Give datablocks a marker property by which their evaluated copies can be told apart."""
+    """Add to datablocks the marker property by which their evaluated copies are told apart. Linked datablocks are skipped."""
     for datablock in datablocks:
         if not datablock.library and _mark(datablock) is None:
             datablock[KEY] = [0]
@@ -173,13 +179,16 @@ def mark(*datablocks: Any) -> None:
 
 
 def unmark(datablock: Any) -> None:
-    """Stop telling evaluated copies of this datablock apart (removes its marker property)."""
+    """Remove the marker property of a datablock, so that its evaluated copies are no longer told apart. A linked datablock is skipped."""
     if not datablock.library:
         datablock.pop(KEY, None)
 
 
 def release(owner: Any) -> None:
-    """Remove the marker property of an owner, and of its armature unless another rig has it."""
+    """Remove the marker property of an owner.
+
+    For a rig it is also removed from the armature, unless another rig with the marker uses it, and from scenes without such a rig.
+    """
     if owner.pop(KEY, None) is None or owner.type != 'ARMATURE':
         return
     data = owner.data
@@ -193,9 +202,9 @@ def release(owner: Any) -> None:
 
 
 def of(evaluated: Any) -> Copy | None:
-    """The Copy of an evaluated object; None where it was not prepared, as in a file of an older version."""
+    """The Copy of an evaluated datablock; None if the datablock has no marker property (KEY), as in a file of an older version."""
     mark = evaluated.get(KEY)
-    try:  # without a look at what lies there, of which none but a given number is known
+    try:  # without a check of the property's type: only numbers that were assigned are keys of `known`
         return _copies.known[mark[0]]
     except (KeyError, TypeError, IndexError):
         number = _number_of(evaluated)
@@ -204,17 +213,17 @@ def of(evaluated: Any) -> Copy | None:
 
 
 def stamp_of_data(evaluated: Any) -> int | None:
-    """A number that changes whenever Blender copies an evaluated object's data anew; None where nobody can tell."""
+    """A number that changes whenever Blender makes a new evaluated copy of an object's data; None if that cannot be detected."""
     copy = of(evaluated.data)
-    if copy is None and evaluated.data.library:  # which changes with its library alone: then the object is copied anew too
+    if copy is None and evaluated.data.library:  # linked data change only with their library: then the object is copied anew too
         copy = of(evaluated)
     return None if copy is None else copy.number
 
 
 def _number_of(evaluated: Any) -> int:
-    """A number that no other copy of an evaluated datablock has had; 0 where it was not prepared."""
+    """The number of an evaluated datablock, which no other evaluated copy has had; 0 for an original, or without a marker property."""
     mark = _mark(evaluated)
-    if mark is None or not evaluated.is_evaluated:  # an original handed its number on to all its copies
+    if mark is None or not evaluated.is_evaluated:  # all evaluated copies would inherit a number that is written into the original
         return 0
     return _number_in(mark)
 
@@ -226,7 +235,7 @@ def _number_in(mark: Any) -> int:
 
 
 def number_given(evaluated: Any) -> int:
-    """The number of an evaluated copy of any datablock; the marker property is added to the copy if prepare() has not made it.
+    """The number of an evaluated copy of any datablock; if the copy has no marker property, it is added to the copy.
 
     Only for datablocks whose custom properties no other thread reads at the same time.
     """
@@ -234,15 +243,15 @@ def number_given(evaluated: Any) -> int:
     if mark is None:
         evaluated[KEY] = [0]
         mark = _mark(evaluated)
-    # The meshes that modifiers make do not count as evaluated to Blender.
+    # is_evaluated is not checked: it is False for meshes that modifiers make.
     return _number_in(mark)
 
 
 @persistent
 def forget(*_: Any) -> None:
-    """Let all evaluated copies count as new ones.
+    """Forget all data about evaluated copies, so that every evaluated copy counts as a new one.
 
-    Another file is loaded, or the classes of properties end, to which what is kept of them refers.
+    Called if another file is loaded, or if the property classes to which the data refer are unregistered.
     """
     for known in (_copies, _found):
         known.clear()
@@ -253,7 +262,7 @@ def number_of_action(action: Any) -> int | None:
 
     An edit of keys makes Blender copy the action anew, so that the number changes.
     """
-    if not action.is_evaluated:  # it would hand the number on to all its copies
+    if not action.is_evaluated:  # all evaluated copies would inherit a number that is written into the original
         return None
     number = action.get(KEY)
     if not _is_given(number):
@@ -262,7 +271,7 @@ def number_of_action(action: Any) -> int | None:
 
 
 def found_of_action(action: Any) -> dict[Any, Any]:
-    """Rooms of what was read of an evaluated action (keeping.OfEvaluation.within); of an original nothing is kept."""
+    """Dict of values that were read from an evaluated action, for keeping.OfEvaluation.within(); a new {} for an original action."""
     number = number_of_action(action)
     if number is None:
         return {}
@@ -271,7 +280,7 @@ def found_of_action(action: Any) -> dict[Any, Any]:
 
 
 def _mark(datablock: Any) -> memoryview[int] | None:
-    """The memory of its number; None where the custom property is missing, or is not what prepare() makes."""
+    """The memory of a datablock's marker property, which holds the number; None if the property is missing or of a different form."""
     try:
         return stored.whole_numbers(datablock.get(KEY), 1)
     except stored.Damaged:
@@ -279,24 +288,27 @@ def _mark(datablock: Any) -> memoryview[int] | None:
 
 
 def _is_given(number: Any) -> bool:
-    """Whether a number was assigned in this session; a number that was loaded with a file was not."""
+    """Whether a number was assigned since this module was loaded; a number that was loaded with a file was not."""
     return isinstance(number, int) and _first <= number <= _latest[0]
 
 
 def _new_number() -> int:
-    # Where two threads are here at once, the greater number may count as not given; then its copy is given one more.
+    # If two threads are here at once, the greater number may count as not assigned; its copy then gets another number.
     _latest[0] = number = next(_numbers)
     return number
 
 
 def has_moving_settings(evaluated: Any) -> bool:
-    """Whether an action, the NLA or a driver sets a Motus setting of an evaluated object, as far as can be told."""
+    """Whether an action, the NLA or a driver sets a setting of Motus on an evaluated object.
+
+    If the object has no marker property (KEY), by which evaluated copies are told apart, any animation counts.
+    """
     copy = of(evaluated)
     return has_animation(evaluated) if copy is None else copy.has_animated_settings
 
 
 def has_animated_settings(owner: Any) -> bool:
-    """Whether an action, the NLA or a driver sets a Motus setting of an object that is not evaluated."""
+    """Whether an action, the NLA or a driver sets a setting of Motus on an original object."""
     animation = owner.animation_data
     if animation is None:
         return False
@@ -305,7 +317,7 @@ def has_animated_settings(owner: Any) -> bool:
 
 
 def has_driven_settings(owner: Any) -> bool:
-    """Whether a driver sets a Motus setting of an object that is not evaluated."""
+    """Whether a driver sets a setting of Motus on an original object."""
     animation = owner.animation_data
     return animation is not None and _reach(animation.drivers).settings
 
@@ -317,7 +329,7 @@ def drivers_on(datablock: Any) -> int:
 
 
 def has_animation(evaluated: Any) -> bool:
-    """Whether an evaluated object has an action, NLA tracks or drivers. Without them it is as it was when Blender copied it."""
+    """Whether an evaluated object has an action, NLA tracks or drivers. Without them its properties are as Blender has copied them."""
     animation = evaluated.animation_data
     return animation is not None and bool(animation.action or animation.nla_tracks or animation.drivers)
 
@@ -333,7 +345,7 @@ def _reach_of_action(action: Any) -> Reach:
 def _reach(curves: Iterable[Any]) -> Reach:
     paths = {curve.data_path for curve in curves}
     names = {match["bone"] for match in map(actions.OWN_CHANNEL.match, paths) if match}
-    # A bone may be named by its number too.
+    # A data path may name a bone by its index too.
     bones = None if None in names else frozenset(map(bpy.utils.unescape_identifier, names))
     return Reach(_any_begins(paths, "motus."), _any_begins(paths, ("splines", "[")), bones)
 

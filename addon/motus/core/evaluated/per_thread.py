@@ -1,4 +1,4 @@
-"""Arrays that a thread uses again, and its Python state."""
+"""Arrays that a thread reuses from frame to frame, and the thread's Python state."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ _ARRAYS = keeping.OfThread("arrays whose content is undefined, to be filled", "a
 
 
 def keep_state() -> bool:
-    """Let this thread keep its Python state; to make one anew takes longer than most solves do.
+    """Keep the Python thread state of the current thread: to create a new one takes longer than most solver calls.
 
-    The native module does it once a thread, and for a bounded number of threads. Returns whether it is kept.
+    The native module does it once for each thread, and for a limited number of threads. Returns whether the state is kept.
     """
     return native.module is not None and native.module.keep_thread_state()
 
@@ -21,7 +21,7 @@ def keep_state() -> bool:
 def scratch(name: str, shape: tuple[int, ...], dtype: Any) -> Any:
     """An array with undefined content for reuse on every frame; valid until the same thread asks for the same name again.
 
-    Reuse saves time: the system would map the memory of a fresh large array anew on each frame.
+    Reuse saves time: the operating system would map the memory of a new large array on each frame.
     """
     arrays = _ARRAYS.here()
     array = arrays.get(name)

@@ -1,7 +1,7 @@
-"""What is found while one question about tracks is answered, such as for the values of one.
+"""Answers that are kept while one question about a track is being answered, such as a question for its values.
 
-Things that hang on each other, each moved by a system that is asked where it is, lead to the same ones again and again: without
-this each level would take several times as long as the one above it.
+The motion of an object may depend on objects that systems of Motus drive, and these may all depend on the same parents. Without kept
+answers each level of such a hierarchy would take several times as long as the level above it.
 """
 
 from .. import keeping
@@ -9,4 +9,4 @@ from .. import keeping
 answered = keeping.WhileAnswering(
     "what things that hang on each other answer about their motion", "the thing, and all that the answer depends on"
 ).answered
-"""answered(place, make): what make() gives, the same for the same place until the outermost question is answered."""
+"""answered(place, make): the result of make(), kept under the hashable `place` until the outermost question is answered."""

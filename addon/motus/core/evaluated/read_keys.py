@@ -1,11 +1,11 @@
-"""Which actions solvers and drivers read keys of, at other frames than the present one: when these are edited they are called again.
+"""Which actions solvers and drivers have read at frames other than the present one: after an edit of such an action they run again.
 
-Blender alone does not see to that. When a script or an operator inserts or removes a key, Blender evaluates the action, but not
-what it animates, so that what an artist has moved and not keyed as yet stays. Of a datablock that reads keys of other frames
-Blender knows nothing.
+Blender alone does not do that. If a script or an operator inserts or removes a key, Blender evaluates the action, but not the
+datablock that the action animates, so that a pose that an artist has changed but not keyed yet is not lost. And Blender does not know
+which datablocks read keys of other frames.
 
-What is read is noted while somebody edits, not while frames go by, so that it costs playback nothing. Who was called on a frame
-that has only been gone to is called once more at the first edit of keys.
+What is read is noted only while somebody edits, so that playback gets no slower. A solver that has run only on a change of the frame
+runs once more at the first edit of keys.
 """
 
 from __future__ import annotations
@@ -21,30 +21,33 @@ from ..blender import handlers
 from . import copies
 
 FEW = 64
-"""Up to so many Readings are kept without a look at which of them are of datablocks that Blender has freed."""
+"""Up to this many Readings are kept without a search for Readings of datablocks that Blender has freed."""
 
 readings: dict[tuple[int, str, int], Reading] = {}
-"""(where an evaluated datablock lies, name, index) -> its Reading."""
+"""(address of an evaluated datablock, name, index) -> Reading of a solver or driver on the datablock."""
 _most = [FEW]
 _at_work: dict[int, list[dict[int, int]]] = {}
-"""Thread -> {where an evaluated action lies: number of the copy of it that was read} of each Reading at work, the inmost last."""
+"""Thread -> for each Reading at work, the innermost last: {address of an evaluated action: number of the action's copy that was read}."""
 
 
 class Reading:
-    """Actions that a solver or driver of an evaluated datablock has read; as a context manager it notes what its thread reads.
+    """Actions that a solver or driver on an evaluated datablock has read. As a context manager it notes what its thread reads.
 
-    among: gives, of the datablock, the actions that it may read at all; None: any.
+    among(datablock): gives the actions that the solver or driver can read at all; None if it can read any action.
     """
 
     def __init__(self, datablock: Any, among: Callable[[Any], Iterable[Any]] | None) -> None:
         self.datablock, self._among = datablock, among
         self.original: Any = None
-        self._numbers: dict[int, int] | None = None  # nobody knows
+        self._numbers: dict[int, int] | None = None  # None: not known
         self._frame: float | None = None
 
     def is_edit(self, frame: float) -> bool:
-        """Called with the frame before anything is read: whether to note what is."""
-        # Not when it is wanted: once Blender has removed the original, what a copy points to in its place is freed memory.
+        """Whether the solver or driver runs again on the same frame, because somebody edits: its reads are to be noted then.
+
+        Called with the present frame before anything is read.
+        """
+        # Stored here: after Blender has removed the original, `datablock.original` would point to freed memory.
         self.original = self.datablock.original
         if frame == self._frame:
             return True
@@ -63,13 +66,17 @@ class Reading:
             del _at_work[thread]
 
     def is_of(self, depsgraph: bpy.types.Depsgraph) -> bool:
-        """Whether the datablock still exists and belongs to this depsgraph, not to another scene's or to a render that has ended."""
+        """Whether the datablock still exists and belongs to a depsgraph, not to that of a different scene or of a render that has ended."""
         if self.original is None or copies.is_gone(self.original) or copies.is_gone(self.datablock):
             return False
         return self.original.evaluated_get(depsgraph) == self.datablock
 
     def is_outdated(self, edited: dict[int, int | None]) -> bool:
-        """Whether the solver may have read keys that have been edited since. edited: {where an evaluated action lies: number of its copy}."""
+        """Whether the solver or driver may have read keys that have been edited since.
+
+        edited: {address of an evaluated action that was edited: number of its present copy}. If it is not known what was read, every
+        edited action counts that the solver or driver can read at all.
+        """
         numbers = self._numbers
         if numbers is None:
             return self._among is None or any(action.as_pointer() in edited for action in self._among(self.datablock))
@@ -77,9 +84,10 @@ class Reading:
 
 
 def reading_of(datablock: Any, name: str, index: int = 0, among: Callable[[Any], Iterable[Any]] | None = None) -> Reading:
-    """The Reading of a solver or driver on an evaluated datablock; a new one if Blender has copied the datablock anew.
+    """The Reading of a solver or driver on an evaluated datablock; a new Reading if Blender has copied the datablock anew.
 
-    name: of the solver's system, or of the driven property. index: of an array's element. among: see Reading.
+    name: name of the solver's system, or of the driven property. index: index of an array's element. among(datablock): gives the
+    actions that the solver or driver can read at all; None if it can read any action.
     """
     place = datablock.as_pointer(), name, index
     found = readings.get(place)
@@ -93,7 +101,7 @@ def reading_of(datablock: Any, name: str, index: int = 0, among: Callable[[Any],
 
 
 def number_of(action: Any) -> int | None:
-    """copies.number_of_action() of an action whose keys are read."""
+    """Number of an evaluated copy of an action whose keys are read now, which is noted; None for an original action."""
     number = copies.number_of_action(action)
     if _at_work and number is not None:
         note({action.as_pointer(): number})
@@ -101,21 +109,25 @@ def number_of(action: Any) -> int | None:
 
 
 def is_noting() -> bool:
-    """Whether some thread is recording which actions a solver or driver reads."""
+    """Whether a solver or driver is at work in any thread whose reads of actions are noted."""
     return bool(_at_work)
 
 
 def noted() -> dict[int, int] | None:
-    """The actions that the solver at work in this thread has read so far; None if no solver in this thread records them.
+    """Actions that the solver at work in this thread has read so far; None if no solver in this thread notes its reads.
 
-    Returns {address of an evaluated action: number of its copy}. Another solver that reuses the result passes them to note().
+    Returns {address of an evaluated action: number of its copy}. A second solver that reuses the first one's result passes it to note().
     """
     waiting = _at_work.get(threading.get_ident())
     return dict(waiting[-1]) if waiting else None
 
 
 def note(numbers: dict[int, int] | None) -> bool:
-    """Let these count as read by this thread. Returns whether that is known, as far as it has to be: it is not where they are None."""
+    """Let the Reading at work in this thread note actions as read.
+
+    numbers: {address of an evaluated action: number of its copy} as noted() returns it; None if it is not known what was read.
+    Returns False if a Reading is at work and `numbers` is None, so that the Reading is incomplete; True otherwise.
+    """
     waiting = _at_work.get(threading.get_ident())
     if waiting and numbers is not None:
         waiting[-1].update(numbers)
@@ -123,7 +135,7 @@ def note(numbers: dict[int, int] | None) -> bool:
 
 
 def call_again(depsgraph: bpy.types.Depsgraph) -> None:
-    """After an edit: have those evaluated once more that may have read keys as they were before."""
+    """After an edit of actions, tag for evaluation the originals whose solvers or drivers may have read keys as they were before."""
     if not depsgraph.id_type_updated('ACTION'):
         return
     edited = [update.id for update in depsgraph.updates if isinstance(update.id, bpy.types.Action)]
@@ -143,11 +155,11 @@ def _forget(*_: Any) -> None:
 
 
 def register() -> None:
-    """Know when another file is opened. Edits are told by core/wiring/healing/heal.py."""
+    """Add the handler that forgets all Readings when another file is opened. core/wiring/healing/heal.py reports edits to call_again()."""
     handlers.add(_watched())
 
 
 def unregister() -> None:
-    """Stop watching."""
+    """Remove the handler, and forget all Readings."""
     handlers.remove(_watched())
     _forget()

@@ -1,1 +1,1 @@
-"""What a file of somebody else's may hold in the place of what Motus keeps in it."""
+"""Checks of data from a file, which may hold anything in place of the data that Motus stores."""

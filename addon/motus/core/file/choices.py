@@ -1,4 +1,4 @@
-"""Enumerations of settings: what is chosen, if the file names an item that there is."""
+"""Chosen items of enumeration properties in settings, also if the file names an item that does not exist."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from typing import Any
 
 
 def chosen(settings: Any, name: str) -> str:
-    """The item that an enumeration of settings says; its default if a script or another version has written one that there is not.
+    """Identifier of the chosen item of an enumeration property; the default if the stored item does not exist.
 
-    Blender reads such an item as an empty text.
+    A script or a different version of Motus may have written such an item; Blender reads it as an empty text.
     """
     return getattr(settings, name) or settings.bl_rna.properties[name].default
 

@@ -1,11 +1,12 @@
-"""Which objects were deleted: taken out of all collections, while a pointer property keeps them in the file.
+"""Which objects were deleted: removed from all collections, while a pointer property still keeps them in the file.
 
-One that came along with what was appended has never stood in a collection, and counts as present. So does what is merely
-hidden or excluded, as for Blender's own constraints. The two are told apart by what was seen since the file was opened; when
-it is saved, that is noted on the object, so that the file means the same wherever it is opened.
+An object that was appended along with another one and has never been in a collection counts as present. So do objects that are merely
+hidden or excluded, as for Blender's own constraints. To tell a deleted object from an appended one, it is tracked since the file was
+opened whether an object has been in a collection. When the file is saved, a custom property (KEY) marks the deleted objects.
 
-Solvers run in threads of Blender's, while the main thread may edit collections. So they only look a name up, and leave it
-here the first time. A handler looks where the objects of these names stand; where that has changed, Blender evaluates again.
+Solvers run in Blender's threads, while the main thread may edit collections. Therefore is_deleted() only looks up an object's name,
+and registers the name at the first call. A handler then searches the collections for the registered objects; if the result has
+changed, Blender evaluates the object again.
 """
 
 from __future__ import annotations
@@ -20,10 +21,10 @@ from bpy.app.handlers import persistent
 from ..blender import handlers
 
 KEY = "motus_deleted"
-"""Custom property of an object that stood in a collection, and did not any more when the file was saved."""
+"""Custom property that marks an object which had been in a collection, but was in none when the file was saved."""
 
 _stood: dict[str, bool] = {}
-"""Name of each local object that was asked for -> whether it has stood in a collection. No references: undo spoils those."""
+"""Name of each tracked local object -> whether it has been in a collection. Names, since undo invalidates references to objects."""
 _deleted: set[str] = set()
 _is_new = [False]
 _changes = [0]
@@ -45,7 +46,7 @@ def is_deleted(obj: bpy.types.Object) -> bool:
 
 
 def watch(objects: Iterable[bpy.types.Object]) -> None:
-    """Track from now on whether these objects are deleted; search the collections at once if one of them is new.
+    """Track from now on whether these objects are deleted; if one of them was not tracked before, search the collections at once.
 
     Must not be called while Blender evaluates the scene.
     """
@@ -56,12 +57,12 @@ def watch(objects: Iterable[bpy.types.Object]) -> None:
 
 
 def which(objects: Iterable[bpy.types.Object]) -> list[int]:
-    """Indices of the objects in a list for which is_deleted() is true."""
+    """Indices of the deleted objects in a sequence of objects: those for which is_deleted() is true."""
     return [index for index, obj in enumerate(objects) if is_deleted(obj)]
 
 
 def changes() -> int:
-    """Counter that increases whenever the result of is_deleted() changes for any object."""
+    """Counter that increases whenever an object is found to be deleted or restored, which changes the result of is_deleted()."""
     return _changes[0]
 
 
@@ -81,7 +82,7 @@ def look(view_layer: Any = None) -> None:
     for name, obj in known.items():
         is_absent = obj in absent
         if obj is None:
-            # The next object of the name is another one.
+            # The object is gone from the file: a later object with this name is a different one.
             _stood.pop(name, None)
         elif not is_absent or KEY in obj:
             _stood[name] = True
@@ -94,7 +95,7 @@ def look(view_layer: Any = None) -> None:
 
 
 def _absent(objects: Iterable[bpy.types.Object], view_layer: bpy.types.ViewLayer | None) -> set[bpy.types.Object]:
-    """The objects of a list that stand in no collection."""
+    """Those of the objects that are in no collection. view_layer: objects visible in it are known to be present; None if there is none."""
     left = {obj for obj in objects if not (view_layer and obj.visible_get(view_layer=view_layer))}
     for owner in (*bpy.data.collections, *(scene.collection for scene in bpy.data.scenes)):
         if not left:
@@ -105,7 +106,7 @@ def _absent(objects: Iterable[bpy.types.Object], view_layer: bpy.types.ViewLayer
 
 @persistent
 def _updated(_scene: Any = None, depsgraph: bpy.types.Depsgraph | None = None) -> None:
-    # Animations are rendered in a thread of their own.
+    # Blender renders animations in a separate thread, in which collections are not searched.
     if not _stood or threading.get_ident() != _MAIN_THREAD:
         return
     if _is_new[0] or depsgraph is None or have_collections_changed(depsgraph):
@@ -113,8 +114,8 @@ def _updated(_scene: Any = None, depsgraph: bpy.types.Depsgraph | None = None) -
 
 
 def have_collections_changed(depsgraph: bpy.types.Depsgraph) -> bool:
-    """Whether objects may have come into or gone out of collections since the last evaluation."""
-    # A scene's own collection is a part of it; 3.4 says no more than that the scene was updated.
+    """Whether objects may have been linked to or unlinked from collections since the last evaluation."""
+    # A scene's own collection is part of the scene: Blender 3.4 reports no more than that the scene was updated.
     return depsgraph.id_type_updated('COLLECTION') or depsgraph.id_type_updated('SCENE')
 
 
@@ -154,5 +155,5 @@ def register() -> None:
 
 
 def unregister() -> None:
-    """Stop that."""
+    """Remove the handlers that search for deleted objects."""
     handlers.remove(_watched())

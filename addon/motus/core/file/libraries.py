@@ -1,4 +1,4 @@
-"""What linked data and library overrides do not let one do."""
+"""Limits of linked datablocks and library overrides, and what to do instead."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def count_from_library(owner: Any, path: str) -> int:
         return 0
     try:
         return len(reference.path_resolve(path))
-    except ValueError:  # the library has no such list, as with the list of an item that was added
+    except ValueError:  # the library has no such property: `path` lies within an item that the override has added
         return 0
 
 
@@ -34,6 +34,6 @@ def is_free_or_of(obj: bpy.types.ID, named: bpy.types.ID | None, owner: bpy.type
 
 
 def collection_for(context: Any, obj: bpy.types.Object) -> bpy.types.Collection:
-    """Where to put a new object beside another one: the first of its collections that can be changed, else the scene's."""
+    """Collection for a new object beside `obj`: the first of its collections that can be edited, or else the scene's own collection."""
     own = (one for one in obj.users_collection if not one.library and not one.override_library)
     return next(own, context.scene.collection)

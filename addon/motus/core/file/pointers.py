@@ -1,7 +1,7 @@
-"""Pointers of settings: which datablocks they may name, and what they name.
+"""Pointer properties of settings: which datablocks they may point to, and which datablock they point to.
 
-Blender gives back whatever datablock a file has in a pointer's place, of any type, and an object may be another type of object
-than it was when it was chosen (*Convert*). So nobody reads a pointer but by pointed().
+Blender returns any datablock that a file has in place of the expected one, of any type. An object may also have changed its type since
+it was chosen (operator *Convert*). Therefore pointers are read only by pointed(), which checks the type.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ def to_object(*types: str, also: Callable[[Any, Any], bool] = lambda _settings, 
     """A PointerProperty to objects, for annotations of property groups. types: allowed object types; none allows all.
 
     The property's search field offers neither Motus's helper objects nor deleted objects: both are in no collection.
-    also(settings, obj): additional condition for an object that is offered.
+    also(settings, obj): additional condition for an object that is offered. options: further keywords of PointerProperty.
     """
 
     def poll(settings: Any, obj: Any) -> bool:
@@ -31,7 +31,7 @@ def to_object(*types: str, also: Callable[[Any, Any], bool] = lambda _settings, 
 
 
 def _stands(obj: bpy.types.Object) -> bool:
-    """Whether an object is in a collection. Costly: Blender goes through all collections, and a picker asks for all objects."""
+    """Whether an object is in a collection. Costly: Blender goes through all collections, and a search field asks for each object."""
     return obj.visible_get() or obj.hide_get() or bool(obj.users_collection)
 
 
@@ -50,9 +50,9 @@ def to_node_tree(**options: Any) -> Any:
 
 
 def pointed(settings: Any, name: str) -> Any:
-    """The datablock that a pointer of settings names, if it is of the declared type; else None.
+    """The datablock that a pointer property of settings points to; None if it is unset or the datablock is not of the declared type.
 
-    To ask a pointer that names nothing has the file hold an empty one.
+    A pointer that is unset is not read, since reading it would store an empty pointer in the file.
     """
     if not settings.is_property_set(name):
         return None

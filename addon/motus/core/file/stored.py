@@ -1,7 +1,7 @@
-"""What is stored in a file is somebody else's: here it is checked before anything relies on it.
+"""Checks of data stored in a file, which may have been made or damaged by anybody, before anything relies on them.
 
-Custom properties may have any type and length, and a text may say anything. What does not have the form that Motus gives it
-raises Damaged; the solver driver turns that into a sentence for the panel.
+A custom property may have any type and length, and a text any content. Data of a different form than Motus stores raise Damaged;
+the function of the solver's driver turns Damaged into a sentence for the panel.
 """
 
 from __future__ import annotations
@@ -12,9 +12,12 @@ import re
 from typing import Any
 
 LARGEST_TEXT = 1 << 22
-"""Characters; the plan of a hundred chains has 40,000."""
+"""Most characters of a JSON text. A rig with a hundred IK chains needs 40,000."""
 DEEPEST = 16
-"""Lists and objects within each other. Python's parser calls itself for each, and evaluation threads have a small stack."""
+"""Most lists and objects within each other in a JSON text.
+
+Python's parser calls itself for each level, and Blender's evaluation threads have a small stack.
+"""
 LARGEST_NUMBER = 1 << 32
 
 _BRACKET = re.compile(r"[\[{\]}]")
@@ -43,7 +46,10 @@ def doubles(value: Any, count: int | None = None) -> memoryview[float]:
 
 
 def whole_numbers(value: Any, count: int) -> memoryview[int]:
-    """A custom property that is an array of 32-bit integers, checked. Raises Damaged for anything else."""
+    """Memoryview of a custom property that holds an array of 32-bit integers. Raises Damaged if the property is anything else.
+
+    count: required length of the array.
+    """
     try:
         memory = memoryview(value)
     except TypeError:
@@ -54,7 +60,10 @@ def whole_numbers(value: Any, count: int) -> memoryview[int]:
 
 
 def parse(text: Any, form: Any) -> Any:
-    """The content of a JSON text, checked to have a form (see fits). Raises Damaged for anything else."""
+    """Parse a JSON text, and check that the content has a form (see fits()). Raises Damaged otherwise.
+
+    Texts that are too long or nested too deep raise Damaged too.
+    """
     if not isinstance(text, str) or len(text) > LARGEST_TEXT or _is_deep(text):
         raise Damaged("no text that can be read")
     try:
@@ -91,7 +100,7 @@ def _has_fields(value: dict[str, Any], form: dict[str, Any]) -> bool:
 
 
 def _is_number(value: Any) -> bool:
-    # A whole number may be too large for a float.
+    # An integer in JSON may be too large for a float, so that its size is checked.
     return (type(value) is float and math.isfinite(value)) or (type(value) is int and abs(value) <= LARGEST_NUMBER)
 
 
@@ -104,7 +113,7 @@ _FITS = {
 
 
 def _is_deep(text: str) -> bool:
-    """Whether lists and objects lie deeper within each other than anything that Motus writes."""
+    """Whether a JSON text nests lists and objects deeper than DEEPEST levels, which Motus never writes."""
     outside_strings = "".join(text.replace("\\\\", "").replace('\\"', "").split('"')[::2])
     depth = 0
     for bracket in _BRACKET.finditer(outside_strings):

@@ -1,1 +1,1 @@
-"""What the artist sees: operators, panels, rows of settings, menus, presets, the overlay."""
+"""User interface that all systems share: operators, panels, rows of settings, menus, presets, and the viewport overlay."""

@@ -1,4 +1,4 @@
-"""motus.bake and motus.unbake."""
+"""The operators motus.bake and motus.unbake."""
 
 import bpy
 
@@ -36,14 +36,14 @@ class MOTUS_OT_bake(OverFrames, bpy.types.Operator):
         try:
             owner, systems = self._baked(context)
         except Refused:
-            return  # what was selected has changed since
+            return  # the selection has changed since the dialog was opened
         labels = ", ".join(bpy.app.translations.pgettext_iface(*title(one)) for one in systems)
         column = self.layout.column(align=True)
         column.label(text=f"{owner.name}: {labels}", icon='KEYFRAME', translate=False)
         column.label(text=_objects(len(job.objects_of(owner, systems))), icon='BLANK1', translate=False)
 
     def _baked(self, context):
-        """(owner, systems) that are baked. Raises Refused."""
+        """Find what the operator's keywords name: (owner, [System]) to bake. Raises Refused if there is nothing to bake."""
         return job.owner_and_systems(named_or_active(context, self.object), self.system)
 
     def steps(self, context, frames):

@@ -1,4 +1,4 @@
-"""Lists of entries of bones: panels show the entry of the active bone, and hand its settings to those of the selected bones."""
+"""Lists of settings with an entry for each bone: panels show the active bone's entry, and copy it to selected bones."""
 
 import bpy
 
@@ -11,10 +11,11 @@ from .operators import OBJECT_OR_POSE_MODE, Operator, object_keyword
 
 
 def active_property(label, index_of):
-    """The property that tells which entry of a list is shown. index_of(settings, bone's name): -1 for a bone without an entry.
+    """Declare the IntProperty that holds the index of the shown entry in a list of settings for bones.
 
-    In Pose Mode it is the entry of the active bone, and to choose another one makes its bone the active one. In other modes,
-    and for a bone without an entry, it is the one chosen last, `chosen_entry`.
+    In Pose Mode the entry of the active bone is shown; setting the index makes the bone of that entry the active bone. In different modes,
+    and for a bone without an entry, the entry that was chosen last is shown (`chosen_entry`). index_of(settings, name of a bone): index of
+    the bone's entry; -1 if it has none.
     """
 
     def get(settings):
@@ -41,9 +42,9 @@ def _active_bone(obj):
 
 
 def selected(context, name):
-    """The entries that are meant: the active one first, then those of the other selected bones, in Object Mode of the other objects.
+    """The entries that an edit of the selection changes, the active one first; an empty list if there is no active entry.
 
-    name: of the system.
+    In Pose Mode these are the entries of the selected bones, otherwise the active entries of the selected objects. name: of the system.
     """
     first = entries.active(context.object, name) if context.object and _uses(context.object, name) else None
     if first is None:
@@ -56,7 +57,7 @@ def selected(context, name):
 
 
 def posed(context):
-    """Names of the selected bones of the active rig in Pose Mode, the active one first if it is selected."""
+    """Names of the selected bones of the active rig, the active bone first if it is selected; empty if not in Pose Mode."""
     rig = context.object
     if rig is None or not _is_posed(rig):
         return []
@@ -66,7 +67,7 @@ def posed(context):
 
 
 def names_in(rig, text):
-    """The names of bones in a text with commas between; refuses what the rig has not."""
+    """List of the bone names in a comma-separated text, without repetitions. Raises Refused if the rig has no bone of a name."""
     found = [name.strip() for name in text.split(",") if name.strip()]
     for name in found:
         check_bone(rig, name)
@@ -74,7 +75,7 @@ def names_in(rig, text):
 
 
 def check_apart(found):
-    """Refuse entries that would drive the same bone. found: {bone of the entry: names of the bones that it drives}."""
+    """Raise Refused if two entries would drive one bone. found: {bone of the entry: names of the bones that it drives}."""
     taken = {}
     for entry, bones in found.items():
         for name in bones:
@@ -86,14 +87,15 @@ def check_apart(found):
 
 
 def has_entry(rig, name, bone):
-    """Whether a bone of a rig has an entry. name: of the system."""
+    """Whether a system has an entry for a bone of a rig. name: of the system. bone: name of the bone."""
     return _uses(rig, name) and bone in of_owner(registered[name], rig).entries
 
 
 def draw_add(layout, identifier, icon, words, bones=()):
-    """A button that says what it adds to. words: its text in the user's language; bones: names that it is for, else what is selected.
+    """Draw a button that adds a system, with a text that says to what; returns the button's properties.
 
-    Without words the button is grey, under the operator's own name.
+    words: the text, in the user's language; if it is empty the button is greyed out and has the operator's label. identifier: of the
+    operator. bones: names of the bones that the operator works on; if empty, it works on the selection.
     """
     row = layout.row(align=True)
     row.enabled = bool(words)
@@ -105,7 +107,7 @@ def draw_add(layout, identifier, icon, words, bones=()):
 
 
 def _uses(obj, name):
-    return has_settings(registered[name], obj)  # to ask an object for its settings would give it some
+    return has_settings(registered[name], obj)  # reading Object.motus creates the property group on the object
 
 
 def _entry_of(bone, name):
@@ -155,7 +157,7 @@ class MOTUS_OT_to_selected(Operator, bpy.types.Operator):
         self.report({'INFO'}, counted(len(others), tr("Settings copied to 1 other"), tr("Settings copied to {count} others")))
 
     def _entries(self, context, system):
-        """The entry whose settings are copied, and those that are given them. Raises Refused."""
+        """List of the entry whose settings are copied, followed by the entries that receive them. Raises Refused if one is missing."""
         if not (self.object or self.bone or self.bones):
             found = selected(context, system.name)
             if not found:
@@ -173,7 +175,7 @@ class MOTUS_OT_to_selected(Operator, bpy.types.Operator):
 
 
 def _give(system, entry, values):
-    """Wired once, and not for each of the values."""
+    """Set settings of an entry, {name: value}; the entry's owner is wired (drivers and constraints updated) once at the end."""
     owner = entry.id_data
     with entries.at_once(system, owner):
         for name, value in values.items():
@@ -181,7 +183,7 @@ def _give(system, entry, values):
 
 
 def draw_shown(layout, system, label, icon='BONE_DATA'):
-    """Draw the name of the bone whose settings follow, and the button *To All Selected*."""
+    """Draw the name of the bone whose settings are drawn below, and the button *To All Selected*. system: name of the system."""
     row = operators.offer(layout.row(align=True))
     row.label(text=label, icon=icon, translate=False)
     row.operator(MOTUS_OT_to_selected.bl_idname).system = system.name

@@ -1,4 +1,4 @@
-"""The Motus entries of the Add, Object and Pose menus, system by system; F3 search finds what stands in a menu."""
+"""The Motus submenus of Blender's Add, Object and Pose menus, grouped by system. F3 search finds operators that are in a menu."""
 
 from typing import Any
 
@@ -68,9 +68,10 @@ _OF_ALL = ("motus.bake", "motus.unbake")
 
 
 def register(systems, extra_add=()):
-    """Show the systems' operators (None draws a separator) under each system's label, and those of all at the end.
+    """Add the Motus submenus to Blender's Add, Object and Pose menus.
 
-    extra_add: operators, or names of menus, at the end of the Add menu.
+    A submenu has the operators of each system below the system's label, and at the end the operators that work for all systems. None in a
+    system's operators draws a separator. extra_add: operators, or names of menus, at the end of the Add menu.
     """
     for kind, shared in (("add", tuple(extra_add)), ("object", _OF_ALL), ("pose", _OF_ALL)):
         groups = [(panels.title(one), getattr(one, f"{kind}_menu")) for one in systems]
@@ -81,12 +82,12 @@ def register(systems, extra_add=()):
 
 
 def entries(kind):
-    """Identifiers of all operators in a menu: "add", "object" or "pose"."""
+    """Identifiers of all operators in one of the Motus menus. kind: "add", "object" or "pose"."""
     return [name for _, names in _entries[kind] for name in names if name and "." in name]
 
 
 def unregister():
-    """Take the entries back."""
+    """Remove the Motus submenus from Blender's menus."""
     bpy.types.VIEW3D_MT_pose.remove(_draw_pose)
     bpy.types.VIEW3D_MT_object.remove(_draw_object)
     bpy.types.VIEW3D_MT_add.remove(_draw_add)

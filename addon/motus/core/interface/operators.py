@@ -1,4 +1,4 @@
-"""What all operators share: where they work and why not, refusals that are reported, and the redo panel."""
+"""Base classes of operators: modes in which they work, tooltips that say why not, reports of refusals, and the redo panel."""
 
 import json
 from collections.abc import Callable, Iterable
@@ -12,38 +12,38 @@ from ..refusals import Refused, check_local
 from ..translations import tr
 
 OFFER = "motus_offer"
-"""Member of the context of a button that offers an operator for what is selected: the RNA type of that operator.
+"""Name of a context member of a button: RNA type of the operator that the button offers for the selection.
 
-Whatever runs below a pressed button has the button's context. An operator that the offered one calls, and a user's own operator
-in a menu of Motus, must not count as offered, so a button's offer names its operator.
+Everything that runs because a button was pressed has the button's context. An operator that the offered one calls, or a user's own operator
+in a menu of Motus, must not count as offered, so the member names the offered operator.
 """
 
 
 @dataclass(frozen=True)
 class Modes:
-    """Modes of the context in which an operator works, and what is said in the other ones."""
+    """Context modes in which an operator works. names: of the modes. sentence: reported in all different modes."""
 
     sentence: str
     names: frozenset
 
 
-# tr() looks the sentences up when they are said.
+# The sentences are translated when they are reported.
 OBJECT_MODE = Modes("Go to Object Mode first", frozenset({'OBJECT'}))
 OBJECT_OR_POSE_MODE = Modes("Go to Object Mode or Pose Mode first", frozenset({'OBJECT', 'POSE'}))
 OBJECT_OR_EDIT_MODE = Modes("Go to Object Mode, or to Edit Mode of a mesh", frozenset({'OBJECT', 'EDIT_MESH'}))
 
 
 def offer(layout):
-    """The layout, with buttons that are grey if their operators would refuse what is selected, and whose tooltips say why.
+    """Wrap a layout so that a button is greyed out if its operator would refuse the selection; the button's tooltip says why.
 
-    Scripts name what they mean, so that nothing but the mode counts for them.
+    Scripts name objects by keywords. The selection therefore counts only for operators in such a layout.
     """
     _pressed.clear()
     return _OfferingLayout(layout)
 
 
 class _OfferingLayout:
-    """A layout whose operator buttons, and those of the layouts made in it, have an offer each."""
+    """Wrapper of a UILayout whose operator buttons, also in layouts inside it, have the context member OFFER."""
 
     def __init__(self, layout):
         self.__dict__["_layout"] = layout
@@ -62,7 +62,7 @@ class _OfferingLayout:
         return self._offered(operator).operator_menu_enum(operator, *arguments, **keywords)
 
     def _offered(self, identifier):
-        """A row of its own, since what is set in a layout holds for all buttons that follow in it."""
+        """Create a row for one button: a context member that is set in a layout holds for all later buttons in the layout."""
         row = self._layout.row(align=True)
         module, name = identifier.split(".")
         row.context_pointer_set(OFFER, getattr(getattr(bpy.ops, module), name).get_rna_type())
@@ -70,7 +70,7 @@ class _OfferingLayout:
 
 
 _INNER = {"box", "column", "column_flow", "grid_flow", "row", "split"}
-"""Functions of a layout that make one in it."""
+"""Functions of a UILayout that create a layout inside it."""
 
 
 def _offering(make):
@@ -81,24 +81,27 @@ def _offering(make):
 
 
 _pressed = set()
-"""Operators whose buttons were pressed since buttons were drawn. Blender asks them once more, whether there shall be a redo panel:
-that works on what was selected before, and not on what the operator has made of it."""
+"""Classes of operators whose buttons were pressed since buttons were last drawn.
+
+After an operator has run, Blender polls it again to decide whether to show the redo panel. The redo panel repeats the operator on the
+selection before, not on what the operator has selected, so that poll must not check the selection.
+"""
 
 
 def is_offered(context, cls):
-    """Whether a button offers the operator of this class for what is selected, and not a script."""
+    """Whether an operator is called by a button that offers it for the selection, and not by a script. cls: its class."""
     offered = getattr(context, OFFER, None)
     return offered is not None and offered.identifier == _rna_name(cls.bl_idname)
 
 
 def _rna_name(identifier):
-    """Name of the RNA type of the operator with this bl_idname."""
+    """Name of the RNA type of the operator with this bl_idname, such as "MOTUS_OT_bake" for "motus.bake"."""
     module, name = identifier.split(".")
     return f"{module.upper()}_OT_{name}"
 
 
 def select_only(context, *objects):
-    """Select these objects alone; the first is the active one."""
+    """Select these objects and nothing else; the first one becomes the active object."""
     for obj in context.selected_objects:
         obj.select_set(False)
     for obj in objects:
@@ -107,12 +110,12 @@ def select_only(context, *objects):
 
 
 def object_keyword(description):
-    """The property by which scripts name an object."""
+    """Declare the StringProperty of an operator by which scripts name an object."""
     return bpy.props.StringProperty(name="Object", description=description, options={'SKIP_SAVE'})
 
 
 def named_or_active(context, name):
-    """The object of this name in the scene; the active object if the name is empty."""
+    """The object of this name in the scene; the active object if the name is empty. Raises Refused if there is none."""
     if not name:
         if context.object is None:
             raise Refused(tr("Select an object, or name one"))
@@ -124,10 +127,11 @@ def named_or_active(context, name):
 
 
 class Operator:
-    """Mixin of operators. run(context) does the work, and raises Refused with a sentence.
+    """Mixin of operators. run(context) does the work, and raises Refused with a sentence if it cannot.
 
-    modes: where it works; None everywhere. redo: groups of rows that the redo panel draws (core/interface/rows.py). for_scripts:
-    keywords that it does not draw, beside those that are plainly for scripts (see is_for_scripts).
+    modes: the Modes in which the operator works; None for all modes. needs_native: whether it needs the native module. redo: groups of rows
+    that the redo panel draws (core/interface/rows.py). for_scripts: keywords that the redo panel does not draw, in addition to those for
+    which is_for_scripts() is true.
     """
 
     bl_options: Any = {'REGISTER', 'UNDO'}
@@ -149,7 +153,7 @@ class Operator:
 
     @classmethod
     def check_place(cls, context):
-        """Refuse a context in which the operator never works."""
+        """Raise Refused if the operator cannot work in the context: the native module is missing, or the mode is a wrong one."""
         if cls.needs_native and native.module is None:
             raise Refused(native.status.sentence)
         if cls.modes and context.mode not in cls.modes.names:
@@ -157,7 +161,7 @@ class Operator:
 
     @classmethod
     def check_offer(cls, context):
-        """Refuse what is selected, where the operator without keywords would."""
+        """Raise Refused if the operator, called without keywords, would refuse the selection. Operators override this method."""
 
     def execute(self, context):
         try:
@@ -169,7 +173,7 @@ class Operator:
         return {'FINISHED'}
 
     def refuse(self, refusal):
-        """Report why nothing was done."""
+        """Report the sentence of a Refused as an error; returns {'CANCELLED'}."""
         self.report({'ERROR'}, str(refusal))
         return {'CANCELLED'}
 
@@ -182,22 +186,22 @@ class Operator:
         self.draw_below(context)
 
     def draw_below(self, context):
-        """Draw what is no row."""
+        """Draw further content of the redo panel below the rows. Operators override this method."""
 
     def is_given(self, name):
-        """Whether the caller gave a keyword."""
+        """Whether the caller of the operator has set a keyword. name: of the keyword."""
         return self.properties.is_property_set(name)
 
     def given(self, names):
-        """{name: value} of the keywords among `names` that the caller gave."""
+        """{name: value} of the keywords among `names` that the caller of the operator has set."""
         return {name: getattr(self, name) for name in names if self.is_given(name)}
 
 
 class FindsValues(Operator):
-    """Mixin of operators that find values which the caller did not give, so that the redo panel shows the values that were used.
+    """Mixin of operators that find values for keywords that the caller has not set; the redo panel shows the values used.
 
-    A found value is set in the operator, for the redo panel shows nothing else, and noted: it does not count as given until it
-    is changed.
+    A found value is set in the operator, because the redo panel shows only what is set. The value is also stored in `found_values`, and the
+    keyword does not count as given until the user changes the value.
     """
 
     found_values: bpy.props.StringProperty(options={'HIDDEN'})
@@ -206,7 +210,10 @@ class FindsValues(Operator):
         return super().is_given(name) and not self._is_found(name)
 
     def show_used(self, settings, names):
-        """Copy from new settings the values of all keywords among `names` that the caller did not give."""
+        """Copy the values of settings to those keywords among `names` that the caller has not set.
+
+        settings: property group that the operator has just set up, with the values that were used.
+        """
         found = {}
         for name in names:
             if not self.is_given(name):
@@ -220,7 +227,7 @@ class FindsValues(Operator):
 
 
 def _plain(value):
-    """The value of a property as JSON has it."""
+    """Value of a property in a form that JSON can store: a set becomes a sorted list, an array a list."""
     if isinstance(value, set):
         return sorted(value)
     return value if isinstance(value, (str, bool, int, float)) else list(value)
@@ -229,8 +236,8 @@ def _plain(value):
 class OfAnObject(Operator):
     """Mixin of operators on an object on which a system is set up.
 
-    found(context, name): the object of this name, or the active object if the name is empty. Raises Refused if the system is not set
-    up on that object.
+    found(context, name): the object of this name, or the active object if the name is empty. Raises Refused if the system is not set up on
+    that object.
     """
 
     found: Callable[..., Any]
@@ -241,9 +248,10 @@ class OfAnObject(Operator):
 
 
 class OfARig(Operator):
-    """Mixin of operators on a system's set-up of a rig, for the modes in which constraints can be changed.
+    """Mixin of operators on a rig on which a system is set up; they work in the modes in which constraints can be changed.
 
-    rig_with(context, name): the rig of this name, or the active one, where it has such a set-up; else raises Refused.
+    rig_with(context, name): the rig of this name, or the active object if the name is empty. Raises Refused if the system is not set up on
+    that rig.
     """
 
     object: object_keyword("Name of the armature; empty takes the active one")
@@ -256,7 +264,10 @@ class OfARig(Operator):
 
 
 def is_for_scripts(prop):
-    """Whether a keyword names things or places, which an artist selects: an RNA property of an operator."""
+    """Whether an operator's keyword is only for scripts: a keyword that names things or places, which a user selects instead.
+
+    prop: RNA property of the keyword.
+    """
     if prop.is_hidden or prop.type in {'STRING', 'POINTER', 'COLLECTION'}:
         return True
     if prop.type == 'INT' and not prop.is_array:

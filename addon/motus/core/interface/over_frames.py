@@ -1,4 +1,4 @@
-"""Operators that take their time, most of them through a range of frames: with progress, cancelled by Esc, and tidied up whatever happens."""
+"""Mixins of operators that work in steps, most of them through a range of frames: with progress, cancelling by Esc, and clean-up."""
 
 import math
 import time
@@ -13,11 +13,14 @@ from .rows import Row, Rows, is_not, is_one_of
 from .view import viewports
 
 SLICE = 0.1
-"""Seconds of work between two redraws: drawn more often, a heavy scene takes more time for the progress than for the work."""
+"""Seconds of work between two redraws. With more redraws, a heavy scene would take longer for drawing than for the work."""
 
 
 def frame_range(start, end, step):
-    """The frames from start to end inclusive; floats where the step is not whole."""
+    """List of the frames from start to end inclusive, at distances of `step`. Raises Refused if end is before start.
+
+    The frames are floats if `step` is a float.
+    """
     if end < start:
         raise Refused(tr("The range is empty: the end frame comes before the start frame"))
     count = math.floor((end - start) / step + 1e-6) + 1
@@ -25,7 +28,7 @@ def frame_range(start, end, step):
 
 
 def current(scene):
-    """The current frame alone, with its fraction."""
+    """List that holds only the scene's current frame, with its fraction."""
     return [scene.frame_current + scene.frame_subframe]
 
 
@@ -38,7 +41,7 @@ RANGES = (
 
 
 def span(operator, scene):
-    """(first, last) frame of the operator's range."""
+    """(first, last) frame of the range that an operator's keywords choose in a scene."""
     if operator.range == 'CURRENT':
         return 2 * current(scene)
     if operator.range == 'PREVIEW' and scene.use_preview_range:
@@ -48,10 +51,10 @@ def span(operator, scene):
 
 
 class Job(Operator):
-    """Mixin of an operator that does its work in steps, in the window between redraws.
+    """Mixin of an operator that works in steps. If it was started in the window, Blender redraws between the steps.
 
-    begin(context): how many steps there are, and a generator of how many are done, which puts everything back where it is
-    closed before its end. result(context) reports what came of them.
+    begin(context): returns (number of steps, generator of the number of steps done). If the generator is closed before its end, it must
+    restore what it has changed. result(context): reports the outcome.
     """
 
     _steps: Any = None
@@ -74,18 +77,21 @@ class Job(Operator):
 
     def cancel(self, context):
         if self._steps is None:
-            return  # it has not begun
+            return  # the first step was not begun
         self._steps.close()
         context.window_manager.progress_end()
         if self._timer:
             context.window_manager.event_timer_remove(self._timer)
             self._timer = None
             context.workspace.status_text_set(None)
-            # Blender draws nothing anew after what a timer's event has done.
+            # Blender does not redraw by itself after a timer event.
             viewports.redraw(None)
 
     def _guarded(self, context, function):
-        """The result of `function(context)`; if it raises, nothing of the operator is left running."""
+        """Return function(context). If it raises, close the generator of steps and remove the timer.
+
+        Refused is reported as an error of the operator. A different exception is raised again.
+        """
         try:
             return function(context)
         except Refused as refusal:
@@ -137,8 +143,9 @@ class Job(Operator):
 class OverFrames(Job):
     """Mixin of an operator that steps through a range of frames, with a progress indicator and cancelling by Esc.
 
-    steps(context, frames): generator of the number of steps done, out of self.total, by default the number of frames. When it is
-    closed early, it must restore what it has changed. result(context): reports the outcome.
+    steps(context, frames): returns a generator of the number of steps done. If the generator is closed before its end, it must restore what
+    it has changed. It may set self.total, the number of all steps, which is the number of frames by default. result(context): reports the
+    outcome.
     If the operator is started in the window without a range, it first shows a dialog that asks for the range.
     """
 
@@ -192,7 +199,7 @@ class OverFrames(Job):
         return self.total, self.steps(context, frames)
 
     def frames(self, scene):
-        """The frames to go through, in their order. Raises Refused."""
+        """The frames to go through, in their order, as the operator's keywords choose. Raises Refused if there is none."""
         check_finite(self, ("step",))
         if self.range == 'CURRENT':
             return current(scene)

@@ -1,4 +1,4 @@
-"""What all systems show in the viewport: each gives batches of lines and points for a selected object, and a sentence for the active one."""
+"""Viewport overlay of all systems: each system draws lines and points for selected objects, and a sentence for the active object."""
 
 import logging
 from collections.abc import Callable
@@ -17,7 +17,7 @@ log = logging.getLogger(__name__)
 
 
 class MOTUS_PG_scene(bpy.types.PropertyGroup):
-    """Settings that belong to the scene: what the viewport shows. Systems add the switches of their overlays, and the settings of their tools."""
+    """Settings of a scene: switches of the viewport overlay, and settings of the systems' tools; registration adds both."""
 
     show_overlay: bpy.props.BoolProperty(
         name="Overlay", description="Show what the systems compute in the viewport", default=True, options=set()
@@ -28,10 +28,10 @@ classes = (MOTUS_PG_scene,)
 
 
 class Batch(NamedTuple):
-    """Lines or points in world space.
+    """Lines or points to be drawn in world space.
 
-    kind: 'LINES' (pairs), 'LINE_STRIP' or 'POINTS'. points: (n, 3) float32. colors: one (r, g, b, a), or (n, 4) float32
-    for lines. width: pixels.
+    kind: 'LINES' (pairs of points), 'LINE_STRIP' or 'POINTS'. points: (n, 3) float32. colors: one (r, g, b, a) tuple for all, or (n, 4)
+    float32 for the points of lines. width: of the lines or points in pixels.
     """
 
     kind: str
@@ -41,7 +41,7 @@ class Batch(NamedTuple):
 
 
 class Switch(NamedTuple):
-    """A part of a system's overlay that can be hidden: becomes Scene.motus.<name>."""
+    """Declaration of a switch that hides a part of a system's overlay: the boolean property Scene.motus.<name>."""
 
     name: str
     label: str
@@ -51,9 +51,10 @@ class Switch(NamedTuple):
 
 @dataclass(frozen=True)
 class Overlay:
-    """What a system shows of a selected object: draw(context, owner) gives batches.
+    """Declaration of a system's viewport overlay. draw(context, owner): returns the Batches for a selected object.
 
-    note(context, owner): a sentence that the viewport shows while the object is the active one, or "".
+    note(context, owner): returns a sentence that the viewport shows while the object is the active one, or "". switches: the Switches of
+    parts of the overlay.
     """
 
     draw: Callable
@@ -65,17 +66,17 @@ class Overlay:
 
 
 def switch_of(system):
-    """Name of the property of Scene.motus that shows what the system draws at all."""
+    """Name of the boolean property of Scene.motus that shows or hides the whole overlay of a system."""
     return f"show_{system.name}"
 
 
 def switches_of(system):
-    """The Switches that a system declares."""
+    """The Switches that a system's overlay declares for its parts; an empty tuple if there are none."""
     return getattr(system.overlay, "switches", ())
 
 
 def properties_of(system):
-    """{name: property} of Scene.motus that the system's overlay has."""
+    """{name: BoolProperty} that Scene.motus gets for a system's overlay; {} if the system has no overlay."""
     if system.overlay is None:
         return {}
     found = {
@@ -91,27 +92,30 @@ def properties_of(system):
 
 
 NOTE_HEIGHT = 24.0
-"""Pixels above the viewport's lower edge, at the interface's normal size."""
+"""Height of the lowest note above the viewport's lower edge, and of each further line, in pixels at an interface scale of 1."""
 
 _handler = []
 _failed = set()
 
 
 def register():
-    """Add the viewport draw handlers that draw the overlays of all systems and their notes."""
+    """Add the viewport draw handlers that draw the overlays of all systems and their notes (sentences about the active object)."""
     for function, kind in ((_draw, 'POST_VIEW'), (_draw_notes, 'POST_PIXEL')):
         _handler.append(bpy.types.SpaceView3D.draw_handler_add(function, (), 'WINDOW', kind))
 
 
 def unregister():
-    """Stop drawing."""
+    """Remove the viewport draw handlers of the overlays and notes."""
     _failed.clear()
     while _handler:
         bpy.types.SpaceView3D.draw_handler_remove(_handler.pop(), 'WINDOW')
 
 
 def batches(context):
-    """All batches for the context's selection; of what is baked nothing is computed."""
+    """List of the Batches that the switched-on overlays draw for the active and the selected objects.
+
+    No Batch is computed for an object on which the system is baked.
+    """
     owners = {found.name_full: found for found in [context.object, *context.selected_objects] if found}
     return [
         batch
@@ -123,7 +127,7 @@ def batches(context):
 
 
 def notes(context):
-    """The notes that the overlays of the systems give on the active object, as sentences in the user's language."""
+    """List of the sentences that systems' overlays show about the active object, in the user's language."""
     found = [
         system.overlay.note(context, context.object)
         for system in _switched_on(context)
@@ -133,7 +137,7 @@ def notes(context):
 
 
 def is_shown(context, system):
-    """Whether the context's viewport shows what the system draws."""
+    """Whether the context's viewport draws the overlay of a system."""
     return _is_on(context) and system in _switched_on(context)
 
 
@@ -160,7 +164,7 @@ def _draw_found(find, draw):
     try:
         found = find(context)
     except Exception as error:
-        # Drawn at every redraw: said once, not sixty times a second.
+        # The overlay is drawn at every redraw. An error is logged once, not sixty times a second.
         if repr(error) not in _failed:
             _failed.add(repr(error))
             log.exception("Motus: the overlay could not be computed")

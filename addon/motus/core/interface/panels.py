@@ -1,7 +1,7 @@
-"""A system's panels, made of what it declares: settings first, then read-outs, actions last, Refresh in a menu.
+"""Panel classes of a system, generated from its declaration: settings first, then read-outs, actions last, Refresh in a menu.
 
-Where the object does not use the system there is no panel; a short one for all systems adds it. What is baked
-looks baked: a box with the frames, settings that are grey, and no read-outs.
+If the object does not use the system there is no panel; the panel *Add*, one for all systems, adds the system. If the system is baked, its
+panel has a box with the baked frames, its settings are greyed out, and it has no read-outs.
 """
 
 from collections.abc import Callable
@@ -20,9 +20,11 @@ REFRESH = "motus.refresh"
 
 @dataclass(frozen=True)
 class Part:
-    """A sub-panel. draw(layout, context); draw_header(layout, context) draws before the label.
+    """Declaration of a sub-panel of a system's panel. name: end of the class name. label: title.
 
-    is_action: it stands behind the read-outs.
+    draw(layout, context): draws the content. is_open: whether the sub-panel is open at first. is_shown(context): whether the sub-panel is
+    shown; None shows it always. draw_header(layout, context): draws in the header before the label. is_action: whether the sub-panel is
+    placed behind the read-outs.
     """
 
     name: str
@@ -38,16 +40,17 @@ class Part:
 class SystemPanel:
     """Declaration of a system's panel, from which a panel class is generated for each editor.
 
-    name: of the system. prefix: start of the class names. editors: {end of the class name: mixin that sets space and region}.
-    labels: {end of the class name: label} of editors with a label of their own.
-    owner(context): the object or scene whose settings are shown, by default the active object. suits(owner): whether the system can
-    be used on it. is_used(owner): whether the system is set up on it. Without is_used the panel is shown for every suitable owner,
-    and is closed at first.
-    has_settings(owner): whether all parts of the panel are drawn; otherwise only `draw` is called.
-    draw, readouts, actions: functions of (layout, context). adders: operators that add the system, or a function
-    draw_add(layout, context) that draws their buttons; these do not depend on the selection.
-    draw_about(layout, context): draws facts about the active object below the buttons of all adders.
-    refresh: operator that sets the system up again, usually REFRESH.
+    name: of the system. prefix: start of the class names. label: title of the panel. translation_context: of the label. editors: {end of a
+    class name: mixin that sets space and region}. labels: {end of a class name: title} of editors with a different title.
+    owner(context): returns the object or scene whose settings are shown, by default the active object. suits(owner): whether the system can
+    be used on the owner. is_used(owner): whether the system is set up on the owner; if is_used is None, the panel is shown for every
+    suitable owner, and is closed at first. has_settings(owner): whether all parts of the panel are drawn; otherwise only `draw` is called.
+    has_settings None draws all parts.
+    draw, readouts, actions: functions of (layout, context). parts: the Parts, each a sub-panel. presets: preset panel, opened from the
+    header. adders: operators that add the system. draw_add(layout, context): draws the buttons that add the system, in place of `adders`.
+    The buttons do not depend on the selection. draw_about(layout, context): draws facts about the active object below the buttons of all
+    systems.
+    refresh: operator that sets the system up again, usually REFRESH; "" for none.
     """
 
     name: str
@@ -71,23 +74,29 @@ class SystemPanel:
     labels: dict = field(default_factory=dict)
 
     def is_shown(self, context):
-        """Whether the context's owner has the panel."""
+        """Whether the panel is shown for its owner in the context, such as the active object."""
         owner = self.owner(context)
         return owner is not None and self.suits(owner) and (self.is_used is None or bool(self.is_used(owner)))
 
     def shows_settings(self, context):
-        """Whether the owner's own settings, and with them all parts, are drawn."""
+        """Whether all parts of the panel are drawn, not only its message about the native module or the result of `draw`.
+
+        They are drawn if the native module can be used, the panel is shown, and its owner in the context has settings of its own.
+        """
         if native.module is None or not self.is_shown(context):
             return False
         return self.has_settings is None or bool(self.has_settings(self.owner(context)))
 
     def baked_frames(self, context):
-        """(first, last) of what of the system is baked on the context's owner, or on its leader; None without."""
+        """(first, last) frame, as text, of the system's baked motion of the context's owner; None if the motion is not baked.
+
+        The owner's motion may also be baked with its leader, the object whose settings drive it.
+        """
         return state.frames(registered[self.name], self.owner(context))
 
 
 def classes(panel):
-    """The panels of a system in all editors, each before its sub-panels, and the menus that they open."""
+    """Generate the panel classes of a system for all editors, each before its sub-panels, and the menus that panels open."""
     found = []
     for end, editor in panel.editors.items():
         found += _of_editor(panel, end, editor)
@@ -105,7 +114,7 @@ def _of_editor(panel, end, editor):
 
 
 def _parts(panel, menu=None):
-    """(end of the class's name, mixin) of the sub-panels, in their order."""
+    """List of (end of the class name, mixin) of a panel's sub-panels, in the order in which they are drawn."""
     settings = [part for part in panel.parts if not part.is_action]
     tools = [part for part in panel.parts if part.is_action]
     return [
@@ -121,7 +130,7 @@ def _common(panel):
 
 
 def _menu(panel, name):
-    """Menu *More* of a panel, for what is seldom needed."""
+    """Generate the menu *More* of a panel, with actions that users seldom need, such as Refresh."""
 
     def draw(self, _context):
         button = operators.offer(self.layout).operator(panel.refresh, icon='FILE_REFRESH')
@@ -150,7 +159,7 @@ def _main(panel):
 
 
 def draw(panel, layout, context):
-    """The first part of a system's panel."""
+    """Draw the main part of a system's panel: an error of the native module, the box of baked frames, the settings."""
     if not ui.draw_native_status(layout):
         return
     frames = panel.baked_frames(context)
@@ -187,9 +196,9 @@ def _part(panel, part):
 
 
 class _WithoutHeader:
-    """Mixin of sub-panels that go on below the settings."""
+    """Mixin of sub-panels without a header, which look like a continuation of the panel above them."""
 
-    bl_label = ""  # a popover would show it
+    bl_label = ""  # a popover would show the label
     bl_options = {'HIDE_HEADER'}
 
 
@@ -197,7 +206,7 @@ def _readouts(panel):
     class Readouts(_WithoutHeader):
         @classmethod
         def poll(cls, context):
-            # What is baked is not computed any more.
+            # A baked system does not run its solver, so there are no results to show.
             return panel.shows_settings(context) and panel.baked_frames(context) is None
 
         def draw(self, context):
@@ -223,9 +232,10 @@ def _actions(panel, menu):
 
 
 class _Adding:
-    """Panel *Add*: what is selected, and the buttons of all systems.
+    """Panel *Add*: the name of the active object, and the buttons that add systems.
 
-    The buttons are the same whatever is selected, so that each keeps its place; those that do not suit are grey, and say why.
+    The buttons do not depend on the selection, so that each keeps its place. A button that does not suit the selection is greyed out, and
+    its tooltip says why.
     """
 
     def draw(self, context):
@@ -248,17 +258,17 @@ class _Adding:
 
 
 menus_of_scenes = []
-"""Names of menus, at the end of the panel *Add*, that make whole scenes; set by registration."""
+"""Names of menus, at the end of the panel *Add*, that create whole scenes. Registration fills this list."""
 
 
 class MOTUS_PT_sidebar(_Adding, ui.Sidebar, bpy.types.Panel):
     bl_label = "Add"
-    bl_translation_context = "Operator"  # where Blender's Spanish has the verb that its buttons have
+    bl_translation_context = "Operator"  # in this context Blender's Spanish translation has the verb of Blender's buttons
     bl_order = 90
 
 
 class _Overlay:
-    """Panel *Overlay*: switches of what the viewport shows, first those of systems that the active object uses."""
+    """Panel *Overlay*: switches of the viewport overlays of all systems, first of the systems that the active object uses."""
 
     def draw_header(self, context):
         self.layout.prop(context.scene.motus, "show_overlay", text="")
@@ -298,12 +308,12 @@ def _draw_switches(column, shown, system):
 
 
 def is_used(system, context):
-    """Whether the context's owner uses a system; tools, which are there for all that suits, are not used."""
+    """Whether the owner in the context, such as the active object, uses a system. Always False for tools, whose panels have no is_used."""
     return any(panel.is_used and panel.is_shown(context) for panel in described(system))
 
 
 def draw_add(panel, layout, context):
-    """The buttons that add a system to the context's owner."""
+    """Draw the buttons that add a system to the owner in the context, such as the active object. panel: the SystemPanel."""
     if panel.draw_add:
         panel.draw_add(layout, context)
         return

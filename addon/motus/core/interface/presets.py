@@ -1,4 +1,4 @@
-"""Presets of a system's settings: those that Motus brings, and the user's own by Blender's preset panel."""
+"""Presets of a system's settings: those that Motus contains, and the user's own ones in Blender's preset panel."""
 
 from typing import NamedTuple
 
@@ -14,7 +14,10 @@ from .rows import Rows
 
 
 class Preset(NamedTuple):
-    """One that Motus brings. values: {name of a setting: value, in metres}; what only others of the system name is at its default."""
+    """A preset that Motus contains. values: {name of a setting: value, lengths in metres}.
+
+    Settings that only different presets of the system name are set to their defaults.
+    """
 
     identifier: str
     label: str
@@ -23,14 +26,14 @@ class Preset(NamedTuple):
 
 
 def classes(name, label, values, brought=(), settings_of=None):
-    """(operator that keeps the settings or removes a preset, panel) of a system.
+    """Create the classes for presets of a system: (operator that adds or removes a preset of the user, preset panel).
 
-    Where it brings Presets, the operator that uses one too, last.
+    If `brought` is not empty, a third class follows: the operator that applies a preset of Motus.
 
-    name: the folder below Blender's presets/motus, and in the classes' names. values: Python expressions of the settings.
-    settings_of(context): the settings that a brought Preset changes, or None; a list of them where a preset is given to all
-    that is selected.
-    Blender's preset_defines, which would make these shorter, do not work with Python 3.13 (Blender 4.3 on Debian).
+    name: of the folder below Blender's presets/motus, and in the names of the classes. label: of the system. values: Python expressions of
+    the settings that a preset of the user stores. brought: Presets that Motus contains. settings_of(context): the settings to which a
+    preset of Motus is applied: a property group, a list of them if the preset is applied to the whole selection, or None.
+    Blender's preset_defines, which would make the expressions shorter, do not work with Python 3.13 (Blender 4.3 on Debian).
     """
     operator, menu, folder = f"motus.{name}_preset_add", f"MOTUS_PT_{name}_presets", f"motus/{name}"
     add = type(
@@ -102,7 +105,7 @@ def _default(settings, name):
 
 
 class _Panel:
-    """Menu of presets: Motus' own above the user's."""
+    """Mixin of a preset panel that lists the presets of Motus above those of the user."""
 
     def draw(self, context):
         layout = self.layout
@@ -118,7 +121,7 @@ class _Panel:
                 layout.separator()
             super().draw(context)  # type: ignore[misc]
             return
-        # Blender's own would say that paths are missing.
+        # Without a folder of presets, PresetPanel.draw() would show an error about missing paths.
         manager = context.window_manager
         row = layout.row()
         row.prop(manager, "preset_name", text="")

@@ -1,4 +1,4 @@
-"""motus.refresh, for every system."""
+"""The operator motus.refresh, which rebuilds the drivers and constraints that a system has set up."""
 
 import bpy
 
@@ -10,7 +10,11 @@ from .operators import OBJECT_OR_POSE_MODE, Operator, named_or_active, object_ke
 
 
 def _owner_and_systems(thing, name):
-    """(owner, systems) to wire anew for an owner or one of the things that it drives; name: "" for every system of the owner."""
+    """Find what to rebuild for an object: (owner, [System]). Raises Refused if no system drives the object.
+
+    thing: an owner (object whose settings a system solves), or an object that an owner drives. name: of one system; "" for all systems of
+    the owner.
+    """
     for owner, systems in wired_on(thing):
         chosen = [one for one in systems if name in ("", one.name)]
         if chosen:

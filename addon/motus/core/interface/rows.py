@@ -1,4 +1,4 @@
-"""Rows of settings, declared once: a panel draws them for the settings, and the redo panel for an operator's keywords."""
+"""Rows of settings, declared once: a panel draws them for a property group, the redo panel for an operator's keywords."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,33 +9,34 @@ from .view import widths
 
 
 def is_one_of(name, *values):
-    """A condition: the setting has one of the values."""
+    """Condition for a row: the setting of this name has one of the values."""
     return lambda settings: getattr(settings, name) in values
 
 
 def is_not(name, *values):
-    """A condition: the setting has another value."""
+    """Condition for a row: the setting of this name has none of the values."""
     return lambda settings: getattr(settings, name) not in values
 
 
 def is_positive(name):
-    """A condition: the setting is above 0."""
+    """Condition for a row: the setting of this name is above 0."""
     return lambda settings: getattr(settings, name) > 0.0
 
 
 def is_given(name):
-    """A condition: the caller of the operator gave the keyword, or it has set it itself."""
+    """Condition for a row: the operator's keyword of this name was set, by the caller or by the operator itself."""
     return lambda operator: operator.is_given(name)
 
 
 @dataclass(frozen=True)
 class Row:
-    """One property.
+    """One property in a panel or in the redo panel.
 
-    when: condition on the settings; without it the row is always there. active: condition, or the row is drawn dim.
-    switch: name of a boolean that stands before the field. search: gives (data, name of a collection of it) to choose
-    a name from. expand: shows all items of an enumeration, one below the other where it `stacks`. text: another label than
-    the property's name.
+    name: of the property. when: condition on the settings; if it is false the row is not drawn, None draws it always. active: condition on
+    the settings; if it is false the row is dimmed. switch: name of a boolean property that is drawn before the field. search: function of
+    the settings that returns (data, name of a collection in it), from which the user chooses a name. expand: draws all items of an
+    enumeration, side by side, or one below the other if `stacks` is true. text: label instead of the property's name. text_ctxt:
+    translation context of `text`.
     """
 
     name: str
@@ -50,11 +51,14 @@ class Row:
 
     @property
     def names(self):
-        """Names of all properties that the row draws."""
+        """Names of all properties that the row draws: the switch, if there is one, and the property itself."""
         return (self.switch, self.name) if self.switch else (self.name,)
 
     def fits(self, settings):
-        """Whether the region that is drawn has room for the label, or the items, beside or among the fields."""
+        """Whether the region that is drawn is wide enough for the row.
+
+        A label needs room beside its field, a checkbox's label and expanded items need room among the fields.
+        """
         prop = _properties(settings)[self.name]
         label = bpy.app.translations.pgettext_iface(
             prop.name if self.text is None else self.text, self.text_ctxt or prop.translation_context
@@ -67,16 +71,16 @@ class Row:
         return widths.label_fits(label)
 
     def draw(self, layout, settings):
-        """Draw the property, unless the row's condition `when` is false for these settings."""
+        """Draw the row, unless its condition `when` is false for the settings. settings: property group, or an operator."""
         if self.when and not self.when(settings):
             return
         words = {} if self.text is None else {"text": self.text, "text_ctxt": self.text_ctxt}
         properties = _properties(settings)
         if self.expand and not self.stacks:
-            # Only beside fields do items that stand side by side have the property's name.
+            # Blender draws the property's name beside expanded items only if labels are split from fields.
             row = layout.row(align=True, heading="" if layout.use_property_split else properties[self.name].name)
         else:
-            row = layout.column(align=True)  # in a row the parts of a vector would be too narrow
+            row = layout.column(align=True)  # in a row the components of a vector would be too narrow
         row.active = self.active is None or bool(self.active(settings))
         if self.switch:
             row = layout.row(heading=properties[self.name].name, align=True)
@@ -87,14 +91,14 @@ class Row:
             row.prop_search(settings, self.name, *self.search(settings), **words)
         else:
             prop = properties[self.name]
-            # Of a number with another unit Blender warns when its subtype is asked for.
+            # Blender prints a warning if the subtype of a number with a unit is read.
             is_factor = prop.unit == 'NONE' and prop.subtype == 'FACTOR'
             row.prop(settings, self.name, slider=is_factor, expand=self.expand, **words)
 
 
 @dataclass(frozen=True)
 class Rows:
-    """Rows that belong together, under a title where they have one. rows: of Row, or names of properties."""
+    """A group of rows, with a title if it is not empty. rows: Row objects, or names of properties. when: condition for the group."""
 
     rows: tuple
     title: str = ""
@@ -103,7 +107,7 @@ class Rows:
 
     @property
     def names(self):
-        """Names of all properties that can be drawn."""
+        """Names of all properties that the group's rows can draw."""
         return tuple(name for row in self._rows for name in row.names)
 
     @property
@@ -111,13 +115,13 @@ class Rows:
         return [row if isinstance(row, Row) else Row(row) for row in self.rows]
 
     def draw(self, layout, settings, has_title=False):
-        """Draw the rows that matter, and the title where several groups stand below each other."""
+        """Draw the rows whose conditions are true for the settings. has_title: whether the title is drawn, if there is one."""
         shown = [row for row in self._rows if row.when is None or row.when(settings)]
         if not shown or (self.when and not self.when(settings)):
             return
         column = layout.column()
         if column.use_property_split and not all(row.fits(settings) for row in shown):
-            column.use_property_split = False  # labels stand within the fields then
+            column.use_property_split = False  # labels are drawn inside the fields then
         if has_title and self.title:
             column.label(text=self.title, text_ctxt=self.text_ctxt)
         for row in shown:
@@ -125,5 +129,5 @@ class Rows:
 
 
 def _properties(settings):
-    """RNA properties of settings, or of an operator's keywords."""
+    """RNA properties of a property group, or of an operator's keywords."""
     return getattr(settings, "properties", settings).bl_rna.properties

@@ -1,4 +1,4 @@
-"""Panel parts that all systems share."""
+"""Parts of panels that all systems share: base classes for each editor, messages, lists and read-outs."""
 
 from typing import Any, NamedTuple
 
@@ -9,11 +9,11 @@ from .view import playback, widths
 
 TAB = "Motus"
 FEWEST = 16
-"""Characters in a line, however narrow the region."""
+"""Smallest number of characters in a line of a message, however narrow the region is."""
 
 
 class Sidebar:
-    """Mixin of panels in the 3D view's sidebar."""
+    """Mixin of panels in the tab Motus of the 3D viewport's sidebar."""
 
     bl_space_type: Any = 'VIEW_3D'
     bl_region_type: Any = 'UI'
@@ -21,7 +21,7 @@ class Sidebar:
 
 
 class CompositorSidebar:
-    """Mixin of panels in the compositor's sidebar."""
+    """Mixin of panels in the tab Motus of the node editor's sidebar, for the compositor."""
 
     bl_space_type = 'NODE_EDITOR'
     bl_region_type = 'UI'
@@ -36,25 +36,25 @@ class _Properties:
 
 
 class ObjectConstraints(_Properties):
-    """Mixin of panels among the constraints of an object."""
+    """Mixin of panels in the tab of object constraints of the properties editor."""
 
     bl_context = "constraint"
 
 
 class CameraData(_Properties):
-    """Mixin of panels in the properties of a camera."""
+    """Mixin of panels in the data tab of the properties editor, for a camera."""
 
     bl_context = "data"
 
 
 class ArmatureData(_Properties):
-    """Mixin of panels in the properties of an armature."""
+    """Mixin of panels in the data tab of the properties editor, for an armature."""
 
     bl_context = "data"
 
 
 class BoneConstraints(_Properties):
-    """Mixin of panels among the constraints of a bone."""
+    """Mixin of panels in the tab of bone constraints of the properties editor."""
 
     bl_context = "bone_constraint"
 
@@ -73,7 +73,7 @@ class MOTUS_OT_copy_text(bpy.types.Operator):
 
 
 def draw_native_status(layout):
-    """Say what is wrong with the native module, with a copy button; True where all is well."""
+    """If the native module cannot be used, draw an error and a button that copies the error. Returns whether the module can be used."""
     if native.module is not None:
         return True
     draw_message(layout, native.status.sentence, 'ERROR')
@@ -82,9 +82,10 @@ def draw_native_status(layout):
 
 
 def draw_problem(layout, context, system, owner, tell=None):
-    """Draw the message of the system's current Problem with an owner, if there is one; returns the Problem or None.
+    """Draw the message of the Problem that a system has with an owner at present, if there is one; returns the Problem or None.
 
-    tell(problem): sentence that replaces the Problem's own one.
+    A Problem says why a solver computes nothing, or not everything. owner: object whose settings the system solves. tell(problem): returns
+    a sentence that is drawn instead of the Problem's own sentence.
     """
     problem = wiring.problem(system, owner, context.view_layer.depsgraph)
     if problem:
@@ -93,28 +94,29 @@ def draw_problem(layout, context, system, owner, tell=None):
 
 
 def draw_bake(layout):
-    """The button that bakes all that Motus does to the object; what is baked has a box with the one that unbakes (panels.py).
+    """Draw the button that bakes all systems of the active object. The button that unbakes is in the box of baked frames (panels.py).
 
-    A system that stayed live would act once more on top of the keyframes, which hold what all systems together do.
+    The keyframes hold the result of all systems together. A system that stayed live would act again on top of the keyframes.
     """
     layout.operator("motus.bake", icon='KEYFRAME').system = ""
 
 
 def draw_list(layout, kind, settings, name, active, add, remove, rows=3):
-    """Draw a UIList with an add and a remove button; returns (add button's properties, remove button's properties, column of the buttons).
+    """Draw a UIList with an Add and a Remove button beside it.
 
-    kind: class name of the UIList. name, active: properties of `settings` with the items and the active index.
-    add, remove: names of the operators.
+    Returns (properties of the Add button, properties of the Remove button, column of the buttons). kind: class name of the UIList. name,
+    active: properties of `settings` that hold the items and the active index. add, remove: identifiers of the operators. rows: height of
+    the list.
     """
     row = layout.row()
-    row.use_property_split = row.use_property_decorate = False  # dots for keys would leave no room for names
+    row.use_property_split = row.use_property_decorate = False  # the dots that insert keyframes would leave no room for names
     row.template_list(kind, "", settings, name, settings, active, rows=rows)
     column = row.column(align=True)
     return column.operator(add, text="", icon='ADD'), column.operator(remove, text="", icon='REMOVE'), column
 
 
 class Readout(NamedTuple):
-    """A number that a system has computed. text: its label. value: as it is shown."""
+    """A result that a system has computed, to be shown in a panel. text: its label, in English. value: the number as text."""
 
     text: str
     value: str
@@ -133,14 +135,14 @@ def draw_readouts(layout, readouts):
 
 
 def length(context, value):
-    """A length in the scene's units, as text."""
+    """Text of a length with its unit, in the unit system of the context's scene. value: the length in Blender's units."""
     units = context.scene.unit_settings
     name = 'METRIC' if units.system == 'NONE' else units.system
     return bpy.utils.units.to_string(name, 'LENGTH', value * units.scale_length, precision=4)
 
 
 def split(layout, longest=""):
-    """A column with its labels on the left of the fields; in a narrow region within the fields, or as near as can be.
+    """Create a column with the labels left of the fields, or in a narrow region inside the fields, or as near as possible.
 
     longest: a label that needs more room than most.
     """
@@ -151,12 +153,12 @@ def split(layout, longest=""):
 def draw_rig_influence(layout, settings):
     """Draw the slider "Rig Influence", by which the influence of each entry of a rig is multiplied."""
     text = bpy.app.translations.pgettext_iface("Rig Influence")
-    row = layout.row()  # apart: what is split stays so
+    row = layout.row()  # a row of its own, since split() changes a layout for good
     split(row, text).prop(settings, "influence", text=text, translate=False, slider=True)
 
 
 def draw_message(layout, sentence, icon):
-    """A sentence over as many lines as the region that is drawn needs."""
+    """Draw a box with a sentence, wrapped to the width of the region that is drawn. icon: before the first line."""
     import textwrap
 
     box, most = layout.box().column(align=True), _characters(bpy.context)
@@ -165,7 +167,7 @@ def draw_message(layout, sentence, icon):
 
 
 def _characters(context):
-    """How many fit in a line of the region, beside an icon and the margins."""
+    """Number of characters that fit into a line of the region, beside an icon and the margins."""
     if context.region is None:
         return FEWEST
     scale = context.preferences.system.ui_scale

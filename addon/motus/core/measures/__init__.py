@@ -1,1 +1,1 @@
-"""Numbers and what they mean: units, axes, frames and seconds, what is finite, how much work is allowed."""
+"""Units, axes, frames and seconds, tests for finite numbers and for mirroring, and limits for the work of solvers."""

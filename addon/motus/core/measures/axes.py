@@ -1,4 +1,4 @@
-"""The axes of an object, as enumerations name them."""
+"""The six directions along an object's axes, as items of an EnumProperty."""
 
 from __future__ import annotations
 

@@ -1,15 +1,19 @@
-"""How much work a solver may do at once. Work is priced before it is done, and what is left out is said in the panel.
+"""Limit for the work that a solver may do while Blender waits for a frame.
 
-A price counts numbers that are computed, such as those of a transform at one time, or what takes as long: about a microsecond. It
-follows from the file alone, so that no result depends on how fast a machine is, or on what it has found before.
+Work is priced before it is done. A panel says what a solver leaves out because of the limit. A price counts computed numbers, such as those
+of one transform at one time, or work that takes as long: about a microsecond for each number. A price follows from the file alone, so that
+no result depends on the speed of a machine or on kept results.
 """
 
 from __future__ import annotations
 
 AT_ONCE = 1_500_000
-"""The price of what may be done while Blender waits for a frame."""
+"""Largest price of the work that is done while Blender waits for a frame, in computed numbers (about 1 microsecond each)."""
 
 
 def times(price: float) -> int:
-    """How many computations fit into the limit for one frame. price: of one computation, in numbers computed (about 1 microsecond each)."""
+    """How many computations of one price fit into the limit for one frame.
+
+    price: of one computation, in computed numbers (about 1 microsecond each).
+    """
     return int(AT_ONCE // max(price, 1))

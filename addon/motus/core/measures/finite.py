@@ -1,4 +1,8 @@
-"""Tests for finite numbers: infinite ones stay out of the sinks, since Blender passes them on to everything that depends on a sink, and keeps them."""
+"""Tests for finite numbers.
+
+An infinite result must not reach a constraint, driver or modifier: Blender passes an infinite number on to everything that depends on it,
+and keeps the number.
+"""
 
 from __future__ import annotations
 
@@ -11,21 +15,21 @@ from ..lazy import numpy as np
 from ..refusals import INFINITE
 
 _FEW = 64
-"""Up to this many numbers Python's own length of a vector is quicker than NumPy's product with its warnings switched off."""
+"""Up to this many numbers, math.hypot() is faster than a dot product by NumPy with its warnings switched off."""
 _LOOKED_AT = frozenset(('FLOAT', 'INT', 'COLLECTION', 'POINTER'))
 
 
 def share(value: float) -> float:
-    """An influence clamped to 0 to 1. NaN, as a damaged file may have it, becomes 0."""
+    """Clamp an influence to the range from 0 to 1. NaN, as a damaged file may have it, becomes 0."""
     return min(max(0.0, value), 1.0)
 
 
 def is_finite(numbers: np.ndarray[Any, Any]) -> bool:
-    """Whether all of a contiguous array of floats are finite, in Blender's single precision too."""
+    """Whether all numbers of a contiguous array of floats are finite, and stay finite in single precision, which Blender uses."""
     flat = numbers.reshape(-1)
     if len(flat) <= _FEW and math.hypot(*flat.tolist()) < INFINITE:
         return True
-    # One product tells of nearly every array, in a tenth of the time; it is infinite for large finite numbers too.
+    # One dot product decides nearly every array in a tenth of the time. It also overflows for large finite numbers.
     with np.errstate(over='ignore'):
         return bool(flat.dot(flat) < INFINITE) or bool((np.abs(flat) < INFINITE).all())
 

@@ -1,4 +1,4 @@
-"""Whether a thing is a mirror image: its matrix turns right hands into left ones (Matrix.is_negative)."""
+"""Tests whether a scale or an object mirrors, that is, turns right-handed shapes into left-handed ones (Matrix.is_negative)."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import bpy
 
 
 def scale_is_mirrored(scale: Any) -> bool:
-    """Whether a scale along three axes mirrors."""
+    """Whether a scale (x, y, z) mirrors: whether the product of its factors is negative."""
     return scale[0] * scale[1] * scale[2] < 0.0
 
 

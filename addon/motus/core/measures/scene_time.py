@@ -1,8 +1,8 @@
-"""The scene's time: frames of the time line, the keys' time that the scene is evaluated in, and seconds.
+"""The scene's time: frames of the time line, the keys' time in which Blender evaluates F-curves, and seconds.
 
-With Time Stretching (Format > Time Stretching) Blender evaluates F-curves, strips and drivers at the frame of the time line,
-fraction included, times Old / New. That is the keys' time: all frames in settings and in Context.frame are of it. Blender's frame range,
-the current frame and scene.frame_set() are of the time line.
+With Time Stretching (Format > Time Stretching) Blender evaluates F-curves, strips and drivers at the frame of the time line, fraction
+included, times Old / New. The result of this product is the keys' time. All frames in settings and in Context.frame are in the keys' time.
+Blender's frame range, the current frame and scene.frame_set() are in frames of the time line.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def first(scene: bpy.types.Scene) -> float:
 def beginning(scene: bpy.types.Scene) -> float:
     """The frame, in the keys' time (after Time Stretching), at which a new motion begins: the scene's first frame.
 
-    It is 1 if the scene begins at frame 1 of the time line, with any Time Stretching.
+    If the scene begins at frame 1 of the time line, the motion begins at 1 whatever the Time Stretching is.
     """
     return 1.0 if scene.frame_start == 1 else first(scene)
 

@@ -1,4 +1,7 @@
-"""Lengths, speeds and accelerations in a scene's unit. Blender keeps them in units; the scene says how many metres a unit is."""
+"""Convert lengths, speeds and accelerations between metres and the scene's unit.
+
+Blender stores lengths in units. The scene's Unit Scale says how many metres a unit is.
+"""
 
 from __future__ import annotations
 
@@ -9,19 +12,19 @@ import bpy
 
 LENGTHS = {'LENGTH', 'VELOCITY', 'ACCELERATION'}
 FACTORY_GRAVITY = 0.0, 0.0, -9.81
-"""Of a scene that nobody has given another gravity, whatever its unit is."""
+"""Gravity that Blender gives every new scene, whatever the scene's unit is."""
 
 
 def metres(scene: bpy.types.Scene) -> float:
-    """How many metres Blender shows a unit of the scene as."""
+    """How many metres one unit of the scene is: the Unit Scale, or 1 if the unit system is None."""
     settings = scene.unit_settings
     return 1.0 if settings.system == 'NONE' else settings.scale_length
 
 
 def in_scene(scene: bpy.types.Scene, prop: Any, value: Any) -> Any:
-    """Convert a length, speed or acceleration from metres to the scene's unit; returns values of other properties unchanged.
+    """Convert a length, speed or acceleration from metres to the scene's unit. Values of different kinds are returned unchanged.
 
-    prop: the RNA property that the value is for; its unit tells whether it is a length. value: a number, or a sequence for an array.
+    prop: RNA property that the value is for; its unit tells the kind of value. value: a number, or a sequence for an array property.
     """
     if getattr(prop, "unit", 'NONE') not in LENGTHS:
         return value

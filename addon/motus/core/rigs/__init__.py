@@ -1,4 +1,4 @@
-"""Rigs as solvers of bones read them: arrays, plans that are kept, and where other objects stand."""
+"""Rigs as solvers of bones read them: bones as arrays, plans that are kept between frames, and world matrices of several objects."""
 
 from .arrays import (
     HAS_LOCAL_LOCATION,

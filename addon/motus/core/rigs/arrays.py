@@ -1,4 +1,4 @@
-"""What solvers of bones read of a rig, as arrays. A row is a bone, in the order of the rig's pose."""
+"""Bones of a rig as arrays for solvers. A row is a bone; rows are in the order of Object.pose.bones."""
 
 from typing import Any, NamedTuple
 
@@ -10,7 +10,7 @@ from ..evaluated.per_thread import scratch
 from ..lazy import numpy as np
 
 _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE": 4, "NONE_LEGACY": 5}
-"""Bone.inherit_scale as motus::InheritScale; Blender's own numbers are others."""
+"""Bone.inherit_scale as the native module's motus::InheritScale, whose numbers differ from Blender's."""
 
 INHERITS_ROTATION, HAS_LOCAL_LOCATION = 8, 16
 
@@ -18,42 +18,42 @@ _LAID = keeping.OfEvaluation(
     "transforms that a system lays over a rig's bones: {key: (rows, (n, 16) float32)}, see lay()", "the rig", "one for each rig"
 )
 
-LENDS_MEMORY = hasattr(Matrix, "__buffer__")  # Blender 5
+LENDS_MEMORY = hasattr(Matrix, "__buffer__")  # mathutils.Matrix has the buffer protocol from Blender 5 on
 
 
 class Still(NamedTuple):
-    """The part of a rig that only edits of its armature change: names, rest pose, lengths, inheritance."""
+    """The part of a rig that only edits of its armature change: names, rest pose, lengths and inheritance of the bones."""
 
     names: tuple
-    places: Any  # for each row the place in Bone order, None where they are the same
+    places: Any  # (B,): for each row the bone's index in Armature.bones; None if the pose has this order too
     inheritance: Any  # (B,) int32: motus::InheritScale | INHERITS_ROTATION | HAS_LOCAL_LOCATION
-    rest: Any  # as in Arrays
+    rest: Any  # (B, 16) float32, column by column: Bone.matrix_local
     lengths: Any  # (B,) float32
-    bones: tuple  # bytes of what _at_rest() reads, in Bone order
+    bones: tuple  # bytes of the arrays that _at_rest() reads, in the order of Armature.bones
 
 
 class Arrays(NamedTuple):
-    """What solvers read of one rig at one moment, as arrays with a row for each bone; poses and rest pose are in armature space.
+    """Data that solvers read of one rig at one moment, as arrays with a row for each bone; poses and rest pose are in armature space.
 
     Arrays share memory between rigs: they are valid until the same thread reads the next rig.
     """
 
     names: tuple
     rest: Any  # (B, 16) float32, column by column: Bone.matrix_local
-    poses: Any  # (B, 16) float32: PoseBone.matrix, right for bones that stand already and were asked for
+    poses: Any  # (B, 16) float32: PoseBone.matrix, right only for bones that Blender has already evaluated
     basis: Any  # (B, 16) float32: PoseBone.matrix_basis, the animated transform
-    lengths: Any  # as in Still
-    inheritance: Any  # as in Still
+    lengths: Any  # (B,) float32: Bone.length
+    inheritance: Any  # (B,) int32, the flags of inheritance()
     world: Any  # (16,) float64, column by column: the rig's matrix_world
 
 
 def names_of(rig):
-    """Names of the bones, row by row."""
+    """Names of a rig's bones in the order of its pose, which is the order of the rows."""
     return tuple(rig.pose.bones.keys())
 
 
 def still(rig, names):
-    """Read the Still of a rig: what changes only if the armature is edited. names: names of the bones, row by row."""
+    """Read the Still of a rig: everything that changes only if the armature is edited. names: names of the bones, row by row."""
     bones = rig.data.bones
     order = bones.keys()
     places = None
@@ -68,19 +68,19 @@ def still(rig, names):
 
 
 def is_still(rig, known):
-    """Whether the rig's bones match a Still: same number, rest matrices, lengths and inheritance from the parent.
+    """Whether a rig's bones match a Still: number of bones, rest matrices, lengths and inheritance from the parent.
 
     Bone names are not compared, which is slower and not needed: a renamed bone keeps its row.
     """
     bones, count = rig.data.bones, len(known.names)
-    # foreach_get says nothing where the array is longer than need be.
+    # foreach_get does not raise if the array is longer than the data.
     return len(bones) == count and tuple(array.tobytes() for array in _at_rest(bones, count)) == known.bones
 
 
 def _at_rest(bones, count):
     lengths = scratch("rig_lengths", (count,), np.float32)
     bones.foreach_get("length", lengths)
-    # One by one: in 3.4 foreach_get takes something else for a bone's inherit_scale.
+    # One by one: in Blender 3.4 foreach_get reads wrong values for Bone.inherit_scale.
     return _matrices("rest", bones, "matrix_local", count), lengths, np.array(list(map(inheritance, bones)), np.int32)
 
 
@@ -93,7 +93,10 @@ def inheritance(bone):
 
 
 def read(rig, known=None):
-    """Read the Arrays of an evaluated rig. known: the rig's current Still, for example from plan(); None reads the Still too."""
+    """Read the Arrays of an evaluated rig: rest pose, poses, own transforms and world matrix.
+
+    known: the rig's current Still (the part that only edits of the armature change), for example from plan(); None reads the Still too.
+    """
     known = known or still(rig, names_of(rig))
     return Arrays(
         known.names, known.rest, poses(rig, known), basis(rig, known), known.lengths, known.inheritance, columns(rig.matrix_world)
@@ -101,13 +104,14 @@ def read(rig, known=None):
 
 
 FEW = 5
-"""A bone's pose that is asked for by itself takes as long as so many that are read by one call."""
+"""To read one pose by itself takes as long as to read this many poses by one foreach_get."""
 
 
 def poses(rig, known, rows=None):
-    """Pose matrices of the bones in armature space, (B, 16) float32, as Arrays.poses.
+    """Pose matrices (PoseBone.matrix) of the bones in armature space, (B, 16) float32, column by column.
 
-    rows: list of the rows that are needed; the values of the other rows are then undefined. None reads all rows.
+    rows: list of the rows that are needed; the values of the remaining rows are then undefined. None reads all rows.
+    known: the rig's Still.
     """
     pose, count = rig.pose.bones, len(known.names)
     if rows is None or FEW * len(rows) > count:
@@ -119,7 +123,7 @@ def poses(rig, known, rows=None):
 
 
 def basis(rig, known):
-    """Own transforms of all bones, (B, 16) float32: PoseBone.matrix_basis, replaced by what lay() has stored for some bones."""
+    """Own transforms of all bones, (B, 16) float32: PoseBone.matrix_basis, or the transforms that lay() has stored for some bones."""
     found = own_basis(rig, known)
     for rows, matrices in _LAID.on(copies.of(rig)).get("laid", {}).values():
         found[rows] = matrices
@@ -127,7 +131,7 @@ def basis(rig, known):
 
 
 def own_basis(rig, known):
-    """PoseBone.matrix_basis of all bones, (B, 16) float32, as keys and drivers set it: without what lay() has stored."""
+    """PoseBone.matrix_basis of all bones, (B, 16) float32, as keys and drivers set it, without the transforms that lay() has stored."""
     return _matrices("basis", rig.pose.bones, "matrix_basis", len(known.names))
 
 
@@ -135,15 +139,16 @@ def lay(rig, key, rows, matrices):
     """Store transforms that replace the own transforms (matrix_basis) of some bones of an evaluated rig, for solvers that run later.
 
     rows: rows of these bones. matrices: (n, 16) float32, column by column. key: name of the caller's layer of transforms; a later
-    call with the same key replaces them. Only for systems that lay poses: the rig's other solvers wait for theirs.
+    call with the same key replaces the transforms of the earlier call. Only for systems that lay poses (System.lays_pose): all solvers
+    of different systems on the rig run after the solvers of such systems.
     """
     kept = _LAID.on(copies.of(rig))
-    # A new dictionary each time: other threads may go through the one that is there.
+    # A new dictionary each time, since other threads may iterate over the present one.
     kept["laid"] = kept.get("laid", {}) | {key: (rows, matrices)}
 
 
 def laid_bones(rig):
-    """Names of the bones of an evaluated rig whose own transforms (matrix_basis) are changed by what lay() has stored."""
+    """Names of the bones of an evaluated rig whose own transforms (matrix_basis) are changed by transforms that lay() has stored."""
     known = still(rig, names_of(rig))
     own = own_basis(rig, known).copy()
     return {known.names[row] for row in np.flatnonzero((basis(rig, known) != own).any(axis=1))}
@@ -155,15 +160,15 @@ def is_laid(copy):
 
 
 def columns(matrix):
-    """(16,) float64 of a mathutils.Matrix, column by column."""
-    if LENDS_MEMORY:  # which is in that order, and 'A' leaves it so
+    """The numbers of a 4 x 4 mathutils.Matrix, column by column, (16,) float64."""
+    if LENDS_MEMORY:  # Blender stores a matrix column by column, and 'A' keeps that order
         return np.frombuffer(memoryview(matrix).tobytes('A'), np.float32).astype(float)
-    x, y, z, place = matrix.copy().col  # a copy, since each look into an object's own matrix asks the object
+    x, y, z, place = matrix.copy().col  # a copy, since each access to a row of an object's matrix reads the matrix from the object again
     return np.array((*x, *y, *z, *place))
 
 
 def parents(rig, names):
-    """Row of each bone's parent, -1 for none."""
+    """List of the row of each bone's parent, -1 for a bone without a parent. names: names of the bones, row by row."""
     rows = {name: row for row, name in enumerate(names)}
     bones = rig.data.bones
     return [rows[bones[name].parent.name] if bones[name].parent else -1 for name in names]

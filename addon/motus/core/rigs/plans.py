@@ -1,4 +1,4 @@
-"""Plans that are made once from what is wired on a rig and used for many frames."""
+"""Plans of solvers for rigs: data that a solver computes once from a rig's set-up, and uses for many frames."""
 
 import zlib
 from typing import Any, NamedTuple
@@ -23,7 +23,8 @@ def plan(rig, key, make):
     """Plan of a solver for a rig: the result of `make(rig, rows)`, kept until `key` or the bones change. rows: {bone name: row}.
 
     key: text that stands for everything that the plan is made from, the rig's fingerprint() included. The plan's attribute `still`
-    is the rig's Still. Each thread makes and keeps its own plans. Raises Damaged if the object has no pose or `key` is no text.
+    is the rig's Still (names, rest pose, lengths and inheritance of the bones). Each thread makes and keeps its own plans.
+    Raises Damaged if the object has no pose or `key` is no text.
     """
     if rig.pose is None or not isinstance(key, str):
         raise Damaged("no rig, or nothing that is known of it")
@@ -34,7 +35,7 @@ def plan(rig, key, make):
     if found is not None and copy and found.copy == copy:
         return found
     if found is None or copy or not is_still(rig, found.still):
-        # The key is what was wired; the rig may be one that was edited since.
+        # `key` describes the rig when its drivers were added; the armature may have been edited since.
         edited, names = fingerprint(rig), names_of(rig)
         if found is not None and found.edited == edited:
             found.still = still(rig, names)

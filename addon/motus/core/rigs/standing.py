@@ -1,4 +1,4 @@
-"""Where evaluated objects stand, as one array."""
+"""World matrices of several evaluated objects as one array."""
 
 from .. import keeping
 from ..evaluated import copies
@@ -6,7 +6,7 @@ from ..file import deleted
 from ..lazy import numpy as np
 from .arrays import LENDS_MEMORY, columns
 
-LARGE_SCENE = 4  # objects for each target
+LARGE_SCENE = 4  # objects in the view layer for each object that is read
 
 _layer_sizes = keeping.OfFile(
     "how many objects a view layer had when they were last counted: for the faster of two ways to the same answer",
@@ -16,7 +16,7 @@ _layer_sizes = keeping.OfFile(
 
 
 def standing(objects):
-    """World matrices of evaluated objects, (n, 16) column by column."""
+    """World matrices of evaluated objects, (n, 16), column by column."""
     if LENDS_MEMORY:
         matrices = (memoryview(one.matrix_world).tobytes('A') for one in objects)
         return np.frombuffer(b"".join(matrices), np.float32).reshape(-1, 16)
@@ -24,7 +24,7 @@ def standing(objects):
 
 
 class Standing:
-    """Reads the world matrices of several evaluated objects by one call."""
+    """Reads the world matrices of several evaluated objects by one foreach_get over the view layer."""
 
     def __init__(self, objects):
         self._objects = objects
@@ -36,7 +36,7 @@ class Standing:
         The result is None if one of the objects is not in the evaluated view layer, or if the view layer has more than LARGE_SCENE
         objects for each object that is read.
         """
-        # Which objects stand in a view layer is part of the scene's own copy.
+        # If the view layer gets or loses objects, Blender makes a new evaluated copy of the scene.
         scene, view_layer = copies.of(depsgraph.scene_eval), depsgraph.view_layer_eval
         if scene is None or scene is not self._scene:
             self._look(view_layer)
@@ -48,10 +48,10 @@ class Standing:
 
     def _look(self, view_layer):
         layer = view_layer.id_data.name, view_layer.name
-        deleted.which(self._objects)  # from now on it is known when one of them is deleted
+        deleted.which(self._objects)  # registers the objects: a handler then notices if one of them is deleted
         most = LARGE_SCENE * len(self._objects)
         if _layer_sizes.get(layer, 0) <= most:
-            # What is compared is where evaluated data lies in memory.
+            # Hashes of evaluated objects stand for their addresses in memory.
             every = list(map(hash, view_layer.objects.values()))
             _layer_sizes.add(layer, len(every))
             if len(every) <= most:

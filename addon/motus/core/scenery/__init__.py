@@ -1,1 +1,1 @@
-"""Meshes of a scene that solvers read: their faces, where they are seen, and whether they stand still."""
+"""Meshes of a scene that solvers read: their faces, the world matrices of their instances, and whether they move over time."""

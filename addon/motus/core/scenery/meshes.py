@@ -1,4 +1,4 @@
-"""Faces of evaluated meshes, read once for each copy that Blender makes of a mesh, and where they stand in the world."""
+"""Faces of evaluated meshes, read once for each evaluated copy of a mesh, and their world matrices."""
 
 import hashlib
 import threading
@@ -9,7 +9,7 @@ from ..evaluated import copies
 from ..lazy import numpy as np
 
 MOST_BYTES = 256 << 20
-"""Of faces that are kept."""
+"""Most bytes of faces that are kept; the least recently used are dropped."""
 
 _faces = keeping.OfFile(
     "Faces of an evaluated mesh",
@@ -33,7 +33,11 @@ def hash_of(one):
 
 
 class Faces(NamedTuple):
-    """Triangles in the space of their object. stamp: of their content. area: m^2, in that space, at most."""
+    """Triangles of a mesh, in the object's local space.
+
+    stamp: hash of positions and triangles. positions: (v, 3) float32. triangles: (t, 3) int32, vertex indices.
+    area: upper bound of the area in local space, m^2.
+    """
 
     stamp: Any
     positions: Any
@@ -48,7 +52,10 @@ class Faces(NamedTuple):
 
 
 class Placed(NamedTuple):
-    """A triangle mesh with the world matrix of its object. stamp: hashable, equal for equal mesh and matrix."""
+    """A triangle mesh with the world matrix of its object.
+
+    stamp: hashable, equal for equal mesh and matrix. faces: the Faces. matrix: mathutils.Matrix.
+    """
 
     stamp: Any
     faces: Any
@@ -63,7 +70,7 @@ class Placed(NamedTuple):
         return self.faces.area * larger * largest
 
     def chosen(self, which):
-        """This Placed with only the triangles that `which`, (t,) bool, selects; None if it selects none."""
+        """Copy of this Placed with only the triangles that `which`, (t,) bool, selects; None if `which` selects none."""
         if not which.any():
             return None
         faces = self.faces._replace(triangles=np.ascontiguousarray(self.faces.triangles[which]))
@@ -71,14 +78,14 @@ class Placed(NamedTuple):
 
 
 def faces(obj):
-    """The Faces of an evaluated object's mesh; None where it has no area, or is no mesh.
+    """Faces of an evaluated object's mesh; None if the object is no mesh, has no area, or has vertices at infinity.
 
-    Kept for as long as Blender keeps that copy of the mesh.
+    The Faces are kept for as long as Blender keeps this evaluated copy of the mesh.
     """
     if obj.type != 'MESH':
         return None
     mesh = obj.data
-    if mesh == obj.original.data:  # all its copies would have its number
+    if mesh == obj.original.data:  # an original mesh: evaluated copies would inherit a number that is written into it
         return _read_shown(obj)
     return _faces.made(copies.number_given(mesh), lambda: _read_shown(obj))
 
@@ -86,7 +93,7 @@ def faces(obj):
 def _read_shown(obj):
     if not obj.data.is_editmode:
         return _read(obj.data)
-    with _temporary_mesh:  # in Edit Mode Blender leaves the evaluated mesh empty until somebody asks for one
+    with _temporary_mesh:  # in Edit Mode the evaluated mesh is empty until to_mesh() is called
         try:
             with keeping.aside():
                 mesh = obj.to_mesh()
@@ -112,8 +119,8 @@ def _read(mesh):
 
 
 def placed(obj, matrix):
-    """Triangles of an evaluated mesh object together with its world matrix, as Placed; None if the mesh has no faces."""
-    found, matrix = faces(obj), matrix.copy()  # each row of which is not asked of Blender then
+    """Triangles of an evaluated mesh object together with a world matrix, as Placed; None if the object has no faces()."""
+    found, matrix = faces(obj), matrix.copy()  # a copy: reading a row of an object's own matrix would read the matrix from the object again
     return found and Placed((found.stamp, np.array(matrix, float).tobytes()), found, matrix)
 
 

@@ -1,6 +1,6 @@
-"""Whether an object may be another one on another frame: where it stands, and what shape it has.
+"""Whether an object may have a different place or shape on another frame.
 
-What Blender does not tell counts as moving: constraints, drivers, physics, modifiers that look at the time.
+Constraints, drivers, physics and modifiers that depend on the time count as motion, since their results at other frames are unknown.
 """
 
 import bpy
@@ -23,23 +23,23 @@ _OVER_TIME = {
     'SOFT_BODY',
     'WAVE',
 }
-"""Modifiers that look at the time."""
+"""Types of modifiers whose result depends on the time."""
 _TIME_NODES = "GeometryNodeInputSceneTime", "GeometryNodeSimulation"
-"""Beginnings of the names of nodes that do."""
+"""Beginnings of the bl_idname of geometry nodes whose result depends on the time."""
 DEEPEST = 64
-"""Parents above each other that are looked through one by one."""
+"""Most parents above each other that are checked one by one; beyond, the world matrix over time is checked as a whole."""
 
 
 def moves(obj, scene, seen=None):
-    """Whether an evaluated object may stand elsewhere, or have another shape, on another frame.
+    """Whether an evaluated object may have a different place or shape on another frame.
 
-    seen: objects and node groups that were asked before, whose answer counts already.
+    seen: set of objects and node groups that were examined before; they are not examined again. None if there are none.
     """
     seen = set() if seen is None else seen
     if obj in seen:
         return False
     seen.add(obj)
-    # Of an evaluated object the data may be memory that Blender has freed, where nobody waits for its geometry.
+    # The data of the original: Blender may have freed the evaluated data if nothing depends on the object's geometry.
     return _goes(obj, scene) or _is_animated(obj.original.data) or _is_deformed(obj, scene, seen)
 
 
@@ -57,12 +57,12 @@ def _goes(obj, scene):
 
 def _is_moved(obj, scene):
     track = tracks.world_track(obj, scene)
-    # A single key moves nothing.
+    # With a single key the first and last frame of change are equal, and the object does not move.
     return not track.is_known or (track.extent is not None and track.extent[0] != track.extent[1])
 
 
 def _is_animated(data):
-    """Whether anything animates a datablock, or its shape keys or nodes."""
+    """Whether keys, NLA strips or drivers animate a datablock or its shape keys."""
     if data is None:
         return False
     animation = getattr(data, "animation_data", None)
@@ -77,7 +77,7 @@ def _is_deformed(obj, scene, seen):
     modifiers = obj.modifiers
     if not modifiers:
         return False
-    # Keys of a modifier's own are keys of the object.
+    # Keys of modifiers' properties are in the object's action.
     return _has_keys_of_modifiers(obj) or any(_changes(one, obj, scene, seen) for one in modifiers)
 
 
@@ -102,7 +102,7 @@ def _changes(modifier, owner, scene, seen):
 
 
 def _read(modifier):
-    """Objects that a modifier reads."""
+    """List of the objects that a modifier reads, directly or through collections."""
     found = [
         obj
         for prop in modifier.bl_rna.properties
@@ -122,7 +122,7 @@ def _objects_of(value):
 
 
 def _deforms(obj, scene, seen):
-    """Whether a modifier that reads `obj` may give a different result on another frame; for an armature its bones count too."""
+    """Whether an object that a modifier or node reads may change the result on another frame; for an armature its bones count too."""
     if obj.type == 'ARMATURE' and (_is_animated(obj) or any(len(bone.constraints) for bone in obj.pose.bones)):
         return True
     return moves(obj, scene, seen)

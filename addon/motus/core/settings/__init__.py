@@ -1,4 +1,4 @@
-"""Settings that the wiring and all systems share: what every system keeps with its owner, lists of entries, and what edits call."""
+"""Settings that all systems share: the base of their property groups, lists of entries, and callbacks for edits."""
 
 from .system_settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, classes, rewire, touch
 

@@ -1,7 +1,8 @@
-"""Properties of settings, as most of them are declared: library overrides may change them, and an edit evaluates the owner again.
+"""Declare properties of settings that library overrides may change. An edit of such a property evaluates the owner again.
 
-`more` are further arguments of Blender's property, in place of those that stand here (`update`, `min`, `subtype`, ...). options:
-ANIMATED if keys and drivers may set the property. tells_no_keys: whether the tooltip ends with the reason why they may not.
+options: ANIMATED if keys and drivers may set the property. tells_no_keys: whether the tooltip of a property without options ends with the
+reason why it cannot be keyed. more: further arguments of the function of bpy.props, which replace those that are set here (`update`, `min`,
+`subtype`, ...).
 """
 
 import bpy
@@ -16,7 +17,7 @@ def _common(name, description, default, options, tells_no_keys, more):
 
 
 def number(name, description, default, options=frozenset(), tells_no_keys=False, **more):
-    """Declare a FloatProperty that library overrides may change."""
+    """Declare a FloatProperty that library overrides may change and whose edit evaluates the owner again."""
     return bpy.props.FloatProperty(**_common(name, description, default, options, tells_no_keys, more))
 
 
@@ -26,20 +27,26 @@ def factor(name, description, default, options=frozenset(), tells_no_keys=False,
 
 
 def whole(name, description, default, options=frozenset(), tells_no_keys=False, **more):
-    """Declare an IntProperty that library overrides may change."""
+    """Declare an IntProperty that library overrides may change and whose edit evaluates the owner again."""
     return bpy.props.IntProperty(**_common(name, description, default, options, tells_no_keys, more))
 
 
 def switch(name, description, default=False, options=frozenset(), tells_no_keys=False, **more):
-    """Declare a BoolProperty that library overrides may change."""
+    """Declare a BoolProperty that library overrides may change and whose edit evaluates the owner again."""
     return bpy.props.BoolProperty(**_common(name, description, default, options, tells_no_keys, more))
 
 
 def choice(name, description, items, default, options=frozenset(), tells_no_keys=False, **more):
-    """An EnumProperty."""
+    """Declare an EnumProperty that library overrides may change and whose edit evaluates the owner again.
+
+    items: as for bpy.props.EnumProperty.
+    """
     return bpy.props.EnumProperty(items=items, **_common(name, description, default, options, tells_no_keys, more))
 
 
 def vector(name, description, size=3, options=frozenset(), tells_no_keys=False, **more):
-    """Declare a FloatVectorProperty that library overrides may change. Its default is all zeros."""
+    """Declare a FloatVectorProperty that library overrides may change and whose edit evaluates the owner again.
+
+    size: number of components. The default is 0 for each component.
+    """
     return bpy.props.FloatVectorProperty(size=size, **_common(name, description, (0.0,) * size, options, tells_no_keys, more))

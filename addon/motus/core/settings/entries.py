@@ -1,4 +1,7 @@
-"""Lists in an owner's settings, such as chains, heads and pins: wired once after several changes, and taken back whole."""
+"""Edit lists in an owner's settings, such as chains, heads and pins, and wire the owner once after several changes.
+
+An owner is an object whose settings a system solves. To wire it means to create the drivers and constraints that the system needs.
+"""
 
 from contextlib import contextmanager
 
@@ -10,9 +13,10 @@ from . import entry_keys
 
 
 def wire(system, owner, name="entries"):
-    """Create, update or remove the drivers and constraints of a system on an owner, as the list in its settings requires.
+    """Create, update or remove the drivers and constraints of a system on an owner, as the list in the owner's settings requires.
 
-    If the list is empty, the system's settings are removed as well. name: of the list's property.
+    owner: object whose settings the system solves. name: of the list's property. If the list is empty, the system's settings are removed
+    from the owner as well.
     """
     settings = of_owner(system, owner)
     if not getattr(settings, name):
@@ -26,7 +30,10 @@ def wire(system, owner, name="entries"):
 
 
 def active(obj, name):
-    """The selected entry of a system's list on an object; None without an object, a set-up or entries. name: of the system."""
+    """The selected entry of a system's list on an object. name: of the system.
+
+    None if the object is None, if the system is not set up on the object, or if no entry is selected.
+    """
     settings = obj and getattr(obj.motus, name)
     if not settings or not settings.is_active or not 0 <= settings.active_entry < len(settings.entries):
         return None
@@ -35,7 +42,10 @@ def active(obj, name):
 
 @contextmanager
 def unwired(settings):
-    """Context manager in which changes of a system's settings do not wire the owner: the settings count as inactive inside."""
+    """Context manager in which changes of settings do not wire their owner, that is, do not rebuild its drivers and constraints.
+
+    `is_active` of the settings is False inside, and is restored on exit.
+    """
     was_active, settings.is_active = settings.is_active, False
     try:
         yield settings
@@ -45,17 +55,20 @@ def unwired(settings):
 
 @contextmanager
 def at_once(system, owner):
-    """Context manager for several changes of an owner's settings: the owner is wired once at the end, not at every change."""
+    """Context manager for several changes of an owner's settings: the owner is wired once at the end, not at every change.
+
+    To wire an owner means to create or update the drivers and constraints that the system needs. Yields the settings.
+    """
     with unwired(of_owner(system, owner)) as settings:
         yield settings
     wire(system, owner)
 
 
 def remove(system, owner, indices, active):
-    """Remove entries from a system's list on an owner, with keys and drivers of their settings, and wire the owner again.
+    """Remove entries from a system's list on an owner, with keys and drivers of the entries' settings, and wire the owner again.
 
-    With the last entry the system's settings are removed too. active: name of the property that holds the index of the
-    selected entry.
+    To wire an owner means to update the drivers and constraints that the system needs. With the last entry the system's settings are
+    removed too. indices: of the entries. active: name of the property that holds the index of the selected entry.
     """
     prefix = f"motus.{system.name}."
     with at_once(system, owner) as settings:

@@ -1,4 +1,4 @@
-"""Keys and drivers of settings that stand in a list: they go when an entry goes, and move up with those behind it."""
+"""Keep keys and drivers of list entries in step with the list: remove them with their entry, and move them with their entry."""
 
 import itertools
 
@@ -9,15 +9,18 @@ from ..evaluated import copies
 
 
 def prefixes(path, entries, index):
-    """How data paths of an entry's settings begin: Blender's own have the index, scripts may use the name."""
+    """The two prefixes that data paths of an entry's settings may have: with the entry's index, or with the entry's name.
+
+    Blender itself writes data paths with the index; scripts may use the name. path: data path of the list `entries`.
+    """
     name = bpy.utils.escape_identifier(entries[index].name)
     return f"{path}[{index}].", f'{path}["{name}"].'
 
 
 def animated_prefix(owner, path, entries, index):
-    """The data-path prefix under which an entry of the list at `path` is animated: with its index, or with its name.
+    """Prefix of the data paths by which an entry of the list at `path` is animated: with its index, or with its name.
 
-    The name is used only if an F-curve or driver uses it.
+    The prefix has the name only if an F-curve or driver of the owner uses the name.
     """
     by_index, by_name = prefixes(path, entries, index)
     copy = copies.of(owner) if owner.is_evaluated else None
@@ -29,7 +32,10 @@ def animated_prefix(owner, path, entries, index):
 
 
 def forget(owner, path, entries, index):
-    """Remove keys and drivers of an entry that is about to be removed from the list at `path` of the owner."""
+    """Remove keys and drivers of an entry that is about to be removed from the list at `path` of the owner.
+
+    Keys and drivers of later entries follow their entries to the next lower index.
+    """
     actions.remove(owner, prefixes(path, entries, index))
     later = {f"{path}[{place}].": f"{path}[{place - 1}]." for place in range(index + 1, len(entries))}
     _move_all(owner, later)
@@ -52,7 +58,7 @@ def _move_all(owner, places):
 
 
 def _move(curve, places):
-    """Replace the beginning of an F-curve's data path. places: {old beginning: new beginning}."""
+    """Replace the beginning of an F-curve's data path, if it is among `places`. places: {old beginning: new beginning}."""
     for old, new in places.items():
         if curve.data_path.startswith(old):
             curve.data_path = new + curve.data_path[len(old) :]

@@ -1,4 +1,4 @@
-"""What every system's settings have, and what happens when they are edited."""
+"""Base class for the settings of every system, and the `update` callbacks of their properties."""
 
 from typing import Any
 
@@ -11,25 +11,31 @@ from ..file.pointers import to_object
 ANIMATED: Any = {'ANIMATABLE'}
 OVERRIDABLE: Any = {'LIBRARY_OVERRIDABLE'}
 EXTENDABLE: Any = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
-"""Options of properties: keyed or driven, changed by overrides, and lists that overrides add to."""
+"""Options for properties that may be keyed or driven, that library overrides may change, and lists that overrides may extend."""
 
 NO_KEYS = ". Cannot be keyed: the whole motion follows from it"
-"""Ends the description of a number that is not ANIMATED since each frame of another one would be a frame of another motion."""
+"""End of the tooltip of a number that is not ANIMATED: with a different number at each frame, each would show a different motion."""
 
 
 def _system_of(item):
-    """The System that settings belong to. item: the property group of the settings, or one inside it, such as an entry of a list."""
+    """The System to which settings belong.
+
+    item: the property group of the settings, or a property group inside it, such as an entry of a list.
+    """
     return registered[item.path_from_id().split(".")[1].partition("[")[0]]
 
 
 def rewire(item, _context):
-    """`update` callback of a property that decides which drivers and constraints a system needs, such as a target: wire the owner again."""
+    """`update` callback of a property that decides which drivers and constraints a system needs, such as a target.
+
+    It wires the owner again: updates its drivers and constraints.
+    """
     if not _is_keyword(item):
         wiring.refresh(_system_of(item), item.id_data)
 
 
 def touch(item, _context):
-    """`update` of a property whose change only needs a new evaluation."""
+    """`update` callback of a property whose change only requires a new evaluation of the owner."""
     if _is_keyword(item):
         return
     system = _system_of(item)
@@ -38,21 +44,24 @@ def touch(item, _context):
 
 
 def _is_keyword(item):
-    """Whether an `update` callback was called for an operator's property and not for a setting.
+    """Whether an `update` callback was called for an operator's property, not for a setting. item: what the callback received.
 
-    Operators may have the same properties as settings, but nothing to evaluate.
+    Operators may have the same properties as settings, but there is nothing to evaluate for them.
     """
     return not isinstance(item, bpy.types.PropertyGroup)
 
 
 class MOTUS_PG_helper(bpy.types.PropertyGroup):
-    """List item that refers to a hidden helper object, created when a system is set up on its owner."""
+    """List item that points to a hidden helper object, which Motus creates when a system is set up on an object."""
 
     object: to_object(name="Object", description="Hidden object that computes for this one", override={'LIBRARY_OVERRIDABLE'})
 
 
 class SystemSettings:
-    """Mixin for the settings of every system: the state of its set-up on an owner, and the hidden objects that belong to it."""
+    """Mixin for the settings of every system on an owner: state of the set-up, and pointers to its hidden helper objects.
+
+    The owner is the object that has the settings.
+    """
 
     is_active: bpy.props.BoolProperty(
         name="Active", description="This system drives the object", options=set(), override={'LIBRARY_OVERRIDABLE'}

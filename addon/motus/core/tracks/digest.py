@@ -1,7 +1,8 @@
-"""What a recording was made from, as far as that is known, as a short text that changes with it.
+"""Digest: a hash, as a short text, of what a recording was made from. A recording is outdated if the digest has changed.
 
-Known are keys, drivers, constraints, parents, the settings of Motus's systems, and the values that nothing animates; of the
-thing itself and of all that these lead to. Not known are geometry, simulations and what scripts do.
+The digest covers keys, drivers, constraints, parents, the settings of Motus's systems, and property values that nothing animates.
+It covers these for the recorded datablock and for all datablocks that they refer to. It does not cover geometry, simulations and
+the effects of scripts.
 """
 
 import hashlib
@@ -16,14 +17,14 @@ from ..lazy import numpy as np
 from ..refusals import Refused
 
 MOST = 256
-"""Datablocks that are looked at."""
+"""Most datablocks that one digest covers."""
 DEEPEST = 4
-"""Groups of settings within each other."""
+"""Most levels of property groups within each other that a digest covers."""
 
 _INDEXED = re.compile(r"^(.*?)(?:\[(\d+)\])?$", re.DOTALL)
 _NUMBERS = {'BOOLEAN', 'INT', 'FLOAT', 'STRING', 'ENUM'}
 _OF_EDITORS = {"rna_type", "name", "select", "active", "show_expanded", "wired"}
-"""Properties that move nothing."""
+"""Names of properties that have no effect on motion: a digest leaves them out."""
 _KEYS = (("co", 2), ("handle_left", 2), ("handle_right", 2), ("back", 1), ("amplitude", 1), ("period", 1))
 _KINDS = "interpolation", "easing"
 _TRANSFORM = ("location", "rotation_mode", "rotation_euler", "rotation_quaternion", "rotation_axis_angle", "scale")
@@ -39,14 +40,14 @@ _OBJECT = _TRANSFORM + (
 
 
 def of(id_data):
-    """The digest of an original datablock."""
+    """Digest of an original datablock, as hexadecimal text."""
     found = _Digest()
     found.want(id_data)
     return found.text()
 
 
 class _Digest:
-    """Goes from datablock to datablock."""
+    """Computes a digest: hashes one datablock after the next, and collects the datablocks that each refers to."""
 
     def __init__(self):
         self._hash = hashlib.blake2b(digest_size=16)
@@ -54,13 +55,13 @@ class _Digest:
         self._animated = ()
 
     def want(self, id_data):
-        """Add a datablock to those that the digest covers, unless the digest already covers MOST datablocks."""
+        """Let the digest cover a datablock, unless the digest already covers MOST datablocks. None is ignored."""
         if id_data is not None and id_data not in self._seen and len(self._seen) < MOST:
             self._seen.add(id_data)
             self._waiting.append(id_data)
 
     def text(self):
-        """The digest of all that is wanted, and of what that leads to."""
+        """Hash all datablocks given to want(), and the datablocks that they refer to; returns the digest as hexadecimal text."""
         while self._waiting:
             self._look(self._waiting.pop(0))
         return self._hash.hexdigest()
@@ -80,14 +81,14 @@ class _Digest:
             self._values(bone, f"{bone.path_from_id()}.", _TRANSFORM)
             self._note(bone.name, bone.parent and bone.parent.name, tuple(bone.bone.matrix_local.to_translation()))
             self._constraints(bone)
-        if id_data.is_property_set("motus"):  # to ask for what is not there would make it
+        if id_data.is_property_set("motus"):  # reading an unset pointer property would create it in the file
             for system in systems():
                 settings = getattr(id_data.motus, system.name)
                 if settings.is_active:
                     self._settings(settings)
 
     def _animation(self, id_data):
-        """Notes keys and drivers; returns the beginnings of data paths that they set."""
+        """Hash the keys, NLA strips and drivers of a datablock; returns the data paths (no array indices) of its F-curves and drivers."""
         data = getattr(id_data, "animation_data", None)
         if data is None:
             return ()
@@ -136,10 +137,14 @@ class _Digest:
                 self._note(name, _plain(value))
 
     def _settings(self, group, depth=0):
-        """Notes all plain properties of a group that nothing animates, and looks at the datablocks that it points to."""
+        """Hash the properties of a group of settings, and let the digest cover the datablocks that the group points to.
+
+        Hashed are numbers, texts and enums that can be edited and that nothing animates, and those in groups within the group, up to
+        DEEPEST levels.
+        """
         try:
             path = f"{group.path_from_id()}."
-        except ValueError:  # what has no path cannot be animated
+        except ValueError:  # a group without a data path cannot be animated
             path = ""
         for prop in group.bl_rna.properties:
             name = prop.identifier
@@ -163,7 +168,10 @@ class _Digest:
 
 
 def _still(target):
-    """The number that a driver's variable reads, where nothing animates it; else None."""
+    """Number that a target of a driver variable reads by its data path; None if that is no number, or something animates it.
+
+    The result is also None for a property that cannot be animated.
+    """
     path, index = _INDEXED.match(target.data_path).groups()
     if target.id is None or not path:
         return None
@@ -176,7 +184,7 @@ def _still(target):
 
 
 def _plain(value):
-    """Convert an array property to nested tuples and a set to a sorted list; a number or text is returned unchanged."""
+    """Value of a property as plain Python data: an array as nested tuples, a set as a sorted list, a number or text unchanged."""
     if isinstance(value, (str, int, float, set)):
         return sorted(value) if isinstance(value, set) else value
     return tuple(map(_plain, value))

@@ -1,8 +1,8 @@
-"""What was recorded of things that nobody knows ahead: kept in the file, with the datablock that it was recorded of.
+"""Recordings: samples over time of properties and transforms that cannot be computed ahead. The file keeps them.
 
-A recording is an entry of a list that every datablock has: samples at even distances, what they are of, and a digest of what
-they were made from as far as that is known. Copies and appended or linked datablocks bring theirs along, and library overrides
-keep theirs. What a file holds is checked before it is used.
+A recording is an item of a collection property (LIST) that every datablock has. It holds the name of the recorded property or
+transform, samples at even intervals, and a digest (hash) of what is known of their sources. Copied, appended and linked datablocks
+bring their recordings along, and library overrides keep their recordings. The content of a file is checked before it is used.
 """
 
 import base64
@@ -20,14 +20,17 @@ from ..lazy import numpy as np
 from . import rotations
 
 LIST = "motus_recordings"
-"""Name of the list."""
+"""Name of the collection property in which a datablock keeps its recordings."""
 VERSION = 1
 LARGEST = 1 << 18
-"""Numbers in a recording: 1.4 MB in the file, and a world matrix for a quarter of an hour."""
+"""Most numbers in a recording: they take 1.4 MB in the file, and suffice for a quarter of an hour of a world matrix."""
 WIDTHS = {"world": 12, "own": 10}
-"""Numbers in a sample, of a transform: a matrix without its last row; location, rotation and scale. Else one."""
+"""Count of numbers in one sample of a transform; a sample of a property has one number.
+
+"world": a world matrix without its last row. "own": location, rotation (w, x, y, z) and scale that an object's or bone's channels give.
+"""
 LARGEST_MEMORY = 1 << 28
-"""Bytes of recordings that are kept unpacked, the latest ones."""
+"""Most bytes of decoded recordings that are kept in memory; the least recently used recordings are dropped."""
 
 _FORM = (int, float, float, str, str)
 _read = keeping.OfFile(
@@ -40,7 +43,7 @@ _read = keeping.OfFile(
 
 
 class MOTUS_PG_recording(bpy.types.PropertyGroup):
-    # The name is what was recorded.
+    # `name`, which each PropertyGroup has, is the name of the recorded property or transform.
     head: bpy.props.StringProperty(
         name="Header",
         description="Times at which the samples were taken, and their source",
@@ -51,7 +54,11 @@ class MOTUS_PG_recording(bpy.types.PropertyGroup):
 
 
 class Recording(NamedTuple):
-    """samples: (n, width) at times start, start + step, ...; stamp: told apart from all others by it; digest: see digest.py."""
+    """A decoded recording.
+
+    samples: (n, width) at the frames start, start + step, ... stamp: text that no other recording has. digest: hash of what the recording
+    was made from (see digest.py).
+    """
 
     start: float
     step: float
@@ -65,7 +72,10 @@ class Recording(NamedTuple):
         return self.start + self.step * (len(self.samples) - 1)
 
     def between(self, times):
-        """(places, following, parts): between which two samples times lie, and how far; beyond the ends the end's twice."""
+        """Samples around each time: (indices of the samples before, indices of the samples after, fractions), each (n,).
+
+        A fraction is 0 at the sample before and 1 at the sample after. A time outside the recording counts as the recording's nearest end.
+        """
         last = len(self.samples) - 1
         along = np.clip((np.asarray(times, float) - self.start) / self.step, 0.0, last)
         places = np.minimum(np.floor(along).astype(int), max(last - 1, 0))
@@ -73,7 +83,11 @@ class Recording(NamedTuple):
 
 
 def read(id_data, what, width):
-    """The Recording of a datablock, original or evaluated; None where there is none. Raises Damaged."""
+    """Read a recording of a datablock, original or evaluated; None if there is none.
+
+    what: name of the recorded property or transform. width: count of numbers in a sample. Raises stored.Damaged if the content of the
+    file is not a valid recording.
+    """
     entry = getattr(id_data, LIST).get(what)
     head = entry.head if entry else ""
     if not head:
@@ -82,7 +96,7 @@ def read(id_data, what, width):
 
 
 def _opened(head, data, width):
-    """The Recording that an entry holds."""
+    """Decode a Recording from the header and data in the file. Raises Damaged if they are invalid, Newer if their version is newer."""
     version, start, step, stamp, digest = stored.parse(head, _FORM)
     if version > VERSION:
         raise stored.Newer("a recording of a newer version")
@@ -115,14 +129,17 @@ def write(id_data, what, start, step, samples, digest):
 
 
 def remove(id_data, what):
-    """Forget a recording; returns whether there was one."""
+    """Remove a recording from an original datablock; returns whether there was one.
+
+    what: name of the recorded property or transform.
+    """
     listed = getattr(id_data, LIST)
     entry = listed.get(what)
     if entry is None or not entry.head:
         return False
     index = listed.find(what)
     if index < libraries.count_from_library(id_data, LIST):
-        entry.head = entry.data = ""  # of an override, which cannot be without what its library has
+        entry.head = entry.data = ""  # a library override cannot remove an item that its library has
     else:
         listed.remove(index)
     if not listed:
@@ -132,31 +149,40 @@ def remove(id_data, what):
 
 
 def most_samples(width):
-    """How many samples a recording may have."""
+    """Most samples that a recording may have. width: count of numbers in a sample."""
     return LARGEST // width
 
 
 def bounds(recording, first, last):
-    """Times from first to last between which it is smooth: those of the samples, as far as they are not too many."""
+    """Rising frames from first to last, between which a recording is smooth: the frames of its samples.
+
+    If these are more than keys.MOST frames, keys.MOST evenly chosen ones stand for all.
+    """
     times = recording.start + recording.step * np.arange(len(recording.samples))
     return keys.union([[first, *times[(first < times) & (times < last)].tolist(), last]])
 
 
 def numbers(recording, times):
-    """(n, width) at times, linear between samples."""
+    """Values (n, width) of a recording at times (n,), interpolated linearly between samples."""
     places, following, parts = recording.between(times)
     lower, upper = recording.samples[places], recording.samples[following]
     return lower + parts[:, None] * (upper - lower)
 
 
 def steps(recording, times):
-    """(n, width) at times, each sample's until the next one: of what has nothing between."""
+    """Values (n, width) of a recording at times (n,); each sample holds until the next one.
+
+    Used for integers, booleans and enums, which have no values in between.
+    """
     places, following, parts = recording.between(times)
     return recording.samples[np.where(parts < 1.0, places, following)]
 
 
 def transforms(recording, times):
-    """Locations, rotations and scales at times, of samples of "own"."""
+    """Locations (n, 3), rotations (n, 4; w, x, y, z) and scales (n, 3) at times (n,) of a recording of an own transform.
+
+    Locations and scales are interpolated linearly, rotations as unit quaternions along the shorter way.
+    """
     found = numbers(recording, times)
     places, following, parts = recording.between(times)
     turns = rotations.mixed(recording.samples[places, 3:7], recording.samples[following, 3:7], parts)
@@ -164,7 +190,10 @@ def transforms(recording, times):
 
 
 def matrices(recording, times):
-    """(n, 4, 4) at times, of samples of "world": what turns from one sample to the next turns between, the rest is linear."""
+    """World matrices (n, 4, 4) at times (n,) of a recording of a world matrix.
+
+    Between samples the rotation is interpolated as a unit quaternion. Location, and scale with shear, are interpolated linearly.
+    """
     places, following, parts = recording.between(times)
     needed, where = np.unique(np.stack((places, following)), return_inverse=True)
     lower, upper = where.reshape(2, -1)

@@ -1,4 +1,4 @@
-"""What solvers of bones read of a rig at any times: bones' own transforms, the pose that they hang on, and goals."""
+"""Inputs of solvers of bones, at any times: bones' own transforms, the pose of the bone above, settings, and goals."""
 
 import functools
 
@@ -18,12 +18,14 @@ _KEPT = keeping.OfEvaluation(
 
 
 class RigInputs:
-    """Inputs of solvers of bones of one rig, original or evaluated. name: hashable name of what is solved from them.
+    """Inputs at any times of a solver of bones of one rig, original or evaluated.
 
-    bones: names of those whose own transforms are read. above: name of the bone that they hang on, "" for none. goals:
-    (object, bone or "") whose world matrices are read, None where there is none. settings(): data paths of numbers of the
-    rig, by any names, with an index for a number of an array: (path, index). lays_pose: what is solved lies beneath all that is laid
-    over the bones, and reads nothing but their own channels and the settings; above, goals and scene count for nothing then.
+    name: hashable tuple that names what is solved. bones: names of the bones whose own transforms (matrix_basis) are read.
+    above: name of the bone that these bones hang on; "" if there is none. goals: for each goal the (object, name of its bone or "") whose
+    world matrix is read, or None if the goal is not set. settings(): {any name: (data path, index)} of numbers of the rig; the index is
+    that of an array's element.
+    lays_pose: whether the solver belongs to a system that changes the bones' own transforms before all other systems
+    (System.lays_pose). It then reads nothing but the bones' own channels and the settings; above, goals and scene are ignored.
     """
 
     def __init__(self, rig, scene, name, bones, above, goals, settings, lays_pose=False):
@@ -41,7 +43,7 @@ class RigInputs:
 
     @functools.cached_property
     def settings(self):
-        """{name: Channel} of the settings."""
+        """Settings over time: {name: Channel}, with the names that the `settings` function has given."""
         return {name: Channel(self._rig, path, index) for name, (path, index) in self._paths().items()}
 
     @property
@@ -54,12 +56,12 @@ class RigInputs:
 
     @functools.cached_property
     def reason(self):
-        """Reason why an input is unknown at frames other than the present one; None if all inputs are known."""
+        """Reason why an input of the solver is unknown at frames other than the present one; None if all inputs are known."""
         mine = kept(self._rig, (*self._name, "reason"), lambda: _first_reason([*self.settings.values(), *self.own.values()]))
         return mine or _first_reason(self._others)
 
     def bounds(self, first, last):
-        """Rising frames from first to last between which the inputs are smooth, whole frames included."""
+        """Rising frames from first to last, whole frames included; between two neighbouring frames all inputs change smoothly."""
         return keys.union([[first, *keys.whole(first, last), last], *(part.bounds(first, last) for part in self._parts)])
 
     @property
@@ -78,17 +80,18 @@ class RigInputs:
         return {name: channel.values(times) for name, channel in self.settings.items()}
 
     def worlds(self, times):
-        """(n, 16) of the rig, column by column."""
+        """World matrices of the rig at times (n,), as (n, 16), column by column."""
         return columns(self._world.values(times), len(times))
 
     def goals(self, times):
-        """World matrices (n, 16) of each goal, column by column; None for a missing goal."""
+        """World matrices (n, 16) of each goal (an object or bone that the solver aims at), column by column; None for an unset goal."""
         return [goal and columns(goal.values(times), len(times)) for goal in self._goals]
 
     def rows(self, times, names):
-        """Yields for each time (poses, basis) of all bones, (B, 16) float32 column by column, as core/rigs/arrays.py reads them.
+        """Yields, for each time, the pair (poses, basis): PoseBone.matrix and PoseBone.matrix_basis of all bones of the rig.
 
-        Right for the bones that were named; the arrays are the same each time. names: of all bones, in the order of the pose.
+        Each array is (B, 16) float32, column by column, as in rigs.Arrays. names: names of all bones, in the order of the pose.
+        `basis` is right only for `bones`, and `poses` only for the bone `above`. Each step overwrites the two arrays of the step before.
         """
         places = {name: row for row, name in enumerate(names)}
         basis = np.tile(np.eye(4, dtype=np.float32).ravel(), (len(names), 1))
@@ -104,7 +107,10 @@ class RigInputs:
 
 
 class SolvedBone:
-    """Base of what System.over_time returns for a bone that is solved from RigInputs alone; a subclass has `applied` and `stamp`."""
+    """Base class of what System.over_time returns for a bone that is solved from RigInputs alone.
+
+    A subclass adds `applied` and `stamp` (see solved.py).
+    """
 
     def __init__(self, inputs):
         self._inputs = inputs
@@ -122,23 +128,32 @@ class SolvedBone:
 
 
 def columns(matrices, count):
-    """(count, 16) of matrices (count or 1, 4, 4) in rows, column by column."""
+    """Matrices (count or 1, 4, 4) as (count, 16), column by column."""
     return np.broadcast_to(np.swapaxes(matrices, 1, 2), (count, 4, 4)).reshape(count, 16)
 
 
 def once(rig, name, times, make):
-    """The result of make() for a rig and times, made once although the bones that are solved together are asked for one by one."""
+    """Result of make() for a rig and times, computed once while one question about a track is answered (see evaluated/question.py).
+
+    Bones that are solved together are asked for one by one: all of them share the result. name: hashable name of what is solved.
+    """
     return answered((hash(rig), name, times.tobytes()), make)
 
 
 def stamp_of(rig):
-    """Stamp of a rig and its bones without drivers: settings, keys and rest pose."""
+    """Stamp of a rig: hashable value that changes whenever its settings, keys or rest pose may change.
+
+    Values that drivers set are not covered. The result is None if changes cannot be detected.
+    """
     copy = copies.of(rig)
     return copy and together((copy.number, strips.stamp_of(rig.animation_data), copies.stamp_of_data(rig)))
 
 
 def kept(rig, name, make):
-    """The result of make() for these inputs, kept until they change; made anew if changes cannot be told. It must not refer to Blender's data."""
+    """Result of make() for a rig, kept under a name until the rig's stamp_of() changes; if stamp_of() is None, it is made anew each time.
+
+    name: hashable. The result must not refer to Blender's data.
+    """
     stamp = stamp_of(rig)
     if stamp is None:
         return make()

@@ -1,4 +1,4 @@
-"""Rotations over time as arrays: quaternions (n, 4; w, x, y, z), as Blender makes them of its rotation modes; and matrices."""
+"""Rotations as arrays: quaternions (n, 4; w, x, y, z) as Blender computes them from its rotation modes, and rotation matrices."""
 
 import math
 
@@ -8,14 +8,14 @@ from ..lazy import numpy as np
 
 
 def unit(quaternions):
-    """Quaternions (n, 4) of length 1."""
+    """Quaternions (n, 4) scaled to length 1."""
     lengths = np.linalg.norm(quaternions, axis=1, keepdims=True)
-    # What Blender makes of a quaternion of zeros.
+    # Blender reads a quaternion of zeros as (0, 1, 0, 0).
     return np.where(lengths > 0.0, quaternions / np.where(lengths > 0.0, lengths, 1.0), (0.0, 1.0, 0.0, 0.0))
 
 
 def from_axis_angle(values):
-    """Quaternions of (n, 4): an angle, and an axis of any length."""
+    """Unit quaternions (n, 4) from rows of an angle in radians and an axis of any length, (n, 4). An axis of length 0 gives no rotation."""
     lengths = np.linalg.norm(values[:, 1:], axis=1, keepdims=True)
     axes = values[:, 1:] / np.where(lengths > 0.0, lengths, 1.0)
     cosines, sines = _cosines_and_sines(0.5 * values[:, 0])
@@ -23,7 +23,10 @@ def from_axis_angle(values):
 
 
 def from_euler(angles, order):
-    """Quaternions of turns about the fixed axes, one after the other in the order of the letters; angles: (n, 3)."""
+    """Unit quaternions (n, 4) from Euler angles (n, 3) in radians.
+
+    order: rotation mode such as 'XYZ'. The rotations are about the fixed axes, one after the other in the order of the letters.
+    """
     found = None
     for letter in order:
         axis = "XYZ".index(letter)
@@ -34,13 +37,13 @@ def from_euler(angles, order):
 
 
 def _cosines_and_sines(angles):
-    # NumPy's own (1.24) give one of two results for the same number, from call to call.
+    # np.cos and np.sin of NumPy 1.24 give one of two results for the same number, from call to call.
     listed = angles.tolist()
     return np.array(list(map(math.cos, listed))), np.array(list(map(math.sin, listed)))
 
 
 def product(left, right):
-    """Quaternions of the right turn and then the left one."""
+    """Quaternions (n, 4) that rotate by `right` first and by `left` after that."""
     w, x, y, z = left.T
     a, b, c, d = right.T
     return np.stack(
@@ -49,7 +52,7 @@ def product(left, right):
 
 
 def matrices(quaternions):
-    """(n, 3, 3) in rows, of unit quaternions."""
+    """Rotation matrices (n, 3, 3), for column vectors, of unit quaternions (n, 4)."""
     w, x, y, z = quaternions.T
     rows = (
         (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
@@ -60,16 +63,25 @@ def matrices(quaternions):
 
 
 def chained(left, right):
-    """Products of matrices (n or 1, k, k). Row by row: those of a linear algebra library depend on where the arrays lie."""
+    """Matrix products left @ right of arrays (n or 1, k, k).
+
+    Computed without a linear algebra library, whose results depend in their last bits on where the arrays lie in memory.
+    """
     return sum(left[:, :, index, None] * right[:, None, index, :] for index in range(left.shape[-1]))
 
 
 def of_axes(rows):
-    """Quaternions that turn as matrices (n, 3, 3) do, whatever else these do; a mirrored one turns as its negative."""
+    """Unit quaternions (n, 4) of the rotations in matrices (n, 3, 3), which may also scale and shear.
+
+    The quaternion of a mirroring matrix is that of the negative matrix.
+    """
     return np.array([Matrix(row).to_quaternion() for row in rows])
 
 
 def mixed(lower, upper, parts):
-    """Unit quaternions between two, the shorter way; parts: (n,) in [0, 1]."""
+    """Unit quaternions (n, 4) between `lower` and `upper`, (n, 4), along the shorter way, by normalized linear interpolation.
+
+    parts: (n,) in [0, 1]; 0 gives `lower`, 1 gives `upper`.
+    """
     upper = np.where((lower * upper).sum(axis=1, keepdims=True) < 0.0, -upper, upper)
     return unit(lower + parts[:, None] * (upper - lower))

@@ -1,4 +1,4 @@
-"""One input over time: exact from keys, or from a recording; and what the panel says of it."""
+"""Track: a property or transform at any times, computed from keys or read from a recording, with a sentence for the panel."""
 
 import enum
 import functools
@@ -13,8 +13,8 @@ from ..translations import tr
 from . import laid, recordings
 from .transforms import PARTS, Own, Transforms, World
 
-LARGEST_CACHE = 8192  # of what kept() keeps: some thousand properties or bones, in a viewport and a render
-LARGEST_MEMORY = 1 << 30  # bytes of that
+LARGEST_CACHE = 8192  # values that kept() keeps: some thousand properties or bones, in a viewport and a render
+LARGEST_MEMORY = 1 << 30  # bytes of the values that kept() keeps
 
 _made = keeping.OfFile(
     "what solvers make of tracks: native tracks, samples, plans",
@@ -27,7 +27,11 @@ _made = keeping.OfFile(
 
 
 class Kind(enum.Enum):
-    """EXACT: read from keys, or constant. SOLVED: a system of Motus's is asked. RECORDED: it has to be recorded, or was."""
+    """Where the values of a Track come from.
+
+    EXACT: from keys, NLA strips and parents, or from a constant. SOLVED: from a system of Motus. RECORDED: from a recording, which
+    may still have to be made.
+    """
 
     EXACT = enum.auto()
     SOLVED = enum.auto()
@@ -37,9 +41,10 @@ class Kind(enum.Enum):
 class Track:
     """Values of a property or transform at any times, in any order; times are frames of the scene, fractions included.
 
-    A solver may read a Track if the property's owner, object or bone is one of the solver's declared inputs: Blender then has
-    evaluated it before. `thing` or `id_data` has to be the evaluated one in this case. A Track refers to Blender's data, so that
-    it is built anew for each use; kept() keeps what a solver has computed from it.
+    A solver may read a Track only if the property's owner, object or bone is one of the solver's declared inputs: Blender evaluates
+    declared inputs before the solver. The datablock has to be the evaluated one in this case. A Track refers to Blender's data, so that
+    it is built anew for each use; kept() keeps what a solver has computed from a Track.
+    source: object that computes the values. what: name of the input in a recording. width: count of numbers in a recorded sample.
     """
 
     def __init__(self, source, id_data, what, width):
@@ -62,7 +67,7 @@ class Track:
 
     @functools.cached_property
     def recording(self):
-        """The recording of this input; None without one, or if it is damaged."""
+        """The Recording of this input; None if there is none, or if it is damaged."""
         try:
             return recordings.read(self.id_data, self.what, self.width)
         except stored.Damaged:
@@ -75,12 +80,12 @@ class Track:
 
     @property
     def is_known(self):
-        """Whether values() may be called."""
+        """Whether values() can be called: the input can be computed, or was recorded."""
         return self.reason is None or self.recording is not None
 
     @property
     def sentence(self):
-        """Sentence of the panel about this input, in the user's language."""
+        """Sentence for the panel that says where the values of this input come from, in the user's language."""
         if self.reason is None:
             if self._solvers:
                 return tr("Exact at any frame: solved by {systems}").format(systems=", ".join(map(tr, self._solvers)))
@@ -93,7 +98,10 @@ class Track:
         return tr("Needs recording: {reason}").format(reason=self.reason.sentence)
 
     def values(self, times):
-        """At times (n,): numbers (n,), Transforms, or world matrices (n, 4, 4). ValueError where they are not known."""
+        """Values of the input at times (n,), frames of the scene. Raises ValueError if the input still has to be recorded.
+
+        Returns numbers (n,), Transforms for an own transform, or world matrices (n, 4, 4).
+        """
         times = np.asarray(times, float)
         if self.reason is None:
             return self._source.values(times)
@@ -107,48 +115,50 @@ class Track:
         return read(self.recording, times)[:, 0]
 
     def bounds(self, first, last):
-        """Rising times from first to last between which the input is smooth, for sampling; a bounded number."""
+        """Rising frames from first to last, between which the input changes smoothly, for sampling; their number is limited."""
         if self.reason is None:
             return self._source.bounds(first, last)
         return recordings.bounds(self.recording, first, last) if self.recording else [first, last]
 
     @property
     def extent(self):
-        """(first, last) time between which it changes, infinite where it goes on; None where nothing ever does."""
+        """(first, last) frame between which the input changes, infinite if it goes on changing; None if it is constant."""
         if self.reason is None:
             return self._source.extent
         return (self.recording.start, self.recording.end) if self.recording else None
 
     @property
     def price(self):
-        """Price of one time in values(), in units of core/measures/bounds.py: about a microsecond each."""
+        """Cost of one time in values(), in units of core/measures/bounds.py (about a microsecond)."""
         return getattr(self._source, "price", 1) if self.reason is None else self.width
 
     @property
     def stamp(self):
-        """Something hashable that changes whenever values() of an evaluated thing may; None if nobody can tell."""
+        """Hashable value that changes whenever values() of an evaluated datablock may change; None if changes cannot be detected."""
         if self.reason is None:
             return self._source.stamp
         return self.recording and self.recording.stamp
 
     def present(self):
-        """A sample for a recording, (width,), of an evaluated thing."""
+        """Present value of the input on an evaluated datablock, as a sample for a recording, (width,)."""
         return self._source.present
 
 
 def property_track(id_data, data_path, index=-1, is_beneath_driver=False):
-    """The Track of a float, int, bool or enum property; index: in an array. Refuses what is no number.
+    """Track of a float, integer, boolean or enum property. Raises Refused if the data path leads to no number.
 
-    is_beneath_driver: of what its keys say, where a driver that reads them sets it in their place.
+    index: index of an array's element, -1 for a property that is no array. is_beneath_driver: read the keys of the property although
+    a driver sets it; used if that driver itself reads the keys.
     """
     return Track(_Number(id_data, data_path, index, is_beneath_driver), id_data, f"{data_path}[{index}]", 1)
 
 
 def moving_numbers(id_data, names, frame):
-    """{name: number at a frame} of the properties among `names` that keys or strips are known to animate on an evaluated datablock.
+    """Values at a frame, {name: number}, of the properties of an evaluated datablock that keys or NLA strips animate.
 
-    For a solver that must not wait for its own datablock's animation. Where no NLA takes part, without a Track, which takes longer
-    than the numbers.
+    names: tuple of property names. Properties that nothing animates, or that are not known at other frames, are left out.
+    For a solver that must not wait for the animation of its own datablock. Without NLA the F-curves are read directly, since to make a
+    Track takes longer.
     """
     played = id_data.animation_data
     if played is None or not (played.action or played.nla_tracks):
@@ -163,52 +173,57 @@ def moving_numbers(id_data, names, frame):
 
 
 def _keyed_ranges(id_data, names):
-    """{name: (least, most)} of the properties that the active action animates."""
+    """Limits {name: (least, most)} of those properties among `names` that the datablock's active action animates."""
     keyed = [channel.number(id_data, name) for name in names if channel.acting_curve(id_data, name)]
     return {number.name: (number.least, number.most) for number in keyed}
 
 
 def own_track(thing, parts=PARTS):
-    """The Track of what the channels of an Object or PoseBone make, delta transforms and layers included, as Transforms.
+    """Track of the transform that the channels of an Object or PoseBone give, below its parents and constraints, as Transforms.
 
-    parts: those that count, of "location", "rotation" and "scale"; for the others the present value may stand at all times.
+    Delta transforms, and poses that systems such as layers lay over a bone, are included. parts: those of "location", "rotation" and
+    "scale" that are needed; for the rest the Track may give the present value at all times.
     """
     return Track(laid.over(Own(thing, parts), thing), thing.id_data, _what(thing, "own"), recordings.WIDTHS["own"])
 
 
 def world_track(thing, scene, beneath=None):
-    """The Track of the world matrix of an Object or PoseBone. scene: whose frame rate counts for what systems drive.
+    """Track of the world matrix of an Object or PoseBone. scene: the scene whose frame rate counts for systems that drive it.
 
-    beneath: a System that acts on top of the animation of the bones of a rig: what it makes of these is left out. Without its
-    sinks a recording is taken of what it makes of them all the same.
+    beneath: a System that acts on top of the animation of a rig's bones; the Track leaves out its effect. None leaves out nothing.
+    A recording contains the effect of that System all the same.
     """
     return Track(World(thing, scene, beneath), thing.id_data, _what(thing, "world"), recordings.WIDTHS["world"])
 
 
 def kept(track, name, make):
-    """The result of make(), kept while the track does not change; make() is called anew if changes cannot be told.
+    """Result of make(), kept until the Track changes; make() is called each time if changes cannot be detected.
 
-    name: hashable, of all else that make() depends on. What is kept is shared by threads, and must not be changed.
+    name: hashable, contains everything else that make() depends on. Threads share the result, so that nobody may change it.
     """
     return kept_by(track.stamp, name, make)
 
 
 def kept_by(stamp, name, make):
-    """The result of make(), kept by a stamp: a track's, or another hashable value that changes whenever make()'s input may; None keeps nothing."""
+    """Result of make(), kept under a stamp and a name; a stamp of None keeps nothing.
+
+    stamp: hashable value that changes whenever the input of make() may change, such as Track.stamp. name: as in kept(): hashable,
+    contains everything else that make() depends on.
+    """
     if stamp is None:
         return make()
     return _made.made((name, stamp), make)
 
 
 def _bytes(found):
-    """Rough number of bytes that arrays and native tracks take."""
+    """Rough size of a value, in bytes: that of its arrays and native tracks. A tuple is summed up."""
     if isinstance(found, tuple):
         return sum(map(_bytes, found))
     return getattr(found, "nbytes", 0)
 
 
 class _Number(Channel):
-    """A Channel with what a recording needs."""
+    """A Channel (a number property over time) that also gives its present value as a sample for a recording."""
 
     @property
     def present(self):

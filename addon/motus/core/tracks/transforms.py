@@ -1,4 +1,4 @@
-"""Location, rotation and scale of objects and bones over time, and their world matrices, as Blender makes them."""
+"""Transforms over time: location, rotation and scale of objects and bones, and their world matrices, as Blender computes them."""
 
 import functools
 from typing import Any, NamedTuple
@@ -18,10 +18,10 @@ from . import laid, rotations, solved
 
 ROTATIONS = {'QUATERNION': ("rotation_quaternion", 4), 'AXIS_ANGLE': ("rotation_axis_angle", 4)}
 DELTA_ROTATIONS = {'QUATERNION': ("delta_rotation_quaternion", 4), 'AXIS_ANGLE': None}
-"""Blender has no channel for a delta by axis and angle."""
+"""Delta rotation property of each rotation mode, and its size; None for axis and angle, for which Blender has no delta rotation."""
 DEEPEST = 256
-"""Parents above each other; of bones too. What hangs deeper is taken for a loop."""
-LARGEST_CACHE = 1024  # bones of some rigs, in a viewport and a render
+"""Most parents above each other that are followed, of objects and of bones. A longer chain of parents is taken for a loop."""
+LARGEST_CACHE = 1024  # objects and bones: those of some rigs, in a viewport and a render
 
 _keys = keeping.OfFile(
     "which channels of an object or bone have keys", "the action's stamp, beginning of the data paths, rotation mode", LARGEST_CACHE
@@ -32,7 +32,7 @@ _DRIVEN = keeping.OfEvaluation(
 
 
 class Transforms(NamedTuple):
-    """locations (n, 3), rotations (n, 4; w, x, y, z; unit), scales (n, 3), float64."""
+    """Transforms at n times: locations (n, 3), rotations (n, 4; w, x, y, z) as unit quaternions, scales (n, 3), all float64."""
 
     locations: Any
     rotations: Any
@@ -40,7 +40,7 @@ class Transforms(NamedTuple):
 
     @property
     def matrices(self):
-        """(n, 4, 4) in rows."""
+        """The transforms as matrices (n, 4, 4) for column vectors: translation @ rotation @ scale."""
         found = np.zeros((len(self.locations), 4, 4))
         found[:, :3, :3] = rotations.matrices(self.rotations) * self.scales[:, None, :]
         found[:, :3, 3] = self.locations
@@ -52,9 +52,9 @@ PARTS = "location", "rotation", "scale"
 
 
 class Own:
-    """The transform that the channels of an Object or PoseBone make, delta transforms included: below parents and constraints.
+    """Own transform over time of an Object or PoseBone: what its channels give, delta transforms included, below parents and constraints.
 
-    parts: those that count; for the others the present value may stand at all times.
+    parts: those of "location", "rotation" and "scale" that are needed; for the rest the present value may stand at all times.
     """
 
     def __init__(self, thing, parts=PARTS):
@@ -64,16 +64,19 @@ class Own:
         self._mode = thing.rotation_mode
 
     price = 10
-    """As Track.price: of location, rotation and scale."""
+    """Cost of location, rotation and scale at one time, in units of core/measures/bounds.py (about a microsecond)."""
 
     @functools.cached_property
     def channels(self):
-        """{property: its Channels} of the properties that have an effect in the bone's or object's rotation mode."""
+        """Channels {property: [Channel of each element]} of the properties that have an effect in the present rotation mode."""
         return {name: [Channel(self._id, self._prefix + name, index) for index in range(size)] for name, size in self._names().items()}
 
     @functools.cached_property
     def reason(self):
-        """The Reason of the first channel that has one; None if all are known."""
+        """Reason why the own transform is unknown at frames other than the present one; None if it is known.
+
+        It is the Reason of the first needed channel that has one. Keys or drivers that change the rotation mode are a Reason too.
+        """
         if self._is_simple:
             changes_mode = self._keys_at[1]
         else:
@@ -86,12 +89,12 @@ class Own:
 
     @property
     def _counted(self):
-        """The Channels that count."""
+        """Channels of the needed parts of the transform."""
         return [one for name, group in self.channels.items() if any(part in name for part in self._counting) for one in group]
 
     @property
     def stamp(self):
-        """Hashable value that changes whenever the values of the channels may change; None if changes cannot be detected."""
+        """Hashable value that changes whenever the own transform may change at any time; None if changes cannot be detected."""
         if not self._id.is_evaluated:
             return None
         if not self._is_simple:
@@ -99,13 +102,13 @@ class Own:
         return strips.together((self._mode, self._prefix, self._action, *self._still_values()))
 
     def values(self, times):
-        """Transforms at times (n,)."""
+        """Own transforms at times, (n,) frames of the scene, as Transforms."""
         if self._is_simple:
             return self._combined({name: self._keyed(name, size, times) for name, size in self._names().items()})
         return self._combined({name: np.stack([one.values(times) for one in group], axis=1) for name, group in self.channels.items()})
 
     def _keyed(self, name, size, times):
-        """(n, size) of a property that at most keys of the active action animate. Transforms have no limits."""
+        """Values (n, size) at times (n,) of a property that nothing animates but keys of the active action. Transforms have no limits."""
         found = np.empty((len(times), size))
         found[:] = getattr(self._thing, name)
         for index, curve in enumerate(self._curves(name, size)):
@@ -125,7 +128,7 @@ class Own:
         return Transforms(locations, self._quaternions(found), scales)
 
     def bounds(self, first, last):
-        """Rising frames from first to last, between which the values are smooth."""
+        """Rising frames from first to last, between which the own transform changes smoothly."""
         if self._is_simple:
             found = [curve for name, size in self._names().items() for curve in self._curves(name, size) if curve]
             return keys.union([[first, last], *(keys.bounds(curve, first, last) for curve in found)])
@@ -133,7 +136,7 @@ class Own:
 
     @property
     def extent(self):
-        """First and last frame between which the values change; None if they do not."""
+        """(first, last) frame between which the own transform changes, infinite if it goes on changing; None if it is constant."""
         if self._is_simple:
             found = [curve for name, size in self._names().items() for curve in self._curves(name, size) if curve]
             return keys.united(map(keys.extent, found))
@@ -141,13 +144,13 @@ class Own:
 
     @property
     def present(self):
-        """A row of location, rotation and scale as they are now."""
+        """Sample for a recording, (10,): present location, rotation (w, x, y, z) and scale that the channels give."""
         found = {name: np.array([[one.number.present for one in group]]) for name, group in self.channels.items()}
         return np.concatenate([part[0] for part in self._combined(found)])
 
     @functools.cached_property
     def _is_simple(self):
-        """Whether nothing but keys of the active action animates it."""
+        """Whether nothing but keys of the active action animates the own transform: neither NLA strips nor drivers."""
         animation = self._id.animation_data
         if animation is None:
             return True
@@ -156,7 +159,10 @@ class Own:
         return not len(animation.drivers) or not self._has_drivers()
 
     def _has_drivers(self):
-        """Whether a driver sets a channel; known for as long as Blender keeps an evaluated copy that can be told from others."""
+        """Whether a driver sets a channel of the transform or the rotation mode.
+
+        The answer is kept for as long as Blender keeps the evaluated copy, if the copy can be told apart from later ones.
+        """
         known = _DRIVEN.on(copies.of(self._id) if self._id.is_evaluated else None)
         place = self._prefix, self._mode
         if place not in known:
@@ -169,7 +175,7 @@ class Own:
 
     @functools.cached_property
     def _action(self):
-        """Stamp of the action (strips.stamp_of_action); () without an action."""
+        """Stamp of the active action (strips.stamp_of_action); None if edits cannot be detected, () if there is no action."""
         animation = self._id.animation_data
         return strips.stamp_of_action(animation) if animation and animation.action else ()
 
@@ -191,7 +197,7 @@ class Own:
         return still, any(self._curves("rotation_mode", 1))
 
     def _still_values(self):
-        """Values of the channels that nothing animates."""
+        """Values of the channels without keys, one tuple for each property."""
         for name, indices in self._keys_at[0].items():
             values = getattr(self._thing, name)
             yield tuple([values[index] for index in indices])
@@ -220,7 +226,10 @@ class Own:
 
 
 class World:
-    """The world matrix of an Object or PoseBone, from the channels of it and of all that it hangs on."""
+    """World matrix over time of an Object or PoseBone, computed from its channels and from all parents that it hangs on.
+
+    scene: the scene whose frame rate counts for systems that drive it. beneath: a System whose effect on the bone is left out, or None.
+    """
 
     def __init__(self, thing, scene, beneath=None):
         self._thing, self._scene, self._beneath = thing, scene, beneath
@@ -228,7 +237,7 @@ class World:
 
     @functools.cached_property
     def _links(self):
-        """The objects from the topmost parent down."""
+        """Links of the chain of parents, one for each object, the topmost parent first."""
         found, obj = [], self._thing.id_data
         bone = self._thing if self._is_bone else None
         while obj is not None and len(found) < DEEPEST:
@@ -240,7 +249,7 @@ class World:
 
     @functools.cached_property
     def reason(self):
-        """The Reason for which the values are not known at other frames; None if they are known."""
+        """Reason why the world matrix is unknown at frames other than the present one; None if it is known."""
         return answered(
             (self, "reason"),
             lambda: next(filter(None, (self._of(link, "reason", lambda link=link: link.reason) for link in reversed(self._links))), None),
@@ -248,16 +257,19 @@ class World:
 
     @property
     def solvers(self):
-        """Labels of the systems that are asked for the values."""
+        """Labels of the systems of Motus that compute parts of the world matrix."""
         return list(dict.fromkeys(one.label for link in self._links for one in link.all_solved))
 
     def _of(self, link, *question_and_answer):
-        """Result for a link of the chain of parents, found once for all things that share the link."""
+        """Answer to a question about one link of the chain of parents, computed once for all things that share the link.
+
+        question_and_answer: hashable words of the question, and last a function that computes the answer.
+        """
         *question, answer = question_and_answer
         return answered((link.key, *question), answer)
 
     def values(self, times):
-        """(n, 4, 4) in rows."""
+        """World matrices (n, 4, 4), for column vectors, at times, (n,) frames of the scene."""
         marks = times.tobytes()
         return answered((self, "values", marks), lambda: self._values(times, marks))
 
@@ -268,12 +280,12 @@ class World:
         return found
 
     def poses(self, times):
-        """(n, 4, 4) of a bone in the space of its rig."""
+        """Poses (n, 4, 4) of the bone in armature space at times, (n,) frames of the scene. Only for a PoseBone."""
         link = self._links[-1]
         return np.broadcast_to(self._of(link, "poses", times.tobytes(), lambda: link.poses(times)), (len(times), 4, 4))
 
     def bounds(self, first, last):
-        """Rising frames from first to last, between which the values are smooth."""
+        """Rising frames from first to last, between which the world matrix changes smoothly."""
         return answered(
             (self, "bounds", first, last),
             lambda: keys.union([self._of(link, "bounds", first, last, lambda link=link: link.bounds(first, last)) for link in self._links]),
@@ -281,14 +293,14 @@ class World:
 
     @property
     def extent(self):
-        """First and last frame between which the values change; None if they do not."""
+        """(first, last) frame between which the world matrix changes, infinite if it goes on changing; None if it is constant."""
         return answered(
             (self, "extent"), lambda: keys.united([self._of(link, "extent", lambda link=link: link.extent) for link in self._links])
         )
 
     @property
     def price(self):
-        """Price of the values for each time (see core/measures/bounds.py)."""
+        """Cost of the world matrix at one time, in units of core/measures/bounds.py (about a microsecond)."""
         return sum(link.price for link in self._links)
 
     @property
@@ -300,14 +312,17 @@ class World:
 
     @property
     def present(self):
-        """The evaluated matrix, without its last row, in one row."""
+        """Sample for a recording, (12,): the evaluated world matrix without its last row, row by row."""
         thing = self._thing
         matrix = thing.id_data.matrix_world @ thing.matrix if self._is_bone else thing.matrix_world
         return np.array(matrix)[:3].ravel()
 
 
 class _Link:
-    """An object, and the bone of it that the next one hangs on, or None for the object itself."""
+    """One link of a chain of parents: an object, and the bone of the object on which the next link hangs.
+
+    bone: PoseBone; in the last link, the bone whose world matrix is wanted. None if the object itself is the parent or is wanted.
+    """
 
     def __init__(self, obj, bone, scene, beneath):
         self._object, self._bone, self._scene, self._beneath = obj, bone, scene, beneath
@@ -332,7 +347,7 @@ class _Link:
 
     @functools.cached_property
     def solved(self):
-        """The Solved of the system that drives the object; None without one, or if something else drives the object too."""
+        """Result over time of the system that drives the object, as a Solved; None if no system drives the object alone."""
         return solved.of(self._object, self._scene) if len(self._object.constraints) else None
 
     def _of_bones(self):
@@ -352,7 +367,7 @@ class _Link:
 
     @functools.cached_property
     def _turning(self):
-        """{name of a bone: the Solved of the system that drives it}."""
+        """Results over time of the systems that drive bones of the link: {name of a bone: Solved}."""
         found = {bone.name: solved.of_bone(bone, self._scene, self._beneath) for bone in self._bones if len(bone.constraints)}
         return {name: one for name, one in found.items() if one}
 
@@ -362,17 +377,20 @@ class _Link:
 
     @property
     def _driving(self):
-        """The Solved of the systems that drive the object and the bones, on top of poses laid over the bones."""
+        """Results over time, as Solved, of the systems that drive the object and its bones; without those that lay poses over the bones."""
         return [*([self.solved] if self.solved else []), *(self._turning.values() if self._is_posed else ())]
 
     @property
     def all_solved(self):
-        """The Solved of all systems that drive the object and the bones."""
+        """Results over time, as Solved, of all systems that drive the object and its bones, first those that lay poses over the bones."""
         laying = [one for own in self._posed for one in getattr(own, "solved", ())] if self._is_posed else []
         return [*laying, *self._driving]
 
     def matrices(self, times, parent):
-        """World matrices (n, 4, 4) of the bone or object at times (n,). parent: world matrices of its parent, or None."""
+        """World matrices (n, 4, 4) of the bone, or of the object if there is no bone, at times, (n,) frames of the scene.
+
+        parent: world matrices (n, 4, 4) of the link above, or None if the object has no parent.
+        """
         obj = self._object
         found = self._own.values(times).matrices
         if parent is not None:
@@ -382,7 +400,7 @@ class _Link:
         return rotations.chained(found, self.poses(times)) if self._bone else found
 
     def poses(self, times):
-        """Matrices of the bone in the rig's space."""
+        """Poses (n, 4, 4), or (1, 4, 4) if constant, of the bone in armature space at times, (n,) frames of the scene."""
         if self._object.data.pose_position == 'REST':
             return _array(self._bone.bone.matrix_local)
         found = None
@@ -426,7 +444,7 @@ class _Link:
 
 
 def _array(matrix):
-    """The matrix as an array, (1, 4, 4)."""
+    """A mathutils.Matrix as an array of float64, (1, 4, 4)."""
     return np.array(matrix, float)[None]
 
 
@@ -435,18 +453,21 @@ def _numbers(matrix):
 
 
 def constrained(thing, beneath=None):
-    """Why a constraint makes it unknown; None without one that acts. beneath: a System whose sinks do not count."""
+    """Reason that a constraint acts on an Object or PoseBone, so that its transform is unknown at other frames; None if none acts.
+
+    beneath: a System whose constraints do not count, or None. Constraints of systems that lay poses never count.
+    """
     found = solved.acting_on(thing, beneath) if len(thing.constraints) else ()
     return Reason(Reason.CONSTRAINED, thing=thing.name, name=found[0].name) if found else None
 
 
 def _chain(bone):
-    """The bone and all above it, the topmost first."""
+    """List of a bone and all its parents, the topmost parent first."""
     return [*reversed(bone.parent_recursive), bone]
 
 
 def _turned_by(bone, constraint):
-    """Names of the bones that Blender's own solver turns."""
+    """Names of the bones that an IK or Spline IK constraint on `bone` moves; none if the constraint is muted."""
     if constraint.mute:
         return []
     chain = ([bone] if getattr(constraint, "use_tail", True) else []) + bone.parent_recursive
@@ -454,7 +475,7 @@ def _turned_by(bone, constraint):
 
 
 def parent_of(obj):
-    """The Object or PoseBone that an object hangs on, or None."""
+    """The PoseBone or Object that is the parent of an object; None if there is none."""
     return _parent_bone(obj) or obj.parent
 
 
@@ -465,7 +486,10 @@ def _parent_bone(obj):
 
 
 def of_parent(obj):
-    """The Reason for which nobody knows where an object hangs on its parent; None where that is plain, or there is none."""
+    """Reason why the place of an object relative to its parent is unknown at other frames; None if it is known, or there is no parent.
+
+    Unknown are objects on vertices of their parent, and objects that follow their parent's curve.
+    """
     parent = obj.parent
     if parent is None:
         return None
@@ -477,7 +501,10 @@ def of_parent(obj):
 
 
 def parent_offset(obj):
-    """(1, 4, 4): from the matrix of what an object hangs on to the space that its own channels are in."""
+    """Matrix (1, 4, 4) from the matrix of an object's parent to the space of the object's own channels.
+
+    It consists of the parent inverse matrix and, for a parent bone, the offset to the bone's tail or rest pose.
+    """
     bone, inverse = _parent_bone(obj), _array(obj.matrix_parent_inverse)
     if bone is None:
         return inverse
@@ -487,14 +514,20 @@ def parent_offset(obj):
 
 
 def posed(bone, transforms, parent):
-    """Poses in the rig's space (n, 4, 4) of a PoseBone with these own Transforms, by those of its parent, or None."""
+    """Poses (n, 4, 4) in armature space of a PoseBone with given own Transforms.
+
+    parent: poses (n, 4, 4) of the parent bone, or None if the bone has no parent.
+    """
     if bone.bone.use_connect:
         transforms = transforms._replace(locations=np.zeros_like(transforms.locations))
     return _posed(bone.bone, transforms.matrices, parent)
 
 
 def _posed(bone, basis, parent):
-    """Poses in the rig's space of a bone (n, 4, 4), by those of its parent, or None."""
+    """Poses (n, 4, 4) in armature space of a Bone from own transforms `basis`, (n, 4, 4).
+
+    parent: poses (n, 4, 4) of the parent bone, or None if the bone has no parent.
+    """
     above = bone.parent
     is_plain = (bone.inherit_scale == 'FULL' and bone.use_inherit_rotation) or above is None
     if is_plain and bone.use_local_location:
@@ -502,7 +535,7 @@ def _posed(bone, basis, parent):
             return rotations.chained(_array(bone.matrix_local), basis)
         below = _array(above.matrix_local.inverted_safe() @ bone.matrix_local)
         return rotations.chained(parent, rotations.chained(below, basis))
-    # Whatever else a bone inherits, Blender itself says by matrices in single precision.
+    # All different ways to inherit are left to Blender's own function, which computes in single precision.
     parents = [None] * len(basis) if parent is None else parent
     return np.array([_converted(bone, above, *pair) for pair in zip(basis, parents)])
 

@@ -1,7 +1,8 @@
-"""From a system's solve function to the scene: solver driver, outbox, sinks.
+"""Public functions of the wiring, which brings the results of a system's solve function to objects, bones and properties in Blender.
 
-The only module that knows how results reach Blender. A system never looks inside; it is attached, refreshed and
-detached here. See docs/wiring.md for the way of the data and docs/gotchas.md for why it is this way.
+Only this package knows how results reach Blender: a driver calls the solver, the solver writes an array of results (the outbox), and
+constraints, drivers or modifiers (the sinks) read that array. Systems call the functions listed in __all__ and never look inside the
+package. docs/wiring.md describes the way of the data, docs/gotchas.md the reasons for the design.
 """
 
 from ..blender.drivers import driven_bones, targets_on

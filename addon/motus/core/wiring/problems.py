@@ -1,4 +1,8 @@
-"""What keeps an owner's systems from working, as a sentence for the panel: what its solvers report, and what the wiring sees."""
+"""Find what keeps an owner's systems from working, as a Problem with a sentence for the panel.
+
+Problems come from the status that solvers write, and from faults in the wiring, such as a missing hub or a driven property that is
+gone.
+"""
 
 from ..declare import Problem, groups_of, of_owner
 from ..file.stored import Damaged, Newer
@@ -26,7 +30,11 @@ _OWN_PROBLEMS = {
 
 
 def problem(system, owner, depsgraph):
-    """The Problem that the solvers of the owner reported, a blocking one first; or None."""
+    """Return the Problem that keeps a system from working on an owner, a blocking one first; None if there is none.
+
+    The status is read from the evaluated meshes of the owner's hubs. If no hub is left although the owner is set up, the result is the
+    problem of damaged data. A system that declares groups also reports properties that are no longer driven.
+    """
     carried = hub_lookup.carriers_of(system, owner)
     if not carried:
         is_bereft = of_owner(system, owner).is_active and groups_of(system, owner)
@@ -43,7 +51,10 @@ def problem(system, owner, depsgraph):
 
 
 def report_problems(operator, context, system, owners):
-    """Let an operator warn of what keeps the system from working on owners, as far as they are evaluated here."""
+    """Make an operator report a warning for each Problem that a system has on these owners.
+
+    Owners that the view layer of the context does not evaluate are left out. A problem that several owners have is reported once.
+    """
     context.view_layer.update()
     depsgraph = context.view_layer.depsgraph
     found = {problem(system, owner, depsgraph) for owner in owners if owner.evaluated_get(depsgraph).is_evaluated}

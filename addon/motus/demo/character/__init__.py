@@ -1,1 +1,1 @@
-"""The wooden pilot of the demo scenes: skeleton, figure and clips of animation."""
+"""The wooden pilot of the demo scenes: armature, mesh, and actions that animate the pilot."""

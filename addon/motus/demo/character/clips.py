@@ -1,4 +1,7 @@
-"""The three clips of the layered scene, of few keys each: a walk on the spot, a jump, and a throw from high."""
+"""Actions for the wooden pilot, each of few keys: a walk on the spot, a throw, a jump, and a pose with a raised left arm.
+
+Scenes lay these actions over the pilot's own animation as animation layers.
+"""
 
 import itertools
 import math
@@ -15,7 +18,8 @@ JUMP_FRAMES, TAKE_OFF, TOUCH_DOWN = 44, 13, 29
 JUMP_HEIGHT = 0.42  # m
 CROUCH, LANDING = 0.15, 0.17  # m that the hips sink
 
-# A foot from one contact to the next: share of the stride, m ahead of the hip, m above the ground, degrees of the sole, toes up.
+# A foot from one contact with the ground to the next. Columns: share of the stride, m ahead of the hip, m above the ground, angle of
+# the sole in degrees, positive if the toes point up.
 STEP = (
     (0.000, 0.245, 0.012, 16.0),
     (0.125, 0.125, 0.0, 0.0),
@@ -26,9 +30,10 @@ STEP = (
     (0.750, 0.020, 0.140, -14.0),
     (0.875, 0.215, 0.062, 12.0),
 )
-HIP_SINK = ((0.0, 0.060), (0.125, 0.072), (0.250, 0.038), (0.375, 0.034))  # m, twice a stride
-SWAY = 0.022  # m to the side of the foot that stands
-# Degrees about a bone's axes, twice: of the stride's first half, and mirrored of the second.
+# (share of the stride, m by which the hips sink), repeated in the second half of the stride.
+HIP_SINK = ((0.0, 0.060), (0.125, 0.072), (0.250, 0.038), (0.375, 0.034))
+SWAY = 0.022  # m by which the hips move towards the foot that stands
+# Degrees about the bone's X, Y and Z axes at the start of the stride; the second half of the stride mirrors them.
 SWINGS = {
     "pelvis": (0.0, 7.0, 2.0),
     "spine.002": (2.0, -6.0, -1.5),
@@ -38,7 +43,7 @@ SWINGS = {
 }
 ARM_SWING, ELBOW, ELBOW_SWING = 27.0, 16.0, 12.0  # degrees
 
-# Frames of the throw with degrees: of the arm that throws about X (ahead and up) and Z (aside), of its elbow, and so on.
+# Keys (frame, degrees) of the throw for (bone, axis). Of the throwing arm X swings ahead and up, Z aside.
 THROW = {
     ("upper_arm.R", 0): ((1, 0.0), (13, 150.0), (17, 176.0), (RELEASE, 128.0), (27, 30.0), (THROW_FRAMES, 0.0)),
     ("upper_arm.R", 2): ((1, 0.0), (13, 24.0), (17, 20.0), (RELEASE, 4.0), (27, -14.0), (THROW_FRAMES, 0.0)),
@@ -57,7 +62,7 @@ THROW = {
     ("fingers.R", 0): ((1, -42.0), (17, -46.0), (RELEASE, 8.0), (THROW_FRAMES, -20.0)),
 }
 WHIP = ("upper_arm.R", "forearm.R")
-"""Bones whose way to the release begins slowly and ends fast: their curves are shaped for it."""
+"""Bones whose F-curves accelerate from the wound-up pose to the release."""
 
 CARRY = {
     ("upper_arm.L", 0): 30.0,
@@ -76,7 +81,7 @@ JUMP = {
     ("upper_arm.L", 2): ((1, 0.0), (16, -22.0), (22, -34.0), (34, -12.0), (JUMP_FRAMES, 0.0)),
     ("forearm.L", 0): ((1, 12.0), (8, 24.0), (17, 16.0), (34, 42.0), (JUMP_FRAMES, 12.0)),
 }
-LEGS_OF_JUMP = (  # frame, m that the hips sink or the feet are drawn up, degrees of the soles
+LEGS_OF_JUMP = (  # frame, m by which the hips sink or the feet are drawn up, angle of the soles in degrees
     (1, 0.030, 0.0),
     (8, CROUCH, 0.0),
     (TAKE_OFF, 0.012, -34.0),
@@ -88,7 +93,7 @@ LEGS_OF_JUMP = (  # frame, m that the hips sink or the feet are drawn up, degree
 
 
 def walk(rig):
-    """The walk on the spot, one stride of it."""
+    """Make the action of one stride, two steps, of walking on the spot. The rig is left at rest without an action."""
     bones = rig.pose.bones
     turns = {}
     for side, shift in (("L", 0.0), ("R", 0.5)):
@@ -118,7 +123,7 @@ def walk(rig):
 
 
 def throw(rig, hand="R"):
-    """The throw, of the upper body alone, by the right or the left hand."""
+    """Make the action of a throw, which moves only the upper body. hand: "R" or "L"."""
     for (name, axis), keys in THROW.items():
         if hand == "L":
             name, keys = _mirrored(name), [(frame, angle if axis == 0 else -angle) for frame, angle in keys]  # type: ignore[assignment]
@@ -133,7 +138,7 @@ def throw(rig, hand="R"):
 
 
 def carry(rig):
-    """A pose of the left arm, which holds something up before the shoulder."""
+    """Make an action of one pose, in which the left hand holds something up in front of the shoulder."""
     for (name, axis), angle in CARRY.items():
         _key_turns(rig.pose.bones[name], axis, ((1, angle),))
     action = _named(rig, "Carry")
@@ -142,14 +147,14 @@ def carry(rig):
 
 
 def lay(rig, action, **keywords):
-    """Lay a clip over the rig's animation, by the public operator; gives the layer."""
+    """Lay an action over the rig's animation with the public operator motus.layer_add. Returns the new layer's settings."""
     if bpy.ops.motus.layer_add(object=rig.name, action=action.name, **keywords) != {"FINISHED"}:
         raise RuntimeError(f"{rig.name} could not be given the layer {action.name}")
     return rig.motus.layers.entries[rig.motus.layers.active_entry]
 
 
 def jump(rig):
-    """The jump: a parabola between two keys of the hips' height, whose handles alone make it one."""
+    """Make the action of a jump. Two keys of the hips' height, with suitable handles, make the flight a parabola."""
     bones = rig.pose.bones
     for (name, axis), keys in JUMP.items():
         _key_turns(bones[name], axis, keys)
@@ -177,7 +182,7 @@ def jump(rig):
 
 
 def _sink(share):
-    """How far the hips have sunk at a share of the stride, by straight lines between the keys."""
+    """Return by how many metres the hips have sunk at a share of the stride, interpolated linearly in HIP_SINK."""
     share = share % 0.5
     keys = (*HIP_SINK, (0.5, HIP_SINK[0][1]))
     for (first, low), (second, high) in itertools.pairwise(keys):
@@ -197,7 +202,10 @@ def _add_leg(turns, side, frame, ahead, sink, sole, lean=0.0):
 
 
 def _leg(ahead, sink, sole, lean):
-    """Degrees of thigh, shin and foot about their X axes: the law of cosines in the plane of the walk."""
+    """Return the angles of thigh, shin and foot about their X axes, in degrees, by the law of cosines.
+
+    ahead, sink: metres by which the ankle is ahead of the hip and raised towards the hip. sole, lean: tilt of the sole and hips, degrees.
+    """
     upper, lower = skeleton.JOINTS["thigh.L"], skeleton.JOINTS["shin.L"]
     thigh, shin = _way(upper.head, upper.tail), _way(lower.head, lower.tail)
     down = thigh[1] + shin[1] - sink
@@ -213,12 +221,12 @@ def _leg(ahead, sink, sole, lean):
 
 
 def _way(head, tail):
-    """(ahead, down) between two places of the rig; it faces -Y."""
+    """Return (ahead, down), the distances from one position in the rig to another. The rig faces -Y."""
     return head[1] - tail[1], head[2] - tail[2]
 
 
 def _closed(keys):
-    """Keys of a stride in their order, with those before and after that make it smooth at its ends."""
+    """Sort the keys of a stride and add the keys of the strides before and after, so that the ends of the stride are smooth."""
     keys = sorted(((frame - 1) % STRIDE + 1, value) for frame, value in keys)
     around = [(frame + turn * STRIDE, value) for turn in (-1, 0, 1, 2) for frame, value in keys]
     return [one for one in around if -STRIDE / 2 < one[0] <= 1.5 * STRIDE + 2]
@@ -229,12 +237,12 @@ def _key_turns(bone, axis, keys):
 
 
 def _mirrored(name):
-    """A bone's name on the other side."""
+    """Return a bone's name with the endings .L and .R exchanged."""
     return name[:-2] + {".L": ".R", ".R": ".L"}.get(name[-2:], name[-2:])
 
 
 def _named(rig, name):
-    """The action that was keyed on the rig, which is at rest again."""
+    """Name the action that has been keyed on the rig, and set the rig's bones back to rest. Returns the action."""
     action = rig.animation_data.action
     action.name, action.use_fake_user = name, True
     for bone in rig.pose.bones:
@@ -243,7 +251,7 @@ def _named(rig, name):
 
 
 def _shape_whip(curve):
-    """Let the arm wait, and then go ever faster until it lets go."""
+    """Shape the handles of an arm's F-curve so that the arm waits, and then accelerates until the hand lets go."""
     points = {round(point.co.x): point for point in curve.keyframe_points}
     wound, let_go = points[17], points[RELEASE]
     for point in (wound, let_go):
@@ -256,7 +264,10 @@ def _shape_whip(curve):
 
 
 def _shape_flight(curve):
-    """A cubic whose two inner numbers are 4/3 of the height is the parabola of that height."""
+    """Shape the F-curve of the hips' height into a parabola between take-off and touch-down.
+
+    A cubic Bezier segment whose inner control points lie 4/3 of a height above its ends is the parabola of that height.
+    """
     points = {round(point.co.x): point for point in curve.keyframe_points}
     start, end = points[TAKE_OFF], points[TOUCH_DOWN]
     third, level = (TOUCH_DOWN - TAKE_OFF) / 3.0, 4.0 / 3.0 * JUMP_HEIGHT

@@ -14,14 +14,14 @@ EYE_RADIUS = 0.040
 IRIS_ANGLE, PUPIL_ANGLE = math.radians(33.0), math.radians(17.0)
 LID_THICKNESS = 0.0022
 LID_ANGLE = math.radians(84.0)  # half the opening of an upper lid
-LID_TILT = math.radians(27.0)  # of its middle, back from straight up
-CAP_TILT = math.radians(33.0)  # of the cap's middle, back from straight up
+LID_TILT = math.radians(27.0)  # angle of the lid's middle, tilted back from straight up
+CAP_TILT = math.radians(33.0)  # angle of the cap's middle, tilted back from straight up
 CAP_ANGLE = math.radians(81.0)
 CAP_GROWTH = 1.055  # the cap's radii, in head radii
 
 
 def add(body):
-    """Everything on the head."""
+    """Add the head, the cap, the goggles, the features and the eyes to the pilot's body."""
     body.add(_egg(), "head", parts.WOOD)
     _add_cap(body)
     _add_goggles(body)
@@ -34,7 +34,7 @@ def add(body):
 
 
 def _narrowing(z):
-    """Factor of the head's width at a height in head radii."""
+    """Return the factor of the head's width at heights z, in head radii from the middle."""
     return 1.0 + CHIN * np.clip(z, -1.0, 0.35)
 
 
@@ -45,7 +45,7 @@ def _egg():
 
 
 def _on_head(directions, growth=1.0):
-    """Unit directions to points of the head's surface, or of one that is `growth` times as large."""
+    """Convert unit directions to points on the head's surface, enlarged by the factor `growth`."""
     directions = np.asarray(directions, dtype=float)
     narrow = _narrowing(directions[..., 2:3])
     scale = np.concatenate((narrow, narrow, np.ones_like(narrow)), axis=-1)
@@ -53,7 +53,7 @@ def _on_head(directions, growth=1.0):
 
 
 def _front(x, z, lift=0.0):
-    """The point of the face at x and z, `lift` metres before the surface."""
+    """Return the points of the face at x and z, `lift` metres in front of the surface."""
     unit_z = (z - CENTRE[2]) / RADII[2]
     unit_x = x / (RADII[0] * _narrowing(unit_z))
     unit_y = -np.sqrt(np.maximum(1.0 - unit_x**2 - unit_z**2, 0.0))
@@ -62,13 +62,13 @@ def _front(x, z, lift=0.0):
 
 
 def _tilted(vertices, angle):
-    """Turned about X: what points up goes back."""
+    """Rotate vertices about X by an angle in radians, so that the top tilts back."""
     cos, sin = math.cos(angle), math.sin(angle)
     return np.asarray(vertices) @ np.array(((1.0, 0.0, 0.0), (0.0, cos, -sin), (0.0, sin, cos)))
 
 
 def _cap_ring(polar, count=72):
-    """Directions around the cap's middle at an angle from it."""
+    """Return `count` unit directions at the angle `polar` from the cap's middle, all around it."""
     angle = shapes.ring(count)
     ring = np.stack((math.sin(polar) * np.cos(angle), math.sin(polar) * np.sin(angle), np.full(count, math.cos(polar))), axis=-1)
     return _tilted(ring, CAP_TILT)
@@ -78,7 +78,7 @@ def _cap_ring(polar, count=72):
 
 
 def _add_eye(body, side):
-    """An eyeball in three colours, and an upper lid on a bone of its own."""
+    """Add an eyeball in three colours, and an upper lid that a separate bone moves."""
     polar = np.concatenate(
         (
             np.linspace(1e-3, PUPIL_ANGLE, 6),
@@ -102,7 +102,7 @@ def _add_eye(body, side):
 
 
 def _add_features(body):
-    """Nose, smile, cheeks and brows."""
+    """Add nose, smile, cheeks and brows."""
     nose = _front(0.0, 1.566)
     body.add(shapes.sphere(0.022, nose + (0.0, -0.006, 0.0), (0.95, 1.15, 0.95)), "head", parts.BLUSH)
     s = np.linspace(-1.0, 1.0, 25)
@@ -116,7 +116,7 @@ def _add_features(body):
 
 
 def _patch(x, z, radius, rows=6, segments=28):
-    """A disc painted on the face: it follows the surface, a hair before it."""
+    """Make a disc that follows the face's surface 1.2 mm in front of it, as if painted on."""
     angle = shapes.ring(segments)
     reach = np.linspace(1.0, 1e-3, rows)[:, None] * radius
     return shapes.loft(_front(x + reach * np.cos(angle), z + reach * np.sin(angle), 0.0012)[:, ::-1])
@@ -137,7 +137,7 @@ def _add_cap(body):
 
 
 def _add_goggles(body):
-    """Pushed up on the cap: two brass rings with glass, on a strap."""
+    """Add goggles that are pushed up on the cap: two brass rings with glass, on a strap."""
     polar = math.radians(52.0)
     band = np.stack(
         [

@@ -7,7 +7,7 @@ import numpy as np
 from ..stage import shapes
 from . import parts, skeleton
 
-# radius, fraction of the bone's length from its end to its start.
+# Profiles of turned parts: (radius in m, place along the bone as a fraction of its length), from the bone's end to its start.
 UPPER_ARM = (
     (0.003, 0.93),
     (0.024, 0.925),
@@ -49,7 +49,7 @@ SHIN = (
     (0.003, 0.06),
 )
 CUFF = ((0.026, 0.86), (0.035, 0.83), (0.039, 0.77), (0.037, 0.71), (0.030, 0.68))
-# y, half width, half height, height of the middle: a boot from heel to toe.
+# Cross-sections of a boot from heel to toe: y, half width, half height, height of the middle; in m.
 BOOT_SHAPE = (
     (0.064, 0.006, 0.014, 0.034),
     (0.056, 0.032, 0.040, 0.042),
@@ -61,7 +61,7 @@ BOOT_SHAPE = (
     (-0.204, 0.008, 0.010, 0.022),
 )
 SOLE_HEIGHT = 0.013
-# x across the knuckles (towards the thumb), y, length, thickness of each finger.
+# Of each finger: x across the knuckles (positive towards the thumb), y, length, radius; in m.
 FINGERS = (
     (0.027, 0.086, 0.077, 0.0100),
     (0.009, 0.088, 0.083, 0.0105),
@@ -72,7 +72,7 @@ CURL = (math.radians(10.0), math.radians(34.0))  # of a finger's two halves at r
 
 
 def add(body, side):
-    """Arm, hand, leg and boot of one side."""
+    """Add arm, hand, leg and boot of one side, "L" or "R", to the pilot's body."""
     _add_arm(body, side)
     _add_hand(body, side)
     _add_leg(body, side)
@@ -100,7 +100,7 @@ def _add_leg(body, side):
 
 
 def _add_boot(body, side, x, rows=40, points=40):
-    """A boot that is flat below, its toes carried by a bone of their own, on a dark sole."""
+    """Add a boot with a flat dark sole; its toes are moved by the toe bone."""
     profile = shapes.smooth_profile(BOOT_SHAPE, rows)
     angle = shapes.ring(points)
     y, width, tall, middle = (profile[:, i : i + 1] for i in range(4))
@@ -109,14 +109,14 @@ def _add_boot(body, side, x, rows=40, points=40):
     height = np.maximum(middle + tall * upward, 0.0)
     part = shapes.loft(np.stack((x + width * across, np.broadcast_to(y, (rows, points)), height), axis=-1))
     low = height[:-1, :] + np.roll(height, -1, axis=1)[:-1, :] < 2.0 * SOLE_HEIGHT
-    low &= width[:-1] > 0.03  # not under the very toes, which turn up
+    low &= width[:-1] > 0.03  # the tip of the toes has no sole, because it turns up
     ball = skeleton.JOINTS[f"toe.{side}"].head[1]
     bones = [f"{'toe' if vertex[1] < ball else 'foot'}.{side}" for vertex in part[0]]
     body.add(part, bones, np.where(low, parts.DARK, parts.BOOT).ravel())
 
 
 def _add_hand(body, side):
-    """A palm, four fingers of two halves each and a thumb; local +X or -X is the thumb's side."""
+    """Add a palm, four fingers of two halves each, and a thumb. The thumb is at the hand bone's +X on the left, at its -X on the right."""
     hand, thumbward = f"hand.{side}", 1.0 if side == "L" else -1.0
     body.add_local(parts.ball(0.024), hand, parts.DARK)
     body.add_local(shapes.sphere(1.0, (0.0, 0.052, 0.0), (0.042, 0.050, 0.017), 28, 18), hand, parts.WOOD)
@@ -138,7 +138,7 @@ def _finger_line(start, length):
 
 
 def index_tip(side, turn):
-    """Where the index finger ends when its bone is turned about X, in the armature's space at rest."""
+    """Return the position of the index finger's tip in the armature's space, if its bone is turned about X by `turn` and all else rests."""
     x, y, length, thickness = FINGERS[0]
     line = _finger_line(np.array((x if side == "L" else -x, y, 0.0)), length)
     tip = line[-1] + thickness * _unit(line[-1] - line[-2])

@@ -1,4 +1,4 @@
-"""The wooden pilot's body: parts of one mesh, each carried by one bone."""
+"""The wooden pilot's body: one mesh of many parts, each of which moves with one bone."""
 
 import math
 
@@ -7,8 +7,8 @@ import numpy as np
 from ..stage import materials, shapes
 from . import face, limbs, parts
 
-GRAIN = (22.0, 14.0, 3.0)  # of its wood
-# radius, height: turned about the body's upright axis.
+GRAIN = (22.0, 14.0, 3.0)  # repetitions of the wood's grain along X, Y and Z
+# Profiles (radius, height) in m, turned about the body's upright axis.
 CHEST = (
     (0.004, 1.442),
     (0.050, 1.440),
@@ -35,11 +35,11 @@ PELVIS = (
 )
 NECK = ((0.004, 1.50), (0.046, 1.49), (0.048, 1.45), (0.052, 1.41), (0.004, 1.40))
 CHEST_DEPTH, PELVIS_DEPTH = 0.72, 0.78
-BUTTONS = (1.345, 1.290, 1.235)  # heights
+BUTTONS = (1.345, 1.290, 1.235)  # heights of the buttons, m
 
 
 def build(collection, rig):
-    """The whole body."""
+    """Make the pilot's whole body and skin it to the rig. Returns the mesh object."""
     body = parts.Body()
     _add_torso(body)
     _add_scarf(body)
@@ -69,7 +69,7 @@ def _add_torso(body):
 
 
 def _add_scarf(body):
-    """A roll around the neck, with two ends that hang over the chest's left side."""
+    """Add a scarf around the neck, with two ends that hang over the left side of the chest."""
     angle = shapes.ring(72)
     ridges = 0.0045 * np.sin(9.0 * angle) + 0.003 * np.sin(14.0 * angle + 1.0)
     around = np.stack(((0.071 + ridges) * np.cos(angle), (0.068 + ridges) * np.sin(angle), 1.440 - 0.012 * np.sin(angle)), axis=-1)

@@ -1,4 +1,4 @@
-"""Pieces of the wooden pilot: turned and bent shapes, and the mesh that collects them, each carried by a bone."""
+"""Shapes from which the wooden pilot is made, and the mesh that collects them, each with the bone that moves it."""
 
 import numpy as np
 
@@ -10,25 +10,25 @@ WOOD, DARK, JACKET, CREAM, SCARF, BOOT, LEATHER, BRASS, WHITE, IRIS, PUPIL, BLUS
 
 
 class Body:
-    """Collects parts and the bone that carries each."""
+    """Collects parts, (vertices, faces), and the bones that move them; finish() makes one skinned mesh."""
 
     def __init__(self):
         self._builder = shapes.MeshBuilder()
         self._bones = []
 
     def add(self, part, bone, slot, smooth=True):
-        """A part in the armature's space; `bone` is one bone's name, or one for each vertex."""
+        """Add a part in the armature's space. bone: name of one bone, or a list of names, one for each vertex. slot: material index."""
         self._builder.add(part, slot, smooth)
         self._bones += [bone] * len(part[0]) if isinstance(bone, str) else bone
 
     def add_local(self, part, bone, slot):
-        """A part in the space of the bone that carries it."""
+        """Add a part whose vertices are in the space of the bone that moves the part."""
         matrix = skeleton.frame(bone)
         vertices, faces = part
         self.add((vertices @ matrix[:3, :3].T + matrix[:3, 3], faces), bone, slot)
 
     def finish(self, collection, rig, body_materials):
-        """The mesh object, skinned to the rig."""
+        """Make the mesh object with vertex groups and an Armature modifier. Returns the object."""
         mesh = self._builder.build("Pilot Body", body_materials)
         thing = shapes.link_object(collection, f"{rig.name} Body", mesh, rig)
         carried = {}
@@ -42,23 +42,23 @@ class Body:
 
 
 def turned(profile, count=36, segments=36, depth=1.0):
-    """A profile of (radius, height) rows from top to bottom, turned about Z."""
+    """Turn a profile of (radius, height) rows, from top to bottom, about Z. depth: scale along Y."""
     return shapes.upright(shapes.lathe(shapes.smooth_profile_points(profile, count), segments), depth=depth)
 
 
 def along(bone, profile, count=30, segments=28):
-    """A profile of (radius, fraction) rows turned about a bone."""
+    """Turn a profile of (radius, fraction of the bone's length) rows about a bone."""
     rows = np.asarray(profile) * (1.0, skeleton.length(bone))
     return shapes.lathe(shapes.smooth_profile_points(rows, count), segments)
 
 
 def ball(radius):
-    """A joint at a bone's start."""
+    """Make a ball joint at the origin, a bone's start."""
     return shapes.sphere(radius, segments=28, rings=18)
 
 
 def ribbon(line, half_width, half_thickness):
-    """A flat strip with rounded edges down a line, its width along X."""
+    """Make a flat strip with rounded edges along a line, (m, 3), with its width along X."""
     angle = shapes.ring(14)
     across = np.sign(np.cos(angle)) * np.abs(np.cos(angle)) ** 0.6
     width = np.asarray(half_width) * np.ones(len(line))
@@ -71,14 +71,14 @@ def ribbon(line, half_width, half_thickness):
 
 
 def tube(line, radius, closed=False, sides=14):
-    """A round tube along a line (m, 3); `radius` is one number or one for each point."""
+    """Make a round tube along a line, (m, 3). radius: one number, or one for each point. closed: whether the ends are joined."""
     line = np.asarray(line, dtype=float)
     if closed:
         tangent = np.roll(line, -1, axis=0) - np.roll(line, 1, axis=0)
     else:
         tangent = np.gradient(line, axis=0)
     tangent /= np.linalg.norm(tangent, axis=1)[:, None]
-    # Across the line's plane, so that the sections do not twist.
+    # The normal of the line's plane, relative to which the cross-sections do not twist.
     normal = np.linalg.svd(line - line.mean(axis=0))[2][2]
     first = normal - tangent * (tangent @ normal)[:, None]
     first /= np.linalg.norm(first, axis=1)[:, None]
@@ -93,7 +93,7 @@ def tube(line, radius, closed=False, sides=14):
 
 
 def capsule(corners, radius, rows=16):
-    """A finger with round ends through three corners, its bend smoothed."""
+    """Make a finger with round ends along three points: start, bend and end. The bend is smoothed."""
     s = np.linspace(0.0, 1.0, rows)[:, None]
     start, bend, end = corners
     pull = 2.0 * bend - 0.5 * (start + end)

@@ -15,7 +15,7 @@ EYE_CENTRE = (0.052, -0.094, 1.622)
 
 @dataclass(frozen=True)
 class Joint:
-    """A bone at rest, in metres of the armature."""
+    """A bone in rest pose, in metres in the armature's space."""
 
     name: str
     parent: str
@@ -32,7 +32,7 @@ MIDDLE = (
     Joint("neck", "spine.003", (0.0, 0.005, 1.400), (0.0, 0.0, 1.480), FRONT),
     Joint("head", "neck", (0.0, 0.0, 1.480), (0.0, 0.0, 1.760), FRONT),
 )
-# Of the left side, at +X; the right one mirrors it.
+# Bones of the left side, at +X; the bones of the right side are mirrored.
 SIDE = (
     Joint("eye", "head", EYE_CENTRE, (0.052, -0.154, 1.622), UP),
     Joint("lid", "head", EYE_CENTRE, (0.052, -0.144, 1.622), UP),
@@ -64,7 +64,7 @@ JOINTS = {joint.name: joint for joint in (*MIDDLE, *(_sided(joint, side) for joi
 
 
 def frame(name):
-    """A bone's matrix at rest, 4 x 4, in the armature's space."""
+    """Return a bone's rest matrix in the armature's space as a 4 x 4 array. name: of the bone."""
     joint = JOINTS[name]
     along = np.subtract(joint.tail, joint.head)
     along = along / np.linalg.norm(along)
@@ -76,12 +76,12 @@ def frame(name):
 
 
 def length(name):
-    """A bone's length."""
+    """Return a bone's length in metres. name: of the bone."""
     return float(np.linalg.norm(np.subtract(JOINTS[name].tail, JOINTS[name].head)))
 
 
 def build(context, collection, parent):
-    """The armature; it leaves the context in object mode."""
+    """Make the pilot's armature object as a child of `parent`. The context is in Object Mode afterwards."""
     rig = shapes.link_object(collection, NAME, bpy.data.armatures.new(NAME), parent)
     rig.data.display_type = "STICK"
     for other in context.selected_objects:
@@ -102,5 +102,5 @@ def build(context, collection, parent):
 
 
 def rest_matrix(name):
-    """A bone's matrix at rest as Blender's Matrix."""
+    """Return a bone's rest matrix in the armature's space as a mathutils.Matrix. name: of the bone."""
     return Matrix(frame(name).tolist())

@@ -1,6 +1,7 @@
-"""The footage of the keyed scene: the wooden pilot before a green screen, in the light of the place where he will stand.
+"""The footage of the chroma key's demo: the wooden pilot in front of a green screen, lit like the place where he will stand.
 
-It is a scene of its own, which the compositor takes in the place of a film; of one picture of it the screen is measured.
+The footage is a separate scene, which the compositor renders instead of reading a film. One small picture of the scene is used to
+measure the green screen.
 """
 
 import math
@@ -19,12 +20,12 @@ SAMPLES = 8
 FRAMES = 72
 GREEN, DIMMEST, BRIGHTEST = (0.05, 0.40, 0.085), 0.85, 1.15
 SCREEN_DISTANCE, SCREEN_SIDE = 6.0, 14.0  # m
-PLACE, TURN = (-0.50, 2.25, 0.0), math.radians(-8.0)  # of the pilot, before a camera at the origin
+PLACE, TURN = (-0.50, 2.25, 0.0), math.radians(-8.0)  # of the pilot; the camera is above the origin
 LENS, EYE, TILT = 35.0, 1.42, math.radians(4.0)
-# Light beside the sun's and the sky's: back from the sand below, and from the screen behind.
+# Light in addition to sun and sky: reflected from the sand below and from the screen behind.
 BOUNCE, BOUNCE_COLOR = 0.9, (1.0, 0.66, 0.36)
 SPILL = 0.25
-# Frames, and places in the pilot's space: of the hand that shows the aeroplane, and of what he looks at.
+# Keys (frame, position in the pilot's space) of the hand that points at the aeroplane, and of the target that the pilot looks at.
 HAND_KEYS = (
     (1, (0.46, -0.26, 1.16)),
     (14, (0.55, -0.20, 1.36)),
@@ -39,7 +40,7 @@ SWAY = ((1, (-2.0, -3.0, -1.0)), (24, (0.5, 2.0, 1.0)), (FRAMES, (1.0, 5.0, 0.5)
 
 
 def build(context, fps):
-    """The set in a scene of its own, which the window shows then; gives the scene."""
+    """Build the set in a new scene and show the scene in the window. Returns the scene."""
     scene = bpy.data.scenes.new(SCENE_NAME)
     context.window.scene = scene
     scene.render.fps = fps
@@ -57,7 +58,7 @@ def build(context, fps):
 
 
 def add_camera(collection, name):
-    """The camera of the footage and of what it is laid over."""
+    """Add a camera with the lens and place that the footage and the background scene have in common."""
     data = bpy.data.cameras.new(name)
     data.lens, data.clip_end = LENS, 5000.0
     camera = shapes.link_object(collection, name, data)
@@ -73,7 +74,7 @@ def _add_suns(collection):
 
 
 def _add_screen(collection):
-    """A cloth behind the pilot that is lit more from the left."""
+    """Add the green cloth behind the pilot, and light that is stronger on the left."""
     half = 0.5 * SCREEN_SIDE
     mesh = bpy.data.meshes.new("Screen")
     mesh.from_pydata(
@@ -89,7 +90,7 @@ def _add_screen(collection):
 
 
 def _add_pilot(context, collection):
-    """He shows the aeroplane with a hand and follows it with his gaze: by Motus's public operators."""
+    """Add the pilot, who points at the aeroplane and follows it with his eyes; Motus's public operators do both."""
     stand = shapes.link_object(collection, "Stand", None)
     stand.location, stand.rotation_euler.z = PLACE, TURN
     rig = skeleton.build(context, collection, stand)
@@ -134,10 +135,10 @@ def _check(result):
 
 
 def test_shot(scene):
-    """A small picture of the set, packed into the file. The set is left as it is to be rendered."""
+    """Render a small picture of the set and pack it into the file; returns the image. The set gets its final render settings."""
     render, view = scene.render, scene.view_settings
     view.view_transform, view.look, view.exposure = "Standard", "None", 0.0
-    render.engine = "CYCLES"  # it has no shaders to compile
+    render.engine = "CYCLES"  # unlike EEVEE, Cycles has no shaders to compile
     scene.cycles.samples, scene.cycles.use_denoising = TEST_SAMPLES, False
     render.resolution_x, render.resolution_y = TEST_SIZE
     render.image_settings.file_format, render.image_settings.color_mode = "PNG", "RGB"

@@ -56,8 +56,8 @@ def build(context):
 
 
 def _key(scene, studio, test_shot):
-    """Key by the public operator, which measures the test shot; then what is keyed is the set itself, as it is rendered."""
-    # The set is lit as the land is, and keyed before the view transform, which therefore stays.
+    """Set up the chroma key with the public operator, which measures the test shot, and then connect the rendered set in its place."""
+    # The scene's view transform is kept, because the key acts before it and the set is lit like the background.
     result = bpy.ops.motus.chroma_key_setup(
         clip=test_shot.name, use_scene=False, smooth=SMOOTH, grow=GROW, feather=FEATHER, despill_limit=LIMIT, light_wrap=WRAP
     )
@@ -69,12 +69,12 @@ def _key(scene, studio, test_shot):
     live[group.KEY] = live.name = live.label = studio.name
     live.scene, live.parent = studio, shot.parent
     live.location = shot.location.x, shot.location.y + 340.0
-    # Rendered pictures are premultiplied: they go straight to where the footage is brought to the render's size.
+    # Rendered pictures have premultiplied alpha, so they are connected directly to the node that scales the footage.
     target = compositor.node_of(scene, f"{compositor.FOREGROUND} Size").inputs["Image"]
     node_groups.link(tree, live.outputs["Image"], target)
 
 
 def _blur_the_distance(camera):
-    """What lies behind the pilot is out of focus, as a lens has it."""
+    """Set depth of field, so that everything behind the pilot is out of focus."""
     camera.dof.use_dof = True
     camera.dof.focus_distance, camera.dof.aperture_fstop = math.hypot(*green_screen.PLACE), F_STOP

@@ -1,4 +1,4 @@
-"""What the creature that hops looks like: one mesh on its bones."""
+"""The mesh of the hopping creature, deformed by its bones."""
 
 import numpy as np
 
@@ -16,7 +16,7 @@ RINGS_A_BONE = 5
 
 
 def build(collection, rig):
-    """The creature's mesh, deformed by the rig."""
+    """Make the creature's mesh object, deformed by the rig."""
     builder, groups = shapes.MeshBuilder(), []
     _add_body(builder, groups)
     for chain in skeleton.JOINTS:
@@ -39,7 +39,7 @@ def _materials():
 
 
 def _add(builder, groups, part, slot, weights):
-    """weights: {bone: one, or one for each vertex}."""
+    """Add a part to the builder and its weights to `groups`. weights: {bone name: one weight, or one for each vertex}."""
     count = len(part[0])
     builder.add(part, slot)
     groups.append((count, {bone: np.broadcast_to(weight, count) for bone, weight in weights.items()}))
@@ -49,7 +49,7 @@ def _add_body(builder, groups):
     body = {skeleton.BODY: 1.0}
     vertices, faces = shapes.sphere(1.0, BODY_CENTRE, BODY_SIZE, 64, 44)
     below = np.clip((0.60 - vertices[:, 2]) / 0.6, 0.0, 1.0)[:, None]
-    vertices = vertices + (vertices - np.array(BODY_CENTRE)) * below * (0.16, 0.16, 0.0)  # a pear
+    vertices = vertices + (vertices - np.array(BODY_CENTRE)) * below * (0.16, 0.16, 0.0)  # makes the body pear-shaped
     _add(builder, groups, (vertices, faces), SKIN, body)
     _add(builder, groups, shapes.sphere(1.0, (0.0, -0.155, 0.395), (0.31, 0.335, 0.305), 48, 32), BELLY, body)
     for side in (-1.0, 1.0):
@@ -62,7 +62,7 @@ def _add_body(builder, groups):
 
 
 def _add_tube(builder, groups, chain):
-    """A tube that narrows along a chain, with a ball on its tip."""
+    """Add a tube that narrows along a chain of bones, with a ball on its tip."""
     count = skeleton.JOINTS[chain]
     rings = RINGS_A_BONE * count + 1
     places = skeleton.way(chain, rings)
@@ -84,7 +84,10 @@ def _add_tube(builder, groups, chain):
 
 
 def _along(chain, at):
-    """Weights of vertices at places along a chain, in bones: each bone fades into its neighbours."""
+    """Return the weights of vertices for the bones of a chain: each bone fades into its neighbours.
+
+    at: places of the vertices along the chain, (n,), in bones from its start. Returns {bone name: weights}.
+    """
     middles = np.arange(skeleton.JOINTS[chain]) + 0.5
     shares = np.clip(1.0 - np.abs(at[None, :] - middles[:, None]), 0.0, 1.0)
     shares[0, at < 0.5] = 1.0

@@ -1,4 +1,4 @@
-"""The scene "Motus Dynamics": a creature that hops round a table by a few keys; tail and antennae follow by themselves."""
+"""The scene "Motus Dynamics": a creature hops round a table by a few keys; dynamics move its tail and antennae."""
 
 import math
 
@@ -11,12 +11,12 @@ from . import body as hopper_body, skeleton
 
 SCENE_NAME = "Motus Dynamics"
 FRAMES_PER_SECOND = 24
-HOPS, HOP = 5, 22  # in a cycle, and frames of each
+HOPS, HOP = 5, 22  # number of hops in a cycle, and frames of each hop
 CYCLE = HOPS * HOP
-RADIUS, HEIGHT = 1.25, 0.85  # of the round, and of a hop, m
+RADIUS, HEIGHT = 1.25, 0.85  # radius of the circle around the table and height of a hop, m
 CENTRE = (0.15, 0.35)
-CROUCH, AIR = 6, 10  # frames before the take-off, and above the table
-START = math.radians(200.0)  # of the round
+CROUCH, AIR = 6, 10  # frames of crouching before the take-off, and frames in the air
+START = math.radians(200.0)  # angle on the circle at which the creature starts
 
 CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (-0.9, -7.9, 2.0), (0.0, 0.2, 0.86), 48.0
 
@@ -38,7 +38,7 @@ def build(context):
 
 
 def _add_dynamics(rig):
-    """All that is not keyed. The last frame of the scene is followed by the first one without a seam."""
+    """Add dynamics for the motion that has no keys, as a loop: the scene's last frame leads into its first frame without a seam."""
     tail, left, right = (",".join(skeleton.names(chain)) for chain in (skeleton.TAIL, *skeleton.ANTENNAE))
     bpy.ops.motus.dynamics_add(object=rig.name, bones=tail, style='FLOPPY', frequency=2.2, chain_delay=0.035, use_loop=True)
     for antenna in (left, right):
@@ -51,7 +51,7 @@ def _add_dynamics(rig):
 
 
 def _key_hops(rig):
-    """Where the creature stands, flies and looks, and how it crouches before each hop."""
+    """Key the creature's place and direction, and how it crouches before each hop."""
     for hop in range(HOPS + 1):
         frame = 1 + hop * HOP
         here, there = _place(hop), _place(hop + 1)
@@ -67,7 +67,7 @@ def _key_hops(rig):
         turn = START + 2.0 * math.pi * hop / HOPS
         _key(rig, "rotation_euler", 2, frame + CROUCH, turn + math.pi, 'SINE', 'EASE_IN_OUT')
         _key(rig, "rotation_euler", 2, frame + CROUCH + AIR, turn + math.pi + 2.0 * math.pi / HOPS, 'CONSTANT')
-        # Stepped: the swing between these shapes is what dynamics make of them.
+        # The keys have constant interpolation: dynamics turn the steps between the shapes into swinging.
         body = rig.pose.bones[skeleton.BODY]
         for later, tall in (
             (0, 0.78),

@@ -1,4 +1,4 @@
-"""The bones of the creature that hops: one that carries it, its body, a tail and two antennae. It faces -Y."""
+"""The armature of the hopping creature: a root bone, the body, a tail and two antennae. The creature faces -Y."""
 
 import bpy
 import numpy as np
@@ -12,11 +12,11 @@ BODY_BONE = ((0.0, 0.0, 0.04), (0.0, 0.0, 0.62))
 TAIL_WAY = ((0.0, 0.36, 0.34), (0.0, 0.62, 0.34), (0.0, 0.88, 0.44), (0.0, 1.10, 0.62), (0.0, 1.26, 0.86), (0.0, 1.33, 1.12))
 ANTENNA_WAY = ((0.13, -0.10, 1.00), (0.17, -0.12, 1.18), (0.23, -0.13, 1.36), (0.31, -0.15, 1.53), (0.40, -0.19, 1.67))
 JOINTS = {TAIL: 9, **dict.fromkeys(ANTENNAE, 6)}
-"""Bones of each chain."""
+"""Number of bones in each chain: {name of the chain: number}."""
 
 
 def way(chain, count):
-    """(count, 3) of places along a chain at rest, at even distances."""
+    """Return `count` positions along a chain of bones in rest pose, at equal distances, as an array (count, 3)."""
     points = np.array(TAIL_WAY if chain == TAIL else ANTENNA_WAY)
     if chain == ANTENNAE[1]:
         points = points * (-1.0, 1.0, 1.0)
@@ -29,13 +29,13 @@ def way(chain, count):
 
 
 def names(chain):
-    """Names of a chain's bones, the topmost first."""
+    """List the names of a chain's bones, topmost first."""
     stem, dot, side = chain.partition(".")
     return [f"{stem} {index + 1}{dot}{side}" for index in range(JOINTS[chain])]
 
 
 def build(context, collection):
-    """The armature; it leaves the context in object mode."""
+    """Make the creature's armature object. The context is in Object Mode afterwards."""
     rig = shapes.link_object(collection, NAME, bpy.data.armatures.new(NAME))
     rig.data.display_type = "STICK"
     for other in context.selected_objects:
@@ -50,7 +50,7 @@ def build(context, collection):
         places, above = way(chain, joints + 1), bones[BODY]
         for name, head, tail in zip(names(chain), places, places[1:]):
             above = _add(bones, name, above, head, tail)
-            above.inherit_scale = "NONE"  # the body is squashed, what grows on it is not
+            above.inherit_scale = "NONE"  # tail and antennae do not take the scale of the body, which is squashed
             above.use_connect = (above.parent.tail - above.head).length < 1e-6
     bpy.ops.object.mode_set(mode="OBJECT")
     return rig

@@ -1,4 +1,4 @@
-"""The cameras of the demo flight: one chases on a second path, two stand by the course; markers cut between them."""
+"""The cameras of the demo flight: a chase camera on a second path, and standing cameras; timeline markers cut between them."""
 
 from dataclasses import dataclass
 
@@ -12,20 +12,20 @@ from ..stage import shapes
 CHASE_DISTANCE = 13.0  # m behind the aeroplane
 CHASE_PULL, CHASE_LIFT = -2.5, 3.6  # the camera's path lies this far outside and above the course, m
 CHASE_LENS = 28.0
-CHASE_SHIFT = 0.02  # of the picture, in widths: more sky than the middle would show
+CHASE_SHIFT = 0.02  # vertical shift of the picture, in picture widths, to show more sky
 LOOK_AHEAD = 20.0  # m in front of the aeroplane
 LOOK_AHEAD_BANK = 0.45  # share of the bank that the camera's horizon takes
 
 
 @dataclass(frozen=True)
 class Stand:
-    """A camera on the ground or on a mast, beside the course where the aeroplane passes at a time."""
+    """A standing camera, on the ground or on a mast beside the course. Its place is relative to the aeroplane's place at a given time."""
 
     name: str
     cut: float  # seconds into the flight at which the film cuts to it
-    passing: float  # seconds into the flight at which the aeroplane is at the place the offsets count from
+    passing: float  # seconds into the flight; the offsets below start from the aeroplane's place at that time
     ahead: float  # m along the flight's direction
-    outward: float  # m to the right of it
+    outward: float  # m to the right of the flight's direction
     up: float  # m
     lens: float  # mm
     shift: tuple  # of the picture, in widths
@@ -39,7 +39,7 @@ CHASE_CUTS = (1.8, 10.4)  # seconds into the flight at which the film cuts to th
 
 
 def build(scene, collection, course, plane, lap):
-    """All cameras, and the markers that cut between them."""
+    """Add all cameras, and the timeline markers that cut between them. lap: seconds of one lap."""
     chase = _add_chase_camera(collection, course, lap)
     for stand in STANDS:
         camera = _add_standing_camera(collection, course, plane, stand)
@@ -50,7 +50,7 @@ def build(scene, collection, course, plane, lap):
 
 
 def frame_at(scene, seconds):
-    """The frame at a time of the flight."""
+    """Return the frame of the scene at a time of the flight, in seconds."""
     return round(flight.FIRST_FRAME + seconds * scene.render.fps / scene.render.fps_base)
 
 
@@ -60,7 +60,7 @@ def _cut_to(scene, camera, seconds):
 
 
 def _add_chase_camera(collection, course, lap):
-    """A camera on a second path that looks at a point ahead of the aeroplane and leans into the bends with it."""
+    """Add a camera on a second path that looks at a point ahead of the aeroplane and banks with the aeroplane."""
     ahead = shapes.link_object(collection, "Look Ahead", None)
     ahead.empty_display_size = 1.5
     flight.follow(
@@ -77,7 +77,7 @@ def _add_chase_camera(collection, course, lap):
     )
     path = _outer_path(collection, course, CHASE_PULL, CHASE_LIFT)
     camera = _add_camera(collection, "Chase Camera", CHASE_LENS)
-    # The two paths differ in length: the same time for a lap keeps camera and aeroplane together.
+    # The two paths differ in length; equal times for a lap keep the camera near the aeroplane.
     flight.follow(camera, path, timing="DURATION", duration=lap, offset=-CHASE_DISTANCE, orientation="NONE")
     camera.data.shift_y = CHASE_SHIFT
     _track(camera, ahead, lean=True)
@@ -95,7 +95,7 @@ def _add_standing_camera(collection, course, plane, stand):
 
 
 def _outer_path(collection, course, pull, lift):
-    """A copy of a course, each knot pulled away from the middle and lifted."""
+    """Make a copy of a course, with each knot moved away from the origin by `pull` and up by `lift`, in m."""
     path = shapes.link_object(collection, "Camera Path", course.data.copy())
     path.data.name = "Camera Path"
     path.data.bevel_depth = 0.0
@@ -108,7 +108,7 @@ def _outer_path(collection, course, pull, lift):
 
 
 def _add_camera(collection, name, lens):
-    """A camera that sees to the end of the land."""
+    """Add a camera whose clipping range reaches to the end of the land."""
     data = bpy.data.cameras.new(name)
     data.lens = lens
     data.clip_start, data.clip_end = 0.5, 3.0 * landscape.EXTENT
@@ -116,7 +116,7 @@ def _add_camera(collection, name, lens):
 
 
 def _track(camera, target, lean=False):
-    """Keep a camera on its target; with `lean` it takes the target's up instead of the world's."""
+    """Aim a camera at a target. lean: whether the camera's up is the target's Z axis instead of the world's."""
     constraint = camera.constraints.new("TRACK_TO")
     constraint.target = target
     constraint.track_axis, constraint.up_axis = "TRACK_NEGATIVE_Z", "UP_Y"

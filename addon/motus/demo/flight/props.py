@@ -1,4 +1,4 @@
-"""Things to see on the way: gates on the course, balloons in the bends and a village by the lake."""
+"""Props along the flight: gates on the course, balloons in the bends and a village by the lake."""
 
 import math
 
@@ -10,7 +10,7 @@ from ..stage import materials, shapes
 
 GATE_RADIUS, GATE_THICKNESS, GATE_STRIPES = 8.5, 0.4, 16
 GATES = 8
-# x, y, height above the ground, size, first and second colour.
+# Of each balloon: x, y, height above the ground, size, first and second colour.
 BALLOONS = (
     (205.0, -5.0, 30.0, 1.0, (0.80, 0.13, 0.04), (0.92, 0.80, 0.56)),
     (-20.0, 265.0, 52.0, 1.1, (0.90, 0.42, 0.05), (0.10, 0.20, 0.36)),
@@ -19,7 +19,7 @@ BALLOONS = (
     (330.0, 190.0, 70.0, 1.0, (0.92, 0.84, 0.66), (0.62, 0.07, 0.06)),
 )
 BALLOON_RADIUS = 8.0
-# radius, height in balloon radii, from the crown to the mouth.
+# Profile of the balloon from the crown to the mouth: (radius, height), in balloon radii.
 BALLOON_PROFILE = (
     (0.01, 1.0),
     (0.42, 0.92),
@@ -34,7 +34,7 @@ VILLAGE_CENTRE, VILLAGE_RADIUS, HOUSES = (-30.0, -178.0), 75.0, 38
 
 
 def build(collection, course, length, haze):
-    """All props."""
+    """Add gates, balloons and the village. length: of the course, m. haze: node group of the haze."""
     add_gates(collection, course, length, haze)
     for index, (x, y, height, size, first, second) in enumerate(BALLOONS):
         ground = float(landscape.height(np.array([x]), np.array([y]))[0])
@@ -46,7 +46,7 @@ def build(collection, course, length, haze):
 
 
 def add_gates(collection, course, length, haze):
-    """Striped rings that stand on the course through the add-on itself: edit the course and they go along."""
+    """Add striped rings that Follow Path keeps on the course, so that they move if the course is edited."""
     mesh = _gate_mesh(haze)
     for index in range(GATES):
         gate = shapes.link_object(collection, f"Gate {index + 1}", mesh)
@@ -77,7 +77,7 @@ def _gate_mesh(haze):
 
 
 def _balloon_mesh(name, first, second, haze):
-    """A hot-air balloon with gores in two colours; its origin at the envelope's middle."""
+    """Make the mesh of a hot-air balloon with gores in two colours. The origin is the middle of the envelope."""
     gores, per_gore = 16, 4
     curve = shapes.smooth_profile_points(BALLOON_PROFILE, 26) * BALLOON_RADIUS
     vertices, faces = shapes.lathe(curve, gores * per_gore)
@@ -104,7 +104,7 @@ def _balloon_mesh(name, first, second, haze):
 
 
 def add_village(collection, haze):
-    """Houses with red roofs and a church on the lake's southern shore, as one mesh."""
+    """Add houses with red roofs and a church on the lake's southern shore, as one mesh object."""
     builder = shapes.MeshBuilder()
     index = np.arange(HOUSES)
     luck = [landscape.value_noise(index * 7.31 + k * 31.7, index * 3.17, landscape.SEED + 300 + k) for k in range(4)]
@@ -131,7 +131,7 @@ def add_village(collection, haze):
 
 
 def _add_house(builder, place, turn, size, roof, spire=False):
-    """A box under a gable roof, or under a pyramid for a `spire`; slot 0 is plaster, slot 1 tiles."""
+    """Add a house: a box with a gable roof, or with a pyramid if `spire` is set. Material slot 0 is plaster, slot 1 tiles."""
     length, width, wall = size
     eave = 0.5
     top = wall + roof

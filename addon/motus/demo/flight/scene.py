@@ -34,7 +34,7 @@ def build(context):
 
 
 def _adopt(course, collection, imported):
-    """Move the course from the importer's collection to ours."""
+    """Move the imported course to a collection of the scene, and remove the collections that the importer has made."""
     for other in list(course.users_collection):
         other.objects.unlink(course)
     collection.objects.link(course)
@@ -43,7 +43,7 @@ def _adopt(course, collection, imported):
 
 
 def _build_light(scene, collection):
-    """Sky, sun and view; returns the haze group for the materials."""
+    """Add sky and sun, and set the view transform. Returns the haze's node group for the materials."""
     sky = lighting.build_sky_group()
     scene.world = lighting.build_world(sky)
     lighting.add_sun(collection)

@@ -1,4 +1,4 @@
-"""A small vintage racer, built by script: nose along +Y, up along +Z, eight metres from tip to tip."""
+"""The mesh of a small vintage aeroplane: nose along +Y, up along +Z, with a wing span of eight metres."""
 
 import math
 from collections.abc import Callable
@@ -10,11 +10,11 @@ from ..stage import materials, shapes
 
 SPAN = 8.0
 PROPELLER_RADIUS = 0.98
-PROPELLER_TURN_PER_FRAME = 2.35  # radians; not a simple fraction of a turn, so that the blades never seem to stand
+PROPELLER_TURN_PER_FRAME = 2.35  # radians; not a simple fraction of a turn, so that the blades never seem to stand still
 PROPELLER_Y = 2.74
 RED, CREAM, METAL, DARK = range(4)  # material slots of the body
 
-# y, half width, half height, height of the middle; from nose to tail.
+# Cross-sections of the fuselage from nose to tail: y, half width, half height, height of the middle; in m.
 FUSELAGE = (
     (2.30, 0.60, 0.60, 0.00),
     (1.90, 0.605, 0.62, 0.00),
@@ -27,7 +27,7 @@ FUSELAGE = (
     (-3.05, 0.015, 0.06, 0.25),
 )
 FUSELAGE_SQUARENESS = 2.35  # exponent of the superellipse: 2 is an ellipse
-# radius, y: over the lip of the cowl, from the inside at the engine to the rear edge.
+# Profile (radius, y) of the engine cowling in m: from the inside at the engine over the lip to the rear edge.
 COWL = (
     (0.10, 2.34),
     (0.44, 2.36),
@@ -46,7 +46,10 @@ TYRE = ((0.02, 0.075), (0.2, 0.075), (0.24, 0.03), (0.24, -0.03), (0.2, -0.075),
 
 
 def build(collection, last_frame=None):
-    """Body, canopy and propeller, which stands still from the last frame on; returns the body, which carries the others."""
+    """Make the aeroplane's objects: the body, and canopy, pilot and propeller as children of the body. Returns the body.
+
+    last_frame: from this frame on the propeller stands still; if None, it never stops.
+    """
     body = shapes.link_object(collection, "Aeroplane", _body_mesh())
     shapes.link_object(collection, "Canopy", _canopy_mesh(), parent=body)
     shapes.link_object(collection, "Pilot", _pilot_mesh(), parent=body)
@@ -91,7 +94,7 @@ def _add_fuselage(builder, rows=44, points=40):
     upward = np.sign(np.sin(angle)) * np.abs(np.sin(angle)) ** power
     y, width, tall, middle = (profile[:, i : i + 1] for i in range(4))
     sections = np.stack((width * across, np.broadcast_to(y, (rows, points)), middle + tall * upward), axis=-1)
-    # A cream flash along each side, narrowing towards the tail.
+    # A cream stripe along each side, narrowing towards the tail.
     centre_angle = np.abs(np.abs((angle + math.pi / points + math.pi / 2) % (2 * math.pi) - math.pi) - math.pi / 2)
     flash = np.broadcast_to(centre_angle < 0.27, (rows - 1, points))
     belly = np.broadcast_to(np.sin(angle + math.pi / points) < -0.55, (rows - 1, points))
@@ -109,7 +112,7 @@ def _cowl_slots(rows, segments):
 
 
 def _wing_outline(s):
-    """Chord and leading edge (relative to the root's quarter line) at the fraction s of the half span."""
+    """Return (chord, y of the leading edge relative to the root's quarter-chord line) at fractions s of the half span."""
     chord = (1.62 - 0.66 * s) * _rounded(s, 0.80)
     return chord, 0.27 * chord - 0.10 * s
 
@@ -125,13 +128,16 @@ def _fin_outline(s):
 
 
 def _rounded(s, start):
-    """1 up to `start`, then a quarter ellipse down to a narrow tip."""
+    """Return the factor of the chord at fractions s of the half span: 1 up to `start`, then a quarter ellipse down to a narrow tip."""
     u = np.clip((s - start) / (1.0 - start), 0.0, 1.0)
     return np.sqrt(np.maximum(1.0 - u * u, 0.0)) * 0.985 + 0.015
 
 
 def _airfoil(points=15):
-    """Section of unit chord, (distance behind the leading edge, height), from the upper to the lower trailing edge."""
+    """Return the wing's section for a chord of 1, from the upper trailing edge around the leading edge to the lower trailing edge.
+
+    Columns: distance behind the leading edge, half thickness with its sign, camber.
+    """
     x = 0.5 * (1.0 - np.cos(np.linspace(0.0, math.pi, points)))
     half = 5.0 * (0.2969 * np.sqrt(x) - 0.126 * x - 0.3516 * x**2 + 0.2843 * x**3 - 0.1036 * x**4)
     camber = 0.16 * x * (1.0 - x)
@@ -141,7 +147,10 @@ def _airfoil(points=15):
 
 
 def _surface_sections(outline, span, thickness, rows, both_sides):
-    """Sections of a lifting surface that lies in X (span) and Y (chord): (rows, points, 3), and s for each row."""
+    """Return (sections, s) of a lifting surface with its span along X and its chord along Y.
+
+    sections: (rows, points, 3). s: fraction of the half span of each row. both_sides: whether the surface has a left half as well.
+    """
     u = np.linspace(-1.0 if both_sides else 0.0, 1.0, rows)
     s = np.sin(0.5 * math.pi * np.abs(u))  # denser towards the tips
     side = np.sign(u)
@@ -155,7 +164,7 @@ def _surface_sections(outline, span, thickness, rows, both_sides):
 
 @dataclass(frozen=True)
 class LiftingSurface:
-    """A wing or tailplane, the same on both sides."""
+    """Dimensions of a wing or tailplane, which is symmetric."""
 
     outline: Callable  # chord and leading edge at fractions of the half span
     span: float  # m from tip to tip
@@ -173,7 +182,7 @@ def _add_surface(builder, surface, rows=65):
     sections, s = _surface_sections(surface.outline, surface.span / 2.0, surface.thickness, rows, both_sides=True)
     sections[..., 2] += surface.dihedral * np.abs(sections[..., 0])
     middle = 0.5 * (s[1:] + s[:-1])
-    # A cream tip, and one stripe inside it.
+    # The tip is cream, with one cream stripe nearer to the middle.
     band = (middle > surface.accent) | ((middle > surface.accent - 0.09) & (middle < surface.accent - 0.045))
     slots = np.repeat(np.where(band, CREAM, RED), sections.shape[1] - 1)
     builder.add(shapes.loft(sections + np.asarray(surface.centre), closed=False), slots)
@@ -189,7 +198,7 @@ def _add_fin(builder):
 
 
 def _add_wheel(builder, side):
-    """A spatted wheel on a faired leg."""
+    """Add a wheel with a streamlined cover and leg. side: 1 or -1."""
     x = side * 0.98
     builder.add(shapes.sphere(0.3, (x, 1.12, -1.16), (0.5, 1.75, 0.86), 24, 16), RED)
     wheel, faces = shapes.lathe(TYRE, 28)
@@ -232,7 +241,7 @@ def _propeller_mesh():
 
 
 def _blade(turn, rows=18):
-    """A twisted blade from the hub out to the tip."""
+    """Make a twisted propeller blade from the hub out to the tip. turn: angle of the blade around the hub, in radians."""
     s = np.linspace(0.08, 1.0, rows)
     chord = (0.10 + 0.16 * np.sin(math.pi * np.minimum(s * 0.95 + 0.1, 1.0)) ** 0.8) * _rounded(s, 0.82)
     pitch = np.arctan2(0.30, s)
@@ -246,7 +255,7 @@ def _blade(turn, rows=18):
 
 
 def _disc_mesh():
-    """The shimmer of the turning blades: a faint disc."""
+    """Make the mesh of a faint disc that looks like the shimmer of turning blades."""
     builder = shapes.MeshBuilder()
     builder.add(shapes.lathe(((PROPELLER_RADIUS, 0.0), (0.9 * PROPELLER_RADIUS, 0.001), (0.19, 0.002)), 48))
     shimmer = materials.principled("Propeller Shimmer", color=(0.75, 0.68, 0.58), roughness=0.5, alpha=0.07)

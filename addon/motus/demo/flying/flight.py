@@ -1,4 +1,4 @@
-"""The flight: a course imported from an SVG file and lifted into 3D, and the aeroplane that follows it."""
+"""The flight: a course that is imported from an SVG file and raised above the land, and the aeroplane that follows the course."""
 
 import itertools
 import math
@@ -13,7 +13,7 @@ from ..stage import materials, shapes
 
 COURSE_FILE = Path(__file__).with_name("course.svg")
 COURSE_WIDTH = 540.0  # metres from the course's western to its eastern end
-# Height above the ground for each control point of the file, m: climbs and dives.
+# Height above the ground for each control point of the file, m, so that the course climbs and dives.
 CLEARANCES = (26.0, 30.0, 46.0, 40.0, 26.0, 34.0, 44.0, 30.0, 26.0, 44.0, 36.0)
 COURSE_THICKNESS = 0.03
 COURSE_COLOR = (1.0, 0.80, 0.45)
@@ -26,7 +26,7 @@ BANK_LIMIT = math.radians(62.0)
 
 
 def import_course(scene):
-    """The course as a cyclic Bézier curve around the origin, flat; Blender's own importer reads the file."""
+    """Import the course with Blender's SVG importer as a flat cyclic Bézier curve around the origin."""
     _enable_importer()
     known = set(scene.objects)
     collections = set(bpy.data.collections)
@@ -44,7 +44,7 @@ def import_course(scene):
 
 
 def _enable_importer():
-    """Blender ships its SVG importer as an add-on that may be switched off."""
+    """Enable Blender's SVG importer, an add-on that may be switched off."""
     import addon_utils
 
     if not addon_utils.check("io_curve_svg")[1]:
@@ -52,7 +52,7 @@ def _enable_importer():
 
 
 def lift_course(course):
-    """Raise the flat course over the land; handles follow the slope, so that it stays smooth."""
+    """Raise the flat course above the land. Handles follow the slope, so that the course stays smooth."""
     course.data.dimensions = "3D"
     points = course.data.splines[0].bezier_points
     levels = [_ground_below(points, i) + CLEARANCES[i % len(CLEARANCES)] for i in range(len(points))]
@@ -67,7 +67,7 @@ def lift_course(course):
 
 
 def _ground_below(points, index):
-    """The highest ground between the middles of the two segments at a point, water level at least."""
+    """Return the height of the highest ground below the two half segments at a point of the course, at least the water level."""
     last, here, following = points[index - 1], points[index], points[(index + 1) % len(points)]
     way = interpolate_bezier(last.co, last.handle_right, here.handle_left, here.co, 9)[4:]
     way += interpolate_bezier(here.co, here.handle_right, following.handle_left, following.co, 9)[:5]
@@ -83,7 +83,7 @@ def move_points(points, move):
 
 
 def add_course(collection, knots, is_cyclic=False):
-    """A smooth Bézier course through knots; it is not rendered."""
+    """Add a smooth Bézier curve through knots as a course, which is not rendered."""
     data = bpy.data.curves.new("Course", "CURVE")
     data.dimensions = "3D"
     spline = data.splines.new("BEZIER")
@@ -98,12 +98,12 @@ def add_course(collection, knots, is_cyclic=False):
 
 
 def course_length(course):
-    """Length of the course in metres, by fine chords: good for planning frames, motus measures it exactly."""
+    """Return the approximate length of the course in metres, summed over short chords; it is precise enough for planning frames."""
     return sum((b - a).length for a, b in _chords(course.data.splines[0]))
 
 
 def place_on_course(course, distance):
-    """Position and horizontal direction of flight at a distance along the course, for placing cameras beside it."""
+    """Return (position, horizontal direction of flight) at a distance along the course, in m, for placing cameras beside the course."""
     distance %= course_length(course)
     for a, b in _chords(course.data.splines[0]):
         distance -= (b - a).length
@@ -113,7 +113,7 @@ def place_on_course(course, distance):
 
 
 def _chords(spline):
-    """Short chords along a spline, as pairs of positions."""
+    """Yield short chords along a spline, as pairs of positions."""
     points = list(spline.bezier_points)
     for point, following in zip(points, [*points[1:], points[0]] if spline.use_cyclic_u else points[1:]):
         way = interpolate_bezier(point.co, point.handle_right, following.handle_left, following.co, 200)
@@ -121,7 +121,7 @@ def _chords(spline):
 
 
 def draw_course(course):
-    """Show the course as a thin dashed line of light; it stays the curve that the user edits."""
+    """Make the course visible as a thin dashed line of light; it remains a curve that the user can edit."""
     course.data.bevel_depth = COURSE_THICKNESS
     course.data.bevel_resolution = 1
     course.data.materials.clear()
@@ -138,14 +138,14 @@ def draw_course(course):
 
 
 def follow(follower, curve, **settings):
-    """Put an object on a curve by the add-on's public operator."""
+    """Let an object follow a curve, with the add-on's public operator. settings: keywords of motus.path_follow_add."""
     result = bpy.ops.motus.path_follow_add(object=follower.name, curve=curve.name, start_frame=FIRST_FRAME, extend="LOOP", **settings)
     if result != {"FINISHED"}:
         raise RuntimeError(f"{follower.name} could not be put on {curve.name}")
 
 
 def fly(aeroplane, course):
-    """The aeroplane: constant speed, banked as the bends ask."""
+    """Let the aeroplane follow the course at constant speed, banked in the bends."""
     follow(
         aeroplane,
         course,

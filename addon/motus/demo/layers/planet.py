@@ -1,4 +1,4 @@
-"""The small planet that turns beneath the walker: meadows, a sandy path, trees and houses."""
+"""The small planet that turns beneath the walking pilot: meadows, a sandy path, trees and houses."""
 
 import math
 import random
@@ -12,9 +12,9 @@ from ..stage import lighting, materials, shapes
 RADIUS = 6.0  # m
 PATH_WIDTH, PATH_RISE = 0.52, 0.006  # m
 TREES, HOUSES, STONES = 210, 9, 46
-CLEAR = 0.80  # m from the middle of the path where nothing stands
+CLEAR = 0.80  # m on each side of the middle of the path without trees or houses
 SEED = 5
-# Half of the sine of the elevation, and linear rgb: a warm band above a horizon that lies far below.
+# Sky colours: (half of the sine of the elevation plus 0.5, linear rgb), with a warm band above a horizon far below the planet.
 SKY_STOPS = (
     (0.36, (0.97, 0.62, 0.40)),
     (0.49, (0.98, 0.80, 0.62)),
@@ -23,10 +23,10 @@ SKY_STOPS = (
     (1.0, (0.06, 0.19, 0.50)),
 )
 SKY_STRENGTH = 0.9
-# View transform, look, exposure: the first that Blender has.
+# View transform, look, exposure: the first row that this Blender version supports is used.
 VIEWS = (("AgX", "AgX - Punchy", 1.35), ("Filmic", "High Contrast", 0.1), ("Filmic", "Filmic - High Contrast", 0.1))
 CLOUDS = ((-7.5, 9.0, 2.3, 1.0), (-2.6, 13.0, 4.6, 1.25), (3.4, 11.0, 1.5, 0.9), (7.4, 8.5, 3.7, 1.1), (12.5, 10.0, 0.6, 1.3))
-"""Places and sizes, m."""
+"""Position (x, y, z) and size of each cloud, in m."""
 PUFFS = (
     (0.0, 0.0, 0.0, 0.62),
     (0.70, 0.1, -0.10, 0.46),
@@ -39,7 +39,7 @@ PUFFS = (
 
 
 def build(collection, turn):
-    """The planet, with its top at the origin. turn: radians a frame, towards +Y at the top."""
+    """Build the planet, with its top at the origin. turn: radians per frame by which the planet turns, towards +Y at its top."""
     planet = shapes.link_object(collection, "Planet", _ground_mesh())
     planet.location.z = -RADIUS
     spin = planet.driver_add("rotation_euler", 0).driver
@@ -50,7 +50,7 @@ def build(collection, turn):
 
 
 def build_world():
-    """Sky all around, below as well: there is no other land."""
+    """Make the world: a sky in all directions, even below, because there is no land except the planet."""
     return lighting.build_gradient_world(
         "Motus Small Sky", SKY_STOPS, SKY_STRENGTH, lambda shader, height: shader.math("MULTIPLY", shader.math("ADD", height, 1.0), 0.5)
     )
@@ -94,7 +94,7 @@ def _meadow():
 
 
 def _plant(collection, planet):
-    """Trees, houses and stones, upright on the ground, everywhere but on the path."""
+    """Add trees, houses and stones, upright on the ground and everywhere except on the path."""
     random_of = random.Random(SEED)
     kinds = [woods.add_conifer(collection, None), woods.add_broadleaf(collection, None)]
     for kind in kinds:
@@ -110,7 +110,7 @@ def _plant(collection, planet):
 
 
 def _stand(collection, planet, name, mesh, random_of, size, clear):
-    """An object somewhere on the planet."""
+    """Add an object at a random place on the planet, at least `clear` metres from the middle of the path."""
     while True:
         direction = Vector((random_of.gauss(0.0, 0.75), random_of.gauss(0.0, 1.0), random_of.gauss(0.0, 1.0))).normalized()
         if abs(direction.x) * RADIUS > clear:
@@ -122,7 +122,7 @@ def _stand(collection, planet, name, mesh, random_of, size, clear):
 
 
 def _hang_clouds(collection):
-    """A few clouds of wadding."""
+    """Add a few clouds that look like wadding."""
     builder = shapes.MeshBuilder()
     for x, y, z, radius in PUFFS:
         builder.add(shapes.sphere(radius, (x, y, z), (1.0, 0.8, 0.74), 32, 20))

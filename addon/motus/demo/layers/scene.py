@@ -1,4 +1,4 @@
-"""The scene "Motus Layers": a wooden pilot walks on a small planet, and throws and jumps without leaving off to walk."""
+"""The scene "Motus Layers": a wooden pilot walks on a small planet, and throws and jumps while he goes on walking."""
 
 import bpy
 from mathutils import Matrix, Vector
@@ -11,7 +11,7 @@ from . import planet
 SCENE_NAME = "Motus Layers"
 FRAMES_PER_SECOND, LAST_FRAME = 24, 216
 THROW_START, JUMP_START = 44.0, 128.0
-TOY_SIZE = 0.075  # of the aeroplane that the pilots fly
+TOY_SIZE = 0.075  # scale of the toy relative to the aeroplane in which pilots fly
 TOY_IN_HAND = Matrix.Translation((0.0, 0.085, 0.0)) @ Matrix.Rotation(1.2, 4, 'X')
 FLIGHT = (
     (10, (0.60, -1.65, 1.95)),
@@ -20,10 +20,10 @@ FLIGHT = (
     (110, (6.00, 20.00, 6.50)),
     (150, (3.00, 44.00, 12.00)),
 )
-"""Frames after the release, and places: ahead, round, and away."""
+"""Keys of the toy aeroplane's flight: frame after the release, and place; it flies ahead, in a circle, and away."""
 
 CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (-3.10, -4.95, 1.30), (0.02, -0.20, 1.16), 38.0
-CAMERA_DRIFT = (1.45, -0.35, 0.20)  # m over the scene
+CAMERA_DRIFT = (1.45, -0.35, 0.20)  # m by which the camera moves during the scene
 
 
 def build(context):
@@ -33,7 +33,7 @@ def build(context):
     scene.world = planet.build_world()
     lighting.add_sun(land)
     lighting.set_color_management(scene, planet.VIEWS)
-    ahead = 2.0 * character_clips.STEP[0][1] / (character_clips.STRIDE / 2)  # m a frame
+    ahead = 2.0 * character_clips.STEP[0][1] / (character_clips.STRIDE / 2)  # m per frame
     planet.build(land, ahead / planet.RADIUS)
     stage = shapes.link_object(figure, "Walker Stage", None)
     rig = skeleton.build(context, figure, stage)
@@ -46,7 +46,7 @@ def build(context):
 
 
 def _animate(rig):
-    """Three layers, added by the public operators: the walk over and over, and now and then a throw or a jump."""
+    """Add three animation layers with the public operators: the repeated walk, and a throw and a jump on top of the walk."""
     clips = {"Throw": character_clips.throw(rig), "Jump": character_clips.jump(rig), "Walk": character_clips.walk(rig)}
     character_clips.lay(rig, clips["Walk"], mask='ALL', start=1.0, after='REPEAT')
     character_clips.lay(
@@ -56,7 +56,7 @@ def _animate(rig):
 
 
 def _add_toy(scene, collection, rig):
-    """The small aeroplane: in the hand until it is let go, then on its way."""
+    """Add the toy aeroplane, which is in the hand until the throw releases it, and then flies by keys."""
     toy = shapes.link_object(collection, "Toy", None)
     aeroplane.build(collection).parent = toy
     toy.scale = 3 * [TOY_SIZE]
@@ -88,7 +88,7 @@ def _key_place(toy, matrix, frame):
 
 
 def _set_steps(thing):
-    """Keys that were set until now hold their value."""
+    """Set constant interpolation for all keys that an object has so far."""
     from ...core.blender import actions
 
     for curve in actions.fcurves(thing):
@@ -97,7 +97,7 @@ def _set_steps(thing):
 
 
 def _add_camera(scene, collection):
-    """A camera that drifts along with the walker."""
+    """Add a camera that moves slowly beside the walking pilot."""
     aim = shapes.link_object(collection, "Walker Aim", None)
     aim.location = CAMERA_AIM
     aim.empty_display_size = 0.1

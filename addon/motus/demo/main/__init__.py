@@ -1,4 +1,4 @@
-"""Winter Flight, the demo scene in which eight systems act together."""
+"""Winter Flight, the demo scene in which eight systems of the add-on act together."""
 
 from .scene import build
 

@@ -1,4 +1,4 @@
-"""The aeroplane of the main scene: in the pilot's hand, thrown, once around, and down on the trodden way."""
+"""The toy aeroplane of the main scene: the pilot throws it, it flies one round, and lands on the trodden path."""
 
 import math
 
@@ -11,15 +11,16 @@ from ..stage import shapes
 from ..stage.keying import key
 from . import terrain
 
-SIZE = 0.078  # of the aeroplane that the pilots fly
+SIZE = 0.078  # scale of the toy relative to the aeroplane in which pilots fly
 HAND = "hand.L"
-IN_HAND = (0.006, 0.066, -0.046)  # of the aeroplane's middle: along the palm, and before it
-CLIMB = math.radians(4.0)  # of the nose as it is let go
+IN_HAND = (0.006, 0.066, -0.046)  # position of the aeroplane's middle in the space of the hand's bone, m
+CLIMB = math.radians(4.0)  # pitch of the nose at the release
 SECONDS, EASE_IN, EASE_OUT = 6.4, 0.10, 0.22
-FASTER, EVEN = 16, 110  # frames after the throw: until it has slowed down to its pace, and until it is not ahead by that any more
+# Frames after the throw until the aeroplane has slowed to its normal speed, and until it has lost the lead that it gained.
+FASTER, EVEN = 16, 110
 BANK_SMOOTHING, BANK_LIMIT = 1.4, math.radians(58.0)
-SETTLING = 14  # frames in which it turns from the hand's hold to the course
-KNOTS = (  # x, y, and m above the ground: to the left, across the picture before the camera, and back on the right
+SETTLING = 14  # frames in which the aeroplane turns from its orientation in the hand to that of the course
+KNOTS = (  # x, y, m above the ground: the course goes left, across the picture in front of the camera, and back on the right
     (-1.5, 2.35, 2.45),
     (-2.65, 2.2, 3.0),
     (-3.3, 1.35, 3.25),
@@ -30,14 +31,17 @@ KNOTS = (  # x, y, and m above the ground: to the left, across the picture befor
     (3.65, 3.05, 2.25),
     (2.75, 3.2, 1.35),
 )
-FINAL = (0.62, 1.75), math.radians(216.0)  # where it comes to a stop, and heading there
-GLIDE = ((1.95, 0.42), (1.15, 0.0), (0.0, 0.0))  # m before the stop, and above the ground
-WHEEL_AHEAD, WHEELS = 1.16, 1.53  # of the aeroplane: before and below its middle
-FLARE, TAIL_DOWN = math.radians(7.0), math.radians(21.0)  # its nose is up as it comes down, and in the end
+FINAL = (0.62, 1.75), math.radians(216.0)  # place at which the aeroplane stops, and its heading there
+GLIDE = ((1.95, 0.42), (1.15, 0.0), (0.0, 0.0))  # knots of the glide: m before the stop, m above the ground
+WHEEL_AHEAD, WHEELS = 1.16, 1.53  # m from the unscaled aeroplane's middle to its wheels: ahead and below
+FLARE, TAIL_DOWN = math.radians(7.0), math.radians(21.0)  # pitch of the nose during the landing and at the end
 
 
 def build(scene, context, collection, rig, release):
-    """Course and aeroplane, which is let go at the frame `release`; gives what flies the course, with or without it."""
+    """Build the course and the aeroplane, which the hand releases at the frame `release`.
+
+    Returns the empty that follows the course. It does so even while the aeroplane is still in the hand.
+    """
     hand, before = (_hand(scene, context, rig, frame) for frame in (release, release - 1))
     place = hand @ Vector(IN_HAND)
     thrown = place - before @ Vector(IN_HAND)
@@ -64,16 +68,17 @@ def _heading(angle):
 
 
 def _hand(scene, context, rig, frame):
-    """The hand's matrix in the world at a frame."""
+    """Return the world matrix of the hand's bone at a frame."""
     scene.frame_set(frame)
     evaluated = rig.evaluated_get(context.evaluated_depsgraph_get())
     return evaluated.matrix_world @ evaluated.pose.bones[HAND].matrix
 
 
 def _add_course(collection, held, speed):
-    """(seconds from the start of the course to where the aeroplane is let go, its pace then in m/s, the course).
+    """Add the course; returns (seconds from its start to the release, speed at the release in m/s, the course).
 
-    It starts behind the hand, so that the aeroplane flies already where it is let go.
+    The course starts behind the hand, so that the aeroplane is already at speed at the place of the release.
+    held: world matrix of the aeroplane at the release. speed: of the hand at the release, in m/s.
     """
     ahead = held.col[1].xyz.normalized()
     let_go = held.translation
@@ -89,9 +94,9 @@ def _add_course(collection, held, speed):
     for point in (points[-2], points[-1]):
         _lead(point, along, 0.38, 0.38)
     rest = flight.course_length(course) - 1.0
-    top = 1.0 / (1.0 - 0.5 * EASE_IN - 0.5 * EASE_OUT)  # of the speed, by the mean one
+    top = 1.0 / (1.0 - 0.5 * EASE_IN - 0.5 * EASE_OUT)  # ratio of the greatest speed to the mean speed
     ramp = EASE_IN * SECONDS
-    before = 0.5  # m: depends on the pace, which depends on the length, to which it belongs
+    before = 0.5  # m from the start to the release; iterated, because it depends on the speed, which depends on the whole length
     for _ in range(20):
         most = top * (rest + before) / SECONDS
         share = min(speed / most, 1.0)
@@ -103,7 +108,7 @@ def _add_course(collection, held, speed):
 
 
 def _lead(point, direction, behind, before):
-    """Let a knot's handles lie along a direction, so far behind and before it."""
+    """Set a knot's handles along a direction, at the distances `behind` and `before` from the knot, in m."""
     point.handle_left_type = point.handle_right_type = "FREE"
     point.handle_left, point.handle_right = point.co - behind * direction, point.co + before * direction
 
@@ -127,7 +132,10 @@ def _follow(carrier, course, start):
 
 
 def _key_slowing(carrier, release, excess):
-    """Let it leave the hand as fast as the hand moves, faster by `excess` m a frame than it flies: ahead of its pace for a while."""
+    """Key the offset on the course so that the aeroplane leaves the hand at the hand's speed and slows to its normal speed.
+
+    excess: m per frame by which the hand is faster than the normal flight. The aeroplane then loses the lead that it has gained.
+    """
     key(carrier.motus.path, "offset", ((release, 0.0), (release + FASTER, 0.5 * excess * FASTER), (release + EVEN, 0.0)))
     curve = next(curve for curve in actions.fcurves(carrier) if curve.data_path.endswith("offset"))
     first, ahead, last = curve.keyframe_points
@@ -142,11 +150,11 @@ def _key_slowing(carrier, release, excess):
 
 
 def _hold(collection, rig, toy, release, hand, held):
-    """Keep the aeroplane in the hand until it is let go."""
+    """Keep the aeroplane in the hand until the release, by a constraint whose influence is keyed."""
     grip = shapes.link_object(collection, "Grip", None, rig)
     grip.parent_type, grip.parent_bone = "BONE", HAND
     grip.empty_display_size = 0.5
-    grip.matrix_parent_inverse = Matrix.Translation((0.0, -rig.data.bones[HAND].length, 0.0))  # such a child stands at the tail
+    grip.matrix_parent_inverse = Matrix.Translation((0.0, -rig.data.bones[HAND].length, 0.0))  # a child of a bone stands at the bone's tail
     grip.matrix_basis = hand.inverted() @ held @ Matrix.Scale(SIZE, 4)
     constraint = toy.constraints.new("COPY_TRANSFORMS")
     constraint.name, constraint.target = "Held", grip
@@ -156,7 +164,10 @@ def _hold(collection, rig, toy, release, hand, held):
 
 
 def _key_pitch(scene, context, carrier, toy, held, release, end):
-    """How the aeroplane lies on what flies: as in the hand at first, soon level, its nose up as it comes down, and its tail last."""
+    """Key the aeroplane's pose relative to the empty that flies the course.
+
+    At first the pose is that in the hand, then level; the nose is up for the landing, and in the end the tail is on the ground.
+    """
     scene.frame_set(release)
     flown = carrier.evaluated_get(context.evaluated_depsgraph_get()).matrix_world
     _key_lying(toy, release, flown.inverted() @ held)

@@ -1,4 +1,4 @@
-"""Two lanterns of the main scene, one below the other on an arm by the way: a double pendulum, which the wind has set going."""
+"""Two lanterns of the main scene, one below the other on an arm beside the path: a double pendulum that swings in the wind."""
 
 import math
 
@@ -10,8 +10,8 @@ from ..stage import materials, shapes
 from ..village import props, terrain
 from . import terrain as main_terrain
 
-PLACE = (-2.75, 4.7)  # of the post
-ARM, HIGH = (0.95, 0.0), 2.95  # m: from the post to where they hang, and how high that is
+PLACE = (-2.75, 4.7)  # x and y of the post, m
+ARM, HIGH = (0.95, 0.0), 2.95  # x and y from the post to the pivot, and the pivot's height above the ground, m
 LENGTHS, ANGLES, MASSES = (0.72, 0.66), (math.radians(38.0), math.radians(-14.0)), (1.0, 0.7)
 ROD, BOB = 0.007, 0.016  # radii, m
 SIZES = (1.55, 1.25)
@@ -19,7 +19,7 @@ WATTS = 26.0
 
 
 def build(context, collection, covered):
-    """Post and pendulum; gives the pivot."""
+    """Build the post and the pendulum of two lanterns. Returns the pivot. covered: collection of objects on which snow lies."""
     ground = float(main_terrain.height(*np.array(PLACE)))
     iron = materials.principled("Forged Iron", color=(0.014, 0.014, 0.016), roughness=0.45)
     timber = terrain.mottled("Post Wood", (0.060, 0.036, 0.022), (0.12, 0.075, 0.048), 6.0)
@@ -39,7 +39,7 @@ def build(context, collection, covered):
 
 
 def _add_pendulum(context, collection, place):
-    """By the public operator, into the collection."""
+    """Add the double pendulum to the collection with the public operator."""
     view_layer = context.view_layer
     view_layer.active_layer_collection = view_layer.layer_collection.children[collection.name]
     if bpy.ops.motus.pendulum_add(
@@ -61,7 +61,7 @@ def _add_pendulum(context, collection, place):
 
 
 def _post_mesh(slots):
-    """A post with an arm and a strut, and a hook at the arm's end."""
+    """Make the mesh of a post with an arm, a strut, and a hook at the arm's end. slots: materials."""
     builder = shapes.MeshBuilder()
     builder.add(shapes.beam((0.13, 0.13, HIGH + 0.62), (0.0, 0.0, 0.5 * (HIGH + 0.62) - 0.3), 0.015), smooth=False)
     builder.add(shapes.beam((ARM[0] + 0.34, 0.10, 0.11), (0.5 * ARM[0] + 0.02, 0.0, HIGH + 0.11), 0.012), smooth=False)
@@ -72,7 +72,7 @@ def _post_mesh(slots):
 
 
 def _lantern_mesh(slots):
-    """A lantern that hangs from the origin."""
+    """Make the mesh of a lantern that hangs from the origin. slots: materials."""
     builder = shapes.MeshBuilder()
     builder.add(shapes.upright(shapes.lathe(((0.004, 0.0), (0.020, -0.015), (0.105, -0.075), (0.085, -0.085)), 6)), 0, smooth=False)
     builder.add(shapes.upright(shapes.lathe(((0.066, -0.085), (0.054, -0.225)), 6)), 1, smooth=False)

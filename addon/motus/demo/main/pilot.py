@@ -1,4 +1,4 @@
-"""The pilot of the main scene: layers of clips, feet that stand where they step, hands at the remote, and eyes for the aeroplane."""
+"""The pilot of the main scene: animation layers, feet that do not slide, hands on the remote control, eyes on the aeroplane."""
 
 import math
 from typing import NamedTuple
@@ -11,17 +11,17 @@ from ..stage import shapes
 from ..stage.keying import key
 from . import steps, transmitter
 
-RELEASE, WINDING_UP = 77, 28  # the frame on which he lets go, and frames of the throw before it
+RELEASE, WINDING_UP = 77, 28  # frame at which the pilot releases the aeroplane, and frames of the throw before that
 THROW_START, THROW_SPEED = float(RELEASE - WINDING_UP), (character_clips.RELEASE - 1) / WINDING_UP
 WALK_WEIGHT = ((1, 1.0), (72, 1.0), (90, 0.0))
 CARRY_WEIGHT = ((1, 0.92), (54, 0.92), (66, 0.0))
 LOOK_WEIGHT = ((1, 0.0), (RELEASE, 0.0), (RELEASE + 14, 1.0))
-REACH_WEIGHT = ((1, 0.0), (RELEASE + 7, 0.0), (RELEASE + 25, 1.0))  # of the left hand, to the remote
-AT_REMOTE = 0.09, 0.17  # parts of the course behind the aeroplane, between which the hand goes from beside the remote onto it
-BESIDE = (0.105, 0.012, -0.030)  # m from the hold, in the remote's space: where the hand comes to first
+REACH_WEIGHT = ((1, 0.0), (RELEASE + 7, 0.0), (RELEASE + 25, 1.0))  # keys of the left hand's reach for the remote control
+AT_REMOTE = 0.09, 0.17  # flown fractions of the course between which the left hand moves from beside the remote control onto it
+BESIDE = (0.105, 0.012, -0.030)  # m from the hand's final place, in the space of the remote control: where the hand stops at first
 SOFTNESS = 0.05
 ELBOWS = {"L": (0.80, 0.50, 0.85), "R": (-0.80, 0.50, 0.85)}
-# Beneath the layers. Frames and degrees, or metres in the bone's axes (X to its left, Y up, Z to the front).
+# Keys of the pilot's own animation beneath the layers: frame, and degrees or metres in the bone's axes (X left, Y up, Z to the front).
 PELVIS = (
     (1, (0.0, -0.016, 0.0)),
     (76, (0.0, -0.030, 0.0)),
@@ -32,26 +32,26 @@ PELVIS = (
 )
 PELVIS_TURN = ((1, (0.0, 0.0, 0.0)), (92, (0.0, 0.0, 0.0)), (150, (1.0, 5.0, 1.5)), (205, (0.0, 3.0, -1.2)), (264, (0.5, 0.0, 0.5)))
 BREATH = tuple((frame, turn) for start in range(1, 265, 66) for frame, turn in ((start, -0.8), (start + 33, 0.8)))
-GRASP = {  # of index and other fingers
+GRASP = {  # of the index finger and of the other three fingers
     ("index.L", 0): ((1, -26.0), (RELEASE - 1, -26.0), (RELEASE + 2, 6.0), (RELEASE + 22, 4.0), (RELEASE + 34, -16.0)),
     ("fingers.L", 0): ((1, -38.0), (RELEASE - 1, -38.0), (RELEASE + 2, 8.0), (RELEASE + 22, 2.0), (RELEASE + 34, -26.0)),
     ("index.R", 0): ((1, -16.0),),
     ("fingers.R", 0): ((1, -26.0),),
 }
 BLINKS = (22, 64, 118, 176, 222, 250)
-BLINK = ((-3, 0.0), (0, 62.0), (1, 62.0), (6, 0.0))  # frames from the blink's, and degrees of a lid
+BLINK = ((-3, 0.0), (0, 62.0), (1, 62.0), (6, 0.0))  # frames relative to the blink, and degrees of an eyelid
 
 
 class Pilot(NamedTuple):
-    """What others need of him."""
+    """The pilot's objects that other modules of the scene need."""
 
-    stage: bpy.types.Object  # carries him along
+    stage: bpy.types.Object  # empty that moves the pilot along the path
     rig: bpy.types.Object
-    marks: dict  # empties by what they are for
+    marks: dict  # {purpose, such as "hand.L": empty}
 
 
 def build(context, collection, marks, way):
-    """The pilot on his way, his right hand at the remote, and the aeroplane not in his left one yet."""
+    """Build the pilot on his path, with the right hand on the remote control; the aeroplane is added later. Returns the Pilot."""
     stage = shapes.link_object(collection, "Pilot Stage", None, way)
     rig = skeleton.build(context, collection, stage)
     mannequin.build(collection, rig)
@@ -69,7 +69,7 @@ def build(context, collection, marks, way):
 
 
 def attend(pilot, carrier):
-    """Let his left hand come to the remote and his eyes follow, once the aeroplane flies."""
+    """Let the pilot's left hand reach for the remote control, and his eyes follow the aeroplane, once the aeroplane flies."""
     rig = pilot.rig
     _reach(
         pilot,
@@ -115,7 +115,7 @@ def attend(pilot, carrier):
 
 
 def _add_marks(collection, way, stage, remote):
-    """Empties: where the feet stand, where the hands hold, and where the elbows point."""
+    """Add empties that mark where the feet stand, where the hands hold, and where the elbows point. Returns {purpose: empty}."""
     hold = transmitter.grip("L")
     found = {
         "hand.L": (remote, "Hold L", hold),
@@ -133,7 +133,7 @@ def _add_marks(collection, way, stage, remote):
 
 
 def _lay_clips(rig):
-    """Three layers: the walk, the left arm that holds the aeroplane up, and the throw."""
+    """Add three animation layers: the walk, the left arm that holds the aeroplane up, and the throw."""
     clips = {"Throw": character_clips.throw(rig, "L"), "Carry": character_clips.carry(rig), "Walk": character_clips.walk(rig)}
     walk = character_clips.lay(rig, clips["Walk"], mask='ALL', start=steps.WALK_START, after='REPEAT')
     key(walk, "weight", WALK_WEIGHT)
@@ -153,7 +153,7 @@ def _lay_clips(rig):
 
 
 def _key_beneath(rig):
-    """What he does of himself, beneath the layers: he breathes, shifts his weight, blinks, grasps and lets go."""
+    """Key the pilot's own animation beneath the layers: he breathes, shifts his weight, blinks, grasps and lets go."""
     bones = rig.pose.bones
     key(bones["pelvis"], "location", PELVIS)
     key(bones["pelvis"], "rotation_euler", [(frame, [math.radians(angle) for angle in turn]) for frame, turn in PELVIS_TURN])
@@ -163,7 +163,7 @@ def _key_beneath(rig):
 
 
 def _reach(pilot, bone, target, **keywords):
-    """A chain of two bones above a hand or foot, which takes the target's place and orientation."""
+    """Add inverse kinematics to a hand or foot and the two bones above, so that it takes the target's place and orientation."""
     given = {"position_weight": 1.0, "rotation_weight": 1.0, **keywords}
     _check(
         bpy.ops.motus.ik_add(

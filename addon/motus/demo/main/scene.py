@@ -1,7 +1,7 @@
-"""The scene "Motus Main": eight systems at once, on a winter evening.
+"""The scene "Motus Main": eight systems of the add-on in one scene, on a winter evening.
 
-A pilot walks through the snow with an aeroplane in his hand, throws it and steers it, and a spider goes to meet it; two
-lanterns swing in the wind, and a stereo camera looks after it all.
+A pilot walks through the snow with a toy aeroplane in his hand, throws it and steers it, and a spider goes to meet it; two
+lanterns swing in the wind, and a stereo camera follows pilot and aeroplane.
 """
 
 import math
@@ -15,14 +15,14 @@ from . import flight, lanterns as main_lanterns, pilot as main_pilot, spider as 
 
 SCENE_NAME = "Motus Main"
 FRAMES_PER_SECOND, LAST_FRAME = 24, 264
-# Name, place, half width, flakes a second, seed: over the village, and a few before the camera, none at it.
+# Of each snow cloud: name, place, half width, flakes per second, seed. One is over the village, one in front of the camera.
 CLOUDS = (
     ("Snowfall", (0.0, 15.6, 10.0), 15.5, 400.0, 0),
     ("Near Snowfall", (0.2, 4.6, 6.0), 2.9, 36.0, 1),
 )
-AHEAD, LIFETIME = 45.0, 14.0  # s before the scene in which it has snowed, and until flakes have come down
+AHEAD, LIFETIME = 45.0, 14.0  # seconds of snowfall before the scene, and seconds until a flake has come down
 COVER = {"lump": 0.30, "resolution": 0.22, "smoothing": 0.55, "thinnest": 0.004, "repose": math.radians(62.0)}
-STAND, LENS = (0.25, -4.4, 1.60), 34.0  # of the camera while the aeroplane flies
+STAND, LENS = (0.25, -4.4, 1.60), 34.0  # place and focal length of the camera while the aeroplane flies
 DOLLY = (
     (1, (-1.2, 4.9, -0.45)),
     (60, (-0.95, 3.1, -0.40)),
@@ -30,13 +30,13 @@ DOLLY = (
     (215, (0.1, 0.2, 0.0)),
     (LAST_FRAME, (-0.15, 2.1, -0.3)),
 )
-"""Frames, and m from there: near him as he walks, then back."""
+"""Keys of the camera: frame, and distance from STAND in m. It is near the pilot while he walks, then moves back."""
 
-GAZE = 1.0  # of the camera's head, to what it attends to
+GAZE = 1.0  # weight with which the camera's head turns to its target
 ATTENTION_HEIGHT = 1.45  # m
 PLANE_SHARE = ((1, 0.0), (70, 0.0), (96, 0.42), (205, 0.42), (LAST_FRAME, 0.5))
 PLANE_RISE = ((1, 0.0), (70, 0.0), (96, 0.26), (190, 0.26), (LAST_FRAME, 0.5))
-"""Of the aeroplane's place, and of its height, in what the camera attends to; the rest is the pilot's."""
+"""Keys of the aeroplane's weight in the camera's target: PLANE_SHARE for x and y, PLANE_RISE for z. The pilot has the rest."""
 
 NEAR, FAR, NEAR_PARALLAX, FAR_PARALLAX = 2.8, 60.0, 0.25, 1.6
 
@@ -56,13 +56,13 @@ def build(context):
     lying = snowfall.add(context, snow, covered, CLOUDS, AHEAD, LIFETIME, COVER)
     _add_camera(context, scene, views, pilot.stage, carrier)
     scene.frame_set(1)
-    # So many flakes are not worked out while a frame waits for them.
+    # There are too many flakes to compute them while Blender waits for a frame, so an operator computes them now.
     bpy.ops.motus.snow_cover_work_out(object=lying)
     return scene
 
 
 def _add_camera(context, scene, collection, stage, carrier):
-    """A stereo camera that moves a little, and looks between the pilot and his aeroplane."""
+    """Add a stereo camera that moves a little and looks at a point between the pilot and his aeroplane."""
     attention = shapes.link_object(collection, "Attention", None)
     attention.empty_display_size = 0.2
     attention.location.z = ATTENTION_HEIGHT

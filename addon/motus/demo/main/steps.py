@@ -1,6 +1,7 @@
-"""How the pilot of the main scene gets along: his way, and where each foot stands, so that none slides.
+"""The pilot's steps in the main scene: his path, and where each foot stands, so that no foot slides.
 
-Frames of the scene; metres on his way: `ahead` from its start, and height above it. His armature faces -Y, and so does the way.
+Times are frames of the scene. Places are metres on the path: `ahead` from its start, and `high` above it. The armature faces -Y, and
+the path leads along -Y.
 """
 
 import math
@@ -14,34 +15,34 @@ from ..character import clips, skeleton
 from ..stage.keying import key
 
 STRIDE = clips.STRIDE
-PACE = 2.0 * clips.STEP[0][1] / (STRIDE / 2)  # m a frame, which the clip's legs are made for
-WALK_END, REST = 73, 85  # three seconds; and when he stands
-WALK_START = 1.0 - STRIDE / 2  # of the clip: the right foot comes down on the first frame, and on the last
+PACE = 2.0 * clips.STEP[0][1] / (STRIDE / 2)  # m per frame, the speed for which the legs of the walk action are made
+WALK_END, REST = 73, 85  # frame after three seconds of walking, and frame at which the pilot stands still
+WALK_START = 1.0 - STRIDE / 2  # first frame of the walk action; the right foot comes down on the first and the last frame of the walk
 LENGTH = PACE * (WALK_END - 1)
-STAND = LENGTH + 0.5 * PACE * (REST - WALK_END)  # where he comes to rest
-CONTACTS = {"R": (-23, 1, 25, 49, 73), "L": (-11, 13, 37, 61, 88)}  # when each foot comes down
-CONTACT_AHEAD = 0.225  # of him, flat
-LAST_AHEAD = {"R": -0.02, "L": 0.055}  # of where he comes to rest
+STAND = LENGTH + 0.5 * PACE * (REST - WALK_END)  # m ahead at which the pilot comes to rest
+CONTACTS = {"R": (-23, 1, 25, 49, 73), "L": (-11, 13, 37, 61, 88)}  # frames at which each foot comes down
+CONTACT_AHEAD = 0.225  # m by which a flat foot is ahead of the pilot when it comes down
+LAST_AHEAD = {"R": -0.02, "L": 0.055}  # m by which each foot is ahead of the pilot at rest
 ASIDE, LAST_ASIDE, TURNED_OUT = 0.088, {"R": 0.088, "L": 0.112}, math.radians(7.0)
-HEEL, BALL = (-0.036, 0.0), (0.125, 0.030)  # what a foot rolls over: ahead of the ankle, and high
-ANKLE = 0.090  # high, of a foot that stands flat
-# Frames after a foot has come down, and degrees of its sole, toes up: it rolls over the heel, then over the ball.
+HEEL, BALL = (-0.036, 0.0), (0.125, 0.030)  # points over which a foot rolls: m ahead of the ankle, and m above the ground
+ANKLE = 0.090  # height of the ankle of a flat foot, m
+# Frames after a foot has come down, and the angle of its sole in degrees, positive if the toes point up: it rolls over heel and ball.
 ROLL = ((0.0, 15.0), (2.5, 0.0), (8.0, 0.0), (11.0, -14.0), (14.0, -40.0))
-# Shares of the way through the air: how far the ankle has come, how high it is above the straight way, degrees of the sole.
+# Motion of a foot through the air: share of the time, share of the distance, m above the straight line, degrees of the sole.
 SWING = ((0.0, 0.0, 0.0, -40.0), (0.18, 0.07, 0.055, -48.0), (0.5, 0.52, 0.065, -16.0), (0.8, 0.88, 0.030, 11.0), (1.0, 1.0, 0.0, 15.0))
 LAST_SWING = ((0.0, 0.0, 0.0, -40.0), (0.2, 0.12, 0.050, -42.0), (0.55, 0.62, 0.060, -12.0), (0.85, 0.96, 0.020, 3.0), (1.0, 1.0, 0.0, 0.0))
 FLAT, LIFTED = ROLL[2][0], ROLL[-1][0]
 
 
 def key_way(stage):
-    """Let him go along at an even pace, slow down and stand. stage: carries him, in the space of his way."""
+    """Key the pilot's motion along the path: even speed, then slowing down to a stop. stage: empty that carries the pilot."""
     key(stage, "location", ((1, 0.0), (WALK_END, -LENGTH), (REST, -STAND)), 1)
     curve = next(curve for curve in actions.fcurves(stage) if curve.data_path == "location" and curve.array_index == 1)
     first, slower, last = curve.keyframe_points
     first.interpolation = 'LINEAR'
     for point in (slower, last):
         point.handle_left_type = point.handle_right_type = 'FREE'
-    third = (REST - WALK_END) / 3.0  # a cubic whose slopes are the pace and 0 slows down evenly
+    third = (REST - WALK_END) / 3.0  # a cubic with the slopes of the walking speed and 0 at its ends slows down evenly
     slower.handle_right = slower.co.x + third, slower.co.y - third * PACE
     last.handle_left = last.co.x - third, last.co.y
     last.handle_right = last.co.x + third, last.co.y
@@ -49,7 +50,10 @@ def key_way(stage):
 
 
 def key_feet(targets, rig):
-    """Key where each foot is, frame by frame, and the toes, which stay flat as the heel rises. targets: {side: empty}."""
+    """Key the place of each foot at every frame, and its toes, which stay flat while the heel rises.
+
+    targets: {side: empty that the foot follows}.
+    """
     for side, target in targets.items():
         target.rotation_mode = 'QUATERNION'
         toe = rig.pose.bones[f"toe.{side}"]
@@ -66,9 +70,9 @@ def key_feet(targets, rig):
 
 
 class Step(NamedTuple):
-    """A foot: where its ankle is, and degrees by which sole and toes point up."""
+    """Place of a foot's ankle on the path in m, and angles by which sole and toes point up, in degrees."""
 
-    left: float  # of the middle of the way, m
+    left: float  # m to the left of the middle of the path
     ahead: float
     high: float
     sole: float
@@ -76,7 +80,7 @@ class Step(NamedTuple):
 
 
 def foot(side, frame):
-    """The Step of a foot at a frame."""
+    """Return the Step of a foot at a frame. side: "L" or "R"."""
     contacts = CONTACTS[side]
     number = bisect_right(contacts, frame) - 1
     since = frame - contacts[number]
@@ -91,7 +95,7 @@ def foot(side, frame):
 
 
 def _standing(side, number, since):
-    """The Step of a foot on the ground, which rolls over its heel and then over its ball.
+    """Return the Step of a foot on the ground, which rolls over its heel and then over its ball.
 
     side: "L" or "R". number: of the foot's contact with the ground. since: frames after that contact.
     """
@@ -112,12 +116,12 @@ def _standing(side, number, since):
 
 
 def _closes(side, number):
-    """Whether this is the last step, which brings the left foot beside the right one; it comes down flat."""
+    """Whether a contact is the last one, at which the left foot comes down flat beside the right foot. number: of the contact."""
     return side == "L" and number == len(CONTACTS[side]) - 1
 
 
 def _matrix(side, step):
-    """Matrix of a foot's bone on the way."""
+    """Return the matrix of a foot's bone in the space of the path, for a Step."""
     turn = Matrix.Rotation(TURNED_OUT if side == "L" else -TURNED_OUT, 4, 'Z') @ Matrix.Rotation(-math.radians(step.sole), 4, 'X')
     rest = skeleton.rest_matrix(f"foot.{side}").to_3x3().to_4x4()
     return Matrix.Translation((step.left, -step.ahead, step.high)) @ turn @ rest
@@ -142,7 +146,7 @@ def _smooth(rows, place):
 
 
 def _slope(rows, at, column):
-    """(value, slope) of a row; none at the ends and where the value turns, so that nothing overshoots."""
+    """Return (value, slope) of the row with index `at`; the slope is 0 at the ends and at extremes, so that nothing overshoots."""
     value = rows[at][column]
     if at in (0, len(rows) - 1):
         return value, 0.0

@@ -1,4 +1,4 @@
-"""The land of the main scene: the village of the snow scene on a clear winter evening, with a trodden way through the snow before it."""
+"""The land of the main scene: the snow scene's village on a clear winter evening, with a trodden path through the snow."""
 
 import math
 
@@ -8,11 +8,13 @@ from ..places import landscape
 from ..stage import lighting, materials, shapes
 from ..village import houses, props, terrain, trees
 
-# The way that the pilot walks on: out of the village, and on past the camera. x, y, m.
+# The path on which the pilot walks: out of the village, and past the camera. Positions are x, y in m.
 WAY_START, WAY_ANGLE = (1.35, 6.49), math.radians(245.0)
-TRODDEN, BEFORE, BEYOND = 0.09, (0.62, 8.6), ((-1.35, 0.7), (-2.2, -3.0), (-2.4, -9.0))  # m that it lies lower, and how it goes on
-WAY_LENGTH = 4.6  # of its straight part
-LEVEL_MIDDLE, LEVEL_REACH, LEVEL_END = (0.3, 2.4), (5.5, 4.2), 1.42  # where the ground is level, m, and where no more, by that
+# m by which the path lies lower; points through which the path goes before and after its straight part.
+TRODDEN, BEFORE, BEYOND = 0.09, (0.62, 8.6), ((-1.35, 0.7), (-2.2, -3.0), (-2.4, -9.0))
+WAY_LENGTH = 4.6  # length of the path's straight part, m
+# Middle and half axes, in m, of the ellipse of level ground; multiple of the half axes at which the ground is not affected any more.
+LEVEL_MIDDLE, LEVEL_REACH, LEVEL_END = (0.3, 2.4), (5.5, 4.2), 1.42
 LEVEL = terrain.ground_at(3.0, 2.4)
 LANTERNS = ((2.6, 16.4),)
 FENCES = (
@@ -20,7 +22,7 @@ FENCES = (
     ((4.2, 8.9), (5.6, 8.6), (7.2, 8.0), (8.8, 7.0), (10.4, 5.6)),
 )
 WHITE, BLUE = (0.80, 0.84, 0.90), (0.66, 0.73, 0.85)
-LAMP_SHARE = 0.5  # of the light of lanterns and windows at night
+LAMP_SHARE = 0.5  # share of the brightness that lanterns and windows have at night
 SUN_ELEVATION, SUN_AZIMUTH = math.radians(29.0), math.radians(211.0)
 SUN_COLOR, SUN_STRENGTH, SUN_ANGLE = (1.0, 0.66, 0.40), 4.2, math.radians(1.5)
 # Sky colours from the horizon to the zenith: (sine of the elevation, linear rgb).
@@ -35,7 +37,10 @@ VIEWS = (("AgX", "AgX - Medium High Contrast", 0.15), ("Filmic", "Medium High Co
 
 
 def build(scene, collection, covered):
-    """Land, village, light and sky; gives the ground. covered: the collection of what snow lies on; the ground is white by itself."""
+    """Build land, village, light and sky. Returns the ground's object, whose material is snow.
+
+    covered: collection of the objects on which snow lies.
+    """
     scene.world = lighting.build_gradient_world(
         "Motus Winter Sky", SKY_STOPS, SKY_STRENGTH, lambda shader, height: shader.math("MAXIMUM", height, 0.0)
     )
@@ -51,12 +56,12 @@ def build(scene, collection, covered):
     for lamp in collection.objects:
         if lamp.type == 'LIGHT' and lamp.data.type != 'SUN':
             lamp.data.energy *= LAMP_SHARE
-            lamp.data.use_shadow = False  # the sun's are enough, and each costs a picture of the village
+            lamp.data.use_shadow = False  # the sun's shadows are enough, and each shadow map costs a rendering of the village
     return ground
 
 
 def height(x, y):
-    """Height of the ground in metres at arrays of x and y: level round the way, which lies a little lower."""
+    """Return the height of the ground in metres at arrays of x and y: level around the path, which lies a little lower."""
     (middle_x, middle_y), (reach_x, reach_y) = LEVEL_MIDDLE, LEVEL_REACH
     far = np.hypot((x - middle_x) / reach_x, (y - middle_y) / reach_y)
     rest = landscape.smoothstep(far, 1.0, LEVEL_END)
@@ -67,14 +72,14 @@ def height(x, y):
 
 
 def on_way_at(ahead, aside=0.0, high=0.0):
-    """A place by how far it is along the way, to the left of it and above it."""
+    """Return the (x, y, z) of a place from its distances along the path, to the left of the path and above it, in m."""
     cosine, sine = math.cos(WAY_ANGLE), math.sin(WAY_ANGLE)
     x, y = WAY_START
     return x + ahead * cosine - aside * sine, y + ahead * sine + aside * cosine, LEVEL - TRODDEN + high
 
 
 def add_way(collection):
-    """An empty that stands where the way begins; it leads along its -Y axis."""
+    """Add an empty at the start of the path. The path leads along the empty's -Y axis."""
     way = shapes.link_object(collection, "Way", None)
     way.location, way.rotation_euler.z = on_way_at(0.0), WAY_ANGLE + 0.5 * math.pi
     way.empty_display_size = 0.3
@@ -82,7 +87,7 @@ def add_way(collection):
 
 
 def _snow():
-    """Snow in the sun: white, bluish in patches, with the grain of its crust."""
+    """Make a material of snow in the sun: white with bluish patches and a grainy crust."""
     material, shader, output = materials.new_material("Snow Crust")
     place = shader.add("ShaderNodeNewGeometry").outputs["Position"]
     color = shader.ramp(shader.noise(place, 0.6, detail=5.0), ((0.35, BLUE), (0.65, WHITE)))

@@ -1,4 +1,4 @@
-"""The remote control of the main scene: a box with two sticks that hangs from the neck, and the places of the hands on it."""
+"""The remote control of the main scene: a box with two sticks that hangs from the pilot's neck, and the places of his hands on it."""
 
 import math
 
@@ -8,22 +8,23 @@ from mathutils import Matrix
 from ..character import parts
 from ..stage import materials, shapes
 
-BONE = "spine.003"  # carries it
-PLACE, TILT = (0.0, -0.245, 1.130), math.radians(-32.0)  # in the armature: before the belly, its face towards the eyes
-SIZE, CORNER = (0.190, 0.085, 0.046), 0.010  # m: to the left, away from the pilot, and thick
-STICKS = 0.052, 0.004, 0.030  # from the middle: aside and nearer to the pilot; high
-STICK_LEAN = {"L": (0.10, -0.16), "R": (-0.05, 0.12)}  # how each stands
+BONE = "spine.003"  # bone to which the box is parented
+# Place and tilt of the box in the armature's space: in front of the belly, with the sticks towards the eyes.
+PLACE, TILT = (0.0, -0.245, 1.130), math.radians(-32.0)
+SIZE, CORNER = (0.190, 0.085, 0.046), 0.010  # width, depth and thickness of the box, and radius of its corners, m
+STICKS = 0.052, 0.004, 0.030  # distances from the box's middle to the side and towards the pilot, and height; m
+STICK_LEAN = {"L": (0.10, -0.16), "R": (-0.05, 0.12)}  # tilt of each stick
 AERIAL = 0.34  # m
-NECK = (0.062, -0.010, 1.448)  # where the strap lies beside it
-STRAP = 0.010, 0.0022  # half its width and thickness
-PALM = (0.0, 0.048, -0.019)  # of a hand: what touches the box, in the bone's space
-SPREAD = math.radians(14.0)  # how far fingers point inwards
-GRIP_BACK = 0.004  # how much nearer to the pilot than the box's middle its palm is
+NECK = (0.062, -0.010, 1.448)  # place beside the neck at which the strap lies
+STRAP = 0.010, 0.0022  # half the strap's width and half its thickness, m
+PALM = (0.0, 0.048, -0.019)  # point of the palm that touches the box, in the space of the hand's bone
+SPREAD = math.radians(14.0)  # angle by which the fingers point inwards
+GRIP_BACK = 0.004  # m by which the palms are nearer to the pilot than the box's middle
 BODY, DARK, METAL, RED = range(4)
 
 
 def build(collection, rig):
-    """The box on its strap, carried by the chest. The rig is at rest."""
+    """Build the box and its strap as children of the chest's bone. The rig has to be in rest pose. Returns the box."""
     box = shapes.link_object(collection, "Remote", _box_mesh(), rig)
     box.parent_type, box.parent_bone = "BONE", BONE
     box.matrix_parent_inverse = _to_bone(rig)
@@ -35,12 +36,12 @@ def build(collection, rig):
 
 
 def place():
-    """Rest matrix of the remote control's box, in the armature's space."""
+    """Return the rest matrix of the remote control's box in the armature's space."""
     return Matrix.Translation(PLACE) @ Matrix.Rotation(TILT, 4, "X")
 
 
 def grip(side):
-    """Matrix of a hand's bone that holds the box, in the box's space: thumb up, fingers around the far edge."""
+    """Return the matrix, in the box's space, of a hand's bone that holds the box: thumb up, fingers around the far edge."""
     sign = 1.0 if side == "L" else -1.0
     along = np.array((-sign * math.sin(SPREAD), -math.cos(SPREAD), 0.0))
     back = np.array((sign * math.cos(SPREAD), -math.sin(SPREAD), 0.0))
@@ -52,7 +53,7 @@ def grip(side):
 
 
 def _to_bone(rig):
-    """From the armature's space to that of what the bone carries at its tail."""
+    """Return the matrix from the armature's space to the space at the tail of BONE, in which children of the bone are placed."""
     bone = rig.data.bones[BONE]
     return (bone.matrix_local @ Matrix.Translation((0.0, bone.length, 0.0))).inverted()
 
@@ -87,7 +88,7 @@ def _box_mesh():
 
 
 def _bow(count):
-    """Offsets (count, 3) that bend a straight line of points by less than a millimetre.
+    """Return offsets (count, 3) that bend a straight line of points by less than a millimetre.
 
     On an exactly straight line the plane in which a tube's cross-section turns would be undefined.
     """
@@ -95,7 +96,7 @@ def _bow(count):
 
 
 def _strap_mesh():
-    """Two ribbons from the box's corners over the chest, and one round the nape."""
+    """Make the mesh of the strap: two ribbons from the box's corners over the chest, and one around the nape."""
     builder = shapes.MeshBuilder()
     matrix = np.array(place())
     for sign in (1.0, -1.0):
@@ -113,7 +114,7 @@ def _strap_mesh():
 
 
 def _through(corners, rows=28):
-    """A smooth line through places, fewer and farther apart."""
+    """Return `rows` points of a smooth line through the corners."""
     corners = np.asarray(corners)
     steps = np.linalg.norm(np.diff(corners, axis=0), axis=1)
     stations = np.column_stack((np.concatenate(([0.0], np.cumsum(steps))), corners))

@@ -1,4 +1,4 @@
-"""The scene "Motus Pendulum": a fan of double pendulums half a degree apart, one of them alone, and one with other angles."""
+"""The scene "Motus Pendulum": a fan of double pendulums half a degree apart, a single copy of one, and one with different angles."""
 
 import math
 
@@ -15,12 +15,12 @@ SECONDS = 20
 COUNT = 24
 LENGTHS = (1.05, 0.95)
 ROD_RADIUS, BOB_RADIUS, SPACING = 0.017, 0.1, 0.012
-TRAIL, FAN_TRAIL, TRAIL_RADIUS = 3.0, 0.7, 0.016  # s, s, m
+TRAIL, FAN_TRAIL, TRAIL_RADIUS = 3.0, 0.7, 0.016  # lengths of trails in s, and their radius in m
 FAN_SCALE = 1.5
-PLACES = (-4.5, 0.0, 4.5)  # of the pivots, on X: one alone, the fan, one with other angles
+PLACES = (-4.5, 0.0, 4.5)  # x of the pivots, m: the pendulum alone, the fan, the pendulum with different angles
 WALL_Y, FLOOR_Z, BEND = 0.75, -3.3, 1.0
 AIM = Vector((0.0, 0.0, -0.1))
-# Name, place, watts, colour, size of the square.
+# Of each square lamp: name, place, watts, colour, side.
 LAMPS = (
     ("Key Lamp", (-6.5, -7.5, 7.0), 3200.0, (1.0, 0.88, 0.74), 1.6),
     ("Fill Lamp", (9.0, -8.0, 1.0), 500.0, (0.62, 0.78, 1.0), 5.0),
@@ -45,7 +45,7 @@ def build(context):
 
 
 def _world():
-    """The dim light that comes from everywhere."""
+    """Make the world: dim light from all directions."""
     world = bpy.data.worlds.new("Motus Hall")
     if not world.use_nodes:
         world.use_nodes = True
@@ -59,7 +59,7 @@ def _world():
 
 
 def _add_hall(collection):
-    """Wall, floor and lamps."""
+    """Add wall, floor and lamps."""
     shapes.link_object(collection, "Wall", _wall_mesh())
     for name, place, watts, color, size in LAMPS:
         data = bpy.data.lights.new(name, "AREA")
@@ -70,7 +70,7 @@ def _add_hall(collection):
 
 
 def _wall_mesh():
-    """A wall whose foot is rounded, so that no edge shows."""
+    """Make the mesh of floor and wall with a rounded transition, so that no edge is visible."""
     angle = np.linspace(0.0, 0.5 * math.pi, 24)
     y = np.concatenate(([-40.0], WALL_Y - BEND * (1.0 - np.sin(angle)), [WALL_Y]))
     z = np.concatenate(([0.0], BEND * (1.0 - np.cos(angle)), [20.0])) + FLOOR_Z
@@ -83,7 +83,7 @@ def _wall_mesh():
 
 
 def _add_brackets(collection, pivots):
-    """A brass pin from the wall to each pivot, with a knob in front."""
+    """Add a brass pin from the wall to each pivot, with a knob in front."""
     brass = materials.principled("Brass", color=(0.80, 0.55, 0.22), metallic=1.0, roughness=0.22)
     for pivot in pivots:
         front = -0.5 * COUNT * SPACING - 0.06
@@ -107,7 +107,7 @@ def _add_brackets(collection, pivots):
 
 
 def _add_pendulums(context, collection):
-    """The demonstration, by the public operator, in its collection; the pivots."""
+    """Add the demonstration's pendulums to the collection with the public operator. Returns the pivots."""
     view_layer = context.view_layer
     view_layer.active_layer_collection = view_layer.layer_collection.children[collection.name]
     if bpy.ops.motus.pendulum_add(
@@ -130,7 +130,7 @@ def _add_pendulums(context, collection):
 
 
 def _add_camera(scene, collection):
-    """A camera before the middle one."""
+    """Add a camera in front of the middle pendulum."""
     data = bpy.data.cameras.new("Hall Camera")
     data.lens = CAMERA_LENS
     camera = shapes.link_object(collection, "Hall Camera", data)

@@ -1,1 +1,1 @@
-"""Grounds that several demo scenes stand on: the land round a lake, its woods, a colonnade, and a studio for clay."""
+"""Landscapes and rooms for demo scenes: the land around a lake, its woods, a colonnade, and a studio."""

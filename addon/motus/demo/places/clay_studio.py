@@ -1,4 +1,4 @@
-"""The studio of the pulled scene: a wooden table before a plaster wall, lamps, and what lies about on the table."""
+"""A studio for clay: a wooden table in front of a plaster wall, lamps, and tools on the table."""
 
 import math
 
@@ -12,26 +12,26 @@ from . import landscape
 PLANK, GAP, THICKNESS, LENGTH = 0.62, 0.012, 0.14, 26.0  # of the table's planks, m
 TABLE_DEPTH = (-6.6, 4.4)
 WALL_Y, WALL_BEND = 7.0, 3.0
-AIM = Vector((0.2, 0.3, 0.9))  # of the lamps
-# Half the sine of the elevation and a half: the light from below, from the side and from above.
+AIM = Vector((0.2, 0.3, 0.9))  # point at which the lamps are aimed
+# Light from below, from the side and from above: (half of the sine of the elevation plus 0.5, linear rgb).
 WORLD_STOPS = ((0.30, (0.10, 0.075, 0.06)), (0.52, (0.30, 0.36, 0.40)), (1.0, (0.62, 0.66, 0.70)))
 
 
 def build_world():
-    """The dim light that comes from everywhere."""
+    """Make the world: dim light from all directions."""
     return lighting.build_gradient_world(
         "Motus Studio", WORLD_STOPS, 0.55, lambda shader, height: shader.math("MULTIPLY", shader.math("ADD", height, 1.0), 0.5)
     )
 
 
 def build(collection):
-    """Table, wall, lamps and props."""
+    """Add table, wall, lamps and tools."""
     build_room(collection)
     _add_tools(collection)
 
 
 def build_room(collection):
-    """The same without props."""
+    """Add table, wall and lamps without the tools."""
     shapes.link_object(collection, "Table", _table_mesh())
     shapes.link_object(collection, "Wall", _wall_mesh())
     for lamp in LAMPS:
@@ -40,7 +40,7 @@ def build_room(collection):
 
 # --- light -----------------------------------------------------------------------------------------------------------
 
-# Name, place, watts, colour, size of the square.
+# Of each square lamp: name, place, watts, colour, side.
 LAMPS = (
     ("Key Lamp", (-5.2, -4.6, 6.2), 1150.0, (1.0, 0.84, 0.66), 2.6),
     ("Rim Lamp", (4.6, 4.4, 5.4), 760.0, (1.0, 0.72, 0.45), 1.8),
@@ -83,7 +83,7 @@ def _table_mesh():
 
 
 def _wall_mesh():
-    """A wall whose foot is rounded, so that no edge shows."""
+    """Make the mesh of floor and wall with a rounded transition, so that no edge is visible."""
     angle = np.linspace(0.0, 0.5 * math.pi, 24)
     y = np.concatenate(([-30.0], WALL_Y - WALL_BEND * (1.0 - np.sin(angle)), [WALL_Y]))
     z = np.concatenate(([0.0], WALL_BEND * (1.0 - np.cos(angle)), [18.0])) - 1.6
@@ -98,7 +98,7 @@ def _plaster():
     material, shader, output = materials.new_material("Plaster")
     place = shader.add("ShaderNodeTexCoord").outputs["Object"]
     color = shader.ramp(shader.noise(place, 0.55, detail=5.0), ((0.32, (0.030, 0.105, 0.118)), (0.70, (0.052, 0.160, 0.172))))
-    # No bump of noise: EEVEE in 3.4 makes single pixels of it black.
+    # There is no noise bump, because EEVEE in Blender 3.4 renders single pixels of such bumps black.
     node = shader.add("ShaderNodeBsdfPrincipled")
     materials.set_principled(shader, node, color=color, roughness=0.9, specular=0.15)
     materials.finish(material, shader, output, node.outputs[0])
@@ -108,7 +108,7 @@ def _plaster():
 
 # --- tools -----------------------------------------------------------------------------------------------------------
 
-HANDLE = (  # radius, place along the handle
+HANDLE = (  # profile: radius, place along the handle; m
     (0.004, 1.10),
     (0.030, 1.08),
     (0.042, 0.95),
@@ -119,11 +119,11 @@ HANDLE = (  # radius, place along the handle
     (0.004, 0.0),
 )
 FERRULE = ((0.004, 1.30), (0.026, 1.29), (0.036, 1.10), (0.036, 1.02), (0.004, 1.015))
-SPATULA_HALF = ((0.0, 0.012), (0.18, 0.030), (0.42, 0.062), (0.62, 0.050), (0.74, 0.004))  # along, half width
+SPATULA_HALF = ((0.0, 0.012), (0.18, 0.030), (0.42, 0.062), (0.62, 0.050), (0.74, 0.004))  # place along the blade, half width; m
 
 
 def _add_tools(collection):
-    """A loop tool, a spatula, and balls of clay."""
+    """Add a loop tool, a spatula, and balls of clay."""
     beech = materials.wood("Beech", (0.52, 0.33, 0.18), (0.38, 0.22, 0.11), (22.0, 2.0, 22.0), roughness=0.5)
     steel = materials.principled("Tool Steel", color=(0.70, 0.70, 0.72), metallic=1.0, roughness=0.25)
     clay = materials.principled("Spare Clay", color=(0.40, 0.135, 0.055), roughness=0.6)
@@ -147,7 +147,7 @@ def _tool(collection, name, slots, head):
 
 
 def _loop():
-    """A bent wire in the shape of a drop, in the plane of the table."""
+    """Make the loop of the loop tool: a wire bent to the shape of a drop, in the plane of the table."""
     around = np.linspace(0.0, 1.0, 41)
     x = 0.17 * np.sin(2.0 * math.pi * around) * np.sin(math.pi * around) ** 0.6
     y = 1.24 + 0.52 * np.sin(math.pi * around)
@@ -162,7 +162,7 @@ def _loop():
 
 
 def _spatula():
-    """A flat blade."""
+    """Make the flat blade of the spatula."""
     profile = shapes.smooth_profile(SPATULA_HALF, 24)
     angle = shapes.ring(16)
     y = np.broadcast_to(1.22 + profile[:, :1], (len(profile), len(angle)))

@@ -1,4 +1,4 @@
-"""The land of the stereo scene: a plain of sand with dunes, and the columns of an old temple on it at several depths."""
+"""A plain of sand with dunes, and the columns of an old temple at several distances from the camera."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from ..stage import materials, shapes
 from . import landscape
 
 SEED = 311
-REACH, GRID = 1500.0, 220  # m, half the side of the ground
+REACH, GRID = 1500.0, 220  # half the side of the ground in m, and vertices along a side
 LEVEL, DUNES = 130.0, 420.0  # m from the temple: where the plain ends, and where the dunes are high
 DUNE_HEIGHT = 46.0
 # x, y, height in m of each column; lower ones are broken.
@@ -40,7 +40,7 @@ STONE, STAIN = (0.66, 0.55, 0.40), (0.40, 0.30, 0.20)
 
 
 def build(collection, haze):
-    """Ground, columns, beams, and stones that have fallen."""
+    """Add ground, columns, beams and fallen stones. haze: node group of the haze."""
     sand = _weathered("Desert Sand", haze, SHADE, SAND, 0.25, roughness=0.9)
     stone = _weathered("Temple Stone", haze, STAIN, STONE, 1.6, roughness=0.75)
     shapes.link_object(collection, "Desert", _ground_mesh(sand))
@@ -52,7 +52,7 @@ def build(collection, haze):
 
 
 def _height(x, y):
-    """Of the ground, m: level round the temple."""
+    """Return the height of the ground in metres at arrays of x and y: level around the temple."""
     far = np.hypot(x, y - 60.0)
     ridges = 1.0 - np.abs(2.0 * landscape.fractal_noise(x, y, 310.0, 3, SEED) - 1.0)
     ripples = 0.10 * landscape.fractal_noise(x, y, 5.0, 2, SEED + 7)
@@ -69,7 +69,7 @@ def _ground_mesh(sand):
 
 
 def _column_mesh(index, height, stone):
-    """A base, a fluted shaft that narrows upwards, and a capital if the column is whole."""
+    """Make the mesh of a column: a base, a fluted shaft that narrows upwards, and a capital if the column is whole."""
     builder = shapes.MeshBuilder()
     builder.add(shapes.box((3.0, 3.0, 0.5), (0.0, 0.0, 0.15)), smooth=False)
     builder.add(shapes.upright(shapes.lathe(((1.0, 0.95), (1.32, 0.86), (1.40, 0.66), (1.32, 0.46), (1.42, 0.40)))))
@@ -88,7 +88,7 @@ def _shaft(index, height):
     depth = 1.0 - FLUTE_DEPTH * np.abs(np.sin(0.5 * FLUTES * angle))
     vertices[:, (0, 2)] *= depth[:, None]
     if height < WHOLE:
-        # What is broken ends in a slope with teeth.
+        # A broken column ends in a jagged slope.
         torn = landscape.value_noise(1.6 * vertices[:, 0], 1.6 * vertices[:, 2], SEED + index)
         top = vertices[:, 1] > height - 1e-6
         vertices[top, 1] += 0.9 * vertices[top, 0] + 1.3 * (torn[top] - 0.5)
@@ -109,7 +109,7 @@ def _lintel_mesh(stone):
 
 
 def _drum_mesh(stone):
-    """Pieces of the broken columns, lying."""
+    """Make the mesh of pieces of broken columns that lie on the ground."""
     builder = shapes.MeshBuilder()
     for x, y, turn, length in ((13.5, 18.5, 0.6, 3.4), (4.0, 41.0, 2.2, 4.4), (-20.5, 52.0, 1.1, 2.8), (11.0, 90.0, 0.2, 3.6)):
         vertices, faces = _shaft(0, WHOLE)
@@ -121,7 +121,7 @@ def _drum_mesh(stone):
 
 
 def _weathered(name, haze, dark, light, scale, roughness):
-    """A surface whose colour changes from place to place, with grain."""
+    """Make a material with a grainy surface that varies between two colours. scale: of the noise."""
     material, shader, output = materials.new_material(name)
     place = shader.add("ShaderNodeNewGeometry").outputs["Position"]
     color = shader.ramp(shader.noise(place, scale, detail=7.0), ((0.36, dark), (0.62, light)))

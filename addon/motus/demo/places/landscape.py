@@ -1,4 +1,4 @@
-"""The land: hills around a lake, a ring of mountains and fields. The same on every machine and run."""
+"""The land: hills around a lake, a ring of mountains, and fields. It does not vary between machines or runs."""
 
 import numpy as np
 
@@ -7,11 +7,11 @@ from ..stage import materials, shapes
 SEED = 11
 EXTENT = 3600.0  # half the side of the terrain, m
 GRID = 360  # vertices along a side
-FINE_SHARE = 0.2  # spacing at the middle relative to the average: the middle is where one looks
+FINE_SHARE = 0.2  # spacing of vertices in the middle, where cameras look, relative to the average spacing
 WATER_LEVEL = 0.0
 LAKE_RADII = (185.0, 118.0)
 LAKE_CENTRE = (0.0, -10.0)
-MOUNTAINS_START, MOUNTAINS_FULL = 750.0, 2300.0  # m from the middle
+MOUNTAINS_START, MOUNTAINS_FULL = 750.0, 2300.0  # m from the middle at which mountains begin and have their full height
 MOUNTAIN_HEIGHT = 620.0
 SNOW_LINE = 370.0
 
@@ -35,7 +35,7 @@ FIELD_COLORS = (
 
 
 def value_noise(x, y, seed):
-    """Smooth noise in [0, 1] from random values on the unit lattice, quintic between them."""
+    """Return smooth noise in [0, 1] at arrays of x and y: random values at whole numbers, with quintic interpolation between them."""
     column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
     fx, fy = _quintic(x - column), _quintic(y - row)
     lower = lattice(column, row, seed) * (1 - fx) + lattice(column + 1, row, seed) * fx
@@ -44,7 +44,7 @@ def value_noise(x, y, seed):
 
 
 def fractal_noise(x, y, wavelength, octaves, seed):
-    """Octaves of value noise, each half as high and half as long; in [0, 1], about 0.5."""
+    """Return a sum of octaves of value noise, each with half the height and wavelength of the one before; in [0, 1], 0.5 on average."""
     total, weight = 0.0, 0.0
     for octave in range(octaves):
         scale = 2.0**octave / wavelength
@@ -54,7 +54,7 @@ def fractal_noise(x, y, wavelength, octaves, seed):
 
 
 def ridged_noise(x, y, wavelength, octaves, seed):
-    """Noise folded at its middle, so that it forms ridges; in [0, 1]."""
+    """Return a sum of octaves of value noise that is folded at 0.5, so that it forms ridges; in [0, 1]."""
     total, weight = 0.0, 0.0
     for octave in range(octaves):
         scale = 2.0**octave / wavelength
@@ -65,7 +65,7 @@ def ridged_noise(x, y, wavelength, octaves, seed):
 
 
 def height(x, y):
-    """Height of the ground in metres at arrays of x and y; below 0 it lies under the lake."""
+    """Return the height of the ground in metres at arrays of x and y; ground below 0 lies under the lake."""
     x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
     hills = 6.0 + 62.0 * fractal_noise(x, y, 310.0, 5, SEED) ** 1.6 + 2.5 * fractal_noise(x, y, 46.0, 3, SEED + 20)
     shore = lake_distance(x, y)
@@ -78,14 +78,14 @@ def height(x, y):
 
 
 def lake_distance(x, y):
-    """Signed distance from the shore in lake radii, with bays: negative on the water, 0 at the shore."""
+    """Return the signed distance from the lake's shore in lake radii, bays included: negative on the water, 0 at the shore."""
     u, v = (x - LAKE_CENTRE[0]) / LAKE_RADII[0], (y - LAKE_CENTRE[1]) / LAKE_RADII[1]
     bays = 0.9 * (fractal_noise(x, y, 130.0, 4, SEED + 60) - 0.5)
     return np.hypot(u, v) - 1.0 + bays
 
 
 def smoothstep(value, low, high):
-    """0 below low, 1 above high, smooth between."""
+    """Return 0 for values below `low`, 1 for values above `high`, and a smooth transition between."""
     t = np.clip((value - low) / (high - low), 0.0, 1.0)
     return t * t * (3.0 - 2.0 * t)
 
@@ -95,7 +95,7 @@ def _quintic(t):
 
 
 def lattice(column, row, seed):
-    """A repeatable value in [0, 1) for each lattice point: an integer hash, so the same bits everywhere."""
+    """Return a repeatable random value in [0, 1) for each lattice point, by an integer hash: it is equal on all machines."""
     with np.errstate(over="ignore"):
         mixed = column * np.int64(374761393) + row * np.int64(668265263) + np.int64(seed) * np.int64(1274126177)
         mixed = (mixed ^ (mixed >> np.int64(13))) * np.int64(1103515245)
@@ -107,7 +107,7 @@ def lattice(column, row, seed):
 
 
 def add_terrain(collection, haze):
-    """The ground as one mesh, with its colour and its share of fields as vertex attributes."""
+    """Add the ground as one mesh, with its colour and its share of fields as vertex attributes."""
     axis = np.linspace(-1.0, 1.0, GRID)
     warped = EXTENT * (FINE_SHARE * axis + (1.0 - FINE_SHARE) * axis**3)
     x, y = np.meshgrid(warped, warped)
@@ -124,7 +124,7 @@ def add_terrain(collection, haze):
 
 
 def add_lake(collection, haze):
-    """The water's surface, a little larger than the lake."""
+    """Add the water's surface, a little larger than the lake."""
     builder = shapes.MeshBuilder()
     size = (5.0 * LAKE_RADII[0], 5.0 * LAKE_RADII[1])
     corners = [(sx * size[0] / 2, sy * size[1] / 2, WATER_LEVEL) for sy in (-1, 1) for sx in (-1, 1)]
@@ -133,7 +133,7 @@ def add_lake(collection, haze):
 
 
 def ground_color(x, y, z, steepness):
-    """Linear rgb of the ground by height, slope and patches of noise."""
+    """Return the linear rgb of the ground by height, slope and patches of noise."""
     patches = fractal_noise(x, y, 90.0, 4, SEED + 80)[..., None]
     color = _blend(MEADOW, DRY_GRASS, smoothstep(patches, 0.35, 0.7))
     color = _blend(color, WOODLAND, wood_share(x, y, z, steepness)[..., None] * 0.85)
@@ -147,20 +147,20 @@ def ground_color(x, y, z, steepness):
 
 
 def wood_share(x, y, z, steepness):
-    """How wooded a place is, 0 to 1."""
+    """Return how wooded places are, from 0 to 1."""
     woods = smoothstep(fractal_noise(x, y, 170.0, 4, SEED + 100), 0.50, 0.62)
     between = smoothstep(z, 2.5, 5.0) * (1.0 - smoothstep(z, 190.0, 260.0))
     return woods * between * (1.0 - smoothstep(steepness, 0.6, 0.9))
 
 
 def field_share(x, y, z, steepness):
-    """How much of a place is tilled land, 0 to 1: gentle ground off the shore and out of the woods."""
+    """Return the share of tilled land at places, from 0 to 1: it is on gentle slopes away from the shore and the woods."""
     gentle = 1.0 - smoothstep(steepness, 0.16, 0.24)
     return gentle * smoothstep(z, 3.0, 4.5) * (1.0 - smoothstep(z, 55.0, 75.0)) * (1.0 - wood_share(x, y, z, steepness))
 
 
 def steepness_at(x, y, step=2.0):
-    """Slope of the ground (rise over run) at arrays of x and y."""
+    """Return the slope of the ground (rise over run) at arrays of x and y."""
     return np.hypot(height(x + step, y) - height(x - step, y), height(x, y + step) - height(x, y - step)) / (2 * step)
 
 
@@ -211,6 +211,6 @@ def _water_material(haze):
 
 
 def build(collection, haze):
-    """Terrain and lake."""
+    """Add terrain and lake. haze: node group of the haze."""
     add_terrain(collection, haze)
     add_lake(collection, haze)

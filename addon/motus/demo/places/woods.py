@@ -1,4 +1,4 @@
-"""The woods: two kinds of trees, each one object that the faces of a mesh multiply."""
+"""The woods: two kinds of trees, each one object that is instanced on the faces of a mesh."""
 
 import math
 
@@ -7,14 +7,14 @@ import numpy as np
 from ..stage import materials, shapes
 from . import landscape
 
-# base, top and width of each skirt of a fir of unit height.
+# Base, top and width of each cone of branches of a fir of height 1.
 FIR_SKIRTS = ((0.10, 0.48, 0.24), (0.30, 0.66, 0.195), (0.49, 0.83, 0.145), (0.67, 1.0, 0.095))
-# x, y, z and radius of each crown of a round tree of unit height.
+# x, y, z and radius of each sphere of leaves of a round tree of height 1.
 CROWNS = ((0.0, 0.0, 0.62, 0.30), (0.17, 0.05, 0.5, 0.21), (-0.14, 0.12, 0.52, 0.2), (-0.03, -0.17, 0.55, 0.2))
 
 
 def build(collection, haze):
-    """Firs far and wide, round trees near the lake."""
+    """Add firs everywhere and round trees near the lake. haze: node group of the haze."""
     seed = landscape.SEED + 200
     firs = wanted_trees(26000, 1000.0, seed)
     add_forest(collection, "Firs", add_conifer(collection, haze), firs, (6.0, 11.5), seed + 1)
@@ -23,14 +23,14 @@ def build(collection, haze):
 
 
 def random_places(count, radius, seed):
-    """Repeatable random points in a square about the middle, as arrays x and y."""
+    """Return repeatable random points in a square around the origin, as arrays x and y. radius: half the side of the square."""
     index = np.arange(count)
     zero = np.zeros_like(index)
     return ((landscape.lattice(index, zero + axis, seed) * 2.0 - 1.0) * radius for axis in (0, 1))
 
 
 def wanted_trees(count, radius, seed):
-    """Places (m, 3) for trees: dense in the woods, a few on the meadows, none in water or on rock."""
+    """Return places (m, 3) for trees: dense in the woods, a few on the meadows, none in water or on rock."""
     x, y = random_places(count, radius, seed)
     z, steepness = landscape.height(x, y), landscape.steepness_at(x, y)
     chance = np.maximum(landscape.wood_share(x, y, z, steepness), 0.035 * (z > 3.0) * (z < 150.0) * (steepness < 0.6))
@@ -40,7 +40,7 @@ def wanted_trees(count, radius, seed):
 
 
 def add_forest(collection, name, tree, places, sizes, seed):
-    """Instances of a tree object, one on each face of a mesh of small squares (its size is the tree's)."""
+    """Instance a tree object on a mesh of small squares: one tree for each face, scaled by the face's size."""
     turn = 2.0 * math.pi * landscape.lattice(np.arange(len(places)), np.full(len(places), 3), seed)
     luck = landscape.lattice(np.arange(len(places)), np.full(len(places), 4), seed)
     size = sizes[0] + (sizes[1] - sizes[0]) * luck**1.5
@@ -59,7 +59,7 @@ def add_forest(collection, name, tree, places, sizes, seed):
 
 
 def add_conifer(collection, haze):
-    """A fir of unit height: a trunk and four skirts."""
+    """Add a fir of height 1: a trunk and four cones of branches."""
     builder = shapes.MeshBuilder()
     builder.add(_upright(((0.035, 0.2), (0.035, 0.0))), 1)
     for base, top, width in FIR_SKIRTS:
@@ -70,7 +70,7 @@ def add_conifer(collection, haze):
 
 
 def add_broadleaf(collection, haze):
-    """A round tree of unit height: a trunk and a few overlapping crowns."""
+    """Add a round tree of height 1: a trunk and a few overlapping spheres of leaves."""
     builder = shapes.MeshBuilder()
     builder.add(_upright(((0.03, 0.4), (0.045, 0.0))), 1)
     for x, y, z, radius in CROWNS:
@@ -80,7 +80,7 @@ def add_broadleaf(collection, haze):
 
 
 def _upright(profile):
-    """A lathe of (radius, height) rows that stands along Z."""
+    """Turn a profile of (radius, height) rows about Z."""
     vertices, faces = shapes.lathe(profile, segments=9)
     return vertices[:, (0, 2, 1)] * (1.0, -1.0, 1.0), faces
 
@@ -90,7 +90,7 @@ def _bark_material(haze):
 
 
 def _leaf_material(name, color, haze):
-    """Foliage whose tint differs from tree to tree."""
+    """Make a material of leaves whose tint varies from tree to tree."""
     material, shader, output = materials.new_material(name)
     luck = shader.add("ShaderNodeObjectInfo").outputs["Random"]
     dark, warm = tuple(0.7 * c for c in color), (color[0] * 2.0, color[1] * 1.35, color[2])

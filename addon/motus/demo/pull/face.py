@@ -1,4 +1,4 @@
-"""Suzanne in clay: pulled into a caricature, and kept alive by pins."""
+"""Suzanne in clay: the mesh is pulled into a caricature, and pins (pulls with a strength that can be keyed) animate the face."""
 
 import math
 
@@ -9,10 +9,10 @@ import numpy as np
 from ..stage import materials, shapes
 from . import face_motion
 
-PLACE, TURN = (-1.80, -0.30, 1.52), math.radians(27.0)  # of the head; it looks towards the tray
+PLACE, TURN = (-1.80, -0.30, 1.52), math.radians(27.0)  # of the head, which looks towards the tray
 LEVELS = 3  # of subdivision
 
-# What is pulled once and for all, place by place of Suzanne's own: radius, way, falloff, distance, mirrored.
+# Pulls that change the mesh permanently: place in Suzanne's space, radius, displacement, falloff, kind of distance, whether mirrored.
 PULLS = (
     ((0.0, 0.15, 1.00), 1.25, (0.0, 0.08, 0.22), "SMOOTH", "STRAIGHT", False),  # a higher skull
     ((1.30, 0.28, 0.30), 0.75, (0.26, -0.06, 0.20), "SMOOTH", "SURFACE", True),  # ears like sails
@@ -22,7 +22,7 @@ PULLS = (
     ((0.0, -0.70, -0.94), 0.42, (0.0, -0.12, -0.06), "SMOOTH", "STRAIGHT", False),  # a chin
     ((0.09, -0.76, -0.78), 0.26, (0.17, 0.05, 0.07), "SMOOTH", "SURFACE", True),  # a grin
 )
-# Name, place, radius, way at the strength 1, falloff, distance, mirrored.
+# Of each pin: name, place, radius, displacement at strength 1, falloff, kind of distance, whether mirrored.
 PINS = (
     ("Squash", (0.0, 0.20, 1.20), 2.50, (0.0, 0.0, -0.52), "GAUSSIAN", "STRAIGHT", False),
     ("Bulge", (1.00, 0.05, -0.05), 1.00, (0.22, 0.0, -0.04), "SMOOTH", "STRAIGHT", True),
@@ -36,10 +36,10 @@ PINS = (
 )
 
 CLAY, FACE, LIPS = (0.235, 0.066, 0.026), (0.72, 0.335, 0.165), (0.46, 0.105, 0.080)
-EYE_X, EYE_Z = 0.345, 0.255  # where the eyes are in the face
-GAZE = (0.060, -0.015)  # of the pupils, aside and up, towards the landscape
+EYE_X, EYE_Z = 0.345, 0.255  # positions of the eyes in Suzanne's space
+GAZE = (0.060, -0.015)  # offset of the pupils to the side and up, so that they look at the landscape
 IRIS, PUPIL = 0.118, 0.062
-POST = (  # radius, height below the head's middle
+POST = (  # profile: radius, height below the head's middle
     (0.004, -0.40),
     (0.34, -0.42),
     (0.37, -0.48),
@@ -58,7 +58,7 @@ POST = (  # radius, height below the head's middle
 
 
 def build(context, collection):
-    """The head on its post, pulled and pinned."""
+    """Build the head on its post, with its pulls and pins. Returns the head."""
     head = shapes.link_object(collection, "Suzanne", _mesh(context, collection))
     head.location, head.rotation_euler.z = PLACE, TURN
     post = shapes.link_object(collection, "Post", _post_mesh())
@@ -102,7 +102,7 @@ def build(context, collection):
 
 
 def _add_other_brow(head):
-    """The brow on the other side, with a strength of its own."""
+    """Mirror the pin of the brow, so that the second brow has a strength of its own."""
     pins = head.motus.pull.pins
     _check(bpy.ops.motus.pin_mirror(object=head.name, index=pins.find("Brow"), axis="X"), head)
     pins[-1].name = "Other Brow"
@@ -117,7 +117,7 @@ def _check(result, head):
 
 
 def _mesh(context, collection):
-    """Suzanne, subdivided, with what her paint needs to know of every place."""
+    """Make the mesh of Suzanne, subdivided, with the attributes that its material needs."""
     rough = bpy.data.meshes.new("Suzanne")
     builder = bmesh.new()
     bmesh.ops.create_monkey(builder)
@@ -137,7 +137,7 @@ def _mesh(context, collection):
 
 
 def _paint(mesh):
-    """The places before all pulling as an attribute, and the eyes as faces of the second material."""
+    """Store the unpulled positions as the attribute "rest", and give the eyes' faces the second material."""
     count = len(mesh.vertices)
     places = np.empty(3 * count, np.float32)
     mesh.vertices.foreach_get("co", places)
@@ -160,7 +160,7 @@ def _paint(mesh):
 
 
 def _parts(mesh):
-    """For each vertex a number of the piece that it hangs together with."""
+    """Return an array with the number of the connected piece of the mesh to which each vertex belongs."""
     edges = np.empty(2 * len(mesh.edges), np.int32)
     mesh.edges.foreach_get("vertices", edges)
     one, other = edges.reshape(-1, 2).T
@@ -176,7 +176,7 @@ def _parts(mesh):
 
 
 def _clay():
-    """Two clays, and lips; the finger's marks go along with the surface."""
+    """Make the material of two clays and lips, whose finger marks move with the surface."""
     material, shader, output = materials.new_material("Clay")
     rest = shader.add("ShaderNodeAttribute", attribute_name="rest").outputs["Vector"]
     normal = shader.add("ShaderNodeAttribute", attribute_name="rest_normal").outputs["Vector"]
@@ -187,7 +187,7 @@ def _clay():
         _ellipse(shader, apart, rest, *patch)
         for patch in (((0.33, 0.27), (0.44, 0.44)), ((0.0, -0.54), (0.52, 0.60)), ((1.13, 0.24), (0.24, 0.24)))
     )
-    # The nose has an upper side too; the brows' is left to the darker clay.
+    # The upper side of the nose belongs to the muzzle; the brows are left to the darker clay.
     is_muzzle = shader.math(
         "MULTIPLY",
         _inside(shader, muzzle, rest),
@@ -212,13 +212,13 @@ def _clay():
 
 
 def _inside(shader, distance, rest):
-    """1 where a distance is below 1, 0 beyond, with an edge as a hand draws it."""
+    """Return a socket that is 1 at distances below 1 and 0 beyond, with an irregular edge as if drawn by hand."""
     wavy = shader.math("ADD", distance, shader.math("MULTIPLY", shader.math("SUBTRACT", shader.noise(rest, 7.0), 0.5), 0.12))
     return shader.ramp(wavy, ((0.96, (1.0,) * 3), (1.0, (0.0,) * 3)))
 
 
 def _ellipse(shader, apart, rest, middle, radii):
-    """Distance from the middle of an ellipse in the face's plane, 1 at its rim; the same on both sides."""
+    """Return a socket with the distance from the middle of an ellipse in the face's XZ plane, 1 at its edge; symmetric in X."""
     x = shader.add("ShaderNodeSeparateXYZ", {0: apart}).outputs[0]
     z = shader.add("ShaderNodeSeparateXYZ", {0: rest}).outputs[2]
     parts = [
@@ -229,7 +229,7 @@ def _ellipse(shader, apart, rest, middle, radii):
 
 
 def _eye():
-    """White, with iris and pupil where the gaze goes."""
+    """Make the material of the eyes: white, with iris and pupil at the offset GAZE."""
     material, shader, output = materials.new_material("Eye")
     rest = shader.add("ShaderNodeAttribute", attribute_name="rest").outputs["Vector"]
     parts = shader.add("ShaderNodeSeparateXYZ", {0: rest}).outputs

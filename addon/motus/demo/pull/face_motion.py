@@ -1,8 +1,8 @@
-"""What Suzanne feels, as keys of her pins: she strains, blows, is amazed, is proud, and blows it all away again."""
+"""Keys of the strengths of Suzanne's pins: she strains, blows, is amazed, is proud, and blows everything away again."""
 
 from ..stage import keying
 
-# Frame and strength.
+# Keys of each pin: (frame, strength).
 STRENGTHS = {
     "Squash": (
         (1, 0.0),
@@ -162,6 +162,6 @@ STRENGTHS = {
 
 
 def key(pins):
-    """Key the strengths of the pins."""
+    """Key the strengths of the pins as a loop. pins: the pins of Suzanne's head."""
     for name, keys in STRENGTHS.items():
         keying.key_cycle(pins[name], "strength", keys)

@@ -29,7 +29,7 @@ def build(context):
 
 
 def _add_camera(scene, collection):
-    """A camera that swings to the side and back while it keeps its aim."""
+    """Add a camera that swings to the side and back while it stays aimed at one point."""
     aim = shapes.link_object(collection, "Camera Aim", None)
     aim.location, aim.empty_display_size = CAMERA_AIM, 0.2
     data = bpy.data.cameras.new("Studio Camera")

@@ -1,4 +1,4 @@
-"""A tray with a sea, from which a landscape rises: a grid with many pins."""
+"""A tray with a sea from which a landscape rises: a grid with many pins (pulls with a strength that can be keyed)."""
 
 import math
 
@@ -15,12 +15,12 @@ FRAME_WIDTH, FRAME_HEIGHT = 0.15, 0.31
 
 
 def _ring(centre, radius, count, turn):
-    """Places around a centre."""
+    """List `count` places (x, y) at equal distances on a circle. turn: angle of the first place, in radians."""
     angles = turn + 2.0 * math.pi * np.arange(count) / count
     return [(centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle)) for angle in angles.tolist()]
 
 
-# Name, place in the tray, radius, height, falloff, and what else the pin has.
+# Of each pin: name, place in the tray, radius, height, falloff, further settings.
 PINS = (
     ("Mainland", (0.50, 0.36), 1.20, 0.21, "SMOOTH", {}),
     ("Summit", (0.56, 0.50), 1.05, 1.14, "SHARP", {}),
@@ -47,7 +47,7 @@ PINS = (
 RELIEF = 110  # pulls that roughen the bed before it rises
 RELIEF_SEED = 41
 RISE, FALL = 52, 166  # frames at which the first pin begins to rise, and to sink
-SPREAD = 26  # frames from the first pin's beginning to the last one's
+SPREAD = 26  # frames from the start of the first pin's motion to the start of the last pin's motion
 RISING = ((0, 0.0), (15, 1.12), (23, 0.96), (30, 1.0))
 FALLING = ((0, 1.0), (22, 0.0))
 
@@ -111,7 +111,7 @@ def _check(result, land):
 
 
 def _add_grid(context, collection):
-    """The flat grid, by the operator, moved into the collection."""
+    """Add a flat grid with the operator motus.grid_add, and move it to the collection."""
     columns, rows = round(WIDTH / SPACING) + 1, round(DEPTH / SPACING) + 1
     _check(
         bpy.ops.motus.grid_add(
@@ -120,7 +120,7 @@ def _add_grid(context, collection):
         collection,
     )
     land = context.view_layer.objects.active
-    if context.mode != "OBJECT":  # the user lets new objects begin in Edit Mode
+    if context.mode != "OBJECT":  # the user's preferences start new objects in Edit Mode
         bpy.ops.object.mode_set(mode="OBJECT")
     for other in list(land.users_collection):
         other.objects.unlink(land)
@@ -131,7 +131,7 @@ def _add_grid(context, collection):
 
 
 def _roughen(land):
-    """Burn small pulls into the bed, by luck that is the same everywhere."""
+    """Make the bed uneven by small permanent pulls at repeatable random places."""
     for index in range(RELIEF):
         x, y, size, way = (_luck(index, salt) for salt in range(4))
         radius = 0.10 + 0.24 * size * size
@@ -153,12 +153,12 @@ def _roughen(land):
 
 
 def _luck(index, salt):
-    """A repeatable value in [0, 1)."""
+    """Return a repeatable random value in [0, 1). index: of the pull. salt: different for each number of the pull."""
     return float(landscape.lattice(np.int64(index), np.int64(salt), RELIEF_SEED))
 
 
 def _key(land):
-    """Each pin swings up in its turn, from the near left to the far right, and sinks in the same order."""
+    """Key the strengths of the pins: they rise one after another from the near left to the far right, and sink in that order."""
     places = np.array([pin[1] for pin in PINS])
     order = places @ np.array((0.8, 0.6))
     delays = SPREAD * (order - order.min()) / (order.max() - order.min())
@@ -226,7 +226,7 @@ def _sea_mesh():
 
 
 def _water_material():
-    """A clear sheet with ripples: its depth is in the colour of the bed."""
+    """Make the material of the sea: clear, with ripples. The bed's colour shows the depth."""
     material, shader, output = materials.new_material("Tray Water")
     place = shader.add("ShaderNodeNewGeometry").outputs["Position"]
     bump = shader.add("ShaderNodeBump", {"Height": shader.noise(place, 5.0, detail=4.0), "Strength": 0.10, "Distance": 0.1})

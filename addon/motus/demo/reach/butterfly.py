@@ -1,4 +1,4 @@
-"""The paper butterfly that is reached for: two pairs of painted wings that beat, on a course around the pilot."""
+"""The paper butterfly for which the pilot reaches: two pairs of painted wings that beat, and a course around the pilot."""
 
 import math
 
@@ -7,7 +7,7 @@ import numpy as np
 
 from ..stage import materials, shapes
 
-# Outline of a right fore wing and a right hind wing, x outwards, y ahead, m.
+# Outlines of a right fore wing and a right hind wing: x outwards, y ahead; m.
 FORE_WING = (
     (0.004, 0.012),
     (0.030, 0.052),
@@ -29,8 +29,8 @@ HIND_WING = (
     (0.004, -0.020),
 )
 RIM, COLOR, HEART = range(3)
-BAND_EDGES = (1.0, 0.93, 0.86, 0.62, 0.60, 0.35, 0.02)  # in parts of the way from a wing's root to its outline
-BEATS = 40  # in a cycle of the scene, a whole number so that it closes
+BAND_EDGES = (1.0, 0.93, 0.86, 0.62, 0.60, 0.35, 0.02)  # fractions of the distance from a wing's root to its outline
+BEATS = 40  # wing beats in a cycle of the scene: a whole number, so that the loop closes
 BEAT_MIDDLE, BEAT_SWING = math.radians(30.0), math.radians(46.0)
 
 
@@ -51,7 +51,7 @@ def build(collection, carrier, cycle):
 
 
 def _smooth_outline(points, count=64):
-    """A closed curve through the points (Catmull-Rom), seen from above counter-clockwise."""
+    """Return `count` points of a closed Catmull-Rom curve through the points, which are counter-clockwise seen from above."""
     points = np.asarray(points, dtype=float)
     step = np.linspace(0.0, len(points), count, endpoint=False)
     index, t = step.astype(int), (step % 1.0)[:, None]
@@ -61,7 +61,7 @@ def _smooth_outline(points, count=64):
 
 
 def _add_wing(builder, outline, root, lift, color, heart):
-    """A slightly cupped sheet in three bands: a dark rim, a colour, and another at its heart."""
+    """Add a wing: a slightly cupped sheet in three bands. color, heart: material slots of the two bands inside the dark rim."""
     rim = _smooth_outline(outline)
     flat = root + np.array(BAND_EDGES)[:, None, None] * (rim - root)
     cup = lift + 0.5 * flat[..., :1] ** 2
@@ -84,7 +84,7 @@ def _wing_mesh():
 
 
 def _paper(name, color):
-    """Paper that the sun shines through."""
+    """Make a material of paper through which the sun shines."""
     material, shader, output = materials.new_material(name)
     node = shader.add("ShaderNodeBsdfPrincipled")
     materials.set_principled(shader, node, color=color, roughness=0.6, specular=0.2)
@@ -109,7 +109,7 @@ def _body_mesh():
 
 
 def add_course(collection, stage, knots):
-    """A closed Bézier course through the knots, smooth at each; no surface, so that it isn't rendered."""
+    """Add a closed smooth Bézier curve through the knots as a course. It has no surface, so it is not rendered."""
     data = bpy.data.curves.new("Butterfly Course", "CURVE")
     data.dimensions = "3D"
     spline = data.splines.new("BEZIER")

@@ -1,4 +1,4 @@
-"""The lookout: a wooden deck with a railing above the lake of the flight, and a few things on it."""
+"""The lookout: a wooden deck with a railing above the lake of the scene "Motus Flight", with a crate and flower pots."""
 
 import math
 
@@ -9,18 +9,18 @@ from ..places import landscape
 from ..stage import materials, shapes
 
 PLACE = (-103.7, -245.4, 31.0)  # of the deck in the land, m
-HEADING = math.radians(-24.0)  # of the deck's +Y, from the land's: towards the lake
+HEADING = math.radians(-24.0)  # angle from the land's +Y to the deck's +Y, which points towards the lake
 
 DECK_X, DECK_Y = (-0.68, 3.4), (-5.2, 1.06)
 PLANK, GAP, PLANK_THICKNESS = 0.145, 0.008, 0.035
-RAIL_Y, RAIL_X = 0.92, -0.53  # of the railing behind the pilot, and of the one at its right hand
+RAIL_Y, RAIL_X = 0.92, -0.53  # y of the railing behind the pilot, and x of the railing at the pilot's right hand
 RAIL_TOP, RAIL_SIZE = 0.90, 0.075
-POST, NEWEL_Y = 0.085, -0.14  # width of a post; where the railing at the right hand ends
+POST, NEWEL_Y = 0.085, -0.14  # width of a post; y at which the railing at the right hand ends
 BALL_RADIUS = 0.068
 BALL_CENTRE = (RAIL_X, NEWEL_Y, 1.0)
-CRATE = (1.30, 0.30, 0.44)  # x, y, and its height
+CRATE = (1.30, 0.30, 0.44)  # x, y, height; m
 MODEL_SCALE = 0.088
-BALUSTER = (  # radius, height
+BALUSTER = (  # profile: radius, height; m
     (0.013, 0.89),
     (0.014, 0.82),
     (0.020, 0.78),
@@ -33,7 +33,7 @@ BALUSTER = (  # radius, height
     (0.014, 0.20),
     (0.013, 0.15),
 )
-POT = (  # radius, height
+POT = (  # profile: radius, height; m
     (0.004, 0.27),
     (0.135, 0.27),
     (0.14, 0.30),
@@ -47,11 +47,12 @@ POT = (  # radius, height
 )
 POTS = ((1.96, 0.62, 1.0), (2.34, 0.40, 0.72))  # x, y, size
 
-PLANKS, PLANKS_DARK, PLANKS_LIGHT, POSTS, RAILS, RAILS_DARK = range(6)  # slots: fibres along Y, Z and X
+# Material slots: the wood's fibres are along Y in planks, along Z in posts, along X in rails.
+PLANKS, PLANKS_DARK, PLANKS_LIGHT, POSTS, RAILS, RAILS_DARK = range(6)
 
 
 def add_stage(collection):
-    """The empty that carries everything on the lookout: X to the pilot's left, -Y where it faces."""
+    """Add the empty to which everything on the lookout is parented: X to the pilot's left, -Y in the direction that the pilot faces."""
     stage = shapes.link_object(collection, "Lookout", None)
     stage.empty_display_size = 0.5
     stage.location, stage.rotation_euler.z = PLACE, HEADING
@@ -59,7 +60,7 @@ def add_stage(collection):
 
 
 def build(collection, stage):
-    """Deck, railing and props."""
+    """Add deck, railing, crate and flower pots."""
     timber = _timber()
     shapes.link_object(collection, "Deck", _deck_mesh(timber), stage)
     shapes.link_object(collection, "Railing", _railing_mesh(timber), stage)
@@ -70,7 +71,7 @@ def build(collection, stage):
 
 
 def _timber():
-    """Materials for the slots."""
+    """List the materials of wood for the material slots."""
     middle = ((0.31, 0.165, 0.078), (0.19, 0.092, 0.042))
     dark = ((0.235, 0.118, 0.056), (0.14, 0.064, 0.030))
     light = ((0.40, 0.225, 0.110), (0.27, 0.138, 0.064))
@@ -92,7 +93,7 @@ def _timber():
 
 
 def _luck(index, salt):
-    """A repeatable value in [0, 1)."""
+    """Return a repeatable random value in [0, 1). index: of the part. salt: different for each number of the part."""
     return float(landscape.lattice(np.int64(index), np.int64(salt), landscape.SEED + 400))
 
 
@@ -105,7 +106,7 @@ def _deck_mesh(timber):
     count = int((DECK_X[1] - DECK_X[0]) / PLANK)
     for index in range(count):
         x = DECK_X[0] + (index + 0.5) * PLANK
-        # Each row is two planks that meet somewhere.
+        # Each row of the deck is two planks, which meet at a random place.
         joint = DECK_Y[0] + (0.25 + 0.5 * _luck(index, 1)) * (DECK_Y[1] - DECK_Y[0])
         for part, (start, end) in enumerate(((DECK_Y[0], joint - 0.003), (joint + 0.003, DECK_Y[1]))):
             slot = (PLANKS, PLANKS_DARK, PLANKS, PLANKS_LIGHT)[int(4 * _luck(index, 2 + part))]
@@ -139,12 +140,12 @@ def _railing_mesh(timber):
 
 
 def _add_baluster(builder, x, y):
-    """A turned bar between the two rails."""
+    """Add a turned bar between the two rails."""
     builder.add(shapes.upright(shapes.lathe(shapes.smooth_profile_points(BALUSTER, 30), 12), (x, y, 0.0)), POSTS)
 
 
 def _add_newel(builder):
-    """The post at the railing's end, with the ball on which the hand rests."""
+    """Add the post at the railing's end, with the ball on which the pilot's hand rests."""
     x, y, z = BALL_CENTRE
     height = BALL_CENTRE[2] - 0.145
     _add_beam(builder, (POST, POST, height), (x, y, height / 2), POSTS)
@@ -167,7 +168,7 @@ def _add_newel(builder):
 
 
 def _add_crate(collection, stage, timber):
-    """A crate, and on it the aeroplane of the other demo as a model."""
+    """Add a crate, and on it a model of the aeroplane of the scene "Motus Flight"."""
     x, y, height = CRATE
     builder = shapes.MeshBuilder()
     width, depth = 0.62, 0.46
@@ -192,7 +193,7 @@ def _add_crate(collection, stage, timber):
 
 
 def _add_model(collection, stage, place):
-    """The aeroplane of the flight as a model, its propeller at rest."""
+    """Add a model of the aeroplane of the scene "Motus Flight", with a propeller that does not turn."""
     model = aeroplane.build(collection)
     model.name, model.parent = "Model Aeroplane", stage
     model.scale = (MODEL_SCALE,) * 3
@@ -207,7 +208,7 @@ def _add_model(collection, stage, place):
 
 
 def _pot_mesh(seed):
-    """A clay pot with geraniums."""
+    """Make the mesh of a clay pot with geraniums."""
     builder = shapes.MeshBuilder()
     builder.add(shapes.upright(shapes.lathe(POT, 40)), 0)
     for index in range(70):

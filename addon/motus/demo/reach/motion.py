@@ -1,4 +1,4 @@
-"""What is keyed in the reaching scene: sway of the hips, weights of the hand, fingers, lids, the butterfly's pace."""
+"""Keys of the scene "Motus Reach": sway of the hips, weights of the hand, fingers, eyelids, and the butterfly's speed."""
 
 import math
 
@@ -6,7 +6,7 @@ import bpy
 
 from ..stage.keying import CYCLE, key_cycle
 
-# Frames of the cycle with values: metres in the bone's axes (X to its left, Y up, Z to the front), degrees about them.
+# Keys (frame of the cycle, value): metres along the bone's axes (X left, Y up, Z to the front) or degrees about these.
 PELVIS_PLACE = (
     (1, (-0.036, -0.038, 0.004)),
     (48, (-0.004, -0.037, 0.010)),
@@ -23,7 +23,7 @@ PELVIS_TURN = (
     (150, (2.0, 6.0, 1.5)),
     (186, (-0.5, -3.0, -4.0)),
 )
-SPINE_TURN = (  # against the hips
+SPINE_TURN = (  # opposite to the turn of the hips
     (1, (1.0, 2.0, 3.5)),
     (48, (1.0, 0.0, 0.5)),
     (92, (2.5, 2.0, -3.5)),
@@ -39,7 +39,7 @@ SHOULDER_TURN = (
     (150, (7.0, 0.0, 4.0)),
     (176, (0.0, 0.0, 0.0)),
 )
-# About X alone.
+# Keys (frame, degrees about X).
 BREATH = tuple((frame, turn) for start in (1, 73, 145) for frame, turn in ((start, -1.0), (start + 36, 0.6)))
 UPPER_ARM_SWING = ((1, -2.0), (60, 4.0), (180, 4.0))
 INDEX_EXTENDED = 14.0
@@ -48,11 +48,11 @@ FINGERS_TURN = ((1, -6.0), (40, -6.0), (66, -30.0), (94, -4.0), (114, -4.0), (13
 RESTING_TURNS = (("index.R", -22.0), ("fingers.R", -28.0))
 BLINKS = (20, 128, 198)
 LID_SHUT = 62.0
-BLINK = ((-3, 0.0), (0, LID_SHUT), (1, LID_SHUT), (6, 0.0))  # frames from the blink's
+BLINK = ((-3, 0.0), (0, LID_SHUT), (1, LID_SHUT), (6, 0.0))  # frames relative to the blink, degrees
 
 REACH_WEIGHT = ((1, 0.0), (34, 0.0), (62, 1.0), (146, 1.0), (176, 0.0))
 FULL_REACH = (62, 146)  # frames between which the weight is 1
-PACE = (  # frame, fraction of the course: it lingers at the hand, twice
+PACE = (  # frame, fraction of the course: the butterfly lingers at the hand twice
     (1, 0.0),
     (40, 0.235),
     (62, 0.342),
@@ -66,7 +66,7 @@ PACE = (  # frame, fraction of the course: it lingers at the hand, twice
 
 
 def key_pose(rig):
-    """Keys of the bones."""
+    """Key the bones of the pilot as a loop."""
     bones = rig.pose.bones
     key_cycle(bones["pelvis"], "location", PELVIS_PLACE)
     for name, turns in (("pelvis", PELVIS_TURN), ("spine.001", SPINE_TURN), ("shoulder.L", SHOULDER_TURN)):
@@ -87,7 +87,7 @@ def key_pose(rig):
 
 
 def key_weight(entry):
-    """The hand's weights: it reaches while the butterfly is near."""
+    """Key the weights of the hand's chain, so that it reaches while the butterfly is near. entry: settings of the IK chain."""
     for name in ("position_weight", "rotation_weight"):
         key_cycle(entry, name, REACH_WEIGHT)
 

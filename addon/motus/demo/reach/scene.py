@@ -26,16 +26,16 @@ COURSE = (  # knots of the butterfly's course, m from the lookout's origin
     (0.22, -0.94, 1.16),
     (-0.48, -1.06, 1.20),
 )
-SHOULDER_MARK = (0.19, 0.0, 1.38)  # where the reaching arm comes from
-HAND_ROLL = math.radians(35.0)  # of the reaching hand about its length
+SHOULDER_MARK = (0.19, 0.0, 1.38)  # shoulder of the reaching arm
+HAND_ROLL = math.radians(35.0)  # angle of the reaching hand about its long axis
 REACH_SOFTNESS = 0.08
 
 ELBOWS = {"L": (0.95, 0.55, 0.70), "R": (-0.80, 0.95, 0.95)}
 KNEES = {"L": (0.30, -1.4, 0.62), "R": (-0.24, -1.4, 0.58)}
 FEET = {"L": ((0.168, -0.105, 0.0), math.radians(27.0)), "R": ((-0.100, 0.045, 0.0), math.radians(-15.0))}
-REST_DIRECTION = Vector((-0.42, -0.62, -0.55))  # of the resting hand
-REST_NORMAL = Vector((-0.20, -0.50, 0.84))  # of the ball, where the palm touches it
-PALM = (0.0, 0.050, -0.016)  # where the hand touches what it rests on, in the hand's space
+REST_DIRECTION = Vector((-0.42, -0.62, -0.55))  # direction of the resting hand's fingers
+REST_NORMAL = Vector((-0.20, -0.50, 0.84))  # normal of the ball at the point that the palm touches
+PALM = (0.0, 0.050, -0.016)  # point of the palm that touches the ball, in the hand's space
 
 CAMERA_LENS = 43.0
 CAMERA_KEYS = ((1, (-0.62, -4.75, 1.40)), (109, (0.22, -4.50, 1.50)))  # there and back in a cycle
@@ -60,7 +60,7 @@ def build(context):
 
 
 def _build_land(scene, collection):
-    """The land of the flight, in the same light."""
+    """Build the land and the light of the scene "Motus Flight"."""
     sky = lighting.build_sky_group()
     scene.world = lighting.build_world(sky)
     lighting.add_sun(collection)
@@ -71,7 +71,7 @@ def _build_land(scene, collection):
 
 
 def _add_camera(scene, collection, stage):
-    """A camera that swings to the side and back while it keeps its aim."""
+    """Add a camera that swings to the side and back while it stays aimed at one point."""
     aim = _mark(collection, stage, "Camera Aim", Matrix.Translation(CAMERA_AIM))
     data = bpy.data.cameras.new("Lookout Camera")
     data.lens = CAMERA_LENS
@@ -87,7 +87,7 @@ def _add_camera(scene, collection, stage):
 
 
 def _mark(collection, parent, name, matrix, display="PLAIN_AXES", size=0.08):
-    """An empty with a matrix in its parent's space."""
+    """Add an empty. matrix: in its parent's space."""
     empty = shapes.link_object(collection, name, None, parent)
     empty.matrix_basis = matrix
     empty.empty_display_type, empty.empty_display_size = display, size
@@ -95,7 +95,7 @@ def _mark(collection, parent, name, matrix, display="PLAIN_AXES", size=0.08):
 
 
 def _release_butterfly(collection, marks, stage):
-    """The butterfly on its course, banked into its bends."""
+    """Add the butterfly on its course, banked in the bends. Returns the empty that follows the course."""
     course = butterfly.add_course(marks, stage, COURSE)
     carrier = _mark(collection, stage, "Butterfly", Matrix())
     flight.follow(
@@ -115,7 +115,7 @@ def _release_butterfly(collection, marks, stage):
 
 
 def _reach_goal(collection, stage, carrier):
-    """Where the wrist goes so that the index finger touches the butterfly: along the line from the shoulder."""
+    """Add the wrist's target, on the line from shoulder to butterfly, so that the index finger touches it. Returns the empty."""
     shoulder = _mark(collection, stage, "Shoulder Mark", Matrix.Translation(SHOULDER_MARK))
     aim = _mark(collection, stage, "Reach", Matrix())
     constraint = aim.constraints.new("COPY_LOCATION")
@@ -129,7 +129,7 @@ def _reach_goal(collection, stage, carrier):
 
 
 def _rest_goal():
-    """Matrix of the resting hand: its palm on the ball of the post."""
+    """Return the matrix of the resting hand, whose palm lies on the ball of the post."""
     normal = REST_NORMAL.normalized()
     along = (REST_DIRECTION - normal * REST_DIRECTION.dot(normal)).normalized()
     turn = Matrix((along.cross(normal), along, normal)).transposed()
@@ -138,7 +138,7 @@ def _rest_goal():
 
 
 def _foot_goal(side):
-    """Matrix of a foot that stands flat at its place, turned outwards."""
+    """Return the matrix of a foot that stands flat at its place, turned outwards. side: "L" or "R"."""
     (x, y, z), turn = FEET[side]
     ankle = skeleton.rest_matrix(f"foot.{side}")
     place = Vector((x, y, z + ankle.translation.z))
@@ -146,7 +146,7 @@ def _foot_goal(side):
 
 
 def _wire(context, marks, stage, rig, carrier):
-    """The systems: four chains and a gaze, each added by its public operator."""
+    """Add inverse kinematics to the four limbs, and Look At to the head and eyes, each with its public operator."""
     goals = {"hand.L": _reach_goal(marks, stage, carrier)}
     goals["hand.R"] = _mark(marks, stage, "Resting Hand", _rest_goal(), "ARROWS")
     for side in ("L", "R"):
@@ -177,8 +177,8 @@ def _wire(context, marks, stage, rig, carrier):
 
 
 def _reach(rig, bone, goal, pole):
-    """Let a hand or foot go to its goal, the joint above it bending towards the pole."""
-    is_reaching = bone == "hand.L"  # its weights are keyed
+    """Let a hand or foot reach its goal by inverse kinematics; the elbow or knee points to the pole."""
+    is_reaching = bone == "hand.L"  # the weights of the left hand are keyed
     _check(
         bpy.ops.motus.ik_add(
             object=rig.name,

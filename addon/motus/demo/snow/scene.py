@@ -1,4 +1,4 @@
-"""The scene "Motus Snow": a village at the edge of a wood at dusk, that turns white in the snow that falls."""
+"""The scene "Motus Snow": a village at the edge of a wood at dusk turns white in falling snow."""
 
 import math
 
@@ -22,16 +22,16 @@ SKY_STOPS = (
 SKY_STRENGTH = 0.55
 MOON_COLOR, MOON_STRENGTH, MOON_ROTATION = (0.55, 0.68, 1.0), 0.45, (0.75, 0.15, 0.9)
 VIEWS = (("AgX", "AgX - Medium High Contrast", 0.9), ("Filmic", "Medium High Contrast", 0.6))
-# Name, place, half width, flakes a second, seed: over the whole place, and a few more before the camera.
+# Of each snow cloud: name, place, half width, flakes per second, seed. One is over the whole village, one in front of the camera.
 CLOUDS = (
     ("Snowfall", (0.0, 11.5, 10.0), 17.0, 2600.0, 0),
     ("Near Snowfall", (0.0, -2.5, 6.0), 4.5, 220.0, 1),
 )
-AHEAD = 8.0  # s before the scene in which it begins to snow: at first there is little but on roofs
-LIFETIME = 14.0  # s, until flakes have come down
+AHEAD = 8.0  # seconds of snowfall before the scene: at its start there is only a little snow, on roofs
+LIFETIME = 14.0  # seconds until a flake has come down
 COVER = {"lump": 0.19, "resolution": 0.2, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0)}
 CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = Vector((1.4, -8.8, 3.1)), Vector((-0.5, 14.0, 2.5)), 34.0
-CAMERA_TRAVEL = 1.1  # m to the left, in the whole scene
+CAMERA_TRAVEL = 1.1  # m by which the camera moves to the left during the scene
 
 
 def build(context):
@@ -53,7 +53,7 @@ def build(context):
 
 
 def _world():
-    """The last light of the day."""
+    """Make the world: the last light of the day, as a gradient over the elevation."""
     return lighting.build_gradient_world("Motus Dusk", SKY_STOPS, SKY_STRENGTH, lambda shader, height: shader.math("MAXIMUM", height, 0.0))
 
 
@@ -64,7 +64,7 @@ def _add_moon(collection):
 
 
 def _add_camera(scene, collection):
-    """A camera that moves slowly to the side."""
+    """Add a camera that moves slowly to the side."""
     data = bpy.data.cameras.new("Evening Camera")
     data.lens = CAMERA_LENS
     camera = shapes.link_object(collection, "Evening Camera", data)

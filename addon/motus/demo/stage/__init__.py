@@ -1,1 +1,1 @@
-"""What every demo scene is staged with: scenes and collections, shapes, materials, lamps, cameras and keys."""
+"""Common parts of all demo scenes: scenes and collections, shapes, materials, lights, cameras and keys."""

@@ -1,4 +1,4 @@
-"""A stereo camera on a head that looks after something: an armature of one bone, Look At, and the stereo rig."""
+"""A stereo camera that follows a target: it is mounted on an armature with one bone, which Look At turns."""
 
 import math
 
@@ -7,13 +7,13 @@ from mathutils import Euler, Matrix
 
 from . import shapes
 
-HEAD, HEAD_LENGTH = "head", 0.4  # the bone, and its length, m
+HEAD, HEAD_LENGTH = "head", 0.4  # name of the bone, and its length in m
 
 
 def add(context, scene, collection, name, stand, lens, target, gaze, **eyes):
-    """A camera that looks along Y from its stand, and by a share `gaze` at the target; (head, camera).
+    """Add a stereo camera that looks along +Y and turns towards a target, with the public operators. Returns (head, camera).
 
-    eyes: keywords of motus.stereo_rig_add. All of it is done by the public operators.
+    stand: location. lens: focal length, mm. gaze: weight of the turn to the target, from 0 to 1. eyes: keywords of motus.stereo_rig_add.
     """
     head = _add_head(context, collection, stand)
     data = bpy.data.cameras.new(name)
@@ -33,7 +33,7 @@ def add(context, scene, collection, name, stand, lens, target, gaze, **eyes):
 
 
 def _add_head(context, collection, stand):
-    """An armature of one upright bone, whose -Z axis points into the scene."""
+    """Add an armature with one upright bone, whose -Z axis points into the scene."""
     head = shapes.link_object(collection, "Camera Head", bpy.data.armatures.new("Camera Head"))
     head.location = stand
     context.view_layer.objects.active = head

@@ -1,10 +1,10 @@
-"""Keys of a scene, and of one that begins again after nine seconds."""
+"""Set keys, for a scene or for a scene that loops after nine seconds."""
 
-CYCLE = 216  # frames
+CYCLE = 216  # frames of a loop
 
 
 def key(thing, name, keys, index=-1, shift=0):
-    """Key a property, or one of its axes, at (frame, value) rows, so many frames later."""
+    """Key a property, or one of its axes. keys: (frame, value) rows. shift: number of frames by which the keys are set later."""
     for frame, value in keys:
         if index < 0:
             setattr(thing, name, value)
@@ -14,6 +14,6 @@ def key(thing, name, keys, index=-1, shift=0):
 
 
 def key_cycle(thing, name, keys, index=-1):
-    """Key a property, or one of its axes, at frames of the cycle and of those before and after: it closes smoothly."""
+    """Key a property, or one of its axes, in a cycle and the cycles before and after, so that the loop closes smoothly."""
     for turn in (-1, 0, 1):
         key(thing, name, keys, index, turn * CYCLE)

@@ -1,4 +1,4 @@
-"""Late-afternoon light: a low warm sun, a graded sky with thin clouds, and the haze that ties both to the land."""
+"""Late-afternoon light: a low warm sun, a sky with a gradient and thin clouds, and haze between the camera and the land."""
 
 import math
 
@@ -21,26 +21,26 @@ SKY_STOPS = (
 )
 GLOW_COLOR = (1.0, 0.62, 0.28, 1.0)
 CLOUD_COLOR = (1.0, 0.86, 0.74, 1.0)
-# View transform, look, exposure: the first that Blender has.
+# View transform, look, exposure: the first row that this Blender version supports is used.
 VIEWS = (
     ("AgX", "AgX - Punchy", 0.65),
     ("Filmic", "High Contrast", 0.05),
     ("Filmic", "Filmic - High Contrast", 0.05),
 )
-# Pixels across the map by which Cycles finds the bright parts: by itself it takes 2048 for the smooth sky, and three seconds a frame.
+# Width in pixels of the map by which Cycles samples the world's light; its own choice of 2048 takes three seconds per frame.
 SKY_MAP = 256
-HAZE_DISTANCE = 3400.0  # metres in which the haze takes 63 % of the view
+HAZE_DISTANCE = 3400.0  # distance in m at which the haze hides 63 % of a surface
 HAZE_LIMIT = 0.93
 
 
 def sun_direction(elevation=SUN_ELEVATION, azimuth=SUN_AZIMUTH):
-    """Unit vector towards the sun."""
+    """Return the unit vector towards the sun. elevation, azimuth: in radians."""
     flat = math.cos(elevation)
     return Vector((flat * math.cos(azimuth), flat * math.sin(azimuth), math.sin(elevation)))
 
 
 def build_sky_group():
-    """Node group: the sky's colour in a direction, without clouds."""
+    """Make a node group that gives the sky's colour in a direction, without clouds."""
     shader, entry, result = materials.new_group(materials.SKY_GROUP, [("Direction", "NodeSocketVector")], [("Color", "NodeSocketColor")])
     direction = entry.outputs["Direction"]
     height = shader.add("ShaderNodeSeparateXYZ", {0: direction}).outputs[2]
@@ -55,7 +55,7 @@ def build_sky_group():
 
 
 def build_haze_group(sky):
-    """Node group: a surface seen through the air between it and the camera."""
+    """Make a node group that mixes a surface's shader with haze by the distance from the camera. sky: node group of the sky."""
     shader, entry, result = materials.new_group(materials.HAZE_GROUP, [("Surface", "NodeSocketShader")], [("Surface", "NodeSocketShader")])
     distance = shader.add("ShaderNodeCameraData").outputs["View Distance"]
     clear = shader.math("POWER", math.exp(-1.0 / HAZE_DISTANCE), distance)
@@ -74,7 +74,7 @@ def build_haze_group(sky):
 
 
 def build_world(sky):
-    """The world: the sky and a veil of high clouds drawn on a flat layer."""
+    """Make the world: the sky with a flat layer of thin high clouds. sky: node group of the sky."""
 
     def color(shader, direction):
         clear = shader.group(sky, {"Direction": direction}).outputs[0]
@@ -84,7 +84,7 @@ def build_world(sky):
 
 
 def _add_world(name, color, strength=1.0):
-    """A world. color(shader, direction): the socket with the sky's colour in a direction."""
+    """Make a world. color(shader, direction): function that adds nodes and returns the socket with the sky's colour in a direction."""
     world = bpy.data.worlds.new(name)
     if not world.use_nodes:
         world.use_nodes = True
@@ -94,14 +94,14 @@ def _add_world(name, color, strength=1.0):
     background = shader.add("ShaderNodeBackground", {"Color": color(shader, direction), "Strength": strength})
     output = shader.add("ShaderNodeOutputWorld")
     shader.feed(output.inputs["Surface"], background.outputs[0])
-    cycles = getattr(world, "cycles", None)  # its add-on can be off
+    cycles = getattr(world, "cycles", None)  # the attribute does not exist if the Cycles add-on is disabled
     if cycles:
         cycles.sampling_method, cycles.sample_map_resolution = 'MANUAL', SKY_MAP
     return world
 
 
 def _cloud_cover(shader, direction):
-    """How much cloud lies in a direction: noise on a plane overhead, fading out at the horizon."""
+    """Return the socket with the density of clouds in a direction: noise on a plane overhead, fading out at the horizon."""
     height = shader.add("ShaderNodeSeparateXYZ", {0: direction}).outputs[2]
     lifted = shader.math("DIVIDE", 1.0, shader.math("ADD", shader.math("MAXIMUM", height, 0.0), 0.12))
     plane = shader.add("ShaderNodeVectorMath", {0: direction, "Scale": lifted}, operation="SCALE").outputs[0]
@@ -112,7 +112,7 @@ def _cloud_cover(shader, direction):
 
 
 def add_sun(collection, elevation=SUN_ELEVATION, azimuth=SUN_AZIMUTH, color=SUN_COLOR, strength=SUN_STRENGTH, angle=SUN_ANGLE):
-    """The sun lamp."""
+    """Add the sun lamp. elevation, azimuth, angle: in radians; angle is the sun's angular diameter."""
     lamp = bpy.data.lights.new("Sun", "SUN")
     lamp.energy, lamp.color, lamp.angle = strength, color, angle
     sun = shapes.link_object(collection, "Sun", lamp)
@@ -123,7 +123,7 @@ def add_sun(collection, elevation=SUN_ELEVATION, azimuth=SUN_AZIMUTH, color=SUN_
 
 
 def set_color_management(scene, views=VIEWS):
-    """A filmic view with some punch, by whichever name this Blender has it: (transform, look, exposure) of each."""
+    """Set the first view transform with its look and exposure that this Blender version supports. views: (transform, look, exposure)."""
     view = scene.view_settings
     for transform, look, exposure in views:
         try:
@@ -136,7 +136,11 @@ def set_color_management(scene, views=VIEWS):
 
 
 def build_gradient_world(name, stops, strength, of_height):
-    """A sky that is a gradient. of_height(shader, height): the place on it, where height is the sine of the elevation."""
+    """Make a world whose sky is a gradient over the elevation.
+
+    stops: (position, rgb) rows. of_height(shader, height): function that adds nodes and returns the socket with the position on the
+    gradient; height is the socket with the sine of the elevation.
+    """
 
     def color(shader, direction):
         height = shader.add("ShaderNodeSeparateXYZ", {0: direction}).outputs[2]

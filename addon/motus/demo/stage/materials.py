@@ -1,8 +1,8 @@
-"""Shader helpers of the demo, the same on every Blender, and the haze all outdoor materials share."""
+"""Helpers that build shader nodes in all Blender versions, and materials with the haze that all outdoor materials share."""
 
 import bpy
 
-# The names one Principled input has had, newest first.
+# Names that each input of the Principled BSDF node has in Blender's versions, newest first.
 _PRINCIPLED_NAMES = {
     "specular": ("Specular IOR Level", "Specular"),
     "coat": ("Coat Weight", "Clearcoat"),
@@ -18,13 +18,13 @@ SKY_GROUP = "Motus Sky"
 
 
 class Shader:
-    """A thin builder for node trees: every call adds a node and returns it."""
+    """Builder of a node tree: its methods add a node and return the node or its output socket."""
 
     def __init__(self, tree):
         self.tree = tree
 
     def add(self, kind, inputs=None, **attributes):
-        """Add a node; `inputs` maps a socket's identifier, name or index to a value or to another node's socket."""
+        """Add a node. inputs: {identifier, name or index of an input: value, or output socket to link}. attributes: of the node."""
         node = self.tree.nodes.new(kind)
         node.location.x = 200.0 * len(self.tree.nodes)
         for name, value in attributes.items():
@@ -34,25 +34,25 @@ class Shader:
         return node
 
     def feed(self, socket, value):
-        """Link a socket to another, or set its value."""
+        """Link an input socket to an output socket, or set its value."""
         if isinstance(value, bpy.types.NodeSocket):
             self.tree.links.new(value, socket)
         else:
             socket.default_value = value
 
     def math(self, operation, first, second=0.0, clamp=False):
-        """The result socket of a Math node."""
+        """Add a Math node; returns its output socket."""
         return self.add("ShaderNodeMath", {0: first, 1: second}, operation=operation, use_clamp=clamp).outputs[0]
 
     def mix(self, factor, first, second, blend="MIX"):
-        """The colour socket of a Mix node."""
+        """Add a Mix node for colours; returns its output socket. blend: blending mode."""
         node = self.add("ShaderNodeMix", data_type="RGBA", blend_type=blend)
         for key, value in (("Factor_Float", factor), ("A_Color", first), ("B_Color", second)):
             self.feed(find_socket(node.inputs, key), value)
         return find_socket(node.outputs, "Result_Color")
 
     def ramp(self, factor, stops, interpolation="EASE"):
-        """The colour socket of a ColorRamp with (position, rgb) stops."""
+        """Add a Color Ramp node; returns its colour socket. stops: (position, rgb) rows."""
         node = self.add("ShaderNodeValToRGB", {0: factor})
         ramp = node.color_ramp
         ramp.interpolation = interpolation
@@ -64,12 +64,12 @@ class Shader:
         return node.outputs[0]
 
     def noise(self, vector, scale, detail=4.0):
-        """The value socket of a Noise texture, about 0.5."""
+        """Add a Noise Texture node; returns its value socket, 0.5 on average."""
         node = self.add("ShaderNodeTexNoise", {"Vector": vector, "Scale": scale, "Detail": detail})
         return find_socket(node.outputs, "Fac")
 
     def group(self, tree, inputs):
-        """An instance of a node group, with its inputs by name."""
+        """Add a node for a node group; returns the node. inputs: {name of an input: value or output socket}."""
         node = self.add("ShaderNodeGroup", node_tree=tree)
         for key, value in inputs.items():
             self.feed(node.inputs[key], value)
@@ -77,7 +77,7 @@ class Shader:
 
 
 def find_socket(sockets, key):
-    """A socket by index, identifier or name (identifiers first: names repeat)."""
+    """Return a socket by its index, identifier or name. Identifiers are tried before names, because several sockets can have one name."""
     if isinstance(key, int):
         return sockets[key]
     for socket in sockets:
@@ -86,14 +86,14 @@ def find_socket(sockets, key):
     for socket in sockets:
         if socket.name == key:
             return socket
-    # 5.x calls the noise's value "Factor" where older ones say "Fac".
+    # Blender 5 names the noise's output "Factor", older versions name it "Fac".
     if key == "Fac":
         return find_socket(sockets, "Factor")
     raise KeyError(key)
 
 
 def new_group(name, inputs, outputs):
-    """An empty shader node group with (name, socket type) inputs and outputs: its builder, input and output nodes."""
+    """Make a shader node group. Returns (Shader, Group Input node, Group Output node). inputs, outputs: (name, socket type) rows."""
     tree = bpy.data.node_groups.new(name, "ShaderNodeTree")
     for sockets, direction in ((inputs, "INPUT"), (outputs, "OUTPUT")):
         for socket_name, kind in sockets:
@@ -106,7 +106,7 @@ def new_group(name, inputs, outputs):
 
 
 def set_principled(shader, node, **settings):
-    """Set or link inputs of a Principled BSDF by the names of `_PRINCIPLED_NAMES`."""
+    """Set or link inputs of a Principled BSDF node. settings: {key of _PRINCIPLED_NAMES: value or output socket}."""
     for setting, value in settings.items():
         socket = next(node.inputs[name] for name in _PRINCIPLED_NAMES[setting] if name in node.inputs)
         if setting == "color" and not isinstance(value, bpy.types.NodeSocket):
@@ -115,7 +115,7 @@ def set_principled(shader, node, **settings):
 
 
 def new_material(name):
-    """An empty node material: material, builder, output node."""
+    """Make a material with only an output node. Returns (material, Shader, output node)."""
     material = bpy.data.materials.new(name)
     if not material.use_nodes:
         material.use_nodes = True
@@ -125,7 +125,7 @@ def new_material(name):
 
 
 def principled(name, haze=None, **settings):
-    """A Principled material, seen through the haze group when one is given; `settings` as in `set_principled`."""
+    """Make a material with a Principled BSDF node. settings: for set_principled(). haze: node group of the haze, or None for no haze."""
     material, shader, output = new_material(name)
     node = shader.add("ShaderNodeBsdfPrincipled")
     set_principled(shader, node, **settings)
@@ -135,9 +135,10 @@ def principled(name, haze=None, **settings):
 
 
 def wood(name, light, dark, stretch, on_skin=False, roughness=0.42):
-    """Varnished wood; `stretch`: how often its grain repeats along each axis, least along the fibres.
+    """Make a material of varnished wood.
 
-    Per metre of the object; `on_skin`: per side of the undeformed mesh's bounding box, so that it goes with the bones.
+    stretch: repetitions of the grain along each axis, fewest along the fibres. They are per metre of the object; if `on_skin` is set,
+    they are per side of the undeformed mesh's bounding box, so that the grain moves with the bones.
     """
     material, shader, output = new_material(name)
     place = shader.add("ShaderNodeTexCoord").outputs["Generated" if on_skin else "Object"]
@@ -156,7 +157,7 @@ def wood(name, light, dark, stretch, on_skin=False, roughness=0.42):
 
 
 def finish(material, shader, output, surface, haze=None):
-    """Connect a surface to the material's output, through the haze."""
+    """Connect a surface's shader socket to the material's output, through the node group of the haze if it is not None."""
     if haze is not None:
         surface = shader.group(haze, {"Surface": surface}).outputs[0]
         _keep_out_of_light_sampling(material)
@@ -164,7 +165,7 @@ def finish(material, shader, output, surface, haze=None):
 
 
 def make_transparent(material):
-    """Let EEVEE blend the material's alpha, in the older and in the newer engine."""
+    """Let EEVEE blend the material's alpha, before and since Blender 4.2."""
     if hasattr(material, "surface_render_method"):
         material.surface_render_method = "BLENDED"
     else:
@@ -173,13 +174,13 @@ def make_transparent(material):
 
 
 def cast_no_shadows(material):
-    """Leave a material out of the shadow maps of EEVEE before 4.2."""
+    """Exclude a material from the shadow maps of EEVEE before Blender 4.2."""
     if hasattr(material, "shadow_method"):
         material.shadow_method = "NONE"
 
 
 def _keep_out_of_light_sampling(material):
-    """Haze is an emission that lights nothing: Cycles must not sample the whole terrain as a lamp."""
+    """Exclude a material with haze from Cycles' light sampling: the haze is an emission, but it must not count as a lamp."""
     cycles = getattr(material, "cycles", None)
     if cycles is None:
         return

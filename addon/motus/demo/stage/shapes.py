@@ -1,4 +1,4 @@
-"""Mesh building blocks of the demo: lofts, lathes and a builder that joins parts into one mesh."""
+"""Building blocks of the demo's meshes. A part is (vertices, faces); MeshBuilder joins parts into one mesh."""
 
 import bpy
 import numpy as np
@@ -9,7 +9,7 @@ def smooth_profile(stations, count):
     stations = np.asarray(stations, dtype=float)
     x, y = stations[:, 0], stations[:, 1:]
     slopes = np.gradient(y, x, axis=0)
-    # Ends of a profile are dense in curvature (noses, tips): cosine spacing puts more rows there.
+    # Profiles are strongly curved at their ends (noses, tips), so cosine spacing puts more rows there.
     sample = x[0] + (x[-1] - x[0]) * 0.5 * (1.0 - np.cos(np.linspace(0.0, np.pi, count)))
     index = np.clip(_interval(x, sample), 0, len(x) - 2)
     width = (x[index + 1] - x[index])[:, None]
@@ -34,12 +34,12 @@ def _interval(x, sample):
 
 
 def ring(count):
-    """Angles of `count` points around a circle, starting at +X."""
+    """Return the angles of `count` points around a circle, starting at +X, in radians."""
     return np.linspace(0.0, 2.0 * np.pi, count, endpoint=False)
 
 
 def loft(sections, closed=True):
-    """Vertices and quads through sections of shape (rows, points, 3); `closed` joins each row's ends."""
+    """Return (vertices, quads) of a surface through sections, (rows, points, 3). closed: whether the ends of each row are joined."""
     sections = np.asarray(sections, dtype=float)
     rows, points = sections.shape[:2]
     spans = points if closed else points - 1
@@ -51,7 +51,7 @@ def loft(sections, closed=True):
 
 
 def lathe(profile, segments=32):
-    """Turn a profile of (radius, y) rows about the Y axis; the outside faces out when y falls along the profile."""
+    """Turn a profile of (radius, y) rows about the Y axis. Normals point outwards if y decreases along the profile."""
     profile = np.asarray(profile, dtype=float)
     angle = ring(segments)
     radius, y = profile[:, :1], profile[:, 1:2]
@@ -60,27 +60,27 @@ def lathe(profile, segments=32):
 
 
 def upright(part, place=(0.0, 0.0, 0.0), depth=1.0):
-    """A lathe's vertices and faces, its axis turned from Y to Z and moved to a place; `depth` scales it along Y."""
+    """Turn a part from lathe() so that its axis is Z instead of Y, scale it along Y by `depth`, and move it to a place."""
     vertices, faces = part
     return vertices[:, (0, 2, 1)] * (1.0, -depth, 1.0) + np.asarray(place), faces
 
 
 def sphere(radius, centre=(0.0, 0.0, 0.0), scale=(1.0, 1.0, 1.0), segments=20, rings=12):
-    """An ellipsoid about `centre`."""
+    """Return (vertices, faces) of an ellipsoid around `centre`. scale: factors of the radius along X, Y and Z."""
     polar = np.linspace(1e-3, np.pi - 1e-3, rings)
     vertices, faces = lathe(np.column_stack((np.sin(polar), np.cos(polar))), segments)
     return vertices * radius * np.asarray(scale) + np.asarray(centre), faces
 
 
 def box(size, centre=(0.0, 0.0, 0.0)):
-    """An axis-aligned box."""
+    """Return (vertices, faces) of a box along the axes."""
     corners = np.array([(x, y, z) for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
     faces = np.array([(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
     return corners * np.asarray(size) + np.asarray(centre), faces
 
 
 def beam(size, centre, bevel):
-    """A beam with chamfered edges along its longest side."""
+    """Return (vertices, faces) of a beam whose edges along its longest side are chamfered."""
     size = np.asarray(size, dtype=float)
     along = int(np.argmax(size))
     first, second = ((1, 2), (2, 0), (0, 1))[along]
@@ -109,20 +109,20 @@ def beam(size, centre, bevel):
 
 
 def torus(radius, thickness, segments=64, sides=10):
-    """A ring around the Y axis."""
+    """Return (vertices, faces) of a torus around the Y axis. thickness: radius of its cross-section."""
     angle = np.linspace(0.0, 2.0 * np.pi, sides + 1)
     return lathe(np.column_stack((radius + thickness * np.cos(angle), -thickness * np.sin(angle))), segments)
 
 
 class MeshBuilder:
-    """Collects parts, each with a material slot, and makes one mesh of them."""
+    """Collects parts, each with a material slot, and joins them into one mesh."""
 
     def __init__(self):
         self._vertices, self._faces, self._slots, self._smooth = [], [], [], []
         self._count = 0
 
     def add(self, part, slot=0, smooth=True):
-        """Add (vertices, faces); `slot` is one material index or one per face."""
+        """Add a part, (vertices, faces). slot: one material index, or one for each face. smooth: whether the faces are shaded smooth."""
         vertices, faces = part
         self._vertices.append(np.asarray(vertices, dtype=float))
         self._faces.extend((np.asarray(faces) + self._count).tolist())
@@ -131,7 +131,7 @@ class MeshBuilder:
         self._count += len(vertices)
 
     def build(self, name, materials):
-        """The joined mesh, with its materials."""
+        """Make the joined mesh with its materials. Returns the mesh."""
         mesh = bpy.data.meshes.new(name)
         mesh.from_pydata(np.concatenate(self._vertices).tolist(), [], self._faces)
         mesh.polygons.foreach_set("material_index", np.concatenate(self._slots))
@@ -143,7 +143,7 @@ class MeshBuilder:
 
 
 def link_object(collection, name, data, parent=None):
-    """A new object in the collection."""
+    """Make an object with the data, which may be None for an empty, in a collection. Returns the object."""
     thing = bpy.data.objects.new(name, data)
     collection.objects.link(thing)
     thing.parent = parent

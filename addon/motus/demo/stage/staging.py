@@ -1,10 +1,10 @@
-"""What the demo's scenes begin with, and are sorted into."""
+"""Make the scenes and collections of the demo."""
 
 import bpy
 
 
 def new_scene(context, name, frames_per_second, last_frame=250):
-    """An empty scene, shown in the window, on its first frame."""
+    """Make an empty scene and show it in the window at its first frame. Returns the scene."""
     scene = bpy.data.scenes.new(name)
     context.window.scene = scene
     scene.render.fps = frames_per_second
@@ -15,7 +15,7 @@ def new_scene(context, name, frames_per_second, last_frame=250):
 
 
 def new_collection(scene, name):
-    """A collection of the scene's own, empty."""
+    """Make an empty collection in a scene. Returns the collection."""
     collection = bpy.data.collections.new(f"Motus {name}")
     scene.collection.children.link(collection)
     return collection

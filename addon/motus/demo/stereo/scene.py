@@ -1,4 +1,4 @@
-"""The scene "Motus Stereo": an aeroplane between columns at several depths, filmed by two eyes that follow it with their gaze."""
+"""The scene "Motus Stereo": an aeroplane flies between columns at several depths; a stereo camera turns to follow it."""
 
 import math
 
@@ -12,7 +12,7 @@ SCENE_NAME = "Motus Stereo"
 FRAMES_PER_SECOND = 24
 SPEED = 23.0  # m/s
 BANK_SMOOTHING, BANK_LIMIT = 7.0, math.radians(60.0)
-# Round the columns, and nearest to the camera where it crosses the middle of the picture.
+# The course goes around the columns; it is nearest to the camera in the middle of the picture.
 COURSE = (
     (34.0, 84.0, 11.0),
     (8.0, 58.0, 8.0),
@@ -25,8 +25,8 @@ COURSE = (
     (6.0, 108.0, 12.0),
 )
 STAND, LENS = (0.0, 0.0, 6.2), 30.0
-GAZE = 0.8  # how much of the turn to the aeroplane the camera makes
-# What lies nearer than the screen is the passing aeroplane alone, and stands before nothing that the window cuts off.
+GAZE = 0.8  # share of the turn towards the aeroplane that the camera makes
+# Only the passing aeroplane appears in front of the screen, and the picture's edge does not cut it off.
 NEAR, FAR, NEAR_PARALLAX, FAR_PARALLAX = 12.0, 150.0, 0.4, 1.6
 
 

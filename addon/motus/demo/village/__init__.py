@@ -1,1 +1,1 @@
-"""The winter village, which the scenes of snow and of all systems share: ground, houses, trees and falling snow."""
+"""The winter village of the scenes "Motus Snow" and "Motus Main": ground, houses, trees and falling snow."""

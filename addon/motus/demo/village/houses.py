@@ -9,7 +9,7 @@ import numpy as np
 from ..stage import materials, shapes
 from . import props, terrain
 
-OVERHANG, THICK = 0.5, 0.12  # of roofs, m
+OVERHANG, THICK = 0.5, 0.12  # overhang and thickness of roofs, m
 WINDOW_HEIGHT, FRONT = 1.35, 0.12
 
 
@@ -40,7 +40,7 @@ HOUSES = (
 
 
 def build(collection, covered):
-    """All houses. covered: the collection of what snow lies on; walls stand in the other one."""
+    """Add all houses: roofs and sills, on which snow lies, to the collection `covered`, and the walls to `collection`."""
     wood = materials.principled("Log Wood", color=(0.085, 0.045, 0.026), roughness=0.8, specular=0.2)
     trim = materials.principled("Trim Wood", color=(0.26, 0.17, 0.11), roughness=0.75, specular=0.2)
     shingle = terrain.mottled("Shingles", (0.055, 0.042, 0.038), (0.11, 0.085, 0.07), 5.0)
@@ -64,7 +64,7 @@ def build(collection, covered):
 
 
 def _add_walls(builder, house):
-    """Beams that lie upon each other, and gables."""
+    """Add walls of beams that lie on each other, and gables."""
     width, depth, high = house.size
     count = round(high / 0.26)
     for row in range(count):
@@ -83,7 +83,7 @@ def _add_walls(builder, house):
 
 
 def _add_roof(builder, house):
-    """Two slopes; of the chapel they go down to its sides."""
+    """Add the two slopes of a roof. Those of the chapel face its sides, those of the houses face front and back."""
     width, depth, high = house.size
     along, across = (depth, width) if house.is_chapel else (width, depth)
     for side in (-1.0, 1.0):
@@ -104,7 +104,7 @@ def _slope(side, along, across, high, rise):
 
 
 def _add_front(walls, ledges, house):
-    """Lit panes between frames, a door, and sills, which snow lies on."""
+    """Add lit panes between frames and a door to `walls`, and sills, on which snow lies, to `ledges`."""
     front = -0.5 * house.size[1] - FRONT
     for x in house.windows:
         walls.add(shapes.box((0.78, 0.02, 0.78), (x, front, WINDOW_HEIGHT)), 2, smooth=False)
@@ -131,7 +131,7 @@ def _add_chimney(builder, house):
 
 
 def _add_steeple(walls, roof, house):
-    """A tower before the front, with a lit window and a pointed roof."""
+    """Add a tower in front of the house, with lit windows and a pointed roof."""
     front, wide, high = -0.5 * house.size[1] - 0.6, 1.9, house.size[2] + 3.4
     walls.add(shapes.box((wide, wide, high), (0.0, front, 0.5 * high)), smooth=False)
     for z in (1.5, high - 1.1):
@@ -139,7 +139,7 @@ def _add_steeple(walls, roof, house):
         walls.add(shapes.box((0.05, 0.06, 1.0), (0.0, front - 0.5 * wide - 0.02, z)), 1, smooth=False)
     half = 0.5 * wide + 0.3
     corners = [(x * half, front + y * half, high + lift) for lift in (-0.1, 0.0) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-    # Of triangles, which the builder cannot add along with squares.
+    # The roof is of triangles, which the builder cannot add in one part with quads.
     squares = [(3, 2, 1, 0), *((i, (i + 1) % 4, 4 + (i + 1) % 4, 4 + i) for i in range(4))]
     faces = [face for a, b, c, d in squares for face in ((a, b, c), (a, c, d))] + [(4 + i, 4 + (i + 1) % 4, 8) for i in range(4)]
     roof.add((np.array([*corners, (0.0, front, high + 2.9)]), faces), smooth=False)
@@ -147,7 +147,7 @@ def _add_steeple(walls, roof, house):
 
 
 def _add_light(collection, body, house):
-    """The light that falls out of the windows onto the snow."""
+    """Add the light that falls from the windows onto the snow."""
     data = bpy.data.lights.new("Window Light", "AREA")
     data.energy, data.color = 260.0, props.WARM
     data.shape, data.size, data.size_y = "RECTANGLE", 2.6, 0.8

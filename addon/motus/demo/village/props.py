@@ -1,4 +1,4 @@
-"""What stands between the houses: lanterns by the path, fences, and a pile of wood."""
+"""Props between the houses: lanterns beside the path, fences, and a pile of wood."""
 
 import itertools
 import math
@@ -15,12 +15,12 @@ FENCES = (
     ((-2.6, 1.4), (-4.4, 2.3), (-6.2, 2.9), (-8.1, 3.1), (-10.0, 2.9)),
     ((2.6, 5.6), (4.3, 6.2), (6.1, 6.3), (7.9, 5.9), (9.6, 5.0)),
 )
-PILE = (7.7, 10.3)  # of wood
-LOG = 0.11  # m
+PILE = (7.7, 10.3)  # x and y of the pile of wood, m
+LOG = 0.11  # radius of a log, m
 
 
 def build(collection, covered, lanterns=LANTERNS, fences=FENCES):
-    """All of it; snow lies on all but the lights."""
+    """Add lanterns, fences and the pile of wood. All except the lights is in the collection `covered`, on which snow lies."""
     _add_lanterns(collection, covered, lanterns)
     wood = terrain.mottled("Fence Wood", (0.045, 0.034, 0.028), (0.11, 0.085, 0.068), 7.0)
     builder = shapes.MeshBuilder()
@@ -31,7 +31,7 @@ def build(collection, covered, lanterns=LANTERNS, fences=FENCES):
 
 
 def glow(name, strength):
-    """A material that shines warm."""
+    """Make a material that emits warm light."""
     material, shader, output = materials.new_material(name)
     light = shader.add("ShaderNodeEmission", {"Color": (*WARM, 1.0), "Strength": strength})
     materials.finish(material, shader, output, light.outputs[0])
@@ -57,7 +57,7 @@ def _add_lanterns(collection, covered, places):
 
 
 def _add_fence(builder, places):
-    """Posts, and rails between them."""
+    """Add the posts of a fence, and rails between the posts. places: (x, y, z) of the posts."""
     for place in places:
         builder.add(shapes.box((0.15, 0.15, 1.15), place + (0.0, 0.0, 0.45)), smooth=False)
     for start, end in itertools.pairwise(places):
@@ -66,7 +66,7 @@ def _add_fence(builder, places):
 
 
 def _rail(start, end, z, width, high):
-    """A bar from one post to the next."""
+    """Make a bar from one post to the next. z: height above the ground at the posts."""
     along = end - start
     vertices, faces = shapes.box((float(np.hypot(along[0], along[1])), width, high))
     vertices = terrain.turned(vertices, math.atan2(along[1], along[0]))
@@ -76,7 +76,7 @@ def _rail(start, end, z, width, high):
 
 
 def _add_pile(builder):
-    """Logs that lie upon each other, beside a house."""
+    """Add a pile of logs beside a house."""
     ground = np.array((*PILE, terrain.ground_at(*PILE)))
     for row in range(4):
         for number in range(7 - row):

@@ -1,4 +1,4 @@
-"""The snow that falls on the village, and what lies of it."""
+"""The snow that falls on the village, and the snow cover that lies on it."""
 
 import bpy
 
@@ -7,9 +7,10 @@ from ..stage import materials
 
 
 def add(context, collection, covered, clouds, ahead, lifetime, cover):
-    """Gentle snow, and what lies of it, by the public operators; gives the name of what lies.
+    """Add gentle snowfall and a snow cover with the public operators. Returns the name of the cover's object.
 
-    ahead: s before the scene in which it begins to snow.
+    covered: collection of objects on which snow lies. ahead: seconds of snowfall before the scene. lifetime: seconds until a flake
+    has come down. cover: keywords for the snow cover.
     """
     view_layer = context.view_layer
     view_layer.active_layer_collection = view_layer.layer_collection.children[collection.name]
@@ -26,7 +27,7 @@ def add(context, collection, covered, clouds, ahead, lifetime, cover):
         ) != {"FINISHED"}:
             raise RuntimeError("The snow could not be added")
         context.object.name = name
-        emitters.append(context.object.name)  # in a file with a scene that was built before it is another one
+        emitters.append(context.object.name)  # Blender may have changed the name, if the file already has such a scene
         _keep_flakes_out_of_shadow_maps(context.object)
     if bpy.ops.motus.snow_cover_add(collection=covered.name, emitters=",".join(emitters), lands=False, **cover) != {"FINISHED"}:
         raise RuntimeError("The snow that lies could not be added")
@@ -34,7 +35,7 @@ def add(context, collection, covered, clouds, ahead, lifetime, cover):
 
 
 def _keep_flakes_out_of_shadow_maps(emitter):
-    """EEVEE before 4.2 draws all flakes into the shadow map of each lamp, on each frame anew, which takes as long as all the rest."""
+    """Exclude flakes from the shadow maps of EEVEE before Blender 4.2: drawing all flakes for each lamp doubles the time of a frame."""
     given = [
         value
         for modifier in emitter.modifiers

@@ -1,4 +1,4 @@
-"""The land of the evening scene: meadows that rise to a wood, with hills behind, and materials that turn white."""
+"""The land of the village: meadows that rise to a wood, hills behind the wood, and materials that turn white."""
 
 import itertools
 import math
@@ -11,17 +11,17 @@ from ..stage import materials, shapes
 SEED = 77
 HALF = 90.0  # m, half the side of the land
 GRID = 260
-VILLAGE = (-17.0, 17.0), (-9.0, 32.0)  # m: snow that lies is computed here; beyond the material turns white
-STEP = 0.5  # m, of the ground there
-PLACES = ((4.6, 12.2), (-6.4, 13.6), (-0.9, 24.5), (10.6, 21.0), (-11.8, 22.5))  # where the ground is level
-PATH = ((0.8, -12.0), (0.4, 0.0), (0.6, 8.0), (-0.9, 15.0), (-0.9, 20.0))  # trodden through the village
+VILLAGE = (-17.0, 17.0), (-9.0, 32.0)  # range of x and y in m in which the snow cover is computed; beyond it the material turns white
+STEP = 0.5  # distance between vertices of the village's ground, m
+PLACES = ((4.6, 12.2), (-6.4, 13.6), (-0.9, 24.5), (10.6, 21.0), (-11.8, 22.5))  # x and y of places at which the ground is level
+PATH = ((0.8, -12.0), (0.4, 0.0), (0.6, 8.0), (-0.9, 15.0), (-0.9, 20.0))  # points of the trodden path through the village
 WHITE = (0.86, 0.90, 0.97)
 GRASS = (0.060, 0.050, 0.030), (0.125, 0.105, 0.062)
-BARE, SNOWY = 1.6, 0.35  # how far up what is white has to face, at the beginning and in the end
+BARE, SNOWY = 1.6, 0.35  # least upward slope of white surfaces, at the start and the end of the scene
 
 
 def height(x, y):
-    """Height of the ground in metres at arrays of x and y."""
+    """Return the height of the ground in metres at arrays of x and y."""
     rolling = 1.7 * (landscape.fractal_noise(x, y, 16.0, 4, SEED) - 0.5)
     rise = 7.0 * landscape.smoothstep(np.asarray(y, float), 20.0, 70.0) + 0.10 * np.maximum(np.abs(x) - 12.0, 0.0)
     hills = 16.0 * landscape.smoothstep(np.hypot(x, y), 60.0, 90.0) * landscape.fractal_noise(x, y, 45.0, 3, SEED + 9)
@@ -31,7 +31,7 @@ def height(x, y):
 
 
 def trodden(x, y, path=PATH):
-    """How much of a place is path, 0 to 1."""
+    """Return the share of the trodden path at places, from 0 to 1."""
     nearest = np.full(np.broadcast(x, y).shape, np.inf)
     for (ax, ay), (bx, by) in itertools.pairwise(path):
         along = np.clip(((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / ((bx - ax) ** 2 + (by - ay) ** 2), 0.0, 1.0)
@@ -40,13 +40,13 @@ def trodden(x, y, path=PATH):
 
 
 def build(collection, covered, white):
-    """The land, and the ground of the village, which stands in the collection of what snow lies on. white: see whitening()."""
+    """Add the far land, and the village's ground to the collection `covered`, on which snow lies. white: result of whitening()."""
     add_far_land(collection, mottled("Far Meadow", *GRASS, 0.8, white))
     add_ground(covered, mottled("Meadow", *GRASS, 0.8))
 
 
 def add_far_land(collection, material):
-    """The land all around; it lies a little below the ground of the village, which is finer."""
+    """Add the land around the village. It lies a little below the village's ground, which is finer."""
     axis = np.linspace(-1.0, 1.0, GRID)
     warped = HALF * (0.25 * axis + 0.75 * axis**3)
     x, y = np.meshgrid(warped, warped + 8.0)
@@ -59,7 +59,7 @@ def add_far_land(collection, material):
 
 
 def add_ground(collection, material, height_at=height, step=STEP):
-    """The ground of the village. height_at(x, y): of the ground, m."""
+    """Add the ground of the village. height_at(x, y): function that returns the height of the ground in m. step: between vertices, m."""
     (left, right), (front, back) = VILLAGE
     x, y = np.meshgrid(np.arange(left, right + 0.5 * step, step), np.arange(front, back + 0.5 * step, step))
     ground = shapes.MeshBuilder()
@@ -68,7 +68,7 @@ def add_ground(collection, material, height_at=height, step=STEP):
 
 
 def whitening(scene, bare=BARE, snowy=SNOWY):
-    """A node group whose output falls in the course of the scene: how far up what is white of the far land has to face."""
+    """Make a node group with the least upward slope of white surfaces of the far land, which decreases during the scene."""
     shader, _, result = materials.new_group("Evening Whitening", [], [("Least", "NodeSocketFloat")])
     value = shader.add("ShaderNodeValue").outputs[0]
     for frame, least in ((scene.frame_start, bare), (scene.frame_end, snowy)):
@@ -79,7 +79,7 @@ def whitening(scene, bare=BARE, snowy=SNOWY):
 
 
 def mottled(name, dark, light, scale, white=None):
-    """A matt material of two colours in patches of about 1 / scale m, which turns white by whitening()."""
+    """Make a matt material of two colours in patches of about 1 / scale m. white: result of whitening(); None if it never turns white."""
     material, shader, output = materials.new_material(name)
     position = shader.add("ShaderNodeTexCoord").outputs["Object"]
     color = shader.ramp(shader.noise(position, scale, detail=6.0), ((0.35, dark), (0.68, light)))
@@ -97,11 +97,11 @@ def mottled(name, dark, light, scale, white=None):
 
 
 def ground_at(x, y):
-    """Height of the ground in metres at one place."""
+    """Return the height of the ground in metres at one place."""
     return float(height(np.array([x], float), np.array([y], float))[0])
 
 
 def turned(vertices, angle):
-    """Vertices (n, 3) turned about Z."""
+    """Rotate vertices, (n, 3), about Z by an angle in radians."""
     cosine, sine = math.cos(angle), math.sin(angle)
     return np.asarray(vertices) @ np.array(((cosine, sine, 0.0), (-sine, cosine, 0.0), (0.0, 0.0, 1.0)))

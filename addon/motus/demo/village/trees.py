@@ -1,4 +1,4 @@
-"""The trees of the village: firs, and bare trees whose branches turn white; and the fir that the wood behind is made of."""
+"""The trees of the village: firs, bare trees whose branches turn white, and the wood behind the village, of instanced firs."""
 
 import math
 
@@ -8,9 +8,9 @@ from ..places import landscape, woods
 from ..stage import materials, shapes
 from . import terrain
 
-# A fir of unit height: base, top and width of each skirt.
+# Base, top and width of each cone of branches of a fir of height 1.
 SKIRTS = ((0.08, 0.42, 0.26), (0.24, 0.58, 0.22), (0.40, 0.74, 0.175), (0.56, 0.88, 0.13), (0.72, 1.0, 0.085))
-# x, y, height of those that stand in the village.
+# x, y, height in m of the firs in the village.
 NEAR = (
     (-3.2, 7.6, 3.4),
     (8.6, 8.4, 4.6),
@@ -25,15 +25,15 @@ NEAR = (
     (0.9, 17.4, 2.6),
     (13.6, 26.0, 8.6),
 )
-# x, y, height, seed of bare trees.
+# x, y, height in m and seed of the bare trees.
 BARE = ((-5.0, 6.2, 4.6, 3), (2.1, 15.6, 4.4, 11), (7.0, 16.2, 5.2, 5))
-SIDES = 6  # of branches
-FORKS, SHRINK, LEAN = 4, 0.70, 0.62  # how often branches fork, by how much they are shorter then, and lean, rad
+SIDES = 6  # vertices around a branch
+FORKS, SHRINK, LEAN = 4, 0.70, 0.62  # number of forks, factor of the length at each fork, lean at each fork in radians
 TREES, CLEARING = 2600, 13.5
 
 
 def build(collection, covered, branches):
-    """Firs and bare trees in the village, and the wood behind. branches: the material of the wood's firs."""
+    """Add firs and bare trees in the village, and the wood behind the village. branches: material of the wood's firs."""
     needles = materials.principled("Fir Needles", color=(0.016, 0.042, 0.030), roughness=0.85, specular=0.15)
     bark = terrain.mottled("Evening Bark", (0.035, 0.026, 0.022), (0.075, 0.058, 0.048), 9.0)
     builder = shapes.MeshBuilder()
@@ -65,7 +65,7 @@ def _scaled(part, size):
 
 
 def _ragged(part, width, turn):
-    """A skirt whose edge goes in and out, branch by branch."""
+    """Return a cone of branches whose edge is wavy."""
     vertices, faces = part
     angle = np.arctan2(vertices[:, 2], vertices[:, 0])
     far = np.hypot(vertices[:, 0], vertices[:, 2]) / width
@@ -77,7 +77,7 @@ def _ragged(part, width, turn):
 
 
 def _add_bare_tree(builder, place, high, random):
-    """A trunk that forks into ever thinner branches."""
+    """Add a bare tree: a trunk that forks into ever thinner branches."""
     trunk = 0.34 * high
     _add_branch(builder, place, np.array((0.03, 0.02, 1.0)), trunk, 0.045 * high, FORKS, random)
 
@@ -100,7 +100,7 @@ def _add_branch(builder, start, direction, length, radius, forks, random):
 
 
 def _across(direction):
-    """Two unit vectors across a direction and each other."""
+    """Return two unit vectors that are perpendicular to a direction and to each other."""
     aside = np.cross(direction, (0.0, 1.0, 0.0) if abs(direction[1]) < 0.9 else (1.0, 0.0, 0.0))
     aside /= np.linalg.norm(aside)
     return aside, np.cross(direction, aside)
@@ -118,7 +118,7 @@ def _tube(start, end, wide, thin):
 
 
 def _places():
-    """Places (m, 3) of the wood's firs: dense behind, a few at the sides, none in the village."""
+    """Return places (m, 3) of the wood's firs: dense behind the village, a few at its sides, none in the village."""
     index = np.arange(TREES)
     luck = [landscape.lattice(index, np.full(TREES, row), terrain.SEED + 20) for row in range(3)]
     x, y = (luck[0] * 2.0 - 1.0) * 70.0, luck[1] * 95.0 - 6.0

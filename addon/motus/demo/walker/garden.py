@@ -8,13 +8,13 @@ import numpy as np
 from ..places import landscape
 from ..stage import materials, shapes
 
-EXTENT = (9.0, 7.0)  # m, half of the ground
+EXTENT = (9.0, 7.0)  # half of the ground's extent along X and Y, m
 SPACING = 0.09
 WALL_FACE, WALL_HIGH, WALL_HALF = -0.15, 3.1, 4.6  # m: y of the face, height, half of the length
 SEED = 11
-# Height, m, and wavelength, m, of the ground's swells.
+# Height in m, wavelength in m and seed of the ground's swells.
 SWELLS = ((0.075, 1.9, 1), (0.020, 0.55, 2), (0.006, 0.21, 3))
-# x, y, radius, height of the stones on the way.
+# x, y, radius, height in m of the stones on the way.
 STONES = (
     (-0.42, -3.62, 0.34, 0.22),
     (0.52, -3.10, 0.42, 0.30),
@@ -32,12 +32,12 @@ CAP = ((0.10, 0.60), (0.44, 0.56), (0.47, 0.63), (0.40, 0.80), (0.24, 0.94), (0.
 
 
 def height(x, y):
-    """Of the ground without its stones, at points (n,)."""
+    """Return the height of the ground in m without its stones, at arrays x and y, (n,)."""
     return sum(size * (2.0 * landscape.fractal_noise(x, y, wave, 2, SEED + seed) - 1.0) for size, wave, seed in SWELLS)
 
 
 def build(walked, plants):
-    """Ground, stones and wall into one collection, and what nobody walks on into another."""
+    """Add ground, stones and wall to the collection `walked`, and grass and mushrooms to the collection `plants`."""
     rock = _rock("Garden Stone", (0.075, 0.074, 0.066), (0.26, 0.245, 0.21))
     shapes.link_object(walked, "Garden Ground", _ground())
     shapes.link_object(walked, "Garden Stones", _stones(rock))
@@ -69,7 +69,7 @@ def _stones(rock):
 
 
 def _boulder(place, radius, high, chance, seed):
-    """A weathered stone that looks out of the ground so high."""
+    """Make a weathered stone that protrudes from the ground by the height `high`."""
     vertices, faces = shapes.sphere(1.0, segments=40, rings=26)
     vertices = np.asarray(vertices)
     vertices = np.sign(vertices) * np.abs(vertices) ** 0.75
@@ -89,7 +89,7 @@ def _boulder(place, radius, high, chance, seed):
 
 
 def _lumps(places, seed):
-    """Smooth and repeatable, about 0."""
+    """Return smooth repeatable noise around 0 at places (n, 3)."""
     x, y, z = places.T
     return (
         sum(
@@ -100,7 +100,7 @@ def _lumps(places, seed):
 
 
 def _wall(rock):
-    """Courses of rounded blocks, a little in front of or behind each other."""
+    """Make the wall: courses of rounded blocks, some a little in front of others. rock: material."""
     builder, chance = shapes.MeshBuilder(), random.Random(SEED + 1)
     base, course = -0.15, 0
     while base < WALL_HIGH:
@@ -118,7 +118,7 @@ def _wall(rock):
 
 def _block(middle, size, chance, seed):
     vertices, faces = shapes.sphere(1.0, segments=28, rings=18)
-    # The poles look along the wall, where the next block hides them.
+    # The poles of the spheres face along the wall, and the next blocks hide them.
     vertices, faces = np.asarray(vertices)[:, (1, 0, 2)], np.asarray(faces)[:, ::-1]
     rounded = np.sign(vertices) * np.abs(vertices) ** 0.42
     rounded /= np.maximum(np.abs(rounded).max(axis=0), 1e-9)
@@ -129,7 +129,7 @@ def _block(middle, size, chance, seed):
 
 
 def _grass():
-    """Tufts of bent blades, thin on the way and dense at its sides and along the wall."""
+    """Make tufts of bent blades of grass, sparse on the way and dense at its sides and along the wall."""
     builder, chance = shapes.MeshBuilder(), random.Random(SEED + 2)
     for _ in range(TUFTS):
         x = chance.gauss(0.0, 2.3)
@@ -172,7 +172,7 @@ def _mushrooms():
 
 
 def _rock(name, dark, light):
-    """Grey stone with moss on what looks up."""
+    """Make a material of grey stone with moss on surfaces that face upwards."""
     material, shader, output = materials.new_material(name)
     place = shader.add("ShaderNodeTexCoord").outputs["Object"]
     grain = shader.math(

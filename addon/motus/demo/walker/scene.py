@@ -1,4 +1,4 @@
-"""The scene "Motus Walker": a spider goes over the stones of a garden and up a wall, and her young go after her."""
+"""The scene "Motus Walker": a spider walks over the stones of a garden and up a wall, followed by her young."""
 
 import bpy
 import numpy as np
@@ -9,13 +9,13 @@ from . import garden
 
 SCENE_NAME = "Motus Walker"
 FRAMES_PER_SECOND, LAST_FRAME = 24, 288
-# x and y on the ground; z is the ground's.
+# x and y of the way on the ground, m; z is the height of the ground.
 WAY = ((-0.75, -5.6), (-0.50, -4.5), (0.18, -3.45), (-0.18, -2.5), (0.14, -1.65), (0.02, -0.98))
-# And up the wall, whose face is at garden.WALL_FACE.
+# x, y and z of the way up the wall, m; y is relative to the wall's face, garden.WALL_FACE.
 CLIMB = ((0.0, -0.22, 0.15), (0.0, -0.01, 0.58), (0.05, 0.0, 1.15), (0.22, 0.0, 1.95), (0.12, 0.0, 2.9))
-SPEED, START = 0.60, 1.15  # m/s, and how far along the way the spider is at first, m
+SPEED, START = 0.60, 1.15  # m/s, and m along the way at which the spider starts
 SPAN = 1.15
-# Span, how far behind, how far to the side, colour.
+# Of each young spider: span, distance behind the mother, distance to the side, colour.
 YOUNG = (
     (0.46, 0.95, -0.30, (0.80, 0.36, 0.03, 1.0)),
     (0.40, 1.25, 0.26, (0.75, 0.10, 0.02, 1.0)),
@@ -24,7 +24,7 @@ YOUNG = (
 SKY_STOPS = ((0.0, (0.80, 0.62, 0.44)), (0.10, (0.62, 0.66, 0.68)), (0.35, (0.28, 0.44, 0.66)), (1.0, (0.08, 0.20, 0.46)))
 VIEWS = (("AgX", "AgX - Punchy", 0.75), ("Filmic", "High Contrast", 0.25), ("Filmic", "Filmic - High Contrast", 0.25))
 LENS = 34.0
-# Frames and places of the camera.
+# Keys of the camera: (frame, place).
 FILMING = ((1, (-1.10, -2.55, 0.78)), (90, (-1.95, -1.65, 0.66)), (180, (-2.45, -2.35, 0.80)), (288, (-2.1, -3.0, 1.45)))
 AIM_AHEAD, AIM_UP = 0.10, 0.16  # m
 
@@ -49,7 +49,7 @@ def build(context):
 
 
 def _add_spider(collection, land, name, span, offset, aside, color):
-    """A spider, by the public operators, on a course of its own."""
+    """Add a spider on a separate course, with the public operators."""
     course = _add_course(collection, f"{name} Course", aside)
     _check(
         bpy.ops.motus.spider_add(
@@ -81,7 +81,7 @@ def _check(result):
 
 
 def _add_course(collection, name, aside):
-    """A curve over the ground and up the wall, so far to the side."""
+    """Add a curve over the ground and up the wall as a course. aside: m by which the course is moved to the side."""
     places = [Vector((x + aside, y, _height(x + aside, y))) for x, y in WAY]
     places += [Vector((x + aside, garden.WALL_FACE + y, z)) for x, y, z in CLIMB]
     curve = bpy.data.curves.new(name, "CURVE")
@@ -101,7 +101,7 @@ def _height(x, y):
 
 
 def _add_camera(scene, collection, mother):
-    """A camera that goes along beside the spider and looks at it."""
+    """Add a camera that moves beside the mother spider and looks at her."""
     aim = shapes.link_object(collection, "Spider Aim", None, mother)
     aim.location, aim.empty_display_size = (0.0, AIM_AHEAD, AIM_UP), 0.1
     data = bpy.data.cameras.new("Garden Camera")

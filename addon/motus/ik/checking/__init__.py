@@ -1,1 +1,1 @@
-"""Frames on which chains do not come to their targets."""
+"""Check chains over a range of frames: find the frames on which they do not reach their targets."""

@@ -1,4 +1,4 @@
-"""The operator that looks for frames on which chains do not come to their targets."""
+"""Operator that finds the frames on which chains do not reach their targets."""
 
 import bpy
 
@@ -12,14 +12,14 @@ from . import results
 
 
 class _Finding:
-    """Results of one entry, one a frame; none for frames on which the entry is muted."""
+    """Collects the results of checking one entry, one for each frame on which the entry is not muted."""
 
     def __init__(self):
         self._checked, self._short, self._unsolved, self._animated = [], [], [], []
         self._worst, self._reason = 0.0, 'NONE'
 
     def add(self, frame, left, reason):
-        """Note what is left on a frame, and why."""
+        """Note the result of one frame. left: distance left to the target. reason: an item of results.WHY."""
         if reason == 'ANIMATED':
             self._animated.append(frame)
             return
@@ -32,7 +32,7 @@ class _Finding:
                 self._worst, self._reason = left, reason
 
     def store(self, entry, step):
-        """Keep the result with the entry."""
+        """Store the collected result in the settings of an entry. step: frames from one check to the next."""
         if self._unsolved:
             results.store(entry, self._checked, step, self._unsolved, reason='UNSOLVED')
         elif self._animated and not self._checked:
@@ -65,7 +65,7 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
         if not told:
             self.report({'INFO'}, tr("Muted chains are not checked"))
         told = self._without_good(told)
-        # Blender shows the last report: what is bad.
+        # Blender shows the last report, so chains that miss their targets are reported last.
         for entry in sorted(told, key=lambda entry: bool(entry.check_frames)):
             self.report(
                 {'WARNING' if entry.check_frames else 'INFO'},
@@ -73,11 +73,11 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
             )
 
     def _chosen(self, rig):
-        """The rig's IK entries that the operator checks. They are looked up by name each time, since a script may change the list."""
+        """IK entries of the rig that the operator checks. They are looked up by name each time, since a script may change the list."""
         return [rig.motus.ik.entries[name] for name in self._findings]
 
     def _without_good(self, told):
-        """The findings that need a sentence of their own: those that are good on all frames share one."""
+        """Entries that need a sentence of their own. Entries that reach their targets on all frames are reported here, in one sentence."""
         good = [entry for entry in told if entry.check_reason == 'NONE' and entry.check_range == self._range]
         if len(good) < 2:
             return told

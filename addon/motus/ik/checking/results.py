@@ -1,4 +1,4 @@
-"""What checking a chain over a range of frames found: kept with its entry, and said in words."""
+"""Result of checking a chain over a range of frames: stored in the chain's entry, and told to the user in a sentence."""
 
 import re
 
@@ -24,7 +24,7 @@ OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
 
 
 class CheckResults:
-    """Mixin for an entry: the last result of motus.ik_check."""
+    """Mixin of an entry's settings with the last result of the operator motus.ik_check."""
 
     check_range: bpy.props.StringProperty(
         name="Checked", description="Frames that were checked; empty before any check", options=set(), override=OVERRIDABLE
@@ -52,7 +52,11 @@ class CheckResults:
 
 
 def store(entry, checked, step, frames=(), worst=0.0, reason='NONE'):
-    """Keep a result. checked: frames, of a walk by steps. frames: the bad ones among them. reason: of WHY."""
+    """Store the result of a check in an entry.
+
+    checked: rising frames that were checked, `step` frames apart. frames: those of them on which the chain misses its target.
+    worst: largest distance left to the target. reason: an item of WHY.
+    """
     entry.check_range = ranges(checked, step)
     entry.check_step = step
     entry.check_frames = ranges(frames, step)
@@ -61,12 +65,15 @@ def store(entry, checked, step, frames=(), worst=0.0, reason='NONE'):
 
 
 def contradicts(entry, frame, why):
-    """Whether a frame that was checked is otherwise now: something has been changed since. why: what is now, of WHY."""
+    """Whether the present result at a frame is different from the result that the check has stored for it.
+
+    It is then known that something was changed since the check. why: the present result, an item of WHY.
+    """
     if not _was_checked(entry, frame):
         return False
     is_noted = entry.check_reason == 'ANIMATED' or _lies_in(entry.check_frames, frame)
     before = entry.check_reason if is_noted else 'NONE'
-    if entry.check_reason == 'UNSOLVED':  # of the other frames it is not known whether the target was reached
+    if entry.check_reason == 'UNSOLVED':  # for all different frames it is not known whether the target was reached
         return (before == 'UNSOLVED') != (why == 'UNSOLVED')
     return _kind(before) != _kind(why)
 
@@ -87,7 +94,7 @@ def _lies_in(frames, frame):
 
 
 def sentence(entry, length):
-    """The result in the user's language; "" before any check. length: how a number of world units is written."""
+    """Result of an entry's last check in the user's language; "" if there was no check. length(value): text of a length in world units."""
     if not entry.check_range:
         return ""
     templates = {

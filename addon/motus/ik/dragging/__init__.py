@@ -1,1 +1,1 @@
-"""Dragging a chain by any of its points."""
+"""Drag a chain of bones by any point on one of its bones."""

@@ -1,6 +1,7 @@
-"""A point of a chain that is pulled to a place: by its target where a solver has it, else by turning its bones.
+"""Pull a point on a bone to a place in the world, with the chain that the bone belongs to.
 
-A bone that is a target or a pole is moved whole.
+If a solver drives the chain, the chain's target is moved; otherwise the bones of the chain are turned. A bone that is itself a target
+or a pole is moved as a whole.
 """
 
 from mathutils import Matrix, Quaternion, Vector
@@ -15,16 +16,20 @@ from .. import chains, forward, groups, reading
 from ..goals import controls
 from ..keying import rotation_values
 
-TIP = slice(-3, None)  # of a row of IkPlan.REPORT
-SHORTEST = 1e-6  # of the bone: a point on its head is taken so far along it
+TIP = slice(-3, None)  # columns of IkPlan.REPORT with the position of the chain's tip
+SHORTEST = 1e-6  # share of the bone's length: a point at the bone's head is moved so far along the bone
 ROUNDS = 12
-NEAR = 1e-6  # of the chain's length
-PROBE = 1e-4  # of the chain's length
-LONGEST_STEP = 0.5  # of the chain's length
+NEAR = 1e-6  # in lengths of the chain: distance at which the point counts as brought to its place
+PROBE = 1e-4  # in lengths of the chain: by so much the target is moved to measure how the point follows
+LONGEST_STEP = 0.5  # in lengths of the chain: longest step of the target in one round of the search
 
 
 def grab(context, rig, bone, factor, chain_length=0):
-    """Take hold of a bone's chain, for pull() to move. factor: place along the bone, 0 to 1. Raises Refused if the chain cannot be dragged."""
+    """Take hold of a point on a bone. Returns an object whose pull(place) moves the point, and whose restore() undoes all moves.
+
+    factor: place of the point along the bone, 0 at its head, 1 at its tail. chain_length: number of bones that turn if no solver
+    drives the bone; 0 takes the connected bones up to a branch. Raises Refused if the chain cannot be dragged.
+    """
     check_bone(rig, bone)
     check_local(rig)
     context.view_layer.update()
@@ -44,7 +49,11 @@ def grab(context, rig, bone, factor, chain_length=0):
 
 
 def free_chain(rig, bone, chain_length):
-    """Names of the bones, from the root, that follow a pulled one: so many, or as far up as they are connected."""
+    """Names of the bones, from the root, that turn if a bone is pulled that no solver drives.
+
+    chain_length: their number; 0 takes the connected bones up to a branch. There are fewer if Motus drives a parent, or if the root is
+    reached. Raises Refused if Motus drives the bone itself.
+    """
     taken = chains.driven_elsewhere(rig, "") if not rig.motus.bake.is_baked else {}
     if bone in taken:
         label, entry = taken[bone]
@@ -60,14 +69,14 @@ def free_chain(rig, bone, chain_length):
 
 
 def point_on(rig, depsgraph, bone, factor):
-    """World place at a share of an evaluated bone's length."""
+    """World position of a point on an evaluated bone. factor: 0 at the bone's head, 1 at its tail."""
     evaluated = rig.evaluated_get(depsgraph)
     posed = evaluated.pose.bones[bone]
     return evaluated.matrix_world @ posed.head.lerp(posed.tail, factor)
 
 
 class _PoseGrab:
-    """Turns the bones' own channels."""
+    """Pulls a point by turning the bones of a chain that no solver drives, by their own rotation channels."""
 
     def __init__(self, context, rig, bones, factor, entry=None):
         for name in bones:
@@ -81,18 +90,18 @@ class _PoseGrab:
         self._limits = _limits(rig, evaluated, entry, bones, depsgraph)
         arrays = rigs.read(evaluated)
         rows = [arrays.names.index(name) for name in bones]
-        # The chain ends at the point that is held.
+        # The chain ends at the point that is held, so its last bone is shortened.
         lengths = arrays.lengths.copy()
         lengths[rows[-1]] *= max(factor, SHORTEST)
         self._plan = native.module.IkPlan(rigs.parents(rig, list(arrays.names)), [rows], [rows[-1]], [])
         self._bones = self._plan.bones(self._plan.rest(arrays.rest, lengths, arrays.inheritance), arrays.basis)
-        # The array holds only until the next rig is read.
+        # The array that was read is valid only until the next rig is read.
         self._posed = reading.Posed(arrays.poses.copy(), arrays.world)
         self._settings = _settings(self._plan, entry, self._limits is not None)
         self._own = [evaluated.pose.bones[name].matrix_basis.to_quaternion() for name in bones]
 
     def pull(self, place):
-        """Turn the bones so that the point comes to a place in the world, as far as it can."""
+        """Turn the bones so that the held point comes as near as possible to a place in the world."""
         if place == self.point:
             self.restore()
             return
@@ -112,13 +121,13 @@ class _PoseGrab:
             setattr(thing, path, rotation_values(thing, own @ Quaternion(turn.tolist()), before))
 
     def restore(self):
-        """Put the bones' channels back."""
+        """Restore the rotation channels that the bones had when the point was taken hold of."""
         for one, path, before in zip(self.moved, self.paths, self._before):
             setattr(one.thing, path, before)
 
 
 class _ControlGrab:
-    """Moves a bone that is a target or a pole."""
+    """Pulls a point on a bone that is a target or a pole of a chain, by moving the bone as a whole."""
 
     def __init__(self, context, rig, bone, factor):
         self._context = context
@@ -134,7 +143,7 @@ class _ControlGrab:
         return self._context.view_layer.depsgraph
 
     def pull(self, place):
-        """Move the bone as far as its point goes."""
+        """Move the bone so that the held point comes to a place in the world."""
         if place == self.point:
             self.restore()
             return
@@ -142,12 +151,12 @@ class _ControlGrab:
         self._control.thing.location = controls.basis_for(self._control, self._depsgraph, matrix).translation
 
     def restore(self):
-        """Put the bone back."""
+        """Restore the location that the bone had when the point was taken hold of."""
         self._control.thing.location = self._before
 
 
 class _TargetGrab:
-    """Moves the target of the entry that solves the bone's chain."""
+    """Pulls a point on a bone that a solver drives, by moving the target of the bone's chain."""
 
     def __init__(self, context, rig, entry, bone, factor):
         self._context = context
@@ -163,10 +172,10 @@ class _TargetGrab:
         self._solver, self._chain = _solver(rig, entry, self._depsgraph)
         self._place = self._chain.bones.index(bone)
         self._along = Vector((0.0, rig.data.bones[bone].length * factor, 0.0))
-        # Of the rest pose: what makes a step or a residual small.
+        # Length of the chain at rest, by which steps and distances of the search are measured.
         self._length = sum(rig.data.bones[name].length for name in self._chain.bones) * rig.matrix_world.median_scale
         self._start = self._solver.targets[self._chain.index, 12:15].copy()
-        # What Blender evaluates and what is computed here differ by single precision.
+        # Blender evaluates in single precision, so its result is slightly different from the result computed here.
         self._bias = np.array(self.point) - self._reached(self._start)
         self._tip = self._solver.solve()[self._chain.index][TIP]
 
@@ -175,7 +184,7 @@ class _TargetGrab:
         return self._context.view_layer.depsgraph
 
     def pull(self, place):
-        """Move the target so that the point comes to a place in the world, as far as it can."""
+        """Move the target so that the held point comes as near as possible to a place in the world."""
         if place == self.point:
             self.restore()
             return
@@ -188,7 +197,7 @@ class _TargetGrab:
         self._control.thing.location = location
 
     def restore(self):
-        """Put the target back."""
+        """Restore the location that the target had when the point was taken hold of."""
         self._control.thing.location = self._before
 
     def _reached(self, target):
@@ -197,9 +206,10 @@ class _TargetGrab:
         return np.array(self._solver.poses(self._chain)[self._place] @ self._along)
 
     def _seek(self, wanted):
-        """The target for which the point is nearest to a place: sought from the drag's displacement of the target.
+        """World position of the target for which the held point is nearest to a wanted place.
 
-        Where that does not come there, as of a target far out of reach, also from the same displacement of the tip.
+        The search starts from the target, moved as far as the point is dragged. If the point does not come to the place, for example
+        because the target is far out of reach, a second search starts from the chain's tip, moved as far.
         """
         moved = wanted + self._bias - np.array(self.point)
         error, target = self._seek_from(self._start + moved, wanted)
@@ -208,7 +218,7 @@ class _TargetGrab:
         return target
 
     def _seek_from(self, target, wanted):
-        """(What is left, target), by damped least squares."""
+        """(distance left, target) of a search by damped least squares that starts at a target; both targets are world positions."""
         error = self._reached(target) - wanted
         damping = 1e-3
         for _ in range(ROUNDS):
@@ -248,15 +258,15 @@ def _settings(plan, entry, has_limits):
 
 
 def _limits(rig, evaluated, entry, bones, depsgraph):
-    """(bones, 6) limits of the bones, where their entry keeps them; else None."""
+    """Joint limits of bones as IkPlan.solve() reads them, (bones, 6) in radians; None if the bones' entry keeps no limits."""
     if entry is None or not entry.use_limits:
         return None
     for group in groups.groups(rig):
         rows = forward.chain_rows(group).get(entry.name)
         if rows:
             limits = reading.gather(evaluated, group.data[groups.PLAN], depsgraph).limits
-            free = np.array([[-np.inf] * 3 + [np.inf] * 3])  # of an effector that is none of the chain's bones
-            row_of = dict(zip(rows.bones, rows.rows))  # of the longest chain, where the length is keyed
+            free = np.array([[-np.inf] * 3 + [np.inf] * 3])  # for an effector that is not one of the chain's bones
+            row_of = dict(zip(rows.bones, rows.rows))  # of the longest chain, if the length is keyed
             known = [limits[row : row + 1] if row < len(limits) else free for row in map(row_of.get, bones)]
             return np.ascontiguousarray(np.concatenate(known))
     return None

@@ -1,4 +1,4 @@
-"""The operator that drags a chain by any of its points."""
+"""Operator that drags a chain by a point on any of its bones."""
 
 import bpy
 from mathutils import Vector
@@ -14,7 +14,7 @@ from ..operators import OfARig
 from . import grab, picking
 
 REACHED = 1e-4
-"""Share of the bone's length within which the point counts as brought there."""
+"""Distance, as a share of the bone's length, at which the dragged point counts as brought to its place."""
 
 
 class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
@@ -100,7 +100,7 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
         self._held.pull(Vector(place))
 
     def _click(self, _context):
-        # As with Blender's own tools; a press and its release are the drag's, so that the bone is selected here.
+        # A click selects the bone, as in Blender's own tools. The drag has taken the mouse events, so the bone is selected here.
         region = self._travel.view.region
         place = [round(self._pressed[0] - region.x), round(self._pressed[1] - region.y)]
         return bpy.ops.view3d.select('EXEC_REGION_WIN', deselect_all=True, location=place)

@@ -1,4 +1,4 @@
-"""Which bone lies under the mouse, and where along it."""
+"""Find the bone under the mouse, and the place along the bone."""
 
 from typing import NamedTuple
 
@@ -8,11 +8,14 @@ from mathutils import Vector
 from . import grab
 
 NEAR = 20.0
-"""Pixels, at the interface's normal size."""
+"""Distance from the mouse within which a bone is picked, in pixels at a resolution scale of 1."""
 
 
 class Picked(NamedTuple):
-    """factor: place along the bone, 0 to 1. place: the same in the window's region, pixels."""
+    """Point on a bone that lies under the mouse.
+
+    bone: its name. factor: place along the bone, 0 at its head, 1 at its tail. place: the point in the window's region, pixels.
+    """
 
     bone: str
     factor: float
@@ -20,7 +23,7 @@ class Picked(NamedTuple):
 
 
 def pick(context, rig, region, view, mouse):
-    """The shown bone that is nearest to the mouse, a place in the region; None where none is near."""
+    """Picked point on the shown bone that is nearest to the mouse; None if no bone is near. mouse: pixels in the region."""
     matrix = view.perspective_matrix
     depsgraph = context.view_layer.depsgraph
     found, least = None, NEAR * context.preferences.system.ui_scale
@@ -38,21 +41,21 @@ def pick(context, rig, region, view, mouse):
         place = head + share * along
         if (mouse - place).length < least:
             least = (mouse - place).length
-            # A share of the picture of a line is not that of the line where it recedes.
+            # In perspective, a share of the drawn length of a bone is not the share of its real length.
             nearer = share / depths[1]
             found = Picked(bone.name, nearer / (nearer + (1.0 - share) / depths[0]), place)
     return found
 
 
 def shown_bones(context, rig):
-    """The rig's bones that are drawn."""
+    """List of the rig's pose bones that the viewport draws."""
     if context.mode == 'POSE':
         return [bone for bone in context.visible_pose_bones or () if bone.id_data == rig]
     return [bone for bone in rig.pose.bones if not _is_hidden(rig.data, bone)]
 
 
 def _is_hidden(armature, bone):
-    # The switch is the pose bone's own since Blender 5.
+    # Since Blender 5, `hide` is a property of the pose bone.
     if bone.hide if hasattr(bone, "hide") else bone.bone.hide:
         return True
     if not hasattr(armature, "collections"):

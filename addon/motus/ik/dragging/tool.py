@@ -1,4 +1,4 @@
-"""Drag Chain in the toolbar of Pose Mode: one drag after another."""
+"""Tool *Drag Chain* in the toolbar of Pose Mode, with which chains are dragged one after the other."""
 
 from pathlib import Path
 
@@ -10,7 +10,7 @@ from .operators import MOTUS_OT_ik_drag
 PRESS = {"type": 'LEFTMOUSE', "value": 'PRESS'}
 KEYMAP = (
     ("view3d.select", {**PRESS, "shift": True}, {"properties": [("toggle", True)]}),
-    # Beside the bones, where the drag passes the press on: Blender asks the keys of add-ons from the last to the first.
+    # For a press beside all bones, which the drag passes on. Blender tries the key-map items of add-ons from the last to the first.
     ("view3d.select", PRESS, {"properties": [("deselect_all", True)]}),
     (MOTUS_OT_ik_drag.bl_idname, PRESS, None),
 )
@@ -44,10 +44,10 @@ TOOLS = (DragChainTool,)
 
 
 def register():
-    """Put the tool into the toolbar."""
+    """Add the Drag Chain tool to the toolbar, with its key map."""
     toolbar.register(TOOLS, KEYMAP)
 
 
 def unregister():
-    """Unregister the Drag Chain tool."""
+    """Remove the Drag Chain tool from the toolbar, with its key map."""
     toolbar.unregister(TOOLS)

@@ -1,1 +1,1 @@
-"""What chains reach for: targets and poles, where they are, and where new ones are placed."""
+"""Targets and poles of chains: read where they are, move them, make new ones, and remove them."""

@@ -1,4 +1,7 @@
-"""Control bones: bones without parent that deform nothing, made in the rig itself for its chains to go to or bend towards."""
+"""Make and delete control bones: bones of the rig itself that are targets and poles of its chains.
+
+A control bone has no parent, and deforms nothing.
+"""
 
 import math
 from contextlib import contextmanager
@@ -13,11 +16,11 @@ from . import placing
 from .placing import CONTROL_KEY
 
 SHARE = 0.2
-"""Of the chain's length: so long is a control bone."""
+"""Length of a control bone, as a share of the chain's length."""
 
 
 def check(context, rig):
-    """Refuse a rig to which no bones can be added."""
+    """Refuse a rig to which no bones can be added, because its armature is linked, or it is not evaluated."""
     if rig.data.library or rig.data.override_library:
         raise Refused(
             tr("The armature of {object} is linked from another file and can be given no bones: choose an object").format(object=rig.name)
@@ -26,7 +29,10 @@ def check(context, rig):
 
 
 def new_target(context, rig, chain, matrix=None):
-    """A bone at the end of the chain, or where a world matrix says; gives its name. At rest it is at the end of the chain at rest."""
+    """Add a control bone as the target of a chain. Returns the bone's name.
+
+    At rest, the bone is at the end of the chain at rest. Its pose is the end of the posed chain, or a given world matrix.
+    """
     bones = rig.data.bones
     rest = bones[chain.effector].matrix_local.to_quaternion().to_matrix().to_4x4()
     rest.translation = placing.rest_joints(rig, chain)[-1]
@@ -38,19 +44,19 @@ def new_target(context, rig, chain, matrix=None):
 
 
 def new_pole(context, rig, chain, place):
-    """An upright bone at a place in the world, where it is at rest too; gives its name."""
+    """Add an upright control bone as the pole of a chain, posed and at rest at a world position. Returns the bone's name."""
     matrix = Matrix.Translation(place) @ Matrix.Rotation(math.pi / 2.0, 4, 'X')
     return _add(context, rig, tr("Pole {bone}").format(bone=chain.effector), None, matrix, chain)
 
 
 def is_made(rig, bone):
-    """Whether a bone was made here."""
+    """Whether the bone of a name is a control bone that Motus has made; False for "", or if the rig is no armature object."""
     found = rig.data.bones.get(bone) if rig.type == 'ARMATURE' and bone else None
     return found is not None and CONTROL_KEY in found
 
 
 def remove(context, rig, names):
-    """Delete bones, with their keys and drivers."""
+    """Delete the bones of these names from a rig, with their keys and drivers."""
     with _edited(context, rig) as bones:
         for name in names:
             bones.remove(bones[name])
@@ -63,7 +69,11 @@ def _evaluated(context, rig):
 
 
 def _add(context, rig, name, rest, matrix, chain):
-    """rest: in the armature; None: the bone is there at rest already. matrix: in the world, without scale."""
+    """Add a control bone to the rig. Returns its name, which Blender may have made unique.
+
+    name: wanted name. rest: Matrix at rest in the armature's space; None takes the posed Matrix. matrix: posed world Matrix
+    without scale.
+    """
     world = _evaluated(context, rig).matrix_world
     local = world.inverted_safe() @ matrix
     posed = Matrix.LocRotScale(local.translation, local.to_quaternion(), None)
@@ -77,14 +87,14 @@ def _add(context, rig, name, rest, matrix, chain):
         name = bone.name
     rig.data.bones[name][CONTROL_KEY] = True
     rig.pose.bones[name].matrix_basis = rest.inverted() @ posed
-    rig.pose.bones[name].scale = (1.0, 1.0, 1.0)  # to the last bit
+    rig.pose.bones[name].scale = (1.0, 1.0, 1.0)  # exactly, without the rounding of matrix_basis
     context.view_layer.update()
     return name
 
 
 @contextmanager
 def _edited(context, rig):
-    """The rig's edit bones; mode and active object are afterwards as they were."""
+    """Context manager that gives the rig's edit bones in Edit Mode, and restores the mode and the active object at its end."""
     objects = context.view_layer.objects
     active = objects.active
     mode = active.mode if active else 'OBJECT'

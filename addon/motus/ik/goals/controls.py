@@ -1,4 +1,7 @@
-"""Targets and poles as things that can be moved: an object, or a bone of one."""
+"""Move targets and poles of chains. A Control is a target or pole: an object, or the bone of an object.
+
+An entry's setting Blend passes a chain from its target (Blend 0) to its further targets (1, 2, ...).
+"""
 
 import math
 
@@ -16,7 +19,7 @@ from .orientation import frame_of
 
 
 class Control(Named):
-    """Its thing has the channels."""
+    """Target or pole of a chain: an object, or its bone by name. `thing` is the Object or PoseBone that has the channels."""
 
     __slots__ = ()
 
@@ -26,7 +29,7 @@ class Control(Named):
 
 
 def _control(obj, bone):
-    """The Control for an object and the name of its bone, which may be gone; the name has no effect if the object has no bones."""
+    """Control for an object and the name of its bone. The bone may be missing. If the object has no bones, the name has no effect."""
     return Control(obj, bone if obj.pose else "")
 
 
@@ -35,7 +38,10 @@ def _has_lost(control):
 
 
 def goal_at(entry, blend):
-    """(object or None, bone) that the chain goes to at a value of Blend; None between two of them."""
+    """(object or None, bone name) of the target at which a chain is at a value of its setting Blend.
+
+    None if the value is between two targets, or not finite. The object is None if no target is chosen there.
+    """
     if not math.isfinite(blend):
         return None
     whole = round(blend)
@@ -49,7 +55,11 @@ def goal_at(entry, blend):
 
 
 def station(entry, blend):
-    """The station as a Control, which may be gone: check_movable() says so."""
+    """Control of the target at which a chain is at a value of its setting Blend; None if the value is between two targets.
+
+    Raises Refused if no target is chosen there. The target may be missing: check_present() refuses a deleted object,
+    check_movable() a missing bone.
+    """
     goal = goal_at(entry, blend)
     if goal is None:
         return None
@@ -59,7 +69,10 @@ def station(entry, blend):
 
 
 def pole(entry):
-    """The pole's Control; None where there is no pole, or where it is gone, so that the chain bends as without one."""
+    """Control of an entry's pole; None if there is no pole.
+
+    None also if the pole was deleted, or lacks its bone: the chain then bends as without a pole.
+    """
     pole = pointed(entry, "pole")
     if pole is None or deleted.is_deleted(pole):
         return None
@@ -68,15 +81,16 @@ def pole(entry):
 
 
 def check_present(control):
-    """Refuse a target that stands in no collection any more."""
+    """Refuse a control whose object was deleted, so that it is in no collection any more."""
     if deleted.is_deleted(control.object):
         raise Refused(tr("{target} is in no collection any more: choose another target").format(target=control.object.name))
 
 
 def check_movable(control, channels):
-    """Refuse a control that is gone, or whose own channels do not say where it stands.
+    """Refuse a control whose bone is missing, or whose channels cannot be set or do not alone determine its place.
 
-    channels: "location", "rotation".
+    The latter is so if it is linked, has an active constraint or a driver, or is a bone connected to its parent. channels: those
+    that will be set, of "location", "rotation".
     """
     if _has_lost(control):
         raise Refused(tr("{object} has no bone {bone}").format(object=control.object.name, bone=control.bone))
@@ -97,7 +111,7 @@ def check_movable(control, channels):
 
 
 def check_undriven(thing, channels, label):
-    """Refuse an Object or PoseBone with a driver on one of the channels."""
+    """Refuse an Object or PoseBone that has a driver on one of the channels. label: name of the thing in the message."""
     animation = thing.id_data.animation_data
     paths = {thing.path_from_id(name) for name in channel_names(thing, channels)}
     if animation and any(curve.data_path in paths and not curve.mute for curve in animation.drivers):
@@ -105,21 +119,21 @@ def check_undriven(thing, channels, label):
 
 
 def channel_names(thing, channels):
-    """Names of the properties that hold these channels."""
+    """Names of the properties of an Object or PoseBone that hold the channels "location", "rotation" or "scale"."""
     names = {"location": "location", "rotation": rotation_path(thing), "scale": "scale"}
     return [names[channel] for channel in channels]
 
 
 def world_matrix(control, depsgraph):
-    """Evaluated world matrix of a control."""
+    """Evaluated world matrix of a control, as a copy."""
     return goal_places.world_matrix(control.object.evaluated_get(depsgraph), control.bone).copy()
 
 
 def basis_for(control, depsgraph, matrix, offset=None):
-    """Rotation and place relative to what the parents do, by which the control has those of a world matrix.
+    """Matrix of the location and rotation channels by which a control gets the place and orientation of a world matrix.
 
-    matrix: rigid. offset: Matrix of a turn in the control's own space after which it has that orientation. The control
-    keeps its own scale.
+    The result is relative to the control's parents and has no scale: the control keeps its own scale. matrix: rigid world Matrix.
+    offset: 3 x 3 Matrix of a turn in the control's own space, after which the control has the orientation; None for no turn.
     """
     local, scale = _in_parents(control, control.object.evaluated_get(depsgraph), matrix)
     own = Matrix.Diagonal(scale) @ (offset or Matrix.Identity(3))
@@ -127,7 +141,7 @@ def basis_for(control, depsgraph, matrix, offset=None):
 
 
 def _in_parents(control, evaluated, matrix):
-    """A world matrix as the control's parents see it, and the control's own scale."""
+    """(world matrix in the space of the control's parents, the control's own scale)."""
     if not control.bone:
         parents = evaluated.matrix_world @ evaluated.matrix_basis.inverted_safe()
         return parents.inverted_safe() @ matrix, evaluated.scale * evaluated.delta_scale
@@ -138,5 +152,5 @@ def _in_parents(control, evaluated, matrix):
 
 
 def animated_with(rig, entries):
-    """The rig and all that its entries go to or bend towards: objects whose frames matter to each other."""
+    """Dictionary whose keys are the rig and the objects of the entries' targets and poles: the animation of all these acts together."""
     return dict.fromkeys([rig, *(goal for entry in entries for goal, _ in goals(entry))])

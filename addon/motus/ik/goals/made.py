@@ -1,4 +1,7 @@
-"""Targets and poles that were made along with chains: which there are, and deleting those that nothing needs any more."""
+"""Find the targets and poles that Motus has made along with chains, and delete those that nothing needs any more.
+
+A control is a target or pole: (object, bone), with "" for the object itself.
+"""
 
 import itertools
 
@@ -13,7 +16,10 @@ from .placing import CONTROL_KEY
 
 
 def of_entries(rig, indices):
-    """(object, bone or "") of what was made for these entries of a rig, each once, and is no target or pole of another entry."""
+    """(object, bone or "") of the targets and poles that Motus has made for the entries at these indices of a rig, each once.
+
+    Targets and poles that a different entry of any rig uses are left out.
+    """
     entries = [rig.motus.ik.entries[index] for index in indices]
     pairs = dict.fromkeys(pair for entry in entries for pair in goals(entry) if _is_made(rig, *pair))
     others = {
@@ -27,12 +33,15 @@ def of_entries(rig, indices):
 
 
 def label(obj, bone):
-    """Name of a control as it is shown."""
+    """Name of a control for the user: "object", or "object: bone"."""
     return f"{obj.name}: {bone}" if bone else obj.name
 
 
 def remove_unneeded(context, rig, controls):
-    """Delete controls that no entry uses any more, unless something else needs them. Returns the labels of the controls that stay."""
+    """Delete controls that no entry uses any more, unless something else needs them.
+
+    controls: list of (object, bone or ""). Returns the labels of the controls that stay.
+    """
     in_use = [(obj, bone) for obj, bone in controls if (_is_bone_needed(obj, bone) if bone else needed.is_needed(obj))]
     kept = [label(*pair) for pair in in_use]
     bones = [bone for obj, bone in controls if bone and (obj, bone) not in in_use]
@@ -50,14 +59,14 @@ def _is_made(rig, obj, bone):
 
 
 def _rigs():
-    # To ask an object for its settings gives it some.
+    # Reading the property `motus` of an object that has no settings yet would create them.
     return [found for found in bpy.data.objects if found.type == 'ARMATURE' and found.is_property_set("motus")]
 
 
 def _is_bone_needed(rig, bone):
-    """Whether another bone, object, constraint, driver or entry of a system hangs on a bone of the rig.
+    """Whether a child bone, a child object, a constraint, a driver or an entry of a Motus system uses a bone of the rig.
 
-    Objects that share the armature lose the bone too.
+    All objects with the rig's armature are looked at, since they would lose the bone, too.
     """
     if rig.data.bones[bone].children:
         return True
@@ -85,7 +94,7 @@ def _is_bone_needed(rig, bone):
 
 
 def _constraint_targets(constraint):
-    """(object, bone) of all that a constraint names."""
+    """(object or None, bone name) of each target of a constraint, and of its pole target."""
     listed = constraint.targets if constraint.type == 'ARMATURE' else [constraint]
     found = [(getattr(one, "target", None), getattr(one, "subtarget", "")) for one in listed]
     return found + [(getattr(constraint, "pole_target", None), getattr(constraint, "pole_subtarget", ""))]

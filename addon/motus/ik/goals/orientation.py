@@ -1,14 +1,15 @@
-"""Orientations as the solver reads them from matrices, which may be scaled, sheared and mirrored."""
+"""Orientation of a matrix, which may be scaled, sheared or mirrored, by the rule of the native solver."""
 
 from mathutils import Matrix, Quaternion
 
-ACROSS = 1e-5  # of its length: a Z axis that has less across Y shows no side
+ACROSS = 1e-5  # share of its length: a Z axis with a smaller part perpendicular to Y does not show a side
 
 
 def frame_of(matrix):
-    """Right-handed orientation of a matrix: Y along its second axis, Z on the side of its third axis. The library's turns.hpp has the same rule.
+    """Right-handed orientation of a matrix, a Quaternion: Y along the matrix's second axis, Z on the side of its third axis.
 
-    For any linear map M, frame_of(M @ matrix) is the frame that the map makes of frame_of(matrix).
+    The native library (turns.hpp) has this rule, too. For any linear map M, frame_of(M @ matrix) depends only on M and on
+    frame_of(matrix).
     """
     x, y, z = (axis.normalized() for axis in matrix.to_3x3().transposed())
     if y.length == 0.0:

@@ -1,6 +1,7 @@
-"""Where targets and poles of a group's entries are: world matrices and places, read from the evaluated scene.
+"""Read the world matrices of the targets, and the world positions of the poles, of a group's C chains from the evaluated scene.
 
-Bones of the rig itself are taken from the arrays that are there already, other objects are read by one call.
+Bones of the rig itself are taken from arrays of bones that are read anyway; all different objects are read by one call. World matrices
+(C, 16) are stored column by column. The setting Blend passes a chain from its target (0) to its further targets (1, 2, ...).
 """
 
 import math
@@ -16,10 +17,10 @@ from . import stations
 
 
 class Others:
-    """Targets or poles of chains that are not bones of the rig itself: other objects and bones of other rigs, read together."""
+    """Targets or poles of chains that are not bones of the rig itself, but different objects or bones of different rigs; read together."""
 
     def __init__(self, goals, objects):
-        """goals: as wired. objects: evaluated, one for each of the goals' other rows, or None."""
+        """Note the objects to read. goals: Wired.targets or Wired.poles. objects: evaluated object or None for each of goals.other_rows."""
         pairs = [(row, one) for row, one in zip(goals.other_rows, objects) if one is not None]
         self.missing = [row for row, one in zip(goals.other_rows, objects) if one is None]
         self.rows, self.objects = [row for row, _ in pairs], [one for _, one in pairs]
@@ -27,7 +28,10 @@ class Others:
         self._bones = [(row, one, goals.other_bones[row]) for row, one in pairs if row in goals.other_bones]
 
     def take(self, found, depsgraph, gone, lost):
-        """Fill in world matrices (C, 16). gone(row): called for objects that were deleted; lost(row): for bones that are not there."""
+        """Write the world matrices of these targets or poles into `found`, (C, 16).
+
+        gone(row) is called for each chain whose object was deleted, lost(row) for each chain whose object lacks the bone.
+        """
         if not self.rows:
             return
         matrices = self._standing.matrices(depsgraph)
@@ -58,17 +62,17 @@ def read_targets(wired, others, posed, depsgraph, off):
 
 
 def _take_own(found, goals, posed):
-    """Fill in world matrices of bones of the rig itself."""
+    """Write the world matrices of those targets that are bones of the rig itself into `found`, (C, 16)."""
     rows, bones = goals.own
-    # Column by column, a matrix reads as its transpose.
+    # Stored column by column, matrices appear transposed here, so their product has the opposite order.
     matrices = posed.poses[bones].reshape(-1, 4, 4) @ posed.world.reshape(4, 4)
     found[rows] = matrices.reshape(-1, 16)
 
 
 def world_matrix(target, bone=""):
-    """World matrix of an evaluated object or its bone; None where it has no such bone.
+    """World matrix of an evaluated object, or of its bone if a bone is named; None if the object lacks the bone.
 
-    Of an object without bones the name counts for nothing: it is left from an earlier target, and no panel shows it.
+    If the object has no bones at all, the name has no effect: it is left from an earlier target, and no panel shows it.
     """
     if not bone or target.pose is None:
         return target.matrix_world
@@ -77,11 +81,11 @@ def world_matrix(target, bone=""):
 
 
 def blend(found, entries, further, off):
-    """Replace the target of each entry whose Blend is between two stations by the mixture of both.
+    """Replace the target of each entry whose Blend is above 0 by the further target to which Blend passes, or by a mixture of two.
 
-    One that is missing counts as the one before it.
-
-    An entry whose own target is missing is off until its blend has left that. Returns whether another one is missing.
+    A missing target counts as the target before it. An entry whose first target is missing is switched off until its Blend has left
+    that target. found: world matrices (C, 16) of the targets, changed in place. further: the entries' stations.Further. off:
+    {row: reason} of entries that are switched off, changed in place. Returns whether a Blend needs a further target that is missing.
     """
     is_astray = False
     for row, are_there in further.there().items():
@@ -102,21 +106,28 @@ def blend(found, entries, further, off):
 
 
 def mixed(value, places):
-    """(matrix at a Blend's value between stations, or None if a station is missing; numbers of the stations that it needs)."""
+    """Mix the targets of a chain by its setting Blend: (world matrix, numbers of the targets that are needed).
+
+    value: of Blend; 0 is the target, 1, 2, ... are the further targets. The matrix is None if a needed target and all targets
+    before it are missing. places: world matrices of the target and the further targets, None for a missing one.
+    """
     numbers, share = stations.needed(value, places)
     ends = [stations.nearest(number, places) for number in numbers]
     return None if None in ends else _between(ends[0], ends[-1], share), numbers
 
 
 def _further_places(entry, are_there):
-    """World matrices of an entry's further targets, None for those that are missing, or whose bone is."""
+    """World matrices of an entry's further targets; None for each that is missing or lacks its bone. are_there: whether each exists."""
     return [
         world_matrix(pointed(extra, "object"), extra.bone) if is_there else None for extra, is_there in zip(entry.extra_targets, are_there)
     ]
 
 
 def _between(start, end, share):
-    """Matrix between two: place by a straight line, orientation by the shorter way; without their scales."""
+    """Matrix at a share, 0 to 1, of the way from one matrix to a second one, without their scales.
+
+    The place moves along a straight line; the orientation turns by the shorter way.
+    """
     turned = start.to_quaternion().slerp(end.to_quaternion(), share)
     matrix = turned.to_matrix().to_4x4()
     matrix.translation = start.translation.lerp(end.translation, share)
@@ -124,7 +135,10 @@ def _between(start, end, share):
 
 
 def turn(targets, offsets, weights):
-    """Apply rotation offsets in the targets' own space, where an orientation is taken."""
+    """Apply the chains' rotation offsets to their targets, each in the target's own space, if the chain's rotation weight is not 0.
+
+    targets: world matrices (C, 16), changed in place. offsets: Euler angles (C, 3), radians. weights: rotation weights (C,).
+    """
     for row in np.flatnonzero(weights * np.abs(offsets).sum(axis=1)):
         turn = np.array(Euler(offsets[row].tolist()).to_matrix())
         axes = targets[row].reshape(4, 4)[:3]
@@ -132,7 +146,7 @@ def turn(targets, offsets, weights):
 
 
 def read_poles(wired, others, posed, depsgraph):
-    """(C, 3) places in the world; NaN where there is no pole."""
+    """World positions (C, 3) of the poles of all C chains of a group; NaN for a chain that has no pole, or whose pole is missing."""
     goals = wired.poles
     if not goals.are_any:
         return wired.no_poles

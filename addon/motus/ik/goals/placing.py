@@ -1,4 +1,4 @@
-"""Where a chain's target and pole have to stand so that the pose stays as it is, and about which axis it bends."""
+"""Find where a chain's target and pole have to be so that the chain's pose stays as it is, and the axis about which the chain bends."""
 
 import itertools
 import math
@@ -12,44 +12,44 @@ from . import places as goal_places
 from .orientation import frame_of
 
 CONTROL_KEY = "motus_ik_control"
-"""Custom property of the empties that are made along with an entry."""
+"""Custom property that marks the empties and control bones that Motus has made as targets and poles."""
 
-BENT = 1e-4  # rad: of less, rounding of the bones' places leaves no plane
-ROUNDS = 20  # of turning a pole back
-STILL = 1e-7  # half an angle, rad
-ALIGNED = 1e-6  # rad: what rounding leaves between orientations that are the same
-TARGET_SIZE, POLE_SIZE = 0.08, 0.05  # of the chain's length
-DEFAULT_LENGTH = 1.0  # m, of a chain without length
+BENT = 1e-4  # rad: joints that bend by less do not show a plane, since the bones' positions are rounded
+ROUNDS = 20  # most corrections of a new pole
+STILL = 1e-7  # sine of half the error angle at which the corrections of a pole end
+ALIGNED = 1e-6  # rad: orientations that differ by less count as equal; the difference is rounding
+TARGET_SIZE, POLE_SIZE = 0.08, 0.05  # display sizes of new empties, in lengths of the chain
+DEFAULT_LENGTH = 1.0  # m, used for a chain without length
 
 
 def rest_joints(rig, chain):
-    """Places of the chain's joints at rest, from the root to the tip, in armature space."""
+    """Positions of a chain's joints at rest, from the root to the tip, in armature space."""
     bones = rig.data.bones
     last = bones[chain.effector]
     return [bones[name].head_local.copy() for name in chain.bones] + [(last.tail_local if chain.use_tail else last.head_local).copy()]
 
 
 def posed_joints(rig, chain):
-    """Places of the chain's joints as the evaluated rig is posed, from the root to the tip, in world space."""
+    """Positions of a chain's joints in the pose of the evaluated rig, from the root to the tip, in world space."""
     return [rig.matrix_world @ place for place in _joints_in_rig(rig, chain)]
 
 
 def _joints_in_rig(rig, chain):
-    """Places of the chain's joints as the evaluated rig is posed, from the root to the tip, in armature space."""
+    """Positions of a chain's joints in the pose of the evaluated rig, from the root to the tip, in armature space."""
     bones = rig.pose.bones
     last = bones[chain.effector]
     return [bones[name].head for name in chain.bones] + [last.tail if chain.use_tail else last.head]
 
 
 def length(joints):
-    """Length of a chain of joints."""
+    """Length of a chain from the positions of its joints: the sum of the distances from each joint to the next."""
     return sum((end - start).length for start, end in itertools.pairwise(joints))
 
 
 def bend_normal(joints, least=BENT):
-    """Unit normal of the plane that the joints bend in (normal x (tip - root) points to the bend's side).
+    """Unit normal of the plane in which a chain's joints bend; None if they bend by less than `least`, in radians.
 
-    None where they bend by less than `least`, rad.
+    The vector normal x (tip - root) points to the side to which the chain bends. joints: positions from the root to the tip.
     """
     links = [end - start for start, end in itertools.pairwise(joints)]
     angles = [start.angle(end, 0.0) for start, end in itertools.pairwise(links)]
@@ -61,7 +61,11 @@ def bend_normal(joints, least=BENT):
 
 
 def hinge_angle(rig, evaluated, chain, pole=None):
-    """Bend Axis of a new entry: the joint's own at rest, else as posed; else such that the pole (a place) turns nothing; else 0."""
+    """Bend Axis of a new entry: angle in radians about the first bone's Y axis.
+
+    It is the axis about which the chain bends at rest. If the chain is straight at rest, it is the axis of the bend in the pose. If
+    it is straight in the pose, too, it is the axis for which a pole at the world position `pole` turns nothing; 0 without a pole.
+    """
     normal = bend_normal(rest_joints(rig, chain))
     if normal:
         return _about(rig.data.bones[chain.bones[0]].matrix_local, normal)
@@ -77,43 +81,52 @@ def hinge_angle(rig, evaluated, chain, pole=None):
 
 
 def _about(matrix, normal):
-    """Angle about a bone's Y from its X axis to the normal of a bend; in a mirrored matrix to its opposite, which bends the same way."""
+    """Angle in radians about a bone's Y axis from its X axis to the normal of a bend. matrix: the bone's, in the space of the normal.
+
+    In a mirrored matrix, it is the angle to the opposite of the normal, which there bends the chain to the side that is wanted.
+    """
     local = matrix.to_3x3().inverted_safe() @ normal
     side = math.copysign(1.0, matrix.determinant())
     return math.atan2(-side * local.z, side * local.x)
 
 
 def hinge_normal(evaluated, chain, angle):
-    """World direction of the first bone's Bend Axis."""
+    """World direction of a chain's Bend Axis, a unit vector. angle: the setting, radians about the first bone's Y axis."""
     local = Vector((math.cos(angle), 0.0, -math.sin(angle)))
     return ((evaluated.matrix_world @ evaluated.pose.bones[chain.bones[0]].matrix).to_3x3() @ local).normalized()
 
 
 def effector_orientation(evaluated, chain):
-    """World orientation of the bone that the entry is named after."""
+    """World orientation, a Quaternion, of the bone that the chain's entry is named after."""
     return frame_of(evaluated.matrix_world @ evaluated.pose.bones[chain.effector].matrix)
 
 
 def goal_matrix(context, target, bone):
-    """World matrix of a target or pole as it is evaluated."""
+    """Evaluated world matrix of a target or pole; None if the object lacks the bone. bone: "" for the object itself."""
     return goal_places.world_matrix(target.evaluated_get(context.view_layer.depsgraph), bone)
 
 
 def rotation_offset(context, evaluated, chain, target, bone):
-    """The turn, in the target's own space, that makes its orientation that of the chain's last bone now."""
+    """Rotation offset, an Euler, with which a chain keeps the present orientation of its last bone for a target.
+
+    It is a turn in the target's own space, after which the target is oriented as the bone is now.
+    """
     space = goal_matrix(context, target, bone).to_3x3()
     turn = frame_of(space.inverted_safe() @ effector_orientation(evaluated, chain).to_matrix())
     return turn.to_euler('XYZ') if turn.angle > ALIGNED else Euler()
 
 
 def pole_place(rig, entry, depsgraph, turned):
-    """The place of a pole that leaves a chain posed as it is without a pole. turned: the Pole Angle that the chain has, rad."""
+    """World position of a pole that leaves a chain posed as it is without a pole. The chain's root if the rig is scaled to nothing.
+
+    turned: Pole Angle, in radians, by which the present pose is turned.
+    """
     evaluated = rig.evaluated_get(depsgraph)
     chain = chains.find(rig, entry)
     root = evaluated.matrix_world @ evaluated.pose.bones[chain.bones[0]].head
     found = forward.solver_of(rig, entry.name, depsgraph)
     pole = _pole_of_solution(*found, entry, root, turned) if found else root  # type: ignore[call-arg]
-    return Vector(pole) if all(map(math.isfinite, pole)) else root  # of a rig that is scaled to nothing
+    return Vector(pole) if all(map(math.isfinite, pole)) else root  # not finite: the rig is scaled to nothing
 
 
 def _pole_of_solution(solver, rows, entry, root, turned):
@@ -122,7 +135,7 @@ def _pole_of_solution(solver, rows, entry, root, turned):
             solver.settings[rows.index, solver.columns[name]] = value
 
     put(is_on=1.0, position_weight=1.0, pole_angle=entry.pole_angle - turned)
-    put(bend=-1.0 if entry.bend == 'AWAY' else 1.0)  # read only of chains that have a pole
+    put(bend=-1.0 if entry.bend == 'AWAY' else 1.0)  # the solver reads this setting only for chains that have a pole
     pole = Vector(solver.match()[1][rows.index].tolist())
     put(pole_angle=turned)
     wanted = _frame_of_first(solver, rows, (math.nan,) * 3)
@@ -133,8 +146,9 @@ def _pole_of_solution(solver, rows, entry, root, turned):
 def _poles_from(pole, solver, rows, root, wanted):
     """Yield (error, pole) of rounds that improve a pole until the first bone has the wanted orientation.
 
-    error: sine of half the angle by which the first bone is off. pole: the place in world space, turned about the root against
-    the error of the round before. The first pole is exact only for a target at the tip of the animated pose, without limits.
+    error: sine of half the angle by which the first bone misses that orientation. pole: world position; each round turns it about
+    the root, by the opposite of the error of the round before. The first pole is exact only if the target is at the tip of the
+    animated pose and no joint limits are kept.
     """
     for _ in range(ROUNDS):
         turn = _frame_of_first(solver, rows, pole) @ wanted.inverted()
@@ -146,14 +160,14 @@ def _poles_from(pole, solver, rows, root, wanted):
 
 
 def _frame_of_first(solver, rows, pole):
-    """World orientation of the chain's first bone in the solution with a pole."""
+    """World orientation, a Quaternion, of a chain's first bone in the solution with a pole at a world position; NaN for no pole."""
     solver.poles[rows.index] = pole
     solver.solve()
     return frame_of(solver.poses(rows)[int(solver.settings[rows.index, solver.columns["left_out"]])])
 
 
 def new_target(context, evaluated, chain):
-    """An empty on the chain's tip, turned as its last bone is."""
+    """Make an empty at a chain's tip as its target, with the orientation of the entry's bone. Returns the empty."""
     joints = posed_joints(evaluated, chain)
     empty = _empty(context, evaluated, f"{evaluated.name} {chain.effector} Target", 'CUBE')
     empty.empty_display_size = TARGET_SIZE * (length(joints) or DEFAULT_LENGTH)
@@ -164,7 +178,10 @@ def new_target(context, evaluated, chain):
 
 
 def new_pole(context, rig, entry, turned):
-    """An empty at the side that the chain bends to. turned: as for pole_place()."""
+    """Make an empty as the pole of an entry, at the side to which the chain bends. Returns the empty.
+
+    turned: Pole Angle, in radians, by which the present pose is turned.
+    """
     evaluated = rig.evaluated_get(context.view_layer.depsgraph)
     empty = _empty(context, evaluated, f"{rig.name} {entry.name} Pole", 'SPHERE')
     joints = posed_joints(evaluated, chains.find(rig, entry))

@@ -1,4 +1,7 @@
-"""Stations of a Blend: the target (0) and the further ones (1, 2, ...), and what becomes of those that are missing."""
+"""Stations of the setting Blend: the target of a chain (station 0) and its further targets (1, 2, ...).
+
+A missing station counts as the nearest existing station before it.
+"""
 
 import itertools
 
@@ -6,21 +9,21 @@ from ...core.file import deleted
 from ...core.file.pointers import pointed
 
 STANDS = 1e-4
-"""A Blend this near to a whole number stands on one target."""
+"""Largest distance of Blend from a whole number at which the chain counts as at one target, not between two."""
 
 
 class Further:
-    """Tells which further targets of a group's evaluated entries exist; looks again only after something was deleted."""
+    """Finds which further targets of a group's evaluated entries exist. The result is kept until objects are deleted or restored."""
 
     def __init__(self, entries):
         self._entries, self._changes, self._there = entries, None, {}
 
     def there(self):
-        """{row of an entry: whether each of its further targets exists}, for the entries that have further targets.
+        """{row of an entry: whether each of its further targets exists, a list}, for the entries that have further targets.
 
-        It is asked before any Blend needs them: what was never seen in a collection would not count as deleted.
+        Call this also if no Blend needs these targets yet: an object counts as deleted only if it was seen in a collection before.
         """
-        # Pointers are no settings that animation could set.
+        # Animation cannot change pointers, so the result holds until something is deleted.
         changes = deleted.changes()
         if changes != self._changes:
             self._changes, self._there = changes, _there(self._entries)
@@ -37,9 +40,10 @@ def _there(entries):
 
 
 def needed(blend, places):
-    """(numbers of the stations on both sides of a Blend, share of the way from the first of them to the second).
+    """(numbers of the stations on both sides of a value of Blend, share of the way from the first of them to the second).
 
-    places: of all stations, None for a missing one, which is left out where the Blend stands on another.
+    places: world matrices of all stations, None for a missing one. A missing station is left out of the numbers if Blend is so
+    near to a different station that the missing one is not needed.
     """
     blend = min(blend, len(places) - 1.0)
     first = min(int(blend), len(places) - 2)
@@ -49,10 +53,13 @@ def needed(blend, places):
 
 
 def nearest(number, places):
-    """The place of a station, or of the nearest existing one before it; None if all of these are missing."""
+    """Place of the last existing station up to a number; None if all stations up to that number are missing."""
     return next((place for place in places[number::-1] if place is not None), None)
 
 
 def without(blend, number):
-    """The value of Blend after a station was removed: a Blend that passed to the removed station stays at the one before it."""
+    """Value of Blend after the station of a number was removed, so that the numbers of later stations have become lower by 1.
+
+    A Blend that had passed on towards the removed station stays at the station before it.
+    """
     return min(blend, max(blend - 1.0, number - 1.0))

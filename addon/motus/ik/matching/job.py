@@ -1,7 +1,8 @@
-"""Matching over a range of frames: controls to the animated pose, or the animated pose to the solution.
+"""Match controls (targets and poles) of chains to the animated pose, or the animated pose to the solution, over a range of frames.
 
-Plain generators: the first value is how many steps there will be, the others are how many are done. Each goes through
-the frames at least twice, to read and to measure what came of it; closed before its end it leaves everything as it was.
+match_fk() and match_ik() are generators: the first value is the number of steps, each further value is the number of steps done. They
+go through the frames at least twice, to read poses and to measure the error of the result. A generator that is closed before its end
+restores everything.
 """
 
 from typing import Any, NamedTuple
@@ -23,7 +24,10 @@ from .pose_compare import Poses, without_sinks
 
 
 class _Chain(NamedTuple):
-    """An entry to be matched, and where the solver's group has it."""
+    """Chain that is matched.
+
+    name: of its entry. found: the entry and its bones. group: the Group that solves it. rows: the chain's rows in that group's results.
+    """
 
     name: str
     found: groups.Found
@@ -32,12 +36,12 @@ class _Chain(NamedTuple):
 
     @property
     def bones(self):
-        """Bones whose pose is to be the same afterwards."""
+        """Names of the bones whose pose must not change by the matching."""
         return (*self.found.chain.driven, *self.found.guards)
 
 
 def _chosen(rig, bone):
-    """The _Chains of one entry, or of all."""
+    """List of the _Chain of the entry named `bone`, or of all solved entries if it is empty. Raises Refused if there is none."""
     targets.check_editable(rig)
     check_no_tweak_mode(rig)
     name = rig.motus.ik.entries[targets.entry_for(rig, bone)].name if bone else ""
@@ -54,12 +58,16 @@ def _chosen(rig, bone):
 
 
 def _entries(rig, chosen):
-    """The entries of chains: looked up each time, since a script may change their list between two frames."""
+    """Entries of chains. They are looked up at each call, since a script may change the list of entries between two frames."""
     return [rig.motus.ik.entries[chain.name] for chain in chosen]
 
 
 def match_fk(context, rig, bone, frames, switch, outcome):
-    """Key the controls of chains so that the solution is the animated pose. Fills outcome: "error", "chains"."""
+    """Key the targets and poles of chains so that the solution is the animated pose; a generator of the number of steps done.
+
+    bone: name of an entry, "" for all. frames: rising frames of the scene. switch: set the position weights to 1 over these frames.
+    outcome: dictionary that gets "error" (a pose_compare.Error) and "chains" (their number).
+    """
     chosen = _chosen(rig, bone)
     for chain in chosen:
         if pointed(chain.found.entry, "target") is None:
@@ -73,7 +81,7 @@ def match_fk(context, rig, bone, frames, switch, outcome):
         go_to(scene, frames[0])
         wanted, poses = _Wanted(context, rig, chosen), Poses(rig, chosen)
         passes = wanted.passes()
-        yield len(frames) * (len(passes) + 1)  # one more, to measure
+        yield len(frames) * (len(passes) + 1)  # one more pass, to measure the error
         with without_sinks(rig, chosen):
             for frame in frames:
                 go_to(scene, frame)
@@ -106,7 +114,11 @@ def match_fk(context, rig, bone, frames, switch, outcome):
 
 
 def match_ik(context, rig, bone, frames, switch, outcome):
-    """Key the bones of chains so that the animated pose is the solution."""
+    """Key the bones of chains so that their animated pose is the solution; a generator of the number of steps done.
+
+    bone: name of an entry, "" for all. frames: rising frames of the scene. switch: set both weights to 0 over these frames.
+    outcome: dictionary that gets "error" (a pose_compare.Error) and "chains" (their number).
+    """
     chosen = _chosen(rig, bone)
     tracks = _tracks(rig, chosen)
     if switch:
@@ -147,7 +159,7 @@ def match_ik(context, rig, bone, frames, switch, outcome):
 
 
 def _check_unlaid(evaluated, chosen):
-    """Refuse bones whose keys are not what their chain starts from."""
+    """Refuse chains with bones that layers pose above their keys: the chains do not start from these keys, so new keys would not match."""
     laid = rigs.laid_bones(evaluated)
     for name in [name for chain in chosen for name in chain.bones if name in laid]:
         raise Refused(tr("Layers pose {bone} above its keys: flatten or mute them first").format(bone=name))
@@ -165,7 +177,7 @@ def _tracks(rig, chosen):
 
 
 class _Wanted:
-    """Places that the chains' controls must have, one a frame."""
+    """Transforms that the controls (targets and poles) of chains must have, one for each frame."""
 
     def __init__(self, context, rig, chosen):
         self._rig, self._chosen, self._view_layer = rig, chosen, context.view_layer
@@ -198,7 +210,7 @@ class _Wanted:
         )
 
     def passes(self):
-        """Lists of controls in the order in which to place them: a control comes after those that it depends on.
+        """Lists of controls in the order in which they are placed: a control comes after the controls on which it depends.
 
         The controls of one list do not depend on each other.
         """
@@ -218,7 +230,7 @@ class _Wanted:
         return [[control for control in depth if depth[control] == level] for level in range(max(depth.values()) + 1)]
 
     def record(self, depsgraph, frame):
-        """Note the world matrices of this frame."""
+        """Note the world matrices that the controls must have at a frame, which is the evaluated one."""
         evaluated = self._rig.evaluated_get(depsgraph)
         entries = evaluated.motus.ik.entries
         for text in self._texts:
@@ -241,13 +253,13 @@ class _Wanted:
             self._places[self._poles[chain.name]][0].append((Matrix.Translation(Vector(pole.tolist())), None))
 
     def place(self, depsgraph, controls_now, index):
-        """Note the values that the controls' channels must have at the evaluated frame."""
+        """Note the values that the channels of these controls must have at the evaluated frame, whose number in the range is `index`."""
         for control in controls_now:
             matrices, channels = self._places[control]
             channels.add(controls.basis_for(control, depsgraph, *matrices[index]))
 
     def write(self, writer, controls_now, frames):
-        """Key these controls."""
+        """Write keys for these controls. frames: in the keys' time, in which F-curves have their frames."""
         for control in controls_now:
             channels = self._places[control][1]
             for name, rows in channels.values.items():

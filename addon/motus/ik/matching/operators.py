@@ -1,4 +1,4 @@
-"""Operators that match the controls of chains to their animated pose, and the animated pose to the solution."""
+"""Operators that match the targets and poles of chains to the animated pose, and the animated pose to the solution."""
 
 import math
 
@@ -10,7 +10,7 @@ from ..frame_walk import OverFrames, active_rig
 from .job import match_fk, match_ik
 
 GOOD = 1e-3
-"""Share of a chain's length that counts as matched."""
+"""Largest error, as a share of a chain's length, at which a chain counts as matched."""
 
 
 class _Match(OverFrames):

@@ -1,4 +1,4 @@
-"""How far a rig's chains stand from the poses they had."""
+"""Measure how far the chains of a rig are from poses that were noted before."""
 
 from typing import NamedTuple
 
@@ -8,7 +8,10 @@ from .. import forward, setup
 
 
 class Error(NamedTuple):
-    """The largest there was, in world units and rad; share: the same length in lengths of its chain."""
+    """Largest errors of a comparison of poses.
+
+    length: in world units. angle: in radians. share: length of an error, divided by the length of its chain.
+    """
 
     length: float = 0.0
     angle: float = 0.0
@@ -16,7 +19,7 @@ class Error(NamedTuple):
 
 
 class Poses:
-    """World matrices of the chains' bones at each frame, to compare with. chosen: the chains of job.py."""
+    """Notes the poses of chains at each frame, and compares later poses with them. chosen: list of job._Chain."""
 
     def __init__(self, rig, chosen):
         self._rig, self._chosen = rig, chosen
@@ -25,11 +28,14 @@ class Poses:
         self.error = Error()
 
     def record(self, depsgraph):
-        """Note the pose of this frame."""
+        """Note the pose of the chains at the evaluated frame."""
         self.kept.append([self._evaluated(chain, depsgraph) for chain in self._chosen])
 
     def compare(self, depsgraph, index, with_all_weight=False):
-        """Widen the error by the pose that is evaluated now, and by that of the solution with all its weight."""
+        """Raise `error` to the difference between the evaluated pose and the noted pose of a frame, if that is larger.
+
+        index: number of the frame in the order of record(). with_all_weight: compare the solution with position weight 1, too.
+        """
         solved = self._solve(depsgraph) if with_all_weight else {}
         for chain, length, (heads, axes) in zip(self._chosen, self._lengths, self.kept[index]):
             self._widen(chain, length, heads, axes, *self._evaluated(chain, depsgraph))
@@ -71,7 +77,7 @@ def _directions(axes):
 
 
 class without_sinks:  # noqa: N801  (a context, named like a function)
-    """Lets the chains' bones stand in their animated pose for a while."""
+    """Context manager that mutes the constraints by which Motus poses the chains' bones, so that these have their animated pose inside."""
 
     def __init__(self, rig, chosen):
         self._rig = rig

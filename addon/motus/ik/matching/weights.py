@@ -1,4 +1,4 @@
-"""Switching chains between their animated pose and the solution over a range of frames."""
+"""Switch chains between their animated pose and the solution over a range of frames, by keys of their weights."""
 
 from ...core.blender import actions
 from ...core.measures import scene_time
@@ -8,7 +8,7 @@ from .. import chains
 
 
 def check(rig, entries):
-    """Refuse weights that a driver sets."""
+    """Refuse entries with a driver on their position weight or rotation weight."""
     driven = {curve.data_path for curve in rig.animation_data.drivers} if rig.animation_data else ()
     for entry in entries:
         for prefix in _prefixes(rig, entry):
@@ -17,9 +17,10 @@ def check(rig, entries):
 
 
 def switch(scene, rig, entries, times, writer, values):
-    """Give weights, by name, their values at all these times of the keys, and leave them as they are at others.
+    """Give weights of entries new values over a range of times, and leave the weights as they are at all different times.
 
-    A weight without keys is simply set where the frames are all that the scene has.
+    times: rising frames of F-curves. values: {name of a weight: value}. writer: the KeyWriter that writes the keys. If the range
+    covers all frames of the scene, a weight without keys is set without being keyed.
     """
     is_all = times[0] <= scene_time.first(scene) and times[-1] >= scene_time.last(scene)
     for entry in entries:
@@ -37,7 +38,7 @@ def _prefixes(rig, entry):
 
 
 def _hold(rig, entry, name, path, frames, value, writer):
-    """Key a value over the frames, and what there was on the frames before and after."""
+    """Key a weight to a value over the frames, and to the values that it had on the frame before and the frame after them."""
     first, last = frames[0], frames[-1]
     if path:
         writer.cut(rig, path, last + 1)

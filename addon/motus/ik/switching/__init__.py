@@ -1,1 +1,1 @@
-"""Passing from one target of a chain to another, by keys or when a number passes a value."""
+"""Pass a chain from one target to a different one: over frames by keys, or by a driver when a number passes a value."""

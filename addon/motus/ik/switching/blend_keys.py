@@ -1,4 +1,7 @@
-"""Blend keyed from one target to the next over time: plain functions behind the switching operator."""
+"""Key the setting Blend from one target of a chain to the next over time: functions that the operator motus.ik_switch_target calls.
+
+Target number 0 is the chain's target; numbers from 1 on are its further targets. Blend at a number is at that target.
+"""
 
 from ...core.blender import actions
 from ...core.file.pointers import pointed
@@ -9,11 +12,11 @@ from ..goals import controls, stations
 from ..keying import SAME_FRAME, KeyWriter
 
 LARGEST_STEP = 0.5
-"""Blend values within this of a number of a target belong to it."""
+"""Largest distance of a value of Blend from the number of a target at which the value belongs to that target."""
 
 
 def curve_of(rig, entry):
-    """F-curve of an entry's Blend, or None."""
+    """F-curve of an entry's setting Blend; None if Blend has no keys."""
     for prefix in chains.prefixes(rig, rig.motus.ik.entries.find(entry.name)):
         curve = actions.find(rig, prefix + "target_blend")
         if curve:
@@ -22,7 +25,7 @@ def curve_of(rig, entry):
 
 
 def present(rig, entry, frame):
-    """Number of the target that the chain is at on a frame. Refuses where it is between two."""
+    """Number of the target at which a chain is at a frame. Raises Refused if the chain is between two targets."""
     curve = curve_of(rig, entry)
     blend = curve.evaluate(frame) if curve else entry.target_blend
     blend = max(0.0, min(blend, len(entry.extra_targets)))
@@ -33,13 +36,13 @@ def present(rig, entry, frame):
 
 
 def check_other(entry, number, goal):
-    """Refuse a target that the chain is at already."""
+    """Refuse to switch to a target, (object, bone name), at which the chain is already. number: of the chain's present target."""
     if controls.station(entry, number) == controls.Control(*goal):
         raise Refused(tr("{bone} is at {target} already").format(bone=entry.name, target=controls.Control(*goal).label))
 
 
 def place_next(entry, number, goal):
-    """Make `goal`, (object, bone name), the further target after target `number` of a chain's Blend; add one if it is not there.
+    """Let `goal`, (object, bone name), be the further target that follows target `number`; insert it if it is not there already.
 
     Returns whether a target was inserted before existing ones, whose numbers rise by 1.
     """
@@ -54,7 +57,10 @@ def place_next(entry, number, goal):
 
 
 def switch(rig, entry, goal, start, end, interpolation):
-    """Key the way from the present target to `goal` from one frame to another; later switches start from it."""
+    """Key Blend so that a chain passes from its present target to `goal` between two frames. Returns the number of the present target.
+
+    goal: (object, bone name). start, end: frames of F-curves. Later switches in the F-curve are changed to start from `goal`.
+    """
     number = present(rig, entry, start)
     check_other(entry, number, goal)
     actions.make_local(rig)
@@ -62,7 +68,7 @@ def switch(rig, entry, goal, start, end, interpolation):
     with setup.at_once(rig):
         is_between = place_next(entry, number, goal)
         if curve:
-            _change(curve, lambda value: min(value, last))  # more was the last target too
+            _change(curve, lambda value: min(value, last))  # higher values meant the last target, too
             _renumber(curve, number, start, end, is_between)
         writer = KeyWriter()
         path = curve.data_path if curve else ""
@@ -71,10 +77,13 @@ def switch(rig, entry, goal, start, end, interpolation):
 
 
 def _renumber(curve, number, start, end, is_between):
-    """Keys of switches before and after this one, by the numbers that targets have now."""
+    """Change the keys of earlier and later switches to the numbers that targets have after a new switch.
+
+    number: of the target that the new switch leaves. is_between: whether its target was inserted before existing ones.
+    """
     for key in curve.keyframe_points:
         value, is_later = key.co.y, key.co.x > end + SAME_FRAME
-        # What left this target later leaves the new one now.
+        # A later switch that left the present target now leaves the new target.
         leaves_here = is_later and number - LARGEST_STEP < value <= number + LARGEST_STEP
         if leaves_here or (is_between and value > number + LARGEST_STEP):
             for point in (key.co, key.handle_left, key.handle_right):
@@ -83,11 +92,11 @@ def _renumber(curve, number, start, end, is_between):
 
 
 def take_out(rig, entry, number):
-    """Renumber Blend and its keys for a further target, by its number, that is about to be removed."""
+    """Change Blend and its keys for a further target that is about to be removed. number: of this target."""
     paths = [prefix + "target_blend" for prefix in chains.prefixes(rig, rig.motus.ik.entries.find(entry.name))]
     for player in actions.players(rig):
         if any(curve.data_path in paths and _passes(curve, number) for curve in actions.curves_of(player)):
-            actions.make_own(player)  # a rig that shares it has targets of its own
+            actions.make_own(player)  # a different rig that shares the action has targets of its own
             for curve in actions.curves_of(player):
                 if curve.data_path in paths:
                     _change(curve, lambda value: stations.without(value, number))
@@ -96,12 +105,12 @@ def take_out(rig, entry, number):
 
 
 def _passes(curve, number):
-    """Whether the target of this number, or a later one, is on the way of an F-curve."""
+    """Whether an F-curve of Blend passes towards the target of a number, or a later one."""
     return any(key.co.y > number - 1.0 for key in curve.keyframe_points)
 
 
 def _change(curve, change):
-    """Give the points of all keys other values."""
+    """Replace the values of all keys and handles of an F-curve by change(value)."""
     for key in curve.keyframe_points:
         for point in (key.co, key.handle_left, key.handle_right):
             point.y = change(point.y)

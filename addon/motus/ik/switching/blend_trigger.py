@@ -1,6 +1,8 @@
-"""Blend driven from one target to the next by a number that passes a value: plain functions behind the operator.
+"""Drive the setting Blend from one target of a chain to the next by a trigger: a number that passes a value.
 
-The driver's expression is a sum with a term for each switch, made of functions that Blender evaluates without Python.
+Target number 0 is the chain's target; numbers from 1 on are its further targets. motus.ik_switch_target calls these functions. The
+driver's expression is a sum of the number of a target and a term for each switch. Its functions are those that Blender evaluates
+without Python.
 """
 
 import itertools
@@ -27,7 +29,10 @@ _SUM = re.compile(rf"(\d+)((?:\+(?:{_TERM.pattern}))*)$")
 
 
 def output_source(owner, system_name, output):
-    """(kind of datablock, datablock, data path) of a number that a system computes for an object."""
+    """(type of datablock, datablock, data path), for a driver's variable, of a number that a system computes for an object.
+
+    Raises Refused if the system does not drive the object, or has no such output.
+    """
     system = registered.get(system_name)
     if not isinstance(system, System):
         raise Refused(tr("There is no system {system}").format(system=system_name))
@@ -46,20 +51,26 @@ def output_source(owner, system_name, output):
 
 
 def check_elsewhere(rig, owner, system_name):
-    """Refuse an output of the rig's own bones: whatever is solved on a rig waits for all of its drivers, Blend's too."""
+    """Refuse an output of a system that solves the rig's own bones as a trigger.
+
+    Solvers of a rig's bones run after all drivers of the rig, the driver of Blend included, so the trigger would form a cycle.
+    """
     system = registered.get(system_name)
     if owner == rig and isinstance(system, System) and system.groups is not None:
         _refuse_own(rig)
 
 
 def _check_no_own_setting(rig, owner, path):
-    """Refuse triggers that read a setting of this rig: Blender treats all settings of an object as one node, so the driver of *Blend* would form a cycle."""
+    """Refuse a trigger that reads a setting of this rig.
+
+    Blender's depsgraph treats all settings of an object as one node, so the driver of *Blend* would form a cycle.
+    """
     if any(_holder(owner, path[: found.start()]) == rig for found in _SETTINGS.finditer(path)):
         _refuse_own(rig)
 
 
 def _holder(owner, path):
-    """The datablock or group that a data path leads to; None if the path ends in the middle of a name."""
+    """Datablock or property group to which a data path leads; None if the path ends in the middle of a name."""
     try:
         return owner.path_resolve(path) if path else owner
     except ValueError:
@@ -71,12 +82,12 @@ def _refuse_own(rig):
 
 
 def _entry_count(owner):
-    """How many entries wait for one another at most."""
+    """Number of entries on an owner, the largest number of levels that they can have; 0 if the owner is no armature object."""
     return len(wiring.levels(owner)) if owner.type == 'ARMATURE' else 0
 
 
 def property_source(owner, path):
-    """The driver's variable for a property of an object, by its data path."""
+    """(type of datablock, object, data path), for a driver's variable, of a property. Raises Refused if the property is no number."""
     try:
         value = owner.path_resolve(path)
     except ValueError:
@@ -89,8 +100,8 @@ def property_source(owner, path):
 def switch(rig, entry, goal, source, start, end, interpolation):
     """Extend the driver of Blend so that it passes from its last target to `goal` while a trigger goes from start to end.
 
-    source: the trigger, from output_source(); None for the scene's frame. Returns the number of the target that Blend leaves.
-    Raises Refused if the trigger cannot drive Blend.
+    goal: (object, bone name). source: the trigger, from output_source() or property_source(); None for the scene's frame.
+    Returns the number of the target that Blend leaves. Raises Refused if the trigger cannot drive Blend.
     """
     if source:
         _check_no_own_setting(rig, *source[1:])
@@ -120,14 +131,17 @@ def switch(rig, entry, goal, source, start, end, interpolation):
 
 
 def driver_of(rig, entry):
-    """The driver of an entry's Blend, or None."""
+    """Driver (its F-curve) of an entry's setting Blend; None if Blend has no driver."""
     paths = {prefix + "target_blend" for prefix in chains.prefixes(rig, rig.motus.ik.entries.find(entry.name))}
     animation = rig.animation_data
     return next((curve for curve in (animation.drivers if animation else ()) if curve.data_path in paths), None)
 
 
 def _so_far(entry, driver):
-    """(number of the last target that there is a way to, expression) of a driver that switch() made, or of none."""
+    """(number of the last target to which Blend passes, expression) of a driver that switch() made, or of a constant Blend if it is None.
+
+    Raises Refused if switch() did not make the driver, or if the driver passes to targets that no longer exist.
+    """
     if driver is None:
         number = min(round(entry.target_blend), len(entry.extra_targets))
         return number, str(number)
@@ -141,13 +155,13 @@ def _so_far(entry, driver):
 
 
 def _sum_of(driver):
-    """(number of the first target, terms) of a driver that switch() made, or None."""
+    """(number of the first target, list of the terms of later switches) of a driver that switch() made; None for a different driver."""
     found = _SUM.match(driver.expression) if driver.type == 'SCRIPTED' else None
     return found and (int(found[1]), _TERM.findall(found[2]))
 
 
 def take_out(rig, entry, number):
-    """Let a driver that switch() made do without a further target, by its number, that is about to be removed."""
+    """Change a driver that switch() made for a further target that is about to be removed. number: of this target."""
     curve = driver_of(rig, entry)
     found = curve and _sum_of(curve.driver)
     if not found:
@@ -167,7 +181,7 @@ def take_out(rig, entry, number):
 
 def _new_driver(rig, path):
     curve = rig.driver_add(path)
-    # A bare curve passes the driver's value on as it is.
+    # Without keys and modifiers, the driver's F-curve passes on the driver's value as it is.
     while curve.modifiers:
         curve.modifiers.remove(curve.modifiers[0])
     for key in reversed(curve.keyframe_points):

@@ -1,4 +1,4 @@
-"""The operator that lets a chain pass from its target to another one, over time or when something happens."""
+"""Operator that lets a chain pass from its present target to a different one, over frames or when a number passes a value."""
 
 import math
 
@@ -14,7 +14,7 @@ from ..operators import OfABone
 from . import blend_keys, blend_trigger
 
 LASTS = 12
-"""Frames of a switch whose end is not given."""
+"""Number of frames that a switch lasts if its end is not given."""
 
 EASES = (
     ('BEZIER', "Smooth", "The chain starts and ends slowly"),
@@ -24,7 +24,7 @@ EASES = (
 
 
 def _named(name):
-    """A row that chooses an object of the scene."""
+    """Row that draws the operator's keyword `name` as a choice among the scene's objects."""
     return Row(name, search=lambda _operator: (bpy.context.scene, "objects"))
 
 

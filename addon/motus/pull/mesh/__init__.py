@@ -1,1 +1,1 @@
-"""Reads and writes the pulled mesh in each mode of the object."""
+"""Read and write the positions of the mesh that is pulled, in Object, Edit and Sculpt Mode."""

@@ -1,6 +1,7 @@
-"""Data of a mesh as flat arrays, read and written in the fastest way that this Blender has.
+"""Read and write data of a mesh as flat arrays, in the fastest way that this Blender version has.
 
-Attributes are copied as a whole; collections of vertices, loops and key points of older Blenders go item by item through RNA.
+Attributes are copied as a whole. Where older Blenders have no attributes, vertices, loops and points of shape keys are read item by item
+through RNA.
 """
 
 from ...core.lazy import numpy as np
@@ -19,7 +20,7 @@ def positions(mesh, found=None):
 
 
 FEW = 8
-"""If a mesh has at least this many times as many vertices as have moved, only the moved ones are written."""
+"""If a mesh has at least FEW times as many vertices as were moved, only the moved vertices are written."""
 
 
 def set_positions(mesh, flat, moved=None):
@@ -41,9 +42,9 @@ def set_positions(mesh, flat, moved=None):
 
 
 def own_positions(mesh):
-    """Memory of the mesh's positions, float32 (n, 3), for writing at once.
+    """Memory of the mesh's vertex positions, float32 (n, 3); writing into the array changes the mesh.
 
-    None if this Blender gives no access to the memory, or the mesh has no vertices.
+    None if this Blender gives no access to the memory, or if the mesh has no vertices.
     """
     attribute = mesh.attributes.get("position")
     if attribute is None or not len(attribute.data):
@@ -59,7 +60,7 @@ def own_positions(mesh):
 
 
 def key_positions(key):
-    """Positions of a shape key, float32 (n, 3)."""
+    """Positions of a shape key's points, float32 (n, 3)."""
     points = _key_points(key)
     found = np.empty(3 * len(points), np.float32)
     points.foreach_get("co", found)
@@ -67,7 +68,7 @@ def key_positions(key):
 
 
 def set_key_positions(key, flat):
-    """Set the positions of a shape key. flat: float32 (3 n,)."""
+    """Set the positions of a shape key's points. flat: float32 (3 n,)."""
     _key_points(key).foreach_set("co", flat)
 
 
@@ -76,7 +77,7 @@ def _key_points(key):
 
 
 def triangles(mesh, visible_only=False):
-    """Triangles of Blender's triangulation, int32 (t, 3) indices of vertices. visible_only: leave out hidden faces."""
+    """Triangles of the mesh in Blender's triangulation, int32 (t, 3) vertex indices. visible_only: leave out hidden faces."""
     mesh.calc_loop_triangles()
     found = np.empty(3 * len(mesh.loop_triangles), np.int32)
     mesh.loop_triangles.foreach_get("vertices", found)
@@ -90,7 +91,7 @@ def triangles(mesh, visible_only=False):
 
 
 def edges(mesh):
-    """Edges of a mesh, int32 (e, 2) indices of vertices."""
+    """Edges of a mesh, int32 (e, 2) vertex indices."""
     found = np.empty(2 * len(mesh.edges), np.int32)
     attribute = mesh.attributes.get(".edge_verts")
     if attribute is not None:
@@ -101,7 +102,7 @@ def edges(mesh):
 
 
 def corners(mesh):
-    """Vertex of each face corner, int32 (c,)."""
+    """Vertex index of each face corner of a mesh, int32 (c,)."""
     found = np.empty(len(mesh.loops), np.int32)
     attribute = mesh.attributes.get(".corner_vert")
     if attribute is not None:
@@ -112,7 +113,7 @@ def corners(mesh):
 
 
 def faces_of_edges(mesh):
-    """Number of faces at each edge, int (e,)."""
+    """Number of faces at each edge of a mesh, int (e,)."""
     used = np.empty(len(mesh.loops), np.int32)
     attribute = mesh.attributes.get(".corner_edge")
     if attribute is not None:
@@ -123,7 +124,7 @@ def faces_of_edges(mesh):
 
 
 def hidden_vertices(mesh):
-    """Which vertices are hidden, bool (n,); None if none is hidden."""
+    """Whether each vertex of a mesh is hidden, bool (n,); None if none is hidden."""
     return _flags(mesh, ".hide_vert", mesh.vertices)
 
 
@@ -160,9 +161,9 @@ def group_weights(mesh, index):
 
 
 def vertex_normal(mesh, corner_vertices, places, vertex):
-    """Unit normal at a vertex, weighted by the faces' angles as Blender's own; zero for a vertex without faces.
+    """Unit normal at a vertex, weighted by the angles of its faces like Blender's vertex normals; zero for a vertex without faces.
 
-    corner_vertices: corners(mesh). places: positions (n, 3), which may differ from those of the mesh.
+    corner_vertices: corners(mesh). places: positions (n, 3), which may differ from the mesh's positions.
     """
     total = np.zeros(3)
     for corner in np.flatnonzero(corner_vertices == vertex):
@@ -180,7 +181,10 @@ def vertex_normal(mesh, corner_vertices, places, vertex):
 
 
 def _face_of_corner(mesh, corner):
-    """(first corner, number of corners) of the face of a corner, found by bisection: reading all faces would take far longer."""
+    """Return (first corner, number of corners) of the face to which a corner belongs.
+
+    The face is found by bisection, since reading all faces would take far longer.
+    """
     low, high = 0, len(mesh.polygons) - 1
     while low < high:
         middle = (low + high + 1) // 2

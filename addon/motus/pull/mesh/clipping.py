@@ -1,4 +1,7 @@
-"""Clipping of the Mirror modifier: vertices on a mirror plane stay on it, and no vertex crosses it, as with Blender's own tools."""
+"""Clipping of the Mirror modifier, as Blender's own tools respect it.
+
+Vertices on a mirror plane stay on the plane, and no vertex crosses it.
+"""
 
 from typing import Any, NamedTuple
 
@@ -6,11 +9,10 @@ from ...core.lazy import numpy as np
 
 
 class Planes(NamedTuple):
-    """Mirror planes of one modifier.
+    """Mirror planes of one Mirror modifier.
 
-    axes: axes across which it mirrors. within: largest distance of vertices that count as on a plane. space: 4x4, from the object's space
-    to
-    that of the planes; None if the spaces are equal.
+    axes: indices of the axes that are mirrored. within: largest distance from a plane at which a vertex counts as on it. space: 4x4 matrix
+    from the object's space to the space of the planes; None if the planes are in the object's space.
     """
 
     axes: tuple
@@ -19,7 +21,7 @@ class Planes(NamedTuple):
 
 
 def planes(obj):
-    """The Planes of an object's Mirror modifiers that have Clipping switched on."""
+    """Return Planes for each Mirror modifier of an object that is shown in viewports and has Clipping switched on."""
     found = []
     for modifier in obj.modifiers:
         if modifier.type == 'MIRROR' and modifier.use_clip and modifier.show_viewport:
@@ -30,7 +32,10 @@ def planes(obj):
 
 
 def clip(places, before, every):
-    """Move places (m, 3) of vertices that stood at `before` back to the planes that hold the vertices; returns the places."""
+    """Move positions (m, 3) back to the mirror planes that hold their vertices; returns the positions.
+
+    before: positions of the vertices before they were moved. every: list of Planes.
+    """
     for one in every:
         now, was = _moved(places, one.space), _moved(before, one.space)
         is_held = np.zeros(len(places), bool)

@@ -1,4 +1,7 @@
-"""Mesh in Edit Mode: read from the arrays that Blender fills from its edit mesh, and written vertex by vertex."""
+"""Mesh in Edit Mode: positions are read from the mesh's arrays, which Blender fills from its edit mesh (BMesh).
+
+Positions are written vertex by vertex into the edit mesh.
+"""
 
 import bmesh
 
@@ -6,11 +9,14 @@ from ...core.lazy import numpy as np
 from .object_mesh import ObjectMesh
 
 MOST_SINGLE_NORMALS = 0.02
-"""Largest share of the vertices for which normals are computed one by one; for more of them all normals are computed."""
+"""Largest share of moved vertices for which normals are computed singly; above it all normals are computed."""
 
 
 class EditMesh(ObjectMesh):
-    """A mesh in Edit Mode. Hidden vertices, masks and keys are read as in Object Mode; relative shape keys are moved along by Blender."""
+    """A mesh in Edit Mode, with the methods of ObjectMesh.
+
+    Hidden vertices, masks and keys are read as in Object Mode. Blender itself moves relative shape keys along with the edited key.
+    """
 
     writes_all = False
 
@@ -19,7 +25,7 @@ class EditMesh(ObjectMesh):
         self._moved = np.zeros(self.count, bool)
 
     def write(self, positions, moved=None):
-        """Write positions (n, 3) into the edit mesh. moved: indices of vertices that differ, in any order; None for all."""
+        """Write positions (n, 3) into the edit mesh. moved: indices of vertices that differ, in any order; None for all vertices."""
         vertices = self._edit_mesh().verts
         moved = None if moved is None else np.unique(np.asarray(moved, int))
         indices = range(self.count) if moved is None else moved.tolist()
@@ -31,19 +37,19 @@ class EditMesh(ObjectMesh):
         bmesh.update_edit_mesh(self.mesh, loop_triangles=False, destructive=False)
 
     def room(self):
-        """No memory to write to: Blender does not read the arrays back into its edit mesh."""
+        """Return None: an edit mesh has no memory for all positions, since Blender does not read the mesh's arrays back."""
 
     def finish(self):
-        """Triangulate the faces again, since the triangulation depends on the shape."""
+        """Let Blender triangulate the faces again, since the triangulation depends on the shape."""
         if self._moved.any():
             bmesh.update_edit_mesh(self.mesh, loop_triangles=True, destructive=False)
 
     def is_deformed(self):
-        """Always False: in Edit Mode the cage is what the user sees and edits."""
+        """Return False: in Edit Mode the user sees and edits the cage, which is the written mesh."""
         return False
 
     def share_seen(self):
-        """Always 1: Edit Mode shows the edited shape key in full."""
+        """Return 1.0, the share of a displacement that the user sees: Edit Mode shows the edited shape key in full."""
         return 1.0
 
     def _edit_mesh(self):

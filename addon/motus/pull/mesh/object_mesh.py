@@ -1,4 +1,7 @@
-"""Mesh in Object and Sculpt Mode: whether it can be pulled, and the positions of its vertices. EditMesh in edit_mesh.py derives from it."""
+"""Mesh in Object or Sculpt Mode: whether the mesh can be pulled, and access to its vertices.
+
+EditMesh in edit_mesh.py derives from the class ObjectMesh.
+"""
 
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
@@ -9,7 +12,7 @@ MODES = ('OBJECT', 'EDIT', 'SCULPT')
 
 
 def problem(obj):
-    """Sentence in the user's language that says why the object cannot be pulled; None if it can."""
+    """Sentence in the user's language that says why an object's mesh cannot be pulled; None if it can be pulled."""
     if obj is None:
         return tr("Select a mesh")
     if obj.type != 'MESH':
@@ -32,7 +35,7 @@ def problem(obj):
 
 
 class ObjectMesh:
-    """A mesh in Object or Sculpt Mode. If it has shape keys, the active key is read and written."""
+    """Access to a mesh in Object or Sculpt Mode. If the mesh has shape keys, the active shape key is read and written."""
 
     def __init__(self, obj):
         self.obj = obj
@@ -43,54 +46,57 @@ class ObjectMesh:
 
     @property
     def key(self):
-        """Active shape key; None without shape keys. Raises ReferenceError if the key was removed, which Blender does not notice."""
+        """Active shape key; None if the mesh has no shape keys.
+
+        Raises ReferenceError if the key was removed, since Blender does not invalidate references to removed keys.
+        """
         return None if self._key_name is None else _key_of(self.mesh, self._key_name)
 
     writes_all = True
-    """Whether write() writes all vertices: for meshes outside Edit Mode this is as fast as finding those that have moved."""
+    """Whether write() writes all vertices: outside Edit Mode finding the moved vertices would take as long as writing all."""
 
     @property
     def count(self):
-        """Number of vertices."""
+        """Number of vertices of the mesh."""
         return len(self.mesh.vertices)
 
     def positions(self):
-        """Positions of the vertices in the object's space, float32 (n, 3)."""
+        """Local positions of the mesh's vertices, or of the active shape key's points, float32 (n, 3)."""
         if self.key is None:
             return arrays.positions(self.mesh)
         return arrays.key_positions(self.key)
 
     def triangles(self, visible_only=False):
-        """Triangles of Blender's triangulation, int32 (t, 3). visible_only: leave out hidden faces."""
+        """Triangles of the mesh in Blender's triangulation, int32 (t, 3) vertex indices. visible_only: leave out hidden faces."""
         return arrays.triangles(self.mesh, visible_only)
 
     def edges(self):
-        """Edges, int32 (e, 2) indices of vertices."""
+        """Edges of the mesh, int32 (e, 2) vertex indices."""
         return arrays.edges(self.mesh)
 
     def corners(self):
-        """Vertex of each face corner, int32 (c,)."""
+        """Vertex index of each face corner of the mesh, int32 (c,)."""
         return arrays.corners(self.mesh)
 
     def hidden(self):
-        """Which vertices are hidden, bool (n,); None if none is hidden."""
+        """Whether each vertex of the mesh is hidden, bool (n,); None if none is hidden."""
         return arrays.hidden_vertices(self.mesh)
 
     def mask(self):
-        """Sculpt mask, float32 (n,); None in other modes and without a mask."""
+        """Sculpt mask of each vertex, float32 (n,); None if the mesh has no mask or the object is not in Sculpt Mode."""
         return arrays.sculpt_mask(self.mesh) if self.obj.mode == 'SCULPT' else None
 
     def weights(self, group_name):
-        """Weights of a vertex group, float32 (n,). Raises Refused if the object has no such group."""
+        """Weights of the vertex group of this name, float32 (n,). Raises Refused if the object has no such group."""
         group = self.obj.vertex_groups.get(group_name)
         if group is None:
             raise Refused(tr("{object} has no vertex group {group}").format(object=self.obj.name, group=group_name))
         return arrays.group_weights(self.mesh, group.index)
 
     def write(self, positions, moved=None):
-        """Write positions (n, 3) into the mesh and tag it for an update.
+        """Write positions (n, 3) into the mesh or its active shape key, and tag the mesh for an update.
 
-        moved: indices of vertices that differ, in any order; None for all.
+        moved: indices of vertices that differ, in any order; None for all vertices.
         """
         flat = positions.reshape(-1)
         if self.key is None:
@@ -100,22 +106,28 @@ class ObjectMesh:
         self.mesh.update()
 
     def room(self):
-        """Memory that takes all positions at once, float32 (n, 3), before filled() is called; None if the mesh has no such memory."""
+        """Memory of the mesh's positions, float32 (n, 3), which the caller may fill and then must call filled().
+
+        None if the mesh has shape keys, or this Blender gives no access to the memory.
+        """
         return arrays.own_positions(self.mesh) if self.key is None else None
 
     def filled(self):
-        """Tag the mesh after the memory that room() returned was filled."""
+        """Tag the mesh for an update after the caller has filled the memory from room()."""
         self.mesh.update()
 
     def finish(self):
-        """Update what write() leaves for the end of a stroke."""
+        """Finish the mesh at the end of a stroke; here nothing is left to do, EditMesh overrides it."""
 
     def is_deformed(self):
-        """Whether the vertices that the user sees may stand elsewhere than those that are written."""
+        """Whether the user may see the vertices in different positions than write() writes, because of shape keys or modifiers."""
         return self.key is not None or any(modifier.show_viewport for modifier in self.obj.modifiers)
 
     def evaluated_positions(self, depsgraph):
-        """Positions of the vertices as they are seen, float32 (n, 3); None if modifiers change the number of vertices."""
+        """Positions of the vertices on the evaluated mesh, float32 (n, 3).
+
+        None if modifiers change the number of vertices or face corners.
+        """
         depsgraph.update()
         seen = self.obj.evaluated_get(depsgraph).data
         if (len(seen.vertices), len(seen.loops)) != (len(self.mesh.vertices), len(self.mesh.loops)):
@@ -123,13 +135,16 @@ class ObjectMesh:
         return arrays.positions(seen)
 
     def follows_whole(self):
-        """Whether neither masks nor hidden vertices hold vertices back, and the written shape is the one that pins are measured on."""
+        """Whether a pull moves all vertices in reach in full, on the shape on which pins are measured.
+
+        False if vertices are masked or hidden, or if the active shape key is not the reference key.
+        """
         mask = self.mask()
         has_mask = self.hidden() is not None or (mask is not None and mask.any())
         return not has_mask and (self.key is None or self.key == self.mesh.shape_keys.reference_key)
 
     def share_seen(self):
-        """Share of a written displacement that the user sees: the value of the shape key."""
+        """Share of a written displacement that the user sees: the value of the active shape key, or 1.0."""
         keys = self.mesh.shape_keys
         is_whole = self.key is None or self.key == keys.reference_key or not keys.use_relative
         if is_whole or self.obj.show_only_shape_key:
@@ -139,7 +154,7 @@ class ObjectMesh:
     def _write_key(self, flat):
         key, keys = self.key, self.mesh.shape_keys
         if self._key_followers is None:
-            # Like Blender's own tools: keys that are relative to this one move along, and so keep their meaning.
+            # Like Blender's own tools: shape keys that are relative to the active key move along, which keeps their offsets.
             followers = _followers(keys, key)
             self._before = arrays.key_positions(key).reshape(-1) if followers else None
             self._key_followers = [(one.name, arrays.key_positions(one).reshape(-1)) for one in followers]
@@ -158,7 +173,7 @@ def _key_of(mesh, name):
 
 
 def _followers(keys, leader):
-    """Shape keys that are relative to `leader`, directly or through other keys."""
+    """Return the shape keys that are relative to the key `leader`, directly or through further keys."""
     if not keys.use_relative:
         return []
     found, names = [], {leader.name}
@@ -172,14 +187,15 @@ def _followers(keys, leader):
 
 
 def not_seen(key):
-    """Sentence on a shape key without visible effect."""
+    """Sentence that reports a pull on a shape key that has no visible effect."""
     return tr("The shape key {key} is not seen, as its value is 0 or it is muted").format(key=key.name)
 
 
 def nearest(positions, place, metric, hidden=None):
-    """(index, distance) of the vertex nearest to `place`.
+    """Return (index, distance) of the vertex nearest to a position.
 
-    place: in the space of the positions. metric: 3x3, which measures lengths. hidden: vertices that do not count.
+    positions: (n, 3). place: position in the space of `positions`. metric: 3x3 matrix that measures lengths. hidden: bool (n,), vertices to
+    be ignored, or None.
     """
     away = (positions - np.asarray(place, np.float32)) @ np.asarray(metric, np.float32).T
     squares = np.einsum("ij,ij->i", away, away)

@@ -1,4 +1,4 @@
-"""Open the pulled mesh in the mode that its object is in."""
+"""Open the mesh of an object for reading and writing, in the mode that the object is in."""
 
 from ...core.refusals import Refused
 from ...core.translations import tr
@@ -7,7 +7,7 @@ from .object_mesh import ObjectMesh, problem
 
 
 def open_mesh(obj):
-    """Reader and writer of an object's mesh for the object's mode. Raises Refused if meshes.problem() gives a sentence."""
+    """Return an ObjectMesh or an EditMesh for an object, by its mode. Raises Refused if the mesh cannot be pulled."""
     sentence = problem(obj)
     if sentence:
         raise Refused(sentence)

@@ -1,1 +1,1 @@
-"""Pins: pulls that are kept in a list on the object, and evaluated by a solver on each frame."""
+"""Pins: pulls that are kept in a list on the object, and applied by a solver on each frame."""

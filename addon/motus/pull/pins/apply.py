@@ -1,4 +1,7 @@
-"""Apply pins to the mesh, or to shape keys whose values take over the strengths of the pins with their keys."""
+"""Operator that applies pins to the mesh or to shape keys.
+
+Shape keys can take over the strengths of the pins: as their values, with keys and drivers.
+"""
 
 import bpy
 
@@ -17,7 +20,7 @@ TARGETS = (
     ('KEYS', "Shape Keys", "A shape key for each pin, whose value is keyed or driven as the strength was"),
 )
 SLIDER_LIMIT = 10.0
-"""Largest absolute value that Blender allows for a shape key."""
+"""Largest absolute value that Blender allows for the value of a shape key."""
 
 
 class MOTUS_OT_pin_apply(PinOperator, bpy.types.Operator):
@@ -77,7 +80,10 @@ def _check(obj, indices, to):
 
 
 def _offsets(obj, rows, influence):
-    """Displacements of the points by these pins, float32 (n, 3). Raises Refused if the displacements cannot be determined."""
+    """Displacement of each vertex by these pins, float32 (n, 3).
+
+    rows: table.Row of each pin. influence: factor on all displacements. Raises Refused if the displacements cannot be determined.
+    """
     offsets = np.zeros((len(obj.data.vertices), 3), np.float32)
     done = solve.displace(obj, obj.data, rows, offsets)
     if done is None:
@@ -91,7 +97,7 @@ def _offsets(obj, rows, influence):
 
 
 def _to_mesh(obj, offsets):
-    # All shape keys get the displacements, so that the shown mix of them does too.
+    # Every shape key gets the displacements, so that the visible mix of the shape keys gets them too.
     for key in obj.data.shape_keys.key_blocks if obj.data.shape_keys else ():
         arrays.set_key_positions(key, (arrays.key_positions(key) + offsets).reshape(-1))
     arrays.set_positions(obj.data, (arrays.positions(obj.data) + offsets).reshape(-1))
@@ -112,13 +118,16 @@ def _add_key(obj, name, offsets):
 
 
 def _set_value(key, index, obj, strength):
-    """Give a shape key's value the strength of a pin with its keys and driver; returns the least and the largest value."""
+    """Give a shape key the strength of a pin as its value, with keys and drivers; returns the (least, largest) value.
+
+    index: of the pin.
+    """
     strengths = keys.curve(obj, index, "strength")
     points = [point.co.y for point in strengths.keyframe_points] if strengths else []
     driver = keys.driver(obj, index, "strength")
     reach = (-SLIDER_LIMIT, SLIDER_LIMIT) if driver or (strengths and strengths.modifiers) else ()
     lowest, highest = min(0.0, strength, *points, *reach), max(1.0, strength, *points, *reach)
-    # A margin, since handles of keys go beyond the keys.
+    # Add a margin, since an F-curve may exceed its keyframes because of their handles.
     room = 0.5 * (highest - lowest) if points else 0.0
     key.slider_min, key.slider_max = max(lowest - room, -SLIDER_LIMIT), min(highest + room, SLIDER_LIMIT)
     key.value = strength

@@ -1,8 +1,8 @@
-"""Find a pin's root again: by a number that the mesh stores at the vertex, or by the place in the mesh.
+"""Find the vertex that a pin pulls (its root) again after changes of the mesh, by a number stored at the vertex or by its position.
 
-The number is a vertex attribute of the user's mesh, which Blender keeps through changes of the topology. Without the attribute (a linked
-mesh cannot get one) the root is the vertex at the stored place. If not exactly one vertex fits, the binding is broken: the pin does
-nothing until somebody binds it again.
+The number (anchor) is a vertex attribute of the user's mesh, which Blender keeps through changes of the topology. If the attribute is
+missing, since the mesh is linked, the root is the vertex at the stored position. If not exactly one vertex fits, the binding is broken: the
+pin does nothing until the user binds it again.
 """
 
 import zlib
@@ -11,22 +11,22 @@ from ...core.lazy import numpy as np
 
 ATTRIBUTE = "motus_pin"
 TOLERANCE = 1e-5
-"""Largest distance of a vertex from the stored place, as a share of the mesh's size."""
+"""Largest distance of a vertex from the stored position of a pin's root, as a share of the mesh's size."""
 SHAPE = "motus_pin_shape"
-"""Start of the names of attributes that store how far a pin made of a stroke moves each vertex; a number follows."""
+"""Prefix of the names of vertex attributes that store, for a pin made of a stroke, how far the pin moves each vertex."""
 FIRST_ANCHOR, LAST_ANCHOR = 1 << 20, 1 << 24
-"""Range of the numbers.
+"""Range of the numbers that identify the roots of pins.
 
-Blender interpolates them for new vertices in single precision: the mean of none and a number is below the range.
+Blender interpolates the numbers for new vertices in single precision. The mean of a number and 0 (no number) is below the range.
 """
 
 OK, LOST, AMBIGUOUS = 0, 1, 2
 
 
 def root(row, positions, anchors, size):
-    """Find the root of a pin: (vertex, OK), or (None, LOST or AMBIGUOUS).
+    """Find the vertex that a pin pulls: (vertex, OK), or (None, LOST or AMBIGUOUS).
 
-    anchors: {number: indices of vertices that have it}. size: diagonal of the mesh's bounding box.
+    row: table.Row of the pin. anchors: {number: indices of the vertices that have the number}. size: diagonal of the mesh's bounding box.
     """
     marked = anchors.get(row.anchor, ()) if row.anchor else ()
     if len(marked) == 1:
@@ -36,19 +36,19 @@ def root(row, positions, anchors, size):
     if len(near) == 1:
         return int(near[0]), OK
     if row.vertex in near:
-        return row.vertex, OK  # several vertices stand at exactly this place: take the one that was the root before
+        return row.vertex, OK  # several vertices are at this position: keep the previous root
     return None, AMBIGUOUS if len(near) or len(marked) else LOST
 
 
 def diagonal(positions):
-    """Length of the diagonal of the positions' bounding box."""
+    """Length of the diagonal of the bounding box of positions (n, 3); 0.0 if there are none."""
     if len(positions) == 0:
         return 0.0
     return float(np.linalg.norm((positions.max(axis=0) - positions.min(axis=0)).astype(float)))
 
 
 def anchors(mesh):
-    """Numbers that pins have given the vertices of a mesh, int32 (n,); None if there are none."""
+    """Number that pins have given each vertex of a mesh, int32 (n,), 0 for none; None if the mesh has no such attribute."""
     attribute = mesh.attributes.get(ATTRIBUTE)
     if attribute is None or (attribute.data_type, attribute.domain) != ('INT', 'POINT'):
         return None
@@ -60,7 +60,7 @@ def anchors(mesh):
 
 
 def by_number(numbers):
-    """Indices of the vertices for each number of anchors(): {number: indices}."""
+    """Return {number: indices of the vertices that have the number}. numbers: array from anchors(), or None."""
     if numbers is None:
         return {}
     marked = np.flatnonzero(numbers)
@@ -71,15 +71,15 @@ def by_number(numbers):
 
 
 def mark(mesh, vertex, used):
-    """Number of a vertex, assigned if the vertex has none; 0 if the mesh must not be marked.
+    """Return the number of a vertex, and assign a new number if the vertex has none of its own.
 
-    used: numbers that pins of other roots have.
+    used: numbers of pins that pull different vertices. Returns 0 if the mesh must not be changed.
     """
     if mesh.library or mesh.override_library:
         return 0
     numbers = anchors(mesh)
     if numbers is None:
-        if ATTRIBUTE in mesh.attributes:  # the attribute has another type, and is not one of ours
+        if ATTRIBUTE in mesh.attributes:  # the user has an attribute of this name with a different type
             _remove_attribute(mesh, ATTRIBUTE)
         _new_attribute(mesh, ATTRIBUTE, 'INT')
         numbers = anchors(mesh)
@@ -95,7 +95,7 @@ def mark(mesh, vertex, used):
 
 
 def unmark(mesh, used):
-    """Remove numbers that no pin uses any more, and the attribute if none is left."""
+    """Remove the numbers that no pin uses from the vertices, and the attribute if no number is left. used: numbers of pins."""
     numbers = anchors(mesh)
     if numbers is None or mesh.library or mesh.override_library:
         return
@@ -108,7 +108,10 @@ def unmark(mesh, used):
 
 
 def shape(mesh, name):
-    """Displacement of each vertex by a pin made of a stroke, float32 (n, 3); None if the mesh does not store it."""
+    """Displacement of each vertex by a pin made of a stroke, float32 (n, 3). name: of the attribute that stores it.
+
+    None if the mesh has no such attribute.
+    """
     attribute = mesh.attributes.get(name)
     if attribute is None or (attribute.data_type, attribute.domain) != ('FLOAT_VECTOR', 'POINT'):
         return None
@@ -120,14 +123,14 @@ def shape(mesh, name):
 
 
 def keep_shape(mesh, offsets):
-    """Store displacements in the mesh for shape(); returns the attribute's name."""
+    """Store a displacement for each vertex, (n, 3), in a new attribute of the mesh; returns the name of the attribute."""
     name = _new_attribute(mesh, SHAPE, 'FLOAT_VECTOR')
     mesh.attributes[name].data.foreach_set("vector", np.ascontiguousarray(offsets, np.float32).ravel())
     return name
 
 
 def drop_shapes(mesh, used):
-    """Remove stored displacements that no pin uses any more. used: names of the attributes that pins name."""
+    """Remove the attributes with displacements that no pin uses. used: names of the attributes that pins use."""
     if mesh.library or mesh.override_library:
         return
     for name in [name for name in mesh.attributes.keys() if name.startswith(SHAPE) and name not in used]:
@@ -135,7 +138,7 @@ def drop_shapes(mesh, used):
 
 
 def _new_attribute(mesh, name, kind):
-    """Add an attribute, and return the name that Blender gave it; the user's active attribute stays active."""
+    """Add a vertex attribute to a mesh without changing the active attribute; returns the name that Blender gave it."""
     active = mesh.attributes.active_index
     name = mesh.attributes.new(name, kind, 'POINT').name
     mesh.attributes.active_index = active

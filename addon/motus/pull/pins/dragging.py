@@ -1,4 +1,7 @@
-"""Operator motus.pin_drag: moves a pin's root to a place, by the pin's handle in the viewport or from a script."""
+"""Operator motus.pin_drag: moves the vertex that a pin pulls (its root) to a position.
+
+The user drags the pin's handle in the viewport, or a script gives the position.
+"""
 
 import bpy
 from mathutils import Matrix, Vector
@@ -14,13 +17,19 @@ from . import binding, handles, setup, solve
 from .operators import PinOperator, index_keyword, mesh_keyword
 
 PROBE = 0.01
-"""Step by which the root is moved to measure its response, as a share of the mesh's size."""
+"""Distance by which a root is moved to measure its response, as a share of the mesh's size."""
 LEAST_VOLUME = 1e-6
-"""Least volume that the responses to three axes span, as a share of the plain response; below it the plain response is used."""
+"""Least determinant of the measured response, as a share of the determinant of the plain response.
+
+Below it the plain response (world matrix times the pin's share) is used.
+"""
 
 
 class Held:
-    """A pin that is dragged: pull() moves its root. point: where the root is seen at the start, in the world."""
+    """A pin that is being dragged: pull() moves the vertex that it pulls (its root).
+
+    point: world position at which the user saw the root at the start of the drag.
+    """
 
     def __init__(self, context, obj, index):
         self._context, self._object, self.index = context, obj, index
@@ -39,24 +48,28 @@ class Held:
 
     @property
     def has_chosen(self):
-        """Whether the drag has made another pin the active one."""
+        """Whether a different pin was active before the drag, so that the drag has changed the active pin."""
         return self._active != self.index
 
     def pull(self, place):
-        """Move the pin so that its root is seen at a place in the world, as far as no other pin or modifier holds the root back."""
+        """Change the pin's displacement so that the user sees its root at a world position.
+
+        Later pins and modifiers may hold the root back.
+        """
         if self._inverse is None:
             self._inverse = self._ways().inverted()
         self._pin.displacement = self._before + self._inverse @ (Vector(place) - self.point)
 
     def restore(self):
-        """Restore the pin to its state before the drag."""
+        """Restore the pin's displacement and the active pin from before the drag."""
         self._pin.displacement = self._before
         self._object.motus.pull.active_pin = self._active
 
     def _ways(self):
-        """Response of the root's world position to the pin's displacement, 3x3.
+        """3x3 matrix: change of the root's visible world position for a change of the pin's displacement.
 
-        Later modifiers, vertex groups and shape keys turn and shorten the root's way, so that the response is measured by small steps.
+        Later modifiers, vertex groups and shape keys rotate and shorten the root's path. So the matrix is measured by small steps. Raises
+        Refused if the pin does not act.
         """
         if self._is_broken:
             raise Refused(tr(solve.BROKEN.sentence))
@@ -78,7 +91,7 @@ class Held:
         return self._seen()[0]
 
     def _seen(self):
-        """(world position of the root as it is seen, whether the pin has lost its root)."""
+        """Return (world position at which the user sees the root, whether the pin has lost its root)."""
         self._context.view_layer.update()
         found = handles.read(self._object, self._context.view_layer.depsgraph)
         rows = np.flatnonzero(found.indices == self.index)

@@ -1,4 +1,4 @@
-"""Gizmo that draws and picks the handles of all pins at once."""
+"""Gizmo that draws the handles of all pins of an object, and lets the user pick one."""
 
 import bpy
 
@@ -10,7 +10,7 @@ from . import handles, setup
 from .dragging import MOTUS_OT_pin_drag
 
 RADIUS = 5.0
-"""Radius of a handle, in pixels at the interface's normal size."""
+"""Radius of a pin's handle, in pixels at the interface's normal size."""
 ACTIVE_RADIUS = 7.0
 RIM = 1.5
 PULLING, RESTING, BROKEN = (0.95, 0.95, 1.0, 0.9), (0.6, 0.6, 0.65, 0.6), (0.95, 0.25, 0.3, 0.9)
@@ -74,7 +74,7 @@ class MOTUS_GGT_pins(handle_groups.HandleGroup, bpy.types.GizmoGroup):
 
     @staticmethod
     def is_owner(obj):
-        """Whether an object has pins."""
+        """Whether the object has pins, and so gets the gizmo."""
         return obj.type == 'MESH' and obj.motus.pull.is_active
 
 

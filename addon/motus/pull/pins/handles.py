@@ -1,4 +1,4 @@
-"""Handles of pins: their places in the viewport, and the handle under the mouse."""
+"""Handles of pins: their positions in the viewport, and the handle under the mouse."""
 
 from typing import Any, NamedTuple
 
@@ -7,15 +7,14 @@ from ...core.lazy import numpy as np
 from . import setup, solve, table
 
 NEAR = 11.0
-"""Largest distance of the mouse from a handle that it points at, in pixels at the interface's normal size."""
+"""Largest distance of the mouse from a handle that it picks, in pixels at the interface's normal size."""
 
 
 class Handles(NamedTuple):
-    """Handles of the pins of an object that have a root, one for each row.
+    """Handles of the pins of an object, as arrays with one row for each pin that pulls at a vertex (its root).
 
-    indices: of the pins. places: world positions at which the roots are seen, (n, 3). starts: the positions that the roots would have
-    without
-    their own pin. acts: whether each pin pulls now. is_broken: whether each pin has lost its root.
+    indices: of the pins in the list. places: world positions at which the user sees the roots, (n, 3). starts: world positions of the roots
+    without their own pin, (n, 3). acts: whether each pin moves its root at present. is_broken: whether each pin has lost its root.
     """
 
     indices: Any
@@ -26,7 +25,7 @@ class Handles(NamedTuple):
 
 
 def read(obj, depsgraph):
-    """Read the Handles of an evaluated mesh object."""
+    """Return the Handles of a mesh object, as evaluated by the depsgraph."""
     evaluated = obj.evaluated_get(depsgraph)
     settings = evaluated.motus.pull
     pins = settings.pins
@@ -47,14 +46,14 @@ def read(obj, depsgraph):
 
 
 def share(obj, depsgraph, index):
-    """Share of a pin's displacement that acts now: strength of an unmuted pin times the influence of all pins."""
+    """Factor on a pin's displacement at present: its strength, or 0 if it is muted, times the influence of all pins."""
     return float(_shares(obj.evaluated_get(depsgraph).motus.pull)[index, 0])
 
 
 def pick(handles, region, matrix, mouse, near):
-    """Row of the handle nearest to a place of the region, within `near` pixels; None if there is none.
+    """Row of the handle nearest to the mouse, if it is within `near` pixels; None if there is none.
 
-    matrix: perspective matrix of the view.
+    matrix: perspective matrix of the view. mouse: position in the region.
     """
     places, is_before = on_screen(handles.places, region, matrix)
     away = np.where(is_before, np.hypot(*(places - np.array(mouse[:2])).T), np.inf)
@@ -62,7 +61,10 @@ def pick(handles, region, matrix, mouse, near):
 
 
 def on_screen(points, region, matrix):
-    """Project world points: (pixels in the region (n, 2), whether each point lies before the viewer)."""
+    """Project world positions (n, 3): returns (pixels in the region (n, 2), whether each position is in front of the viewer).
+
+    matrix: perspective matrix of the view.
+    """
     matrix = np.array(matrix)
     clipped = points @ matrix[:, :3].T + matrix[:, 3]
     is_before = clipped[:, 3] > 1e-6
@@ -76,7 +78,7 @@ def _shares(settings):
 
 
 def _seen(obj, evaluated, vertices):
-    """Positions in the object at which vertices are seen, (m, 3); None if modifiers change the number of vertices."""
+    """Local positions at which the user sees vertices, (m, 3); None if modifiers change the number of vertices."""
     count = len(obj.data.vertices)
     mesh = evaluated.data
     if len(mesh.vertices) != count or not all(0 <= vertex < count for vertex in vertices):
@@ -85,7 +87,7 @@ def _seen(obj, evaluated, vertices):
 
 
 def _broken(obj, depsgraph, indices):
-    """Which of these pins have lost their roots, bool (m,)."""
+    """Whether each of these pins has lost its root, bool (m,). indices: of the pins."""
     found = np.zeros(len(indices), bool)
     if wiring.problem(setup.system(), obj, depsgraph) is None:
         return found

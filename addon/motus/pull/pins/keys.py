@@ -1,4 +1,7 @@
-"""Keys and drivers of pins. Their data paths hold the pin's index, so that they are rewritten when the list changes."""
+"""F-curves and drivers of pins.
+
+Their data paths contain the pin's index, so that the paths are rewritten when the order of the list of pins changes.
+"""
 
 import re
 
@@ -11,13 +14,14 @@ _PATH = re.compile(r"^motus\.pull\.pins\[(?P<index>\d+)\](?P<rest>.*)$")
 
 
 def reorder(owner, places, absent):
-    """Rewrite data paths of keys, drivers, and variables of other drivers after a change of the list of pins.
+    """Rewrite the data paths of F-curves and drivers, and of driver variables that read pins, after a change of the list of pins.
 
-    places: {old index: new index} of the pins that remain. absent: data path for variables that read a removed pin.
+    places: {old index: new index} of the pins that remain. F-curves and drivers of removed pins are deleted. absent: data path for
+    variables that read a removed pin.
     """
     for player in actions.players(owner):
         if any(places.get(place) != place for place in _pins_of(actions.curves_of(player))):
-            actions.make_own(player)  # the copy of an object shares its action, but has its own pins
+            actions.make_own(player)  # a copied object shares the action, but has its own pins
             _reorder(actions.curves_of(player), places)
     if owner.animation_data:
         _reorder(owner.animation_data.drivers, places)
@@ -44,17 +48,17 @@ def _moved(match, places):
 
 
 def _pins_of(curves):
-    """Indices of the pins that F-curves animate."""
+    """Set of the indices of the pins that these F-curves animate."""
     return {int(match["index"]) for match in (_PATH.match(curve.data_path) for curve in curves) if match}
 
 
 def has_strips(owner, index):
-    """Whether an NLA strip animates a pin."""
+    """Whether an NLA strip animates the pin of this index."""
     return any(index in _pins_of(actions.curves_of(player)) for player in actions.players(owner)[1:])
 
 
 def drop_empty(owner):
-    """Remove the object's action if it has no F-curves left, and its animation data if they are empty."""
+    """Remove the object's action if it has no F-curves, and the object's animation data if they are empty."""
     animation = owner.animation_data
     if animation is None or animation.nla_tracks:
         return
@@ -68,17 +72,17 @@ def drop_empty(owner):
 
 
 def curve(owner, index, name):
-    """F-curve of one setting of a pin, or None."""
+    """F-curve of the setting `name` of a pin; None if there is none."""
     return actions.find(owner, f"motus.pull.pins[{index}].{name}")
 
 
 def driver(owner, index, name):
-    """Driver of one setting of a pin, or None."""
+    """Driver F-curve of the setting `name` of a pin; None if there is none."""
     animation = owner.animation_data
     return animation.drivers.find(f"motus.pull.pins[{index}].{name}") if animation else None
 
 
 def is_animated(owner, path):
-    """Whether keys or a driver animate a property of a datablock."""
+    """Whether an F-curve or a driver animates the property at this data path of a datablock."""
     animation = owner.animation_data
     return actions.find(owner, path) is not None or bool(animation and animation.drivers.find(path))

@@ -1,4 +1,4 @@
-"""Operators of the list of pins: adding, removing, reordering, mirroring and binding again."""
+"""Operators on the list of pins: add, remove, reorder, mirror, and bind again to a vertex."""
 
 import bpy
 
@@ -34,23 +34,26 @@ KEYWORDS = (
     "clamp_axis",
     "vertex_group",
 )
-"""Keywords of the brush that a pin has too; the scene's brush gives those that the caller leaves out."""
+"""Keywords of the brush that a pin has too. The scene's brush gives the values that the caller leaves out."""
 
 
 def mesh_keyword():
-    """Make the string property by which scripts name the object."""
+    """Create the string property by which scripts name the mesh object."""
     return object_keyword("Name of the mesh object; empty takes the active one")
 
 
 def index_keyword():
-    """Make the property that holds the index of a pin."""
+    """Create the integer property that holds the index of a pin."""
     return bpy.props.IntProperty(
         name="Index", description="Index of the pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'}
     )
 
 
 class PinOperator(Operator):
-    """Mixin of operators on an object's pins: change(context, obj) does the work after the object was checked."""
+    """Mixin of the operators on an object's pins.
+
+    run() checks the object, and then calls change(context, obj), which subclasses define.
+    """
 
     modes = OBJECT_MODE
 
@@ -67,7 +70,7 @@ class PinOperator(Operator):
 
 
 class PinKeywords:
-    """Keywords of the brush that a pin has too."""
+    """Mixin with the properties of the brush that a pin has too."""
 
     __annotations__ = {name: BrushKeywords.__annotations__[name] for name in KEYWORDS}
 

@@ -1,4 +1,7 @@
-"""Viewport overlay of pins, in addition to the handles: the way of each root, and a note that pins rest in Edit Mode."""
+"""Viewport overlay of pins, in addition to their handles.
+
+Draws the path of each vertex that a pin pulls, and a note that pins have no effect in Edit Mode.
+"""
 
 from ...core.declare import Problem
 from ...core.interface.overlay import Batch, Overlay

@@ -1,4 +1,4 @@
-"""List of pins, drawn by the same functions in the sidebar's tab and among the modifiers of the object."""
+"""Panels with the list of pins, in the sidebar and in the modifier tab of the object."""
 
 import bpy
 
@@ -29,13 +29,13 @@ SENTENCES = {
 
 
 def state_of(context, obj, index):
-    """Status of a pin at the last evaluation; solve.OK if it is unknown."""
+    """Status number of a pin at the last evaluation, such as solve.LOST; solve.OK if the status is unknown."""
     found = wiring.output(system(), obj, f"pin{index}", context.view_layer.depsgraph)
     return int(found) if found in solve.PROBLEM_OF else solve.OK
 
 
 def draw_list(layout, context):
-    """Draw the list of pins, and what is wrong with them."""
+    """Draw the list of pins, the problems of its pins, and the influence of all pins."""
     obj = context.object
     settings = obj.motus.pull
     _, _, buttons = ui.draw_list(layout, "MOTUS_UL_pins", settings, "pins", "active_pin", "motus.pin_add", "motus.pin_remove", rows=4)
@@ -49,7 +49,7 @@ def draw_list(layout, context):
 
 
 def draw_add(layout, context):
-    """Draw the buttons that make a pin."""
+    """Draw the buttons that add a pin."""
     column = layout.column(align=True)
     column.operator("motus.pin_add", icon='PINNED')
     _draw_pin_last(column, context)
@@ -140,7 +140,7 @@ _KEEP_VERTICES = {
     'VERTEX_WEIGHT_MIX',
     'VERTEX_WEIGHT_PROXIMITY',
 }
-"""Types of modifiers that keep the number and order of the vertices."""
+"""Types of modifiers that keep the number and the order of the vertices."""
 
 
 class MOTUS_UL_pins(bpy.types.UIList):
@@ -159,7 +159,7 @@ def _has_active_pin(context):
 
 
 class ObjectModifiers:
-    """Mixin of panels among the modifiers of an object in the properties editor."""
+    """Mixin of panels in the modifier tab of the properties editor."""
 
     bl_space_type = 'PROPERTIES'
     bl_region_type = 'WINDOW'

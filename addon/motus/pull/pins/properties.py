@@ -1,4 +1,4 @@
-"""Settings of pins in Object.motus.pull: pulls that are kept in a list, and applied on each evaluation."""
+"""Settings of pins in Object.motus.pull: a list of pulls that the solver applies on each evaluation."""
 
 import bpy
 

@@ -1,4 +1,4 @@
-"""Functions that add pins to an object, bind them to its mesh and remove them, used by the operators."""
+"""Functions that add pins to an object, bind them to vertices of its mesh, and remove them; the operators call them."""
 
 import bpy
 
@@ -14,12 +14,12 @@ from . import binding, keys
 
 
 def system():
-    """The registered System of the pins. It cannot be imported at the top, since the package's __init__ imports this module."""
+    """The registered System of the pins. A top-level import is impossible, since the package's __init__ imports this module."""
     return registered["pull"]
 
 
 def check(obj):
-    """Refuse an object whose pins cannot be changed."""
+    """Raise Refused if the pins of an object cannot be changed."""
     if obj.type != 'MESH':
         raise Refused(tr("{object} is not a mesh").format(object=obj.name))
     if obj.library:
@@ -31,7 +31,7 @@ def check(obj):
 
 
 def pin_at(obj, index):
-    """Index of a pin; -1 stands for the active one. Raises Refused if there is no such pin."""
+    """Return the checked index of a pin; -1 stands for the active pin. Raises Refused if there is no such pin."""
     settings = obj.motus.pull
     found = settings.active_pin if index < 0 else index
     if not 0 <= found < len(settings.pins):
@@ -40,7 +40,10 @@ def pin_at(obj, index):
 
 
 def add(obj, vertex, name, values):
-    """Add a pin at the end of the list, with the root `vertex` and these settings; returns its index."""
+    """Add a pin at the end of the object's list; returns its index.
+
+    vertex: index of the vertex that the pin pulls (its root). values: {name: value} of the pin's settings.
+    """
     pin = _append(obj, name, values)
     bind(obj, pin, vertex)
     rewire(obj)
@@ -48,13 +51,16 @@ def add(obj, vertex, name, values):
 
 
 def add_shape(obj, offsets, name, values):
-    """Add a pin that moves each vertex by an offset of its own. offsets: (n, 3) in the object."""
+    """Add a pin that moves each vertex by its own offset.
+
+    offsets: (n, 3) in the object's space. values: {name: value} of the pin's settings.
+    """
     _append(obj, name, values | {"shape": binding.keep_shape(obj.data, offsets)})
     rewire(obj)
 
 
 def check_rooted(pin):
-    """Refuse a pin without a root, which has been made of a stroke."""
+    """Raise Refused if a pin does not pull at one vertex, since it was made of a whole stroke."""
     if pin.shape:
         raise Refused(tr("{pin} keeps the shape of a stroke and has no root").format(pin=pin.name))
 
@@ -63,7 +69,7 @@ def _append(obj, name, values):
     settings = obj.motus.pull
     pin = settings.pins.add()
     pin.name = _free_name(settings, name)
-    # All settings are assigned: reading the list column by column is slow for values that were never set.
+    # Assign all settings: foreach_get() on the list is slow for values that were never set.
     for field in [one.identifier for one in pin.bl_rna.properties if one.is_runtime and one.identifier != "name"]:
         setattr(pin, field, values.get(field, getattr(pin, field)))
     settings.active_pin = len(settings.pins) - 1
@@ -71,7 +77,7 @@ def _append(obj, name, values):
 
 
 def bind(obj, pin, vertex):
-    """Make a vertex the root of a pin."""
+    """Make a vertex the root of a pin, that is the vertex at which the pin pulls."""
     others = _pins_of_mesh(obj.data, but=pin)
     elsewhere = {other.anchor for other in others if other.vertex != vertex}
     pin.vertex = vertex
@@ -81,7 +87,11 @@ def bind(obj, pin, vertex):
 
 
 def remove(obj, indices):
-    """Remove pins; with the last pin also the modifier and all else that was added to the object for pins."""
+    """Remove the pins of these indices from an object.
+
+    When the last pin is removed, the modifier and everything else that was added to the object for pins is removed too. Raises Refused if a
+    pin is from a library.
+    """
     settings = obj.motus.pull
     if min(indices) < libraries.count_from_library(obj, "motus.pull.pins"):
         raise Refused(tr("A pin of {object} is from its library and cannot be removed here: mute it").format(object=obj.name))
@@ -99,7 +109,7 @@ def remove(obj, indices):
 
 
 def reorder(obj, index, place):
-    """Move a pin to another place in the order of the list."""
+    """Move the pin at `index` to the position `place` in the object's list."""
     settings = obj.motus.pull
     order = list(range(len(settings.pins)))
     order.insert(place, order.pop(index))
@@ -110,12 +120,12 @@ def reorder(obj, index, place):
 
 
 def rewire(obj):
-    """Wire an object anew for the pins that it has now."""
+    """Add, update or remove the object's modifier and drivers for its present pins; if no pin is left, also remove the settings."""
     entries.wire(system(), obj, "pins")
 
 
 def settle(obj):
-    """Store in each pin where its root stands now."""
+    """Store in each pin of an object the present index and position of the vertex that it pulls."""
     if obj.mode != 'OBJECT':
         return
     from . import table
@@ -129,12 +139,12 @@ def settle(obj):
 
 
 def _follow(obj, order):
-    # Another pin may get a removed pin's index, so that drivers of the removed pin get a path that does not exist: Blender reports it.
+    # A different pin may get a removed pin's index. So drivers of the removed pin get a path that does not exist: Blender reports it.
     keys.reorder(obj, {old: new for new, old in enumerate(order)}, wiring.absent_path(system(), "removed pin"))
 
 
 def _pins_of_mesh(mesh, but=None):
-    """Pins of all objects that use the mesh, except one pin."""
+    """Return the pins of all objects that use the mesh, except the pin `but`."""
     return [
         pin for obj in bpy.data.objects if obj.data == mesh and obj.is_property_set("motus") for pin in obj.motus.pull.pins if pin != but
     ]

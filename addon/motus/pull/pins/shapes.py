@@ -1,7 +1,7 @@
-"""Cache of the vertices that the pins of a mesh reach, which are expensive to find.
+"""Cache of the vertices that the pins of a mesh reach, since finding them takes long.
 
-An entry is keyed by the content of the mesh (positions, numbers of the roots, and topology if distances run along the mesh), which is
-compared on every evaluation. The results do not depend on the cache.
+An entry is keyed by the name of the mesh, and valid for its content, which is compared on every evaluation: positions, the numbers of
+pulled vertices, and the topology if distances are measured along the mesh. The solver's results do not depend on the cache.
 """
 
 from ...core import keeping, native
@@ -10,11 +10,11 @@ from ..mesh import arrays
 from . import binding
 
 LARGEST = 32
-"""Most shapes in the cache."""
+"""Largest number of entries (Shape) in the cache."""
 MOST_VERTICES = 8_000_000
-"""Most vertices of all shapes in the cache."""
+"""Largest total number of vertices of all entries in the cache."""
 SPARE_REACHES = 64
-"""Number of unused reaches that a shape keeps, for pins that are being edited."""
+"""Number of reaches that no present pin uses and that an entry keeps nevertheless, for pins that are being edited."""
 
 _shapes = keeping.OfFile(
     "what pins reach, with the mesh as it was (Shape)",
@@ -28,7 +28,10 @@ _BUFFERS = keeping.OfThread("what is read of a mesh, to be compared", "a name; a
 
 
 class Reached:
-    """Vertices that a pin reaches: (indices, distances) for each mirror image, as the library's pull() takes them."""
+    """Vertices that a pin reaches.
+
+    reaches: (indices, distances) for the pull and each mirror image, as the native pull() takes them.
+    """
 
     def __init__(self, reaches):
         self.reaches = reaches
@@ -36,7 +39,10 @@ class Reached:
 
     @property
     def compact(self):
-        """(sorted indices of all reached vertices, the reaches with places in this array instead of indices)."""
+        """Reaches with consecutive numbering: (rising indices of all reached vertices, reaches).
+
+        The reaches contain positions in the first array instead of vertex indices.
+        """
         if self._compact is None:
             rows = np.unique(np.concatenate([indices for indices, _ in self.reaches]))
             self._compact = rows, [(np.searchsorted(rows, indices), distances) for indices, distances in self.reaches]
@@ -44,7 +50,7 @@ class Reached:
 
 
 class Shape:
-    """Cache entry for one shape of a mesh: the vertices that each of its pins reaches."""
+    """Cache entry for one shape of a mesh: its content, and the vertices that each of its pins reaches."""
 
     def __init__(self, mesh, positions, numbers, topology):
         self.positions = positions
@@ -59,7 +65,7 @@ class Shape:
         self._found = keeping.Latest()
 
     def is_of(self, positions, numbers, topology):
-        """Whether these positions, numbers and topology of a mesh are those that the cached Shape was made for."""
+        """Whether the entry was made for these positions, vertex numbers and topology of a mesh."""
         pairs = [(positions, self.positions), (numbers, self._numbers)]
         pairs += zip(topology or (), self._topology or ())
         return (topology is None) == (self._topology is None) and all(map(_same, *zip(*pairs)))
@@ -76,7 +82,7 @@ class Shape:
         return root, status, None if root is None else Reached(self._reaches(row, root))
 
     def forget_but(self, count):
-        """Remove reaches of pins that have changed, if more than `count` and SPARE_REACHES are kept."""
+        """Delete reaches that have not been used for the longest time, until at most `count` plus SPARE_REACHES are left."""
         self._found.trim(count + SPARE_REACHES)
 
     def _reaches(self, row, root):
@@ -87,7 +93,10 @@ class Shape:
 
 
 def shape_of(mesh, rows):
-    """Shape from the cache for an evaluated mesh and these rows of pins; a new one if the mesh has changed."""
+    """Return the cache entry for an evaluated mesh and its pins; create a new one if the mesh has changed.
+
+    rows: table.Row of each pin.
+    """
     positions, numbers = _positions(mesh), binding.anchors(mesh)
     topology = None
     if any(row.distance != "straight" for row in rows):
@@ -100,12 +109,12 @@ def shape_of(mesh, rows):
 
 
 def _positions(mesh):
-    """Positions of a mesh's vertices, float32 (n, 3), in an array that the thread reuses."""
+    """Positions of a mesh's vertices, float32 (n, 3), in an array that the next call in the thread overwrites."""
     return arrays.positions(mesh, _buffer("positions", 3 * len(mesh.vertices), np.float32))
 
 
 def _topology(mesh):
-    """Arrays that describe the faces and edges of a mesh for comparison; valid until the thread's next call."""
+    """Arrays that describe the faces and edges of a mesh for comparison, valid until the thread's next call."""
     if ".corner_vert" in mesh.attributes:
         corners = _buffer("corners", len(mesh.loops), np.int32)
         mesh.attributes[".corner_vert"].data.foreach_get("value", corners)
@@ -125,7 +134,10 @@ def _buffer(name, size, dtype):
 
 
 def _memory(items):
-    """Memory of a collection as int32 words, whatever its items hold; only for reading, until Blender changes the collection."""
+    """Memory of a Blender collection as int32 words, whatever its items contain.
+
+    The array is only for reading, and only valid until Blender changes the collection.
+    """
     import ctypes
 
     if len(items) < 2:

@@ -1,4 +1,4 @@
-"""Solver of pins: how far all pins together move each point of the mesh."""
+"""Solver of pins: computes how far all pins together move each vertex of the mesh."""
 
 from ...core import native
 from ...core.declare import Group, Problem, Vertices
@@ -17,37 +17,41 @@ PROBLEMS = (NOT_A_MESH, NOT_FINITE_MESH, BROKEN, UNUSABLE, NO_GROUP, NO_SHAPE)
 INPUTS = (Vertices("mesh"),)
 
 UNBAKEABLE = Problem("Pins have nothing to bake, for their strengths are keyed: apply them to shape keys instead").sentence
-"""Message of motus.bake on an object with pins."""
+"""Message of the operator motus.bake for an object with pins."""
 
 OK, LOST, AMBIGUOUS = binding.OK, binding.LOST, binding.AMBIGUOUS
 NOT_USABLE, WITHOUT_GROUP, WITHOUT_SHAPE = 3, 4, 5
-"""Status numbers of pins in the outputs."""
+"""Further status numbers of pins, which the solver outputs beside OK, LOST and AMBIGUOUS."""
 PROBLEM_OF = {LOST: BROKEN, AMBIGUOUS: BROKEN, NOT_USABLE: UNUSABLE, WITHOUT_GROUP: NO_GROUP, WITHOUT_SHAPE: NO_SHAPE}
 
 
 def groups(owner):
-    """Declare one group of outputs: the status of each pin, in the order of the list."""
+    """Declare the solver's outputs to the registry: one group with the status of each pin, in the order of the list."""
     return (Group(outputs=tuple(f"pin{index}" for index in range(len(owner.motus.pull.pins)))),)
 
 
 def solve(context, mesh):
-    """Fill the context's offsets, in the object's space. Never raises for a user's error."""
+    """Write the displacement of each vertex by the pins into context.offsets (in the object's space), and the status of each pin.
+
+    mesh: evaluated mesh of the owner. Returns a Problem or None; a user's error never raises an exception.
+    """
     if mesh is None:
         return NOT_A_MESH
     done = displace(context.owner, mesh, table.read(context.settings.pins), context.offsets)
     if done is None:
         return NOT_FINITE_MESH
     states, context.wants_to_settle = done
-    known = min(len(states), len(context.outputs))  # a pin that a script has added is not wired yet
+    known = min(len(states), len(context.outputs))  # pins that a script has just added have no output yet
     context.outputs[:known] = states[:known]
     problems = [PROBLEM_OF[state] for state in states if state != OK]
     return min(problems, key=PROBLEMS.index) if problems else None
 
 
 def displace(owner, mesh, rows, offsets):
-    """Add the pins' displacements to the offsets (n, 3) of a mesh's points, pin after pin.
+    """Add the displacements by the pins, one pin after another, to the offsets (n, 3) of a mesh's vertices.
 
-    Returns (status of each pin, whether a root stands elsewhere than the pin has stored); None if the mesh is not finite.
+    rows: table.Row of each pin. Returns (status of each pin, whether a pulled vertex differs in index or position from what its pin has
+    stored); None if a position of the mesh is not finite.
     """
     shape = shapes.shape_of(mesh, rows)
     if not shape.is_finite:
@@ -81,7 +85,7 @@ def _apply(owner, mesh, shape, row, reached, offsets):
 def _apply_shape(mesh, row, offsets):
     found = binding.shape(mesh, row.shape)
     if found is None:
-        return OK if mesh.is_editmode else WITHOUT_SHAPE  # in Edit Mode attributes cannot be read, and pins rest
+        return OK if mesh.is_editmode else WITHOUT_SHAPE  # in Edit Mode attributes cannot be read, and pins have no effect
     furthest = max(found.max(initial=0.0), -found.min(initial=0.0))
     if not (row.is_usable and is_finite(furthest) and is_finite(row.strength * float(furthest))):
         return NOT_USABLE
@@ -92,7 +96,10 @@ def _apply_shape(mesh, row, offsets):
 
 
 def move(offsets, positions, row, reached, weights):
-    """Apply one pin to the points at positions + offsets, and change the offsets."""
+    """Apply one pin to the positions + offsets of a mesh, and change the offsets in place.
+
+    row: table.Row of the pin. reached: its Reached. weights: of the reached vertices, or None for 1.
+    """
     keywords = {"mirror": row.mirror, **row.profile}
     if row.limits is None and weights is None:
         native.module.pull(offsets, (0.0, 0.0, 0.0), row.way, row.radius, reach=reached.reaches, out=offsets, **keywords)
@@ -106,7 +113,7 @@ def move(offsets, positions, row, reached, weights):
 
 
 def _weights(mesh, group, indices):
-    """Weights of these vertices of an evaluated mesh in a vertex group."""
+    """Weights of these vertices of an evaluated mesh in the vertex group of index `group`, float32; 0 outside the group."""
     vertices = mesh.vertices
     found = (next((entry.weight for entry in vertices[index].groups if entry.group == group), 0.0) for index in indices.tolist())
     return np.fromiter(found, np.float32, len(indices))

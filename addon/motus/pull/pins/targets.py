@@ -1,4 +1,4 @@
-"""Root and settings of a new pin: from keywords, from the last pull, or from another pin."""
+"""Find the vertex and the settings of a new pin: from keywords, from the last pull, or from a pin to be mirrored."""
 
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
@@ -14,7 +14,7 @@ AXIS_NAMES = tuple(AXIS_INDEX)
 
 
 def checked(obj, positions, vertex):
-    """Check that a vertex can be a root, and return its index."""
+    """Return the index of a vertex at which a pin can pull. Raises Refused if there is no such vertex or its position is not finite."""
     if not 0 <= vertex < len(positions):
         raise Refused(tr("{object} has no vertex {index}: it has {count}").format(object=obj.name, index=vertex, count=len(positions)))
     if not np.isfinite(positions[vertex]).all():
@@ -23,7 +23,10 @@ def checked(obj, positions, vertex):
 
 
 def nearest(obj, positions, place, metric):
-    """Index of the vertex nearest to a place in the object. metric: 3x3, which measures lengths."""
+    """Index of the vertex nearest to a local position. metric: 3x3 matrix that measures lengths.
+
+    Raises Refused if there is no vertex, or its position is not finite.
+    """
     if not len(positions):
         raise Refused(tr("{object} has no vertices").format(object=obj.name))
     vertex, away = object_mesh.nearest(positions, place, metric)
@@ -33,7 +36,10 @@ def nearest(obj, positions, place, metric):
 
 
 def from_keywords(operator, context, obj):
-    """(root, settings) of a pin from the keywords that were given, and from the scene's brush for the others."""
+    """Return (vertex to pull, settings) of a new pin from the operator's given keywords.
+
+    The scene's brush gives the values of the remaining keywords.
+    """
     given = {
         name: getattr(operator, name)
         for name in (*KEYWORDS, "curve")
@@ -55,7 +61,7 @@ def from_keywords(operator, context, obj):
 
 
 def settings_of(obj, brush, space):
-    """Settings of a pin from a brush, with heights in the object's space."""
+    """Settings of a pin, {name: value}, from a Brush; the limits are converted to the object's space."""
     if brush.vertex_group and brush.vertex_group not in obj.vertex_groups:
         raise Refused(tr("{object} has no vertex group {group}").format(object=obj.name, group=brush.vertex_group))
     found = {name: getattr(brush, name) for name in PULL_SETTINGS}
@@ -67,7 +73,7 @@ def settings_of(obj, brush, space):
 
 
 def check_record(record, obj):
-    """Refuse if the last pull was made on another object."""
+    """Raise Refused if nothing was pulled yet, or if the last pull was made on a different object."""
     if not record.object:
         raise Refused(tr("Nothing was pulled yet"))
     if record.object != obj.name:
@@ -75,7 +81,10 @@ def check_record(record, obj):
 
 
 def from_record(record, obj):
-    """(root, settings) of a pin that does what the last pull did, if that pull had a single root."""
+    """Return (vertex to pull, settings) of a pin that repeats the last pull.
+
+    record: record of a stroke that pulled at a single vertex.
+    """
     found = {name: getattr(record, name) for name in (*PULL_SETTINGS, "metric", "curve", "displacement")}
     found["mirror"] = set(record.mirror)
     limits = {name: getattr(record, name) for name in ("unit", *LIMITS)}
@@ -83,9 +92,10 @@ def from_record(record, obj):
 
 
 def take_back(shapes, obj):
-    """Restore the mesh before the last stroke; returns how far the stroke moved each vertex as it is seen, float32 (n, 3).
+    """Restore the mesh to its shape before the last stroke.
 
-    shapes: (object's name, before, after), or None. Raises Refused if the mesh does not have the shape `after`.
+    Returns how far the user saw the stroke move each vertex, float32 (n, 3). shapes: (object's name, shape before, shape after), or None.
+    Raises Refused if the mesh no longer has the shape after the stroke.
     """
     mesh = open_mesh(obj)
     _, before, after = shapes if shapes and shapes[0] == obj.name else (None, None, None)
@@ -100,7 +110,7 @@ def take_back(shapes, obj):
 
 
 def mirrored(obj, pin, axis):
-    """(root, settings) of the mirrored pin on the other side of the object."""
+    """Return (vertex to pull, settings) of the mirror image of a pin across an axis of the object. axis: 0, 1 or 2."""
     turn = np.ones(3)
     turn[axis] = -1.0
     positions = arrays.positions(obj.data)
@@ -115,14 +125,14 @@ def mirrored(obj, pin, axis):
 
 
 def _place(operator, context, brush, space):
-    """Place of the root in the object that the keywords name."""
+    """Local position at which the new pin is to pull: the keyword `location`, or the 3D cursor."""
     if not operator.properties.is_property_set("location"):
         return space.point_to_local(context.scene.cursor.location)
     return space.point_to_local(operator.location) if brush.unit == 'WORLD' else np.array(operator.location, float)
 
 
 def _displacement(mesh, positions, vertex, brush, space):
-    """Displacement of the root by the brush's direction and strength, in the object."""
+    """Displacement of the pulled vertex by the brush's direction and strength, in the object's space."""
     if brush.direction == 'VIEW':
         raise Refused(tr("A pin has no view to pull towards: choose another direction or give a displacement"))
     if brush.direction == 'CURSOR':
@@ -139,7 +149,10 @@ def _displacement(mesh, positions, vertex, brush, space):
 
 
 def _limits(brush, space):
-    """Limits of a pin from the brush's limits: heights along one of the object's own axes."""
+    """Settings of a pin's limits, {name: value}, from the limits of the brush, along an axis of the object.
+
+    Raises Refused if no axis of the object is parallel to the axis of the limits.
+    """
     if not (brush.use_minimum or brush.use_maximum):
         return dict.fromkeys(("use_minimum", "use_maximum"), False)
     found = space.limits(brush)

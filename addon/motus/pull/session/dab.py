@@ -1,4 +1,4 @@
-"""Session of pulls on one mesh, used by the operator both from scripts and with the mouse."""
+"""Session of pulls on one mesh: the operator uses it both from scripts and with the mouse."""
 
 import dataclasses
 import math
@@ -19,14 +19,15 @@ from .puller import Puller
 from .surface import Surface
 
 NONE_MOVED = ()
-"""Indices of no vertices."""
+"""Stands for an empty array of vertex indices."""
 
 
 class Hit(NamedTuple):
-    """Point that a ray meets, in the world. vertex: the root.
+    """World position and normal at which a ray hits the visible surface, with the hit triangle.
 
-    The root is the visible vertex nearest to the point on the surface that was hit, as far as the surface is seen from there. It may belong
-    to another triangle if triangles are thin, but never to the far side of a wall.
+    vertex: the vertex that a pull there moves (the root). It is the vertex nearest to the point among the hit triangle's vertices and those
+    of connected triangles that are seen from the ray's side; hidden vertices are left out. If triangles are thin, it may belong to a
+    neighbouring triangle, but never to the far side of a wall.
     """
 
     point: Any
@@ -36,11 +37,13 @@ class Hit(NamedTuple):
 
 
 class Session:
-    """Session of pulls: the mesh's shape at the start and now, and the methods that change it.
+    """Session of pulls on one mesh: the shape at the start, the present shape, and the methods that change it.
 
-    Raises Refused if the mesh cannot be edited. With `accumulate` each pull builds on the previous one, and distances are measured on the
-    shape at the start of the stroke. Without it each pull starts from the shape at the start of the session. In both cases a drag starts
-    from the shape at the start of its stroke, and later pulls start from its result. A session makes no undo steps and no reports.
+    Raises Refused if the mesh cannot be edited.
+    If the brush's `accumulate` is on, each pull builds on the previous pull, and distances are measured on the shape at the start of the
+    stroke. Otherwise each pull starts from the shape at the start of the session. In both cases a drag starts from the shape at the start
+    of its stroke, and later pulls start from the result of the drag.
+    A session makes no undo steps and no reports.
     """
 
     def __init__(self, context, obj, brush):
@@ -59,7 +62,10 @@ class Session:
         self._begin()
 
     def begin_again(self, context, obj, brush):
-        """Make the present shape the start of the session; False if the mesh is not as the session left it."""
+        """Make the present shape the start of a new session with this brush.
+
+        Returns False, and changes nothing, if the object or its mesh is not in the state in which the session left it.
+        """
         mesh = open_mesh(obj)
         depsgraph = context.evaluated_depsgraph_get()
         space = Space(obj.evaluated_get(depsgraph).matrix_world)
@@ -73,7 +79,7 @@ class Session:
         return True
 
     def _begin(self):
-        # These shapes are never changed in place, so that others may keep references; see _writable().
+        # These arrays are never changed in place, so that the history may refer to them; see _writable().
         self._original = self._base = self._start = self.current
         self._surface.start_is_current()
         self._is_fresh = True
@@ -83,10 +89,10 @@ class Session:
         self._spares = []  # unused arrays for shapes, which sweeps fill in turn; see _spare()
         self._last_moved: Any = NONE_MOVED
 
-    # --- Roots ------------------------------------------------------------------------------------------------------
+    # --- Vertices to pull -------------------------------------------------------------------------------------------
 
     def pick(self, origin, direction):
-        """Hit of a ray in the world; None if the ray meets nothing."""
+        """Return the Hit of a ray with the visible surface; None if the ray hits nothing. origin, direction: in the world."""
         found = self._surface.pick(
             self.space.point_to_local(origin),
             self.space.inverse @ np.asarray(direction, float),
@@ -100,39 +106,45 @@ class Session:
         return Hit(Vector(self.space.point_to_world(point)), Vector(self.space.normal_to_world(normal)), triangle, vertex)
 
     def nearest(self, location):
-        """(index, distance in the brush's unit) of the visible vertex nearest to a place in the world."""
+        """Return (index, distance in the brush's unit) of the visible vertex nearest to a world position."""
         return object_mesh.nearest(self.current, self.space.point_to_local(location), self.metric, self.mesh.hidden())
 
     def place(self, vertex):
-        """World position of a vertex in the present shape."""
+        """World position of a vertex in the present shape, without modifiers."""
         return Vector(self.space.point_to_world(self.current[vertex]))
 
     def seen_place(self, vertex):
-        """World position at which a vertex is seen, with modifiers and shape keys if they keep the number of vertices."""
+        """World position at which the user sees a vertex.
+
+        Modifiers and shape keys are included if they keep the number of vertices.
+        """
         return Vector(self.space.point_to_world(self._surface.seen_place(vertex, self._start, self._shape_of_now)))
 
     def normal(self, vertex):
-        """World normal of the surface at a vertex, at the start of the stroke; zero for a loose vertex."""
+        """World normal of the surface at a vertex, in the shape at the start of the stroke; zero for a vertex without faces."""
         return Vector(self.space.normal_to_world(self._surface.normal(vertex, self._start)))
 
     def world_positions(self, indices=None):
-        """World positions (m, 3) of these vertices, or of all, in the present shape."""
+        """World positions (m, 3) of vertices in the present shape. indices: of the vertices; None for all."""
         return self.space.point_to_world(self.current if indices is None else self.current[indices])
 
     def to_world_vector(self, vector):
-        """Convert a vector from the space of the brush's unit to the world."""
+        """Convert a vector from the space that the brush's unit names (world or object) to the world."""
         return Vector(vector if self.brush.unit == 'WORLD' else self.space.linear @ np.asarray(vector, float))
 
     def length(self, vector):
-        """Length of a world vector in the brush's unit."""
+        """Length of a world vector, measured in the brush's unit."""
         return float(np.linalg.norm(self.metric @ (self.space.inverse @ np.asarray(vector, float))))
 
     def to_world_point(self, point):
-        """Convert a point from the space of the brush's unit to the world."""
+        """Convert a position from the space that the brush's unit names (world or object) to the world."""
         return Vector(point if self.brush.unit == 'WORLD' else self.space.point_to_world(point))
 
     def forces(self, vertex):
-        """(indices, forces) of a pull at a vertex without mirror images and weights, for drawing the cursor."""
+        """Return (indices, forces) of the vertices that a pull at a vertex moves, for drawing the cursor.
+
+        Mirror images and weights of vertices are ignored.
+        """
         return self._puller.forces(vertex, self.brush, self.brush.radius, self._start)
 
     @property
@@ -142,15 +154,15 @@ class Session:
 
     @property
     def reach_radius(self):
-        """Distance from the root, in the brush's unit, at and beyond which nothing moves."""
+        """Distance from the pulled vertex, in the brush's unit, at and beyond which a pull moves nothing."""
         return self.brush.reach_of(self.brush.radius)
 
     # --- Changes ----------------------------------------------------------------------------------------------------
 
     def begin_stroke(self, is_drag=False):
-        """Begin a stroke: distances and normals are measured on the present shape from here on.
+        """Begin a stroke of dabs; its distances and normals are measured on the present shape.
 
-        is_drag: whether drag() makes the stroke.
+        is_drag: whether drag() will make the stroke.
         """
         if not self._is_fresh:
             if self.brush.accumulate or self._is_drag or is_drag:
@@ -166,9 +178,10 @@ class Session:
             self._build_on_start()
 
     def displacement(self, vertex, sign=1.0, view=None):
-        """World-space vector by which the brush moves the vertex that is pulled. May raise Refused.
+        """World-space vector by which one dab of the brush moves a vertex.
 
-        vertex: its index. sign: -1 to push. view: world direction to the viewer, for the direction View.
+        vertex: index of the vertex. sign: -1 to push instead of pulling. view: world direction to the viewer, for the direction View.
+        Raises Refused if the brush's direction cannot be determined.
         """
         brush, space = self.brush, self.space
         if brush.direction in AXIS_INDEX:
@@ -190,9 +203,9 @@ class Session:
         return Vector(sign * brush.strength * (space.linear @ local))
 
     def pull(self, vertex, displacement, pressure=1.0, write=True):
-        """Pull a vertex by a world vector, and let those in reach follow; False if nothing is to be done.
+        """Pull a vertex by a world vector, and let the vertices in reach follow; returns False if nothing is to be done.
 
-        write=False leaves the mesh to flush(), which can follow after several dabs.
+        pressure: of the pen, 0 to 1. write: if False, the mesh is left unchanged until flush(), which may follow after several dabs.
         """
         brush = self.brush
         local = self.space.inverse @ np.asarray(displacement, float)
@@ -202,17 +215,19 @@ class Session:
         return self.repeat(Done('PULL', vertex, local, radius), write)
 
     def drag(self, vertex, displacement, write=True):
-        """Replace the stroke by one pull of a vertex by a world vector; a zero vector takes the stroke back.
+        """Replace the present stroke by one pull of a vertex by a world vector; a zero vector undoes the stroke.
 
-        The pen's pressure has no effect, so that the vertex stays under the pen. Returns False if nothing is to be done.
+        The pen's pressure is ignored, so that the vertex stays under the pen. write: if False, the mesh is left unchanged until flush().
+        Returns False if nothing is to be done.
         """
         local = self.space.inverse @ np.asarray(displacement, float)
         return self.repeat(Done('DRAG', vertex, local, self.brush.radius), write)
 
     def smooth(self, vertex, strength=0.5, pressure=1.0, write=True):
-        """Smooth the surface around a vertex; False if nothing is to be done.
+        """Smooth the surface around a vertex; returns False if nothing is to be done.
 
-        Later pulls start from the result, with or without `accumulate`.
+        Later pulls start from the result, with or without `accumulate`. pressure: of the pen, 0 to 1. write: if False, the mesh is left
+        unchanged until flush().
         """
         brush = self.brush
         if brush.use_pressure_strength:
@@ -221,7 +236,10 @@ class Session:
         return self.repeat(Done('SMOOTH', vertex, (0.0, 0.0, 0.0), radius, strength), write)
 
     def repeat(self, dab, write=False):
-        """Repeat a dab: a Done, whose displacement is local. Returns False if nothing is to be done."""
+        """Apply a dab, given as a Done with a displacement in the object's space; returns False if nothing is to be done.
+
+        write: if False, the mesh is left unchanged until flush(). Raises Refused if the displacement or the radius is too large.
+        """
         if not is_finite((*dab.displacement, dab.radius)):
             raise Refused(tr("The displacement or the radius of this pull is too large"))
         dab = dab._replace(displacement=tuple(np.asarray(dab.displacement, np.float32).tolist()))
@@ -239,7 +257,7 @@ class Session:
         return True
 
     def flush(self):
-        """Write shape changes that pull(write=False) and smooth(write=False) have only computed into the mesh."""
+        """Write the changes into the mesh that calls with write=False have left out."""
         if not self._unwritten:
             return
         moved = None
@@ -250,7 +268,7 @@ class Session:
         self._unwritten = []
 
     def step_back(self):
-        """Undo the last stroke; False if there is none."""
+        """Undo the last stroke; returns False if there is none."""
         found = self._history.pop_stroke(self.current)
         if found is None:
             return False
@@ -260,7 +278,7 @@ class Session:
         return True
 
     def restore(self):
-        """Restore the mesh to the start of the session, bit for bit."""
+        """Restore the mesh to its shape at the start of the session, bit for bit."""
         self._base = self._original
         self._is_drag = False
         self._go_to(self._original.copy())
@@ -274,7 +292,7 @@ class Session:
 
     @property
     def has_changed(self):
-        """Whether any vertex has another position than at the start of the session."""
+        """Whether any vertex has a different position than at the start of the session."""
         if self.current is self._original:
             return False
         roots = [dab.vertex for dab in self.dabs]  # the roots, which move most
@@ -282,7 +300,7 @@ class Session:
 
     @property
     def is_cancelled(self):
-        """Whether the last pull moved nothing only because its mirror images cancel each other."""
+        """Whether the last pull moved nothing only because the pull and its mirror images cancel each other."""
         last = self.last
         if last is None or not last.brush.mirror:
             return False
@@ -290,13 +308,16 @@ class Session:
         return self._would_move(last.dab, alone) and not self._would_move(last.dab, last.brush)
 
     def shapes_of_last(self):
-        """Shapes (n, 3) before and after the last stroke; the session does not change these arrays any more."""
+        """Return the shapes (n, 3) before and after the last stroke, as arrays that the session will not change any more."""
         self._given = self.last.before, self.current
         return self._given
 
     @property
     def is_last_like_a_pin(self):
-        """Whether a pin with the same numbers gives the shape of the last stroke. A pin has one root, and no masks."""
+        """Whether a pin with the settings of the last stroke would give the shape after the stroke.
+
+        A pin pulls at one vertex, and ignores masks, hidden vertices, mirror planes and limits along slanted world axes.
+        """
         last = self.last
         is_held = self._puller.has_planes or self._puller.is_clamped_in_world(last.brush)
         return last.is_alone and self.mesh.follows_whole() and not is_held
@@ -308,7 +329,7 @@ class Session:
 
     @property
     def last(self):
-        """Last stroke as a Pulled value; None after smoothing and before the first stroke."""
+        """The last stroke of pulls, as a Pulled; None before the first stroke, and after smoothing."""
         return self._history.last
 
     def _would_move(self, dab, brush):
@@ -326,16 +347,16 @@ class Session:
         place = tuple(self._base[dab.vertex].tolist())
         moved, room = self._pull(dab, write, is_on_top=False)
         self._history.add(dab, self.brush, place, self._base)
-        # Vertices that the previous dab has moved are back in their places, which is a change too.
+        # Vertices that the previous dab has moved return to their previous positions, which is a change too.
         changed, self._last_moved = [moved, self._last_moved], moved
         self._changed(changed, write, room)
 
     def _pull(self, dab, write, is_on_top):
-        """Set the present shape to the result of a dab on the base, or on the present shape.
+        """Set the present shape to the result of a dab.
 
-        Uses one pass over all vertices or the tree, whichever takes less time. Returns (indices of moved vertices or None for all, the
-        mesh's
-        memory if it was filled too).
+        is_on_top: whether the dab acts on the present shape, or on the base, from which pulls that do not accumulate start. The faster of
+        two ways is taken: one pass over all vertices, or the search tree. Returns (indices of moved vertices or None for all, the mesh's
+        memory if it was filled too, otherwise None).
         """
         numbers = dab.vertex, dab.displacement, self.brush, dab.radius
         start = self._start if is_on_top else self._base
@@ -368,23 +389,23 @@ class Session:
 
     @property
     def _shape_of_now(self):
-        """Present shape; None if it equals the start."""
+        """Present shape; None if it equals the shape at the start of the stroke, for which a search tree exists."""
         return self.current if (self.brush.accumulate or self._is_drag) and not self._is_fresh else None
 
     def _is_kept(self, shape):
-        """Whether others hold references to a shape, so that it must not change."""
+        """Whether an array is referenced elsewhere (by the history or the caller), so that it must not be changed."""
         last = self._history.last
         kept = (self._original, self._base, self._start, *self._given, last.before if last else None)
         return any(shape is one for one in kept)
 
     def _writable(self):
-        """The present shape as an array that may be changed in place."""
+        """Return the present shape as an array that may be changed in place; copy it if it is referenced elsewhere."""
         if self._is_kept(self.current):
             self.current = self.current.copy()
         return self.current
 
     def _spare(self):
-        """Array (n, 3) for another shape: one that is no longer used, or a new one."""
+        """Return an array (n, 3) for a new shape: an array that is no longer used, or a new array."""
         found = next((one for one in self._spares if one is not self.current and not self._is_kept(one)), None)
         if found is None:
             found = np.empty_like(self.current)
@@ -392,14 +413,14 @@ class Session:
         return found
 
     def _room(self, write):
-        """Memory of the mesh, if the whole mesh is to be written now; None if not, or if the mesh gives no memory."""
+        """Memory of the mesh's positions if the mesh is to be written now; None if not, or if there is no access to the memory."""
         return self.mesh.room() if write else None
 
     def _changed(self, parts, write, room=None, at_most=math.inf):
-        """Record a change of the shape.
+        """Update the search trees and the mesh after a change of the present shape.
 
-        parts: lists of indices of moved vertices; None among them stands for all. room: memory of the mesh that was filled with the present
-        shape. at_most: largest distance of a move, in the object.
+        parts: list of arrays of moved vertices; None in the list stands for all vertices. room: memory of the mesh that was filled with the
+        present shape, or None. at_most: largest distance that a vertex has moved, in the object's space.
         """
         self._is_fresh = False
         for moved in parts:
@@ -427,7 +448,7 @@ class Session:
         self._is_fresh = True
 
     def _build_on_start(self):
-        """Make the present shape the base of pulls that do not accumulate."""
+        """Make the shape at the start of the stroke the base, from which pulls that do not accumulate start."""
         self._base = self._start
         self._last_moved = NONE_MOVED
 
@@ -435,12 +456,12 @@ class Session:
         self._start = self._base
         self._surface.start_moved(None)
         self._puller.forget()
-        # It is unknown which vertices differ from the base.
+        # Which vertices differ from the base is unknown.
         self._last_moved = None
 
 
 def _refuse_strange(positions):
-    """Raise Refused if a vertex has a position that is not finite."""
+    """Raise Refused if the position of a vertex is not finite."""
     with np.errstate(over="ignore", invalid="ignore"):
         if np.isfinite(positions.sum()):
             return
@@ -450,5 +471,5 @@ def _refuse_strange(positions):
 
 
 def _same(one, other):
-    """Whether two shapes are equal bit for bit, NaN values included."""
+    """Whether two arrays of positions are equal bit for bit; equal NaN values count as equal."""
     return one.shape == other.shape and np.array_equal(one.view(np.uint32), other.view(np.uint32))

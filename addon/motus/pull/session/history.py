@@ -1,17 +1,22 @@
-"""History of a session, stroke by stroke: for undo, for Redo, and for making the last stroke a pin."""
+"""History of a session of pulls, stroke by stroke: for undo, for Redo, and for making a pin from the last stroke."""
 
 from typing import Any, NamedTuple
 
 from ...core.lazy import numpy as np
 
 last_shapes: tuple[Any, ...] | None = None
-"""Last session that changed a mesh: (object's name, shape before the last stroke, shape after it); None without one."""
+"""(Object's name, shape before the last stroke, shape after it) of the last session that has changed a mesh.
+
+None if no session has changed a mesh.
+"""
 
 
 class Done(NamedTuple):
-    """One dab. displacement: of the root, in the object. radius: in the brush's unit. strength: of smoothing.
+    """One dab of the brush.
 
-    A dab of the kind DRAG makes up its whole stroke: it pulls the shape from the start of the stroke.
+    kind: 'PULL', 'SMOOTH' or 'DRAG'. vertex: index of the pulled vertex (the root). displacement: of that vertex, in the object's space.
+    radius: in the brush's unit. strength: of smoothing. is_first: whether the dab begins a stroke.
+    A DRAG is the only dab of its stroke, and pulls the shape that the stroke started from.
     """
 
     kind: str
@@ -23,11 +28,11 @@ class Done(NamedTuple):
 
 
 class Pulled(NamedTuple):
-    """The last stroke that pulled.
+    """The last stroke of pulls.
 
-    dab: its only dab, where several dabs at one root count as one; otherwise its last dab. place: of the root before the stroke. before:
-    the
-    shape (n, 3) before the stroke, which the session does not change. is_alone: whether the dab has made the whole stroke.
+    dab: the only dab of the stroke, in which several dabs at one vertex are added up; otherwise the last dab. brush: the Brush. place:
+    position of the pulled vertex before the stroke. before: shape (n, 3) before the stroke, which the session does not change. is_alone:
+    whether `dab` makes up the whole stroke.
     """
 
     dab: Done
@@ -38,7 +43,7 @@ class Pulled(NamedTuple):
 
 
 class History:
-    """Strokes of a session, each with the shape before it."""
+    """Strokes of a session of pulls, each with what is needed to undo it."""
 
     def __init__(self):
         self.dabs = []
@@ -49,16 +54,22 @@ class History:
 
     @property
     def has_begun(self):
-        """Whether the present stroke has a dab."""
+        """Whether the present stroke contains a dab."""
         return self._open is not None and len(self.dabs) > self._open[0]
 
     def begin_stroke(self, before, current, base):
-        """Begin a stroke at the shape `before`, which equals `current`. base: shape that pop_stroke() returns."""
+        """Begin a stroke.
+
+        before: shape at the start of the stroke, equal to `current`. base: shape that pop_stroke() will return with it.
+        """
         self._close(current)
         self._open = len(self.dabs), before, base
 
     def add(self, dab, brush, place, before):
-        """Add a dab that was made; Pulled explains the arguments. before: one array for all dabs that build on each other."""
+        """Add a dab to the present stroke; a DRAG replaces the previous dab of the stroke.
+
+        brush, place, before: see Pulled. `before` must be one array for all dabs that build on each other.
+        """
         if dab.kind == 'DRAG' and self.has_begun:
             del self.dabs[-1]
         is_first = not self.has_begun
@@ -75,7 +86,10 @@ class History:
             self.last = Pulled(dab, brush, place, before, is_alone=not builds_on)
 
     def pop_stroke(self, current):
-        """Remove the last stroke that changed anything; returns (shape, base) before it, or None if there is no stroke."""
+        """Remove the last stroke that has a dab; returns the (shape, base) from before the stroke.
+
+        current: the present shape. Returns None if there is no stroke.
+        """
         self._close(current)
         if not self._strokes:
             return None

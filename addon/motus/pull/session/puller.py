@@ -1,17 +1,17 @@
-"""One dab on arrays: the vertices that it reaches, and the call of the library that moves them."""
+"""Apply one dab of the brush to arrays: find the vertices in reach, and call the native function that moves them."""
 
 from ...core import native
 from ...core.lazy import numpy as np
 from ..mesh import clipping
 
 LARGE = 0.12
-"""Share of the mesh's size: for a straight reach above it one pass over all vertices is faster than the tree."""
+"""If a straight reach exceeds this share of the mesh's size, one pass over all vertices is faster than the search tree."""
 MOST_REACHES = 64
-"""Most roots whose reach is cached, for a mouse that rests or moves to and fro."""
+"""Largest number of pulled vertices whose reach is cached, for a mouse that rests or moves to and fro."""
 
 
 class Puller:
-    """Makes dabs on one mesh; reads the weights of its vertices when they are first needed."""
+    """Applies dabs to the positions of one mesh; reads the weights of the vertices when they are first needed."""
 
     def __init__(self, mesh, surface, space):
         self._surface = surface
@@ -29,14 +29,14 @@ class Puller:
         self.forget()
 
     def forget(self):
-        """Drop cached distances and weights that were measured on the shape at the start of the previous stroke."""
+        """Drop the cached distances, which were measured on the shape at the start of the previous stroke."""
         self._reaches = {}
         self._extent = None
 
     def pull(self, current, vertex, displacement, brush, radius, start):
-        """Pull `current` (n, 3) in place, with distances measured on `start`; returns the indices of vertices that may have moved.
+        """Pull the positions `current` (n, 3) at a vertex, in place; returns the indices of vertices that may have moved.
 
-        displacement: in the object's space.
+        displacement: in the object's space. start: shape on which distances are measured.
         """
         reaches = self._reaches_of(vertex, brush, radius, start)
         moved = _together(reaches)
@@ -47,9 +47,10 @@ class Puller:
         return moved
 
     def pull_from(self, base, current, last_moved, vertex, displacement, brush, radius):
-        """Set `current` to one dab on `base`; returns the indices of vertices that may differ now.
+        """Set `current` (n, 3) to the result of one pull on the shape `base`; returns the indices of vertices that may differ from `base`.
 
-        last_moved: vertices at which `current` differs from `base` before; None if they are unknown.
+        last_moved: vertices at which `current` differs from `base` before the call; None if they are unknown. displacement: in the object's
+        space.
         """
         if last_moved is None:
             np.copyto(current, base)
@@ -58,7 +59,10 @@ class Puller:
         return self.pull(current, vertex, displacement, brush, radius, base)
 
     def smooth(self, current, vertex, strength, brush, radius, start):
-        """Smooth `current` in place; returns the indices of vertices that may have moved."""
+        """Smooth the positions `current` (n, 3) around a vertex, in place; returns the indices of vertices that may have moved.
+
+        start: shape on which distances are measured.
+        """
         moved, forces = np.empty(0, np.int64), np.empty(0, np.float32)
         for indices, distances in self._reaches_of(vertex, brush, radius, start):
             both = np.union1d(moved, indices)
@@ -80,12 +84,15 @@ class Puller:
         return moved
 
     def forces(self, vertex, brush, radius, start):
-        """(indices, forces) of a dab without its mirror images."""
+        """Return (indices, forces) of the vertices that a dab at a vertex moves, without mirror images."""
         indices, distances = self._reach(vertex, 0, brush, radius, start)
         return indices, native.module.pull_forces(distances, radius, **brush.profile)
 
     def weights(self, brush):
-        """Share of a displacement that each vertex follows, by vertex group, mask and hiding, float32 (n,); None if all follow in full."""
+        """Factor on the displacement of each vertex, float32 (n,): vertex group, sculpt mask and hidden vertices multiplied.
+
+        None if all vertices follow in full.
+        """
         if brush.vertex_group not in self._weights:
             self._weights[brush.vertex_group] = self._read_weights(brush.vertex_group)
         return self._weights[brush.vertex_group]
@@ -106,7 +113,7 @@ class Puller:
         return np.ascontiguousarray(np.multiply.reduce(factors), np.float32)
 
     def may_sweep(self, brush, radius, start):
-        """Whether sweep() can make this dab, and is faster than pull() with its tree."""
+        """Whether sweep() can apply this dab, and is faster than pull(), which uses the search tree."""
         if brush.distance != 'STRAIGHT' or self._planes or self.is_clamped_in_world(brush):
             return False
         if brush.mirror and self._space.is_skewed_by_mirrors(brush.unit):
@@ -121,17 +128,18 @@ class Puller:
 
     @property
     def has_planes(self):
-        """Whether mirror planes of the object hold vertices."""
+        """Whether the object has Mirror modifiers with Clipping, whose planes hold vertices."""
         return bool(self._planes)
 
     def is_clamped_in_world(self, brush):
-        """Whether the brush's limits are along an axis of the world that no axis of the object is parallel to."""
+        """Whether the brush has limits along a world axis to which no axis of the object is parallel."""
         return (brush.use_minimum or brush.use_maximum) and self._space.limits(brush) is None
 
     def sweep(self, shape, vertex, displacement, brush, radius, start, out, copy=None):
-        """Set `out`, and `copy` if given, to a dab on `shape`, by one pass over all vertices; distances are measured on `start`.
+        """Write the result of a dab on `shape` into `out` (and `copy`, if given), by one pass over all vertices.
 
-        Returns the indices of moved vertices; None stands for all, for a mesh that is written as a whole.
+        start: shape on which distances are measured. Returns the indices of moved vertices; None stands for all vertices, if the mesh is
+        written as a whole anyway.
         """
         self._native_pull(shape, vertex, displacement, brush, radius, out, copy=copy, shape=None if start is shape else start)
         if self._mesh.writes_all:
@@ -161,7 +169,10 @@ class Puller:
         return [self._reach(vertex, bits, brush, radius, start) for bits in brush.mirror_bits()]
 
     def _reach(self, vertex, bits, brush, radius, start):
-        """(indices, distances) of the vertices in reach of a root, or of its mirror image."""
+        """Return (indices, distances) of the vertices that a pull at a vertex reaches.
+
+        bits: axes that are reversed for a mirror image of the pull, 0 for the pull itself.
+        """
         key = vertex, bits, radius, brush.falloff, brush.distance, brush.unit
         if key not in self._reaches:
             if len(self._reaches) >= MOST_REACHES:
@@ -173,13 +184,17 @@ class Puller:
                 root = start[vertex] * signs
                 if brush.distance != 'STRAIGHT':
                     root = picker.nearest(root)
-            # With the mirrored metric the images are alike on a sheared object too.
+            # Reversing the metric too makes mirror images alike in a sheared object.
             metric = self._space.metric(brush.unit) * signs
             self._reaches[key] = picker.reach(root, brush.reach_of(radius), brush.distance.lower(), metric)
         return self._reaches[key]
 
     def _clamp(self, current, moved, before, brush, always=False):
-        """Apply limits along an axis of the world that no axis of the object is parallel to; the library's function cannot."""
+        """Apply the brush's limits to moved vertices, if they are along a world axis to which no axis of the object is parallel.
+
+        Limits along an axis of the object are applied by the native function already. always: apply them in any case. before: positions
+        before the dab.
+        """
         if not (brush.use_minimum or brush.use_maximum) or not (always or self.is_clamped_in_world(brush)):
             return
         changed = moved[(current[moved] != before).any(axis=1)]
@@ -191,7 +206,7 @@ class Puller:
 
 
 def _together(reaches):
-    """Vertices of several reaches, in ascending order."""
+    """Rising indices of all vertices in several reaches, each (indices, distances)."""
     found = reaches[0][0]
     for indices, _ in reaches[1:]:
         found = np.union1d(found, indices)

@@ -1,10 +1,10 @@
-"""Smoothing: moves vertices towards the middle of their neighbours, and vertices of a border along the border."""
+"""Smoothing: moves vertices towards the mean of their neighbours, and vertices on a border of the mesh only along the border."""
 
 from ...core.lazy import numpy as np
 
 
 class Neighbourhood:
-    """Edges of a mesh, for finding neighbours. edges: (e, 2). face_counts: number of faces at each edge."""
+    """Finds the neighbours of vertices. edges: (e, 2) vertex indices. face_counts: number of faces at each edge; 1 on a border."""
 
     def __init__(self, edges, face_counts):
         self._edges = edges
@@ -12,7 +12,10 @@ class Neighbourhood:
         self._has_border = bool(self._is_border.any())
 
     def middles(self, positions, indices):
-        """Middle of the neighbours of each vertex, (m, 3); a vertex without neighbours gives its own position."""
+        """Mean position of the neighbours of each of these vertices, (m, 3).
+
+        A vertex without neighbours gives its own position. A vertex on a border only has neighbours along the border.
+        """
         slots = np.full(len(positions), -1, np.int32)
         slots[indices] = np.arange(len(indices), dtype=np.int32)
         near = np.flatnonzero((slots[self._edges] >= 0).any(axis=1))

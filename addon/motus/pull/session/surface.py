@@ -1,4 +1,4 @@
-"""Surface of the pulled mesh: which point a ray meets, which vertices are near, and the normals."""
+"""Surface of the mesh that is pulled: where a ray hits it, which vertices are near, and its normals."""
 
 import math
 from functools import cached_property
@@ -12,7 +12,7 @@ from .trees import MOST_PARTS, Tree
 
 
 class Surface:
-    """Two shapes of one mesh: `start`, on which distances are measured, and the visible shape.
+    """Two shapes of one mesh: the start shape, on which distances are measured, and the visible shape.
 
     The visible shape is the evaluated mesh if modifiers and shape keys keep the number of vertices; otherwise it is the mesh itself.
     """
@@ -26,17 +26,17 @@ class Surface:
 
     @cached_property
     def triangles(self):
-        """Triangles, int32 (t, 3), without hidden faces in the modes that do not show these."""
+        """Triangles of the mesh, int32 (t, 3) vertex indices, without hidden faces except in Object Mode, which shows them."""
         return self._mesh.triangles(visible_only=self._mesh.obj.mode != 'OBJECT')
 
     @cached_property
     def edges(self):
-        """Edges, int32 (e, 2) indices of vertices."""
+        """Edges of the mesh, int32 (e, 2) vertex indices."""
         return self._mesh.edges()
 
     @cached_property
     def neighbourhood(self):
-        """Neighbours of each vertex, for smoothing."""
+        """Finds the neighbours of each vertex, for smoothing."""
         return Neighbourhood(self.edges, arrays.faces_of_edges(self._mesh.mesh))
 
     @cached_property
@@ -48,19 +48,20 @@ class Surface:
         return self._mesh.hidden()
 
     def reopen(self, mesh):
-        """Continue on a newly opened view of the same mesh; re-reads which vertices are hidden."""
+        """Continue with the same mesh after it was opened anew; reads again which vertices are hidden."""
         self._mesh = mesh
         self.__dict__.pop("_hidden", None)
         self._is_deformed, self._seen = mesh.is_deformed(), None
 
     def normal(self, vertex, shape):
-        """Unit normal at a vertex of a shape (n, 3) of the mesh; zero for a loose vertex."""
+        """Unit normal at a vertex of the mesh with the positions `shape` (n, 3); zero for a vertex without faces."""
         return arrays.vertex_normal(self._mesh.mesh, self._corners, shape, vertex)
 
     def pick(self, origin, direction, metric, start, current):
-        """Intersect a ray in the object's space: (triangle, point, normal at the point, root) or None. See Hit.
+        """Intersect a ray with the visible shape: (triangle, point, normal, vertex to be pulled); None if the ray hits nothing.
 
-        current: the present shape; None if it equals the start.
+        origin, direction: in the object's space. metric: 3x3 matrix that measures lengths. start: start shape. current: present shape; None
+        if it equals the start shape. dab.Hit explains the vertex.
         """
         shape = self._seen_shape(start if current is None else current)
         is_start = current is None and not self._is_deformed
@@ -73,20 +74,26 @@ class Surface:
         return triangle, point, np.cross(places[1] - places[0], places[2] - places[0]), vertex
 
     def seen_place(self, vertex, start, current):
-        """Position in the object's space at which a vertex is seen; start and current as for pick()."""
+        """Position in the object's space at which the user sees a vertex.
+
+        start: start shape. current: present shape; None if it equals the start shape.
+        """
         return self._seen_shape(start if current is None else current)[vertex]
 
     def picker(self, start):
-        """The library's Picker over the start shape."""
+        """Native Picker (search tree) over the start shape, brought up to date."""
         return self._start_tree.picker(start, self.triangles, self.edges)
 
     @property
     def has_picker(self):
-        """Whether picker() can answer without building a tree first."""
+        """Whether picker() can answer without building a new search tree."""
         return self._start_tree.is_built
 
     def moved(self, indices, at_most=math.inf):
-        """Record that vertices of the present shape have moved; None stands for any vertices. at_most: largest distance of a move."""
+        """Note that vertices of the present shape have moved. indices: of the vertices; None for any vertices.
+
+        at_most: largest distance that a vertex has moved.
+        """
         self._seen_tree.moved(indices, math.inf if self._is_deformed else at_most)
         if indices is None or len(self._moved_since_start) > MOST_PARTS:
             self._moved_since_start = [None]
@@ -95,11 +102,11 @@ class Surface:
         self._seen = None
 
     def start_moved(self, indices):
-        """Record that vertices of the start shape have moved; None stands for any vertices."""
+        """Note that vertices of the start shape have moved. indices: of the vertices; None for any vertices."""
         self._start_tree.moved(indices)
 
     def start_is_current(self):
-        """Record that the start shape was replaced by the present shape."""
+        """Note that the present shape has become the start shape."""
         for indices in self._moved_since_start:
             self._start_tree.moved(indices)
         self._moved_since_start = []
@@ -108,7 +115,7 @@ class Surface:
         if not self._is_deformed:
             return shape
         if self._seen is None:
-            # The present view layer's: the view layer in which the mesh was read may have been removed with its depsgraph.
+            # Use the depsgraph of the present view layer: the view layer in which the mesh was read may have been removed.
             found = self._mesh.evaluated_positions(bpy.context.evaluated_depsgraph_get())
             if found is None:
                 self._is_deformed = False

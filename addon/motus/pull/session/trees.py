@@ -1,4 +1,4 @@
-"""Picking tree that is kept up to date as its vertices move."""
+"""Search tree over the triangles and vertices of a mesh, kept up to date when vertices move."""
 
 import math
 from typing import Any
@@ -7,15 +7,15 @@ from ...core import native
 from ...core.lazy import numpy as np
 
 MOST_PARTS = 256
-"""Most lists of moved vertices that are collected before a query; more of them would cost more than a whole refit."""
+"""Largest number of lists of moved vertices that are collected; with more lists a refit of the whole tree is cheaper."""
 LOOSE = 0.03
-"""Share of the mesh's size: while no vertex has moved further since the last refit, rays use the boxes of the tree without a refit."""
+"""Share of the mesh's size: as long as no vertex has moved further since the last refit, rays use the old tree with enlarged boxes."""
 ROUNDING = 1e-4
-"""Share of the largest coordinate, above the rounding errors of MOST_PARTS dabs."""
+"""Share of the largest coordinate that exceeds the rounding errors of MOST_PARTS dabs."""
 
 
 class Tree:
-    """A Picker of the library that is built at the first query, and refitted where vertices have moved since."""
+    """A native Picker (search tree) that is built at the first query, and refitted at vertices that have moved since."""
 
     def __init__(self):
         self._picker = None
@@ -24,11 +24,14 @@ class Tree:
 
     @property
     def is_built(self):
-        """Whether a query needs at most a refit."""
+        """Whether the tree exists, so that a query needs at most a refit."""
         return self._picker is not None
 
     def moved(self, indices, at_most=math.inf):
-        """Record that vertices have moved; None stands for any vertices. at_most: largest distance of a move."""
+        """Note that vertices have moved. indices: of the vertices; None for any vertices.
+
+        at_most: largest distance that a vertex has moved.
+        """
         if self._picker is None:
             return
         self._drift += at_most
@@ -40,7 +43,10 @@ class Tree:
                 self._moved = None
 
     def picker(self, positions, triangles, edges):
-        """The Picker over these positions. moved() must have been called for all positions that differ from the last call."""
+        """Return the native Picker over these positions, built or refitted if necessary.
+
+        moved() must have been called for all positions that differ from the previous call.
+        """
         if self._picker is None:
             self._picker = native.module.Picker(positions, triangles, edges=edges)
             self._size = float(np.ptp(positions, axis=0).max(initial=0.0))
@@ -54,9 +60,9 @@ class Tree:
         return self._picker
 
     def pick(self, positions, triangles, edges, *ray):
-        """Result of Picker.pick for these positions; after a few short moves the tree is not refitted.
+        """Result of the native Picker.pick() for these positions; after a few short moves the tree is not refitted.
 
-        ray: origin, direction, metric, and which vertices are hidden.
+        ray: origin, direction, metric (3x3 matrix that measures lengths), and which vertices are hidden.
         """
         if self._picker is not None and 0.0 < self._drift <= LOOSE * self._size:
             return self._picker.pick(*ray, positions, 1.001 * self._drift + ROUNDING * self._largest)

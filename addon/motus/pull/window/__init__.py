@@ -1,1 +1,1 @@
-"""Pulling with the mouse: the tool with its cursor and keys, and what the viewport shows during a session."""
+"""Pulling with the mouse: the tool in the toolbar with its cursor and keys, and what viewports show during a session."""

@@ -1,4 +1,7 @@
-"""Operator motus.pull_adjust: changes radius or strength by the mouse, as F and Shift F do for Blender's brushes."""
+"""Operator motus.pull_adjust: changes the brush's radius or strength with the mouse.
+
+The keys F and Shift F call it, as they do for Blender's own brushes.
+"""
 
 import bpy
 
@@ -44,7 +47,7 @@ class MOTUS_OT_pull_adjust(bpy.types.Operator):
         if not hover.is_tool_active(context):
             return {'CANCELLED', 'PASS_THROUGH'}
         try:
-            # The tool claims the key wherever the mouse is: Blender's own operator on this key would change the mesh.
+            # The tool handles the key at any position of the mouse: Blender's own operator on this key would change the mesh.
             session = hover.session(context) or hover.read_now(context)
             session.brush = Brush.of(context.scene.motus.pull)
         except Refused as refusal:
@@ -67,7 +70,7 @@ class MOTUS_OT_pull_adjust(bpy.types.Operator):
         return {'PASS_THROUGH'} if event.type in MOVES else {'RUNNING_MODAL'}
 
     def cancel(self, context):
-        """End the operator; the number keeps its value."""
+        """End the operator; the radius or strength keeps its present value."""
         self._pulling.close(context)
 
 

@@ -1,4 +1,4 @@
-"""Change of radius or strength by dragging the mouse or typing a number; a click confirms."""
+"""Change the brush's radius or strength by dragging the mouse or typing a number; a click confirms."""
 
 from ...core.interface.dragging.number_entry import CONFIRMING, NumberEntry
 from . import status
@@ -6,18 +6,21 @@ from . import status
 MOVES = {'MOUSEMOVE', 'INBETWEEN_MOUSEMOVE'}
 FINE = 0.1
 STRENGTH_SHARE = 0.25
-"""Displacement by one dab at the dragged strength, as a share of the mouse's way."""
+"""Ratio of the change of the strength to the distance that the mouse travels, both in the world."""
 EDGE_PIXELS = 20.0
-"""Pixels of the mouse's way for one more edge."""
+"""Distance that the mouse travels, in pixels, to change a radius in edges by 1."""
 LEAST = 1e-4
 NOTCH = 1.1
-"""Factor for one press of a bracket key."""
+"""Factor on the radius or strength for one press of a bracket key."""
 MOST_NOTCHES = 2000
-"""Most presses of a bracket key in one call: enough to go from the least value to the largest."""
+"""Largest number of presses of a bracket key in one call, enough to go from the least value to the largest."""
 
 
 def notched(brush, name, notches):
-    """Value of a number after some presses of a bracket key; notches below 0 make it smaller."""
+    """New value of the brush's radius or strength after presses of a bracket key.
+
+    name: of the property. notches: number of presses; negative numbers make the value smaller.
+    """
     now = getattr(brush, name)
     if name == status.RADIUS and brush.distance == 'EDGES':
         return max(round(now) + notches, 1.0)
@@ -26,7 +29,7 @@ def notched(brush, name, notches):
 
 
 def typed(context, brush, name, number):
-    """Convert a typed number from the scene's unit to the brush's."""
+    """Convert a number that the user has typed for the radius or strength from the scene's unit to the brush's unit."""
     if name == status.RADIUS and brush.distance == 'EDGES':
         return max(round(number), 1.0)
     number /= context.scene.unit_settings.scale_length
@@ -34,9 +37,9 @@ def typed(context, brush, name, number):
 
 
 class Adjustment:
-    """Change of one number by a drag of the mouse.
+    """Change of the brush's radius or strength by a drag of the mouse.
 
-    pixels: number of pixels for a length of 1 at the brush. hit: place of the brush on the surface, or None.
+    pixels: number of pixels for a length of 1 at the brush. hit: dab.Hit under the brush, or None.
     """
 
     def __init__(self, name, brush, x, pixels, view, hit):
@@ -48,7 +51,7 @@ class Adjustment:
         self._pixels = max(pixels, 1e-6)
 
     def drag(self, x, is_fine):
-        """Value of the number after the mouse has moved to x."""
+        """Return the new radius or strength after the mouse has moved to x, in pixels. is_fine: change the value more slowly."""
         way = (x - self._x) * (FINE if is_fine else 1.0)
         self._x = x
         if self._counts_edges:
@@ -61,7 +64,10 @@ class Adjustment:
         return self._value
 
     def handle(self, context, brush, event):
-        """Meaning of an event while a number changes: ('SET', number), ('KEEP', None) to end, ('CANCEL', number before), or (None, None)."""
+        """Interpret an event while the radius or strength is being changed.
+
+        Returns ('SET', number), ('KEEP', None) to end, ('CANCEL', number before the change), or (None, None) if the event means nothing.
+        """
         if event.type in MOVES and not self.entry.is_open:
             return 'SET', self.drag(event.mouse_x, event.shift)
         if event.value != 'PRESS':

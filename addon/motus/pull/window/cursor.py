@@ -1,7 +1,7 @@
-"""The cursor of Pick & Pull: a circle that lies on the surface, shaded by the falloff, with the bump of one dab.
+"""Draw the cursor of Pick & Pull: a circle on the surface, shaded by the falloff, with the bump that one dab would make.
 
-It is drawn over the viewport without drawing that anew (WindowManager.draw_cursor_add), while the tool is active or a
-session runs.
+The cursor is drawn while the tool is active or a session runs. It is drawn over the viewport without redrawing the viewport
+(WindowManager.draw_cursor_add).
 """
 
 import logging
@@ -27,14 +27,14 @@ DOWN = (0.28, 0.62, 1.0)
 SMOOTHING = (0.45, 0.85, 0.4)
 AXIS_COLORS = ((0.96, 0.2, 0.32), (0.53, 0.84, 0.01), (0.16, 0.56, 1.0))
 AXIS_LENGTH = 4.0
-"""Length of the drawn axis from the root to either side, as a multiple of the reach."""
+"""Length of the drawn axis from the pulled vertex to either side, as a multiple of the brush's reach."""
 SHADE = 0.4
-"""Opacity of the shading where the force is 1."""
+"""Opacity of the cursor's shading at a point where the force is 1."""
 MOST_DOTS = 6000
 DOT_SIZE = 5.0
 LEAST_DOT_SIZE = 2.0
 DOTS_APART = 2.0
-"""Least mean distance between dots, as a multiple of their size, so that the surface stays visible between them."""
+"""Least mean distance between dots, as a multiple of a dot's size, so that the surface stays visible between them."""
 DOT_OPACITY = 0.85
 WAITING_SIZE = 6.0
 
@@ -43,13 +43,13 @@ _failed = set()
 
 
 def register():
-    """Start drawing the cursor over all viewports."""
+    """Start drawing the cursor of Pick & Pull over all viewports."""
     handlers.add(_watchers())
     _start()
 
 
 def unregister():
-    """Stop drawing the cursor."""
+    """Stop drawing the cursor of Pick & Pull."""
     handlers.remove(_watchers())
     _stop()
 
@@ -161,7 +161,7 @@ def _displacement(session, hit, sign, view):
     try:
         return np.array(session.displacement(hit.vertex, sign, view.toward_viewer()))
     except Refused:
-        return np.zeros(3)  # the stroke says why nothing can be pulled, or the drag gives the direction
+        return np.zeros(3)  # the stroke reports why nothing can be pulled; in a drag the mouse gives the direction
 
 
 def _draw_disc(view, matrix, shape, color):
@@ -172,7 +172,10 @@ def _draw_disc(view, matrix, shape, color):
 
 
 def _draw_dots(view, session, hit, color, size):
-    """Draw the vertices that a dab moves, thinned out where they are dense. size: pixels of a dot's unit."""
+    """Draw a dot on each vertex that a dab would move; leave out vertices evenly if they are dense on the screen.
+
+    size: factor on the size of a dot in pixels.
+    """
     indices, forces = session.forces(hit.vertex)
     step = len(indices) // MOST_DOTS + 1
     places = drawing.to_window(view.region, view.data.perspective_matrix, np.asarray(session.world_positions(indices[::step]), float))

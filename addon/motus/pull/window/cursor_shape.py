@@ -1,4 +1,4 @@
-"""Shape of the cursor on the surface: rings around the root, shaded by the force, and the bump of one dab."""
+"""Shape of the cursor on the surface: rings around the pulled vertex, shaded by the force, and the bump of one dab."""
 
 import math
 
@@ -10,15 +10,15 @@ CORNERS = 64
 
 
 def forces(brush, shares):
-    """Forces at these shares (0 to 1) of the reach."""
+    """Forces of the brush at distances from the pulled vertex that are given as shares (0 to 1) of the reach."""
     distances = np.asarray(shares, np.float32) * np.float32(brush.reach_of(brush.radius))
     return native.module.pull_forces(distances, brush.radius, **brush.profile)
 
 
 def frame(normal, matrix):
-    """Two world vectors, as rows, that span the circle of radius 1 around the normal.
+    """Two world vectors, as rows, that span a circle of radius 1 around a surface normal.
 
-    matrix: the object's (3, 3), if lengths are measured in the object; None if they are measured in the world.
+    matrix: 3x3 matrix from the object's space to the world if lengths are measured in the object; None if they are measured in the world.
     """
     normal = np.asarray(normal, float)
     matrix = np.eye(3) if matrix is None else np.asarray(matrix, float)
@@ -32,13 +32,16 @@ def frame(normal, matrix):
 
 
 def circle(center, axes, radius):
-    """Points of a closed circle, (CORNERS + 1, 3)."""
+    """Points of a closed circle around `center`, (CORNERS + 1, 3). axes: two vectors from frame()."""
     angles = np.linspace(0.0, 2.0 * math.pi, CORNERS + 1)
     return center + radius * (np.cos(angles)[:, None] * axes[0] + np.sin(angles)[:, None] * axes[1])
 
 
 def disc(center, axes, brush):
-    """Disc of rings from the root to the rim: points (n, 3), force at each point (n,), and triangles (t, 3)."""
+    """Disc of rings from the pulled vertex to the rim of the brush.
+
+    Returns points (n, 3), force at each point (n,), and triangles (t, 3). axes: two vectors from frame().
+    """
     shares = np.linspace(0.0, 1.0, RINGS + 1)
     # The force on the rim is zero; the last ring lies just inside, and shows the step of a falloff that ends sharply.
     strengths = forces(brush, np.minimum(shares, 0.999))
@@ -49,9 +52,10 @@ def disc(center, axes, brush):
 
 
 def thinned(places, least, most, apart):
-    """Thin out places on the screen, pixels (n, 2): returns (step, size), where every step-th place is drawn as a dot of this size.
+    """Choose how dots at positions on the screen (n, 2), in pixels, are thinned out.
 
-    The size is between `least` and `most`, and the mean distance of the dots is at least `apart` times the size.
+    Returns (step, size): every step-th position is drawn as a dot of this size. The size is between `least` and `most`. The mean distance
+    of the dots is at least `apart` times the size.
     """
     if len(places) == 0:
         return 1, least
@@ -62,7 +66,10 @@ def thinned(places, least, most, apart):
 
 
 def bump(center, axes, brush, displacement, across):
-    """Line (n, 3) that a straight line over the surface becomes by a dab. across: the view's direction to the right."""
+    """Line (n, 3) that one dab would make of a straight line over the surface through `center`.
+
+    axes: two vectors from frame(). displacement: of the pulled vertex. across: world direction to the right in the view.
+    """
     turn = math.atan2(axes[1] @ across, axes[0] @ across)
     along = math.cos(turn) * axes[0] + math.sin(turn) * axes[1]
     shares = np.linspace(-1.0, 1.0, 4 * RINGS + 1)

@@ -1,15 +1,18 @@
-"""A stroke of dabs along the mouse's way, and by a timer while the mouse rests."""
+"""A stroke of dabs along the path of the mouse; a timer makes dabs while the mouse rests."""
 
 import time
 
 from . import strokes
 
 SMOOTHING = 0.5
-"""Share of the way to the mean of the neighbours that one dab of smoothing moves a vertex."""
+"""Share of the way to the mean of its neighbours by which one dab of smoothing moves a vertex."""
 
 
 class Dabbing:
-    """A stroke of dabs. sign: -1 pulls down. is_smooth: the dabs smooth instead of pulling."""
+    """A stroke of dabs with the mouse.
+
+    sign: -1 pushes down instead of pulling. is_smooth: whether the dabs smooth instead of pulling.
+    """
 
     def __init__(self, context, session, view, sign, is_smooth):
         self.hit = None
@@ -22,40 +25,43 @@ class Dabbing:
         self._ticked = time.monotonic()
 
     def move(self, event):
-        """Handle the press of the mouse, or a movement of it."""
+        """Make the dabs that are due at the press of the mouse button or a movement of the mouse."""
         found = self._way.move(event.mouse_x, event.mouse_y)
         self.hit = self._way.found
-        # Without `accumulate` only the last place counts: the shape follows the mouse even on ways shorter than the spacing.
+        # If `accumulate` is off, only the last position counts: the shape follows the mouse even over less than the spacing.
         if not self._session.brush.accumulate and not self._is_smooth:
             found = [self.hit] if self.hit else []
         self._dabs(found, event)
 
     def tick(self, event):
-        """Handle a timer event."""
+        """Make a dab at an event of the timer, if the mouse has rested."""
         now = time.monotonic()
         if now - self._ticked < 0.8 / strokes.RATE:
-            return  # the timer of another operator
+            return  # the event is from a different timer
         self._ticked = now
         if self._session.brush.accumulate or self._is_smooth:
             self._dabs(self._way.wait(), event)
 
     def key(self, _context, _event):
-        """Ignore a key: dabs have no keys."""
+        """Ignore a key: a stroke of dabs has no keys."""
 
     def is_confirmed_by(self, _event):
-        """Whether an event other than the button's release ends the stroke."""
+        """Return False: only the release of the mouse button ends a stroke of dabs."""
         return False
 
     def is_cancelled_by(self, _event):
-        """Whether an event takes this stroke back, but not earlier ones of the session."""
+        """Return False: no event undoes a stroke of dabs alone, without the session's earlier strokes."""
         return False
 
     def cursor(self, session, view, place):
-        """(what the cursor lies on, displacement of the root there, or None for the brush's own)."""
+        """Return (dab.Hit under the cursor or None, None).
+
+        The second value is a displacement for the cursor's bump; None takes the brush's own.
+        """
         return session.pick(*view.ray(*place)), None
 
     def end(self):
-        """End the stroke."""
+        """End the stroke of dabs: remove its timer."""
         self._manager.event_timer_remove(self._timer)
 
     def _dabs(self, found, event):

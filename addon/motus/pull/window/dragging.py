@@ -1,4 +1,4 @@
-"""A stroke that drags the root with the mouse, as Blender's transform operators move the selection."""
+"""A stroke that drags one vertex with the mouse, as Blender's transform operators move the selection."""
 
 from mathutils import Vector
 
@@ -7,7 +7,10 @@ from ..brush import AXIS_INDEX
 
 
 class Dragging(Travel):
-    """A drag of the root with the mouse; axes and lengths are those of the world or of the object, as the brush's unit says."""
+    """A drag of the picked vertex (the root) with the mouse.
+
+    Axes and lengths are measured in the world or in the object, as the brush's unit says.
+    """
 
     def __init__(self, session, view, event):
         super().__init__(view)
@@ -21,50 +24,53 @@ class Dragging(Travel):
         self.begin(event, root)
 
     def move(self, event):
-        """Handle the press of the mouse, or a movement of it."""
+        """Pull the vertex along at the press of the mouse button or a movement of the mouse."""
         if self.hit is not None:
             self.follow(event)
             self._pull()
 
     def tick(self, _event):
-        """Ignore a timer event."""
+        """Ignore a timer event: a drag has no timer."""
 
     def key(self, context, event):
-        """Handle a key: an axis, or a part of a number."""
+        """Handle a key that chooses an axis or types a part of the length."""
         if self.hit is not None and self.take_key(context, event):
             self._pull()
 
     def is_cancelled_by(self, event):
-        """Whether an event takes this drag back, but not earlier strokes of the session."""
+        """Whether an event undoes this drag alone, without the session's earlier strokes."""
         return event.value == 'PRESS' and event.type in {'ESC', 'RIGHTMOUSE'} - {self._button}
 
     def cancel(self):
-        """Restore the shape at the press of the mouse."""
+        """Restore the shape that the mesh had before the drag."""
         if self.hit is not None:
             self._session.drag(self.hit.vertex, (0.0, 0.0, 0.0))
 
     def cursor(self, _session, _view, _place):
-        """(what the cursor lies on, displacement of the root there)."""
+        """Return (dab.Hit of the dragged vertex or None, displacement of the vertex) for drawing the cursor."""
         return self.hit, self.displacement
 
     def axis_line(self, length):
-        """World ends of a line along the axis through the root's start; None if no axis is chosen."""
+        """World positions of the ends of a line along the chosen axis, through the start of the dragged vertex.
+
+        length: half the length of the line. None if no axis is chosen.
+        """
         if self.axis is None or self.hit is None:
             return None
         along = length * self.axis_vector().normalized()
         return self.point - along, self.point + along
 
     def end(self):
-        """End the stroke."""
+        """End the drag; nothing is left to do."""
 
     def axis_vector(self):
-        """World vector along the chosen axis, of length 1 in the brush's unit."""
+        """World vector along the chosen axis, whose length is 1 in the brush's unit."""
         unit = Vector()
         unit[AXIS_INDEX[self.axis]] = 1.0  # type: ignore[index]
         return self._session.to_world_vector(unit)
 
     def length_of(self, way):
-        """Length of a world vector in the brush's unit."""
+        """Length of a world vector, measured in the brush's unit."""
         return self._session.length(way)
 
     def _pull(self):

@@ -1,6 +1,6 @@
-"""Session for the mesh under the resting tool: read once, for the cursor and for the next stroke.
+"""Session for the mesh under the resting mouse of the tool: the mesh is read once, for the cursor and for the next stroke.
 
-The session is dropped as soon as anything except a stroke changes the object, so that it is never stale.
+The session is dropped as soon as anything except a stroke changes the object, so that it is never outdated.
 """
 
 import bpy
@@ -17,19 +17,22 @@ from . import stage
 TOOL = "motus.pick_pull"
 MODES = {'OBJECT', 'EDIT_MESH', 'SCULPT'}
 MOST_IN_EDIT_MODE = 200000
-"""Most vertices of a mesh in Edit Mode that is read while the mouse only moves over it; a larger edit mesh would cause a delay."""
+"""Largest number of vertices of a mesh in Edit Mode that is read while the mouse only moves over it.
+
+A larger edit mesh would cause a delay.
+"""
 
 _kept = {}
 _wanted = {}
 
 
 def register():
-    """Add the handlers that notice changes of the object."""
+    """Add the handlers that drop the kept session when its object changes."""
     handlers.add(_watchers())
 
 
 def unregister():
-    """Drop the session, and remove the handlers."""
+    """Remove the handlers and the timer of this module, and drop the kept session."""
     handlers.remove(_watchers())
     if bpy.app.timers.is_registered(_read):
         bpy.app.timers.unregister(_read)
@@ -37,12 +40,15 @@ def unregister():
 
 
 def is_tool_active(context):
-    """Whether Pick & Pull is the tool of the viewport's mode."""
+    """Whether Pick & Pull is the active tool in the present mode."""
     return context.mode in MODES and toolbar.in_hand(context) == TOOL
 
 
 def session(context):
-    """Kept session of the active object; None if the tool is not active, or the object is not read yet."""
+    """Return the kept session of the active object, or ask a timer to read the object.
+
+    None if the tool is not active, or the object is not read yet.
+    """
     if not is_tool_active(context) or context.object is None:
         drop()
         return None
@@ -58,7 +64,7 @@ def session(context):
 
 
 def read_now(context):
-    """Session of the active object, read now if there is none; for actions of the user. Raises Refused."""
+    """Read the active object and keep its new session, for actions of the user. Raises Refused if it cannot be pulled."""
     fitting.fit(context.scene.motus.pull, context.object)
     made = Session(context, context.object, Brush.of(context.scene.motus.pull))
     keep(context, made)
@@ -66,7 +72,10 @@ def read_now(context):
 
 
 def take(context):
-    """Hand over the session that was kept under the resting mouse for a stroke; None if it does not fit the object. Raises Refused."""
+    """Hand over the kept session for a new stroke; it is no longer kept then.
+
+    Returns None if the session is not for the active object as it is now. Raises Refused if the object cannot be pulled.
+    """
     if _kept.get("key") != _key(context.object):
         return None
     found = _kept.pop("session")
@@ -75,15 +84,15 @@ def take(context):
 
 
 def keep(context, done):
-    """Keep the session of a finished stroke for the next one."""
-    # The stroke's own change is evaluated first: all later updates are by others.
+    """Keep the session of a finished stroke, so that the next stroke need not read the mesh. done: the session."""
+    # Evaluate the stroke's own change first, so that all later updates are changes by something else.
     context.view_layer.update()
     drop()
     _kept.update(key=_key(context.object), session=done, object=context.object.name, data=context.object.data.name)
 
 
 def drop():
-    """Drop the kept session."""
+    """Drop the kept session, and the request to read an object."""
     _kept.clear()
     _wanted.clear()
 
@@ -97,7 +106,7 @@ def _is_large(obj):
 
 
 def _read():
-    """Timer function, called once: reads the object that the cursor has asked for."""
+    """Timer function, called once: reads the object that the cursor has asked for, and keeps its session."""
     wanted = dict(_wanted)
     obj, scene = bpy.data.objects.get(wanted.get("object", "")), bpy.data.scenes.get(wanted.get("scene", ""))
     if obj is None or scene is None or stage.current() is not None or _key(obj) != wanted["key"]:

@@ -1,4 +1,4 @@
-"""A perspective view from another side, in the corner of the viewport while a mesh is pulled."""
+"""Perspective view from a different side, drawn in the corner of the viewport while a mesh is pulled."""
 
 import logging
 import math
@@ -16,18 +16,18 @@ log = logging.getLogger(__name__)
 classes = ()
 
 SHARE = 0.3
-"""Width of the inset, as a share of the viewport's width."""
+"""Width of the inset view, as a share of the viewport's width."""
 ASPECT = 1.5
 MARGIN = 12.0
 FRAME = (0.9, 0.9, 0.9, 0.8)
 TURN = math.radians(90.0)
-"""Turn of the inset's view about the vertical, from the viewport's view."""
+"""Angle about the vertical axis between the inset's view and the viewport's view."""
 RISE = math.radians(25.0)
 """Elevation of the inset's view above the horizon; larger if the viewport looks from straight above or below."""
 LENS = 2.4
-"""Focal length in units of half the picture's height."""
+"""Focal length of the inset's view, in units of half the picture's height."""
 BORDER = 1.1
-"""Margin around the work, as a factor on its size in the picture."""
+"""Margin around the shown box in the inset, as a factor on the size of the box in the picture."""
 SMALLEST = 96
 SIDES = {'UI', 'TOOLS'}
 SHELVES = {'ASSET_SHELF', 'ASSET_SHELF_HEADER'}
@@ -38,14 +38,17 @@ _failed = set()
 
 
 def start():
-    """Start drawing the inset. Called while the cursor is drawn, when tagging the viewport for a redraw has no effect."""
+    """Start drawing the inset view.
+
+    A timer redraws the viewports: start() is called while the cursor is drawn, when tagging a viewport for redraw has no effect.
+    """
     if not _handle:
         _handle.append(bpy.types.SpaceView3D.draw_handler_add(_draw, (), 'WINDOW', 'POST_PIXEL'))
         bpy.app.timers.register(viewports.redraw)
 
 
 def stop():
-    """Stop drawing the inset."""
+    """Stop drawing the inset view, and free its buffers."""
     while _handle:
         bpy.types.SpaceView3D.draw_handler_remove(_handle.pop(), 'WINDOW')
     for buffer in _buffers.values():
@@ -55,9 +58,9 @@ def stop():
 
 
 def rectangle(region, others=()):
-    """Rectangle (x, y, width, height) of the inset in a region, pixels; None if there is no room.
+    """Rectangle (x, y, width, height) of the inset view in a region, in pixels; None if there is no room.
 
-    others: regions of the same area; the inset keeps clear of sidebars and shelves that overlap the region.
+    others: regions of the area. The inset avoids sidebars and shelves that overlap the region.
     """
     left, right, bottom = _free(region, others)
     width = int((right - left) * SHARE)
@@ -68,7 +71,7 @@ def rectangle(region, others=()):
 
 
 def _free(region, others):
-    """Left, right and bottom edge of the part of a region that nothing overlaps."""
+    """(left, right, bottom) edges, in pixels, of the part of a region that no sidebar or shelf overlaps."""
     left, right, bottom = 0, region.width, 0
     for other in others:
         x, y = other.x - region.x, other.y - region.y
@@ -87,10 +90,14 @@ def _free(region, others):
 
 
 def camera(view_rotation, corners, aspect):
-    """View and projection matrix of the inset: from another side, as near as possible with all corners of a box in the picture."""
+    """Return (view matrix, projection matrix) of the inset view.
+
+    The view is from a different side than the viewport's, and as near as possible with all corners of a box in the picture. view_rotation:
+    quaternion of the viewport. corners: world positions. aspect: width / height of the picture.
+    """
     backward = view_rotation @ Vector((0.0, 0.0, 1.0))
     right = view_rotation @ Vector((1.0, 0.0, 0.0))
-    # Turned from the screen's right axis, which is horizontal in a view from above too.
+    # Measure the angle from the screen's right axis, which is horizontal in a view from above too.
     azimuth = math.atan2(right.y, right.x) - math.pi / 2.0 + TURN
     is_level = abs(backward.z) < 0.9
     rise = RISE if is_level else 1.4 * RISE
@@ -165,7 +172,7 @@ def _draw_view(context, place):
 
 
 def _buffer(width, height):
-    """Buffer of the picture, cached for each size; only few sizes occur."""
+    """Off-screen buffer of the inset's picture, cached for each size, since only few sizes occur."""
     import gpu
 
     if (width, height) not in _buffers:

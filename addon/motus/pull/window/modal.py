@@ -1,4 +1,4 @@
-"""Window part of motus.pick_pull: a session from the menu, or one stroke of the tool."""
+"""Modal part of the operator motus.pick_pull: a session that the menu starts, or one stroke of the tool."""
 
 import bpy
 
@@ -13,7 +13,7 @@ from .adjusting import MOVES
 from .pulling import Pulling
 
 GIVEN_PLACE = ("location", "vertex", "dabs")
-"""Keywords that give a place, so that the operator runs without the mouse."""
+"""Keywords that say where to pull: if one of them is given, the operator runs without the mouse."""
 
 VIEWING = {
     'MIDDLEMOUSE',
@@ -30,13 +30,16 @@ VIEWING = {
     'NUMPAD_PERIOD',
     *(f'NUMPAD_{digit}' for digit in range(10)),
 }
-"""Events that change the view, which work as without the operator."""
+"""Types of events that navigate the view; the operator passes them on."""
 ALWAYS_PASSED = {'TIMER', 'TIMER0', 'TIMER1', 'TIMER2', 'TIMER_REPORT', 'TIMERREGION', 'WINDOW_DEACTIVATE', 'NONE'}
 BUTTONS = {'LEFTMOUSE': 1.0, 'RIGHTMOUSE': -1.0}
 
 
 class PickPullModal:
-    """Mixin with invoke(), modal() and cancel() of motus.pick_pull, which has execute(), start() and remember()."""
+    """Mixin of motus.pick_pull with the methods invoke(), modal() and cancel().
+
+    The operator itself has the methods execute(), start() and remember().
+    """
 
     is_stroke: bpy.props.BoolProperty(
         name="Stroke", description="Make one stroke of the mouse, as with the tool's keys", default=False, options={'HIDDEN', 'SKIP_SAVE'}
@@ -82,13 +85,13 @@ class PickPullModal:
             raise
 
     def cancel(self, context):
-        """Cancel the session, by Blender or by the user: the mesh is as it was at the start."""
+        """Cancel the session, when Blender or the user asks for it, and restore the mesh to the start of the session."""
         self._pulling.close(context)
         self._pulling.session.restore()
         self._keep(context)
 
     def _press(self, context, view, event):
-        """Handle the first press of a stroke; False if there is nothing to pull under the mouse."""
+        """Begin a stroke of the tool at the press of its button; returns False if there is nothing to pull under the mouse."""
         try:
             return self._pulling.press(context, view, event, -1.0 if self.is_down else 1.0, self.is_smooth)
         except Refused as refusal:
@@ -129,7 +132,7 @@ class PickPullModal:
         return self._held(context, event)
 
     def _held(self, context, event):
-        """Handle an event while a button is held."""
+        """Handle an event while the button of a stroke is held."""
         if event.type in MOVES:
             self._pulling.move(context, event)
             return {'PASS_THROUGH'}  # for drawing the cursor
@@ -165,7 +168,10 @@ class PickPullModal:
         return self._command(context, event)
 
     def _number_key(self, context, event):
-        """Handle a key while a number is typed; False if the key ends the number and has another meaning."""
+        """Handle an event while the user types a number; returns False if its key is no part of the number.
+
+        A key that is no part of the number ends the typing.
+        """
         pulling = self._pulling
         if event.value == 'PRESS':
             if pulling.type_strength(context, event.type):
@@ -175,7 +181,7 @@ class PickPullModal:
         return event.type in CONFIRMING or event.type == 'ESC'
 
     def _command(self, context, event):
-        """Handle an event while no button is held."""
+        """Handle an event of the session while no button is held."""
         pulling = self._pulling
         view = pulling.view_under(event)
         if _turns_view(context, event):
@@ -208,7 +214,10 @@ class PickPullModal:
 
 
 def why_cancelled(session):
-    """Sentence that says that the mirror images have cancelled the pull; None if the pull moved nothing for another reason."""
+    """Sentence that says that the pull and its mirror images have cancelled each other.
+
+    None if the pull moved nothing for a different reason.
+    """
     if not session.is_cancelled:
         return None
     return tr(
@@ -218,7 +227,7 @@ def why_cancelled(session):
 
 
 def _turns_view(context, event):
-    """Whether an event changes the view."""
+    """Whether an event navigates the view, so that the operator passes it on."""
     if event.type in VIEWING or event.type.startswith('NDOF_'):
         return True
     emulates = context.preferences.inputs.use_mouse_emulate_3_button
@@ -226,7 +235,7 @@ def _turns_view(context, event):
 
 
 def _selects(context, event):
-    """Whether the right button, which pulls down, selects in this user's keymap."""
+    """Whether the event is the right mouse button, and this button selects in the user's keymap."""
     if event.type != 'RIGHTMOUSE':
         return False
     keys = context.window_manager.keyconfigs.active.preferences

@@ -1,4 +1,4 @@
-"""A session in the window: applies events of mouse and keyboard to the mesh and to the brush."""
+"""Session of pulls in a window: applies events of mouse and keyboard to the mesh and to the brush."""
 
 from ...core.interface.dragging.number_entry import NumberEntry
 from ...core.interface.view import viewports
@@ -10,7 +10,10 @@ from .dragging import Dragging
 
 
 class Pulling:
-    """A dab.Session with the state of the mouse. given: keywords of the operator, which take precedence over the scene's brush."""
+    """A dab.Session together with the state of the mouse.
+
+    given: {keyword: value} of the operator, which replace values of the scene's brush.
+    """
 
     def __init__(self, context, session, given):
         self.session = session
@@ -26,43 +29,43 @@ class Pulling:
 
     @property
     def brush(self):
-        """The brush with its present values."""
+        """The brush of the session, as a Brush with its present values."""
         return self.session.brush
 
     @property
     def is_stroking(self):
-        """Whether a mouse button is held."""
+        """Whether a stroke has begun, so that a mouse button is held."""
         return self.stroke is not None
 
     @property
     def is_dragging(self):
-        """Whether a stroke drags the root with the mouse."""
+        """Whether the present stroke drags one vertex with the mouse (Dragging)."""
         return isinstance(self.stroke, Dragging)
 
     # --- The brush ------------------------------------------------------------------------------------------------
 
     def set(self, context, name, value):
-        """Set a value of the brush, for this session and for the scene."""
+        """Set a property of the brush, both for this session and in the scene."""
         self._given.pop(name, None)
         setattr(self.settings, name, value)
         self.session.brush = Brush.of(self.settings, self._given)
         self.show(context)
 
     def cycle(self, context, name):
-        """Switch an enum of the brush to its next item."""
+        """Set an enum property of the brush to its next item."""
         items = [item.identifier for item in self.settings.bl_rna.properties[name].enum_items]
         self.set(context, name, items[(items.index(getattr(self.brush, name)) + 1) % len(items)])
 
     def toggle_mirror(self, context, axis):
-        """Switch the mirror across an axis on or off."""
+        """Switch mirroring across an axis of the object on or off in the brush."""
         self.set(context, "mirror", set(self.brush.mirror) ^ {axis})
 
     def step(self, context, name, up):
-        """Raise or lower radius or strength by one step."""
+        """Raise or lower the brush's radius or strength by one step."""
         self.set(context, name, notched(self.brush, name, 1 if up else -1))
 
     def type_strength(self, context, kind):
-        """Handle a key for the number that is typed; False if the key does not belong to a number."""
+        """Handle a key as a part of a typed number for the strength; returns False if the key is no part of a number."""
         if not self.entry.key(kind):
             return False
         if self.entry.value is not None:
@@ -71,14 +74,14 @@ class Pulling:
         return True
 
     def adjust(self, context, name, view, event):
-        """Begin to change radius or strength by the mouse."""
+        """Begin to change the brush's radius or strength with the mouse. name: of the property."""
         hit = self.session.pick(*view.ray(event.mouse_x, event.mouse_y))
         place = hit.point if hit else view.data.view_location
         self.adjustment = Adjustment(name, self.brush, event.mouse_x, view.pixels_for(place, 1.0), view, hit)
         self.show(context)
 
     def handle_adjustment(self, context, event):
-        """Handle an event while the mouse changes radius or strength."""
+        """Handle an event while the mouse changes the brush's radius or strength."""
         meaning, value = self.adjustment.handle(context, self.brush, event)
         name = self.adjustment.name
         if meaning in {'KEEP', 'CANCEL'}:
@@ -90,7 +93,10 @@ class Pulling:
     # --- Strokes --------------------------------------------------------------------------------------------------
 
     def press(self, context, view, event, sign, is_smooth):
-        """Begin a stroke by the press of a button in the viewport; returns whether the mouse is on the mesh."""
+        """Begin a stroke when a mouse button is pressed in a viewport; returns whether the mouse is on the mesh.
+
+        sign: -1 pushes instead of pulling. is_smooth: whether the stroke smooths.
+        """
         self.button, self.sign, self.is_smooth = event.type, sign, is_smooth
         if self.brush.direction == 'CURSOR' and not is_smooth:
             self.stroke = Dragging(self.session, view, event)
@@ -100,17 +106,17 @@ class Pulling:
         return self.stroke.hit is not None
 
     def move(self, context, event):
-        """Handle a movement of the mouse while a button is held."""
+        """Continue the stroke at a movement of the mouse while its button is held."""
         self.stroke.move(event)
         self._show_stroke(context)
 
     def tick(self, event):
-        """Handle a timer event while a button is held."""
+        """Continue the stroke at a timer event while its button is held."""
         self.stroke.tick(event)
         self._redraw()
 
     def key(self, context, event):
-        """Handle a key while a button is held."""
+        """Pass a key to the stroke while its button is held."""
         self.stroke.key(context, event)
         self._show_stroke(context)
 
@@ -120,12 +126,12 @@ class Pulling:
         return is_let_go or self.stroke.is_confirmed_by(event)
 
     def release(self, context):
-        """End the stroke."""
+        """End the stroke, and keep its result."""
         self._end_stroke()
         self.show(context)
 
     def cancel_stroke(self, context):
-        """End the stroke; a drag is taken back."""
+        """End the stroke, and undo its effect on the mesh."""
         self.stroke.cancel()
         self.release(context)
 
@@ -149,7 +155,7 @@ class Pulling:
     # --- Display --------------------------------------------------------------------------------------------------
 
     def show(self, context):
-        """Show the state in the headers of the viewports, and redraw these."""
+        """Show the state of the brush in the headers of the viewports and in the status bar, and redraw the viewports."""
         adjusted, entry = None, None
         if self.adjustment is not None:
             adjusted, entry = self.adjustment.name, self.adjustment.entry
@@ -181,7 +187,7 @@ class Pulling:
         self._redraw()
 
     def view_under(self, event):
-        """The viewport under the mouse, or None."""
+        """The viewport under the mouse at an event; None if the mouse is not over a viewport."""
         return viewports.view_at(self._window, event.mouse_x, event.mouse_y)
 
     def _viewports(self):

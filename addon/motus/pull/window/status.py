@@ -1,4 +1,4 @@
-"""Texts in the header and the status bar: the state of the brush, and the keys of the tool."""
+"""Texts for the viewport's header and the status bar: the state of the brush, and the keys of the tool."""
 
 import bpy
 
@@ -10,19 +10,19 @@ LABELS = {RADIUS: "Radius", STRENGTH: "Strength"}
 
 
 def length(context, value):
-    """A length in the scene's unit."""
+    """Text of a length in the scene's unit. value: in Blender units."""
     units = context.scene.unit_settings
     system = 'METRIC' if units.system == 'NONE' else units.system
     return bpy.utils.units.to_string(system, 'LENGTH', value * units.scale_length, precision=3)
 
 
 def label(text):
-    """Translate a label of the interface into the user's language."""
+    """Translate a label of Blender's interface into the user's language."""
     return bpy.app.translations.pgettext_iface(text)
 
 
 def value(context, brush, name):
-    """Text of one of the brush's two numbers."""
+    """Text of the brush's radius or strength with its unit. name: of the property."""
     number = getattr(brush, name)
     if name == RADIUS and brush.distance == 'EDGES':
         return tr("{count} edges").format(count=round(number))
@@ -30,18 +30,24 @@ def value(context, brush, name):
 
 
 def pair(context, brush, name, entry: NumberEntry | None = None):
-    """Text of a number with its label. entry: characters that the user is typing instead of the number."""
+    """Text of the brush's radius or strength with its label.
+
+    entry: characters that the user is typing, which are shown in place of the value; or None.
+    """
     shown = f"{entry.text}|" if entry is not None and entry.is_open else value(context, brush, name)
     return f"{label(LABELS[name])} {shown}"
 
 
 def item_label(settings, brush, name):
-    """Label of the item that an enum of the brush has."""
+    """Translated label of the item that is set in an enum property of the brush."""
     return label(settings.bl_rna.properties[name].enum_items[getattr(brush, name)].name)
 
 
 def numbers(brush, adjusted=None):
-    """Names of the brush's numbers that are shown. adjusted: number that is being typed or dragged, or None."""
+    """Names of the numbers of the brush that the header shows.
+
+    adjusted: name of the number that the user is typing or dragging, or None.
+    """
     return (RADIUS,) if brush.direction == 'CURSOR' and adjusted != STRENGTH else (RADIUS, STRENGTH)
 
 
@@ -51,7 +57,10 @@ def drag_header(context, settings, session, drag):
 
 
 def header(context, settings, brush, entry, adjusted):
-    """Text for the viewport's header. adjusted: number that is being typed or dragged, or None."""
+    """Text for the viewport's header with the state of the brush.
+
+    entry: characters that the user is typing. adjusted: name of the number that the user is typing or dragging, or None.
+    """
     parts = [pair(context, brush, name, entry if adjusted == name else None) for name in numbers(brush, adjusted)]
     parts += [item_label(settings, brush, name) for name in ("falloff", "distance", "direction")]
     if brush.accumulate and brush.direction != 'CURSOR':
@@ -62,7 +71,7 @@ def header(context, settings, brush, entry, adjusted):
 
 
 class Key:
-    """What a group of keys does, with the icons that the status bar shows for them."""
+    """Description of what a group of keys does, with the icons of the keys for the status bar."""
 
     def __init__(self, text, *icons):
         self.text, self.icons = text, icons
@@ -101,7 +110,7 @@ ADJUSTING_KEYS = (Key("Confirm", 'MOUSE_LMB'), Key("Cancel", 'MOUSE_RMB', 'EVENT
 
 
 def drawn(keys):
-    """Function for the status bar that draws the icons of keys with what they do."""
+    """Return a function for WorkSpace.status_text_set() that draws the icons of keys with their descriptions."""
     known = bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items
     shown = [([icon for icon in key.icons if icon in known], key.text) for key in keys]
 

@@ -1,27 +1,28 @@
-"""Distribution of dabs along the mouse's way, and pressure of the pen; independent of Blender's data."""
+"""Distribution of dabs along the path of the mouse, and pressure of the pen; this module uses no data of Blender."""
 
 import math
 from typing import Any
 
 SPACING = 0.1
-"""Distance between dabs, as a share of the radius."""
+"""Distance between dabs, as a share of the brush's radius."""
 NEAREST = 2.0
 """Least distance between dabs, in pixels."""
 MOST = 32
-"""Most dabs for one movement of the mouse; on a longer way the dabs are further apart."""
+"""Largest number of dabs for one movement of the mouse; on a longer path the dabs are further apart."""
 RATE = 20.0
-"""Dabs per second while the mouse is held still."""
+"""Dabs per second while the mouse rests with its button held."""
 
 
 def pressure(event):
-    """Pressure of a pen, 0 to 1; 1 for a mouse."""
+    """Pressure of the pen at an event, 0 to 1; 1.0 for a mouse."""
     return min(max(event.pressure, 0.0), 1.0) if event.is_tablet else 1.0
 
 
 def shares(length, left, spacing):
-    """Shares (0 to 1) of a way at which dabs are due, and the distance from its end to the next dab.
+    """Distribute dabs along one movement of the mouse: (shares (0 to 1) of the path with a dab, distance to the next dab).
 
-    length: of the way. left: distance from the start of the way to the next dab. spacing: distance between dabs, > 0.
+    length: of the path. left: distance from the start of the path to the next dab. spacing: distance between dabs, > 0. The returned
+    distance counts from the end of the path.
     """
     if length <= 0.0 or length < left:
         return [], left - length
@@ -34,9 +35,10 @@ def shares(length, left, spacing):
 
 
 class Way:
-    """Way of the mouse during one stroke, in pixels; heights of the pulled surface do not count.
+    """Path of the mouse during one stroke, in pixels of the screen; the depth of the surface does not count.
 
-    find(x, y): what lies under a place of the screen, or None. radius_of(found): radius there in pixels.
+    find(x, y): function that returns what lies under a position on the screen, or None. radius_of(found): function that returns the brush's
+    radius there, in pixels.
     """
 
     def __init__(self, find, radius_of):
@@ -48,11 +50,14 @@ class Way:
 
     @property
     def found(self):
-        """What was under the mouse at its last movement."""
+        """What was under the mouse at its last movement; None if nothing was."""
         return self._found
 
     def move(self, x, y):
-        """Record the press of the mouse, or a movement of it; returns what was found at the places of dabs, in order."""
+        """Continue the path to (x, y), at the press of the button or a movement of the mouse.
+
+        Returns what find() has found at the positions of the dabs that are due, in order.
+        """
         found = self._find(x, y)
         if found is None or self._found is None:
             return self._cross_border(x, y, found)
@@ -63,12 +68,12 @@ class Way:
         return [one for one in between if one is not None]
 
     def wait(self):
-        """Record a timer event; returns what lies under the mouse, if no dab was made since the last event."""
+        """Note a timer event; returns [what lies under the mouse] if no dab was made since the last timer event, otherwise []."""
         was_idle, self._is_idle = self._is_idle, True
         return [self._found] if was_idle and self._found is not None else []
 
     def _cross_border(self, x, y, found):
-        """Handle a mouse that has entered the surface, has left it, or stays beside it."""
+        """Handle a mouse that has come onto the surface, has left it, or stays beside it; returns what is found for a dab."""
         self._place, self._found = (x, y), found
         if found is None:
             return []

@@ -1,4 +1,4 @@
-"""The tool Pick & Pull in the toolbars of Object, Edit and Sculpt Mode."""
+"""The tool Pick & Pull in the toolbars of Object Mode, Edit Mode and Sculpt Mode."""
 
 from pathlib import Path
 
@@ -60,13 +60,13 @@ TOOLS = (ObjectTool, EditTool, SculptTool)
 
 
 def register():
-    """Add the tool to the toolbars, and its cursor."""
+    """Add the tool to the toolbars, and register its cursor and its handlers."""
     toolbar.register(TOOLS, keymap.TOOL_KEYMAP)
     hover.register()
     cursor.register()
 
 
 def unregister():
-    """Remove the tool and its cursor."""
+    """Remove the tool from the toolbars, its cursor and its handlers."""
     handlers.take_back(stage.clear, inset.stop, cursor.unregister, hover.unregister)
     toolbar.unregister(TOOLS)

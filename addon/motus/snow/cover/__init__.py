@@ -1,4 +1,4 @@
-"""Ground cover: snow that lies on surfaces, and grows with the flakes that land there."""
+"""Snow cover: a layer of snow on surfaces, which grows with the flakes that land there."""
 
 from ...core.declare import System
 from . import build, look, operators, panel, presets, properties, solve
@@ -8,7 +8,7 @@ SYSTEM = System(
     label="Snow Cover",
     settings=properties.MOTUS_PG_snow_cover,
     classes=(
-        # The groups before the one that holds them.
+        # Blender has to register property groups before the group that contains them.
         properties.MOTUS_PG_snow_cover_entry,
         properties.MOTUS_PG_snow_cover,
         *operators.classes,

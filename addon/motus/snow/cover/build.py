@@ -1,4 +1,4 @@
-"""Making covers and taking them away."""
+"""Create, wire and remove snow covers. A cover is the object that shows the layer of lying snow."""
 
 import bpy
 
@@ -11,12 +11,15 @@ from . import look, sources
 
 
 def system():
-    """The System of snow covers in the registry of systems."""
+    """Return the System of snow covers from the registry of systems."""
     return registered["snow_cover"]
 
 
 def groups(owner):
-    """What the solver waits for: the places of all that it reads."""
+    """Return the Group of a cover, whose inputs are the transforms of all objects that the solver reads. owner: cover.
+
+    Blender evaluates these objects before the solver runs.
+    """
     return (Group(inputs=tuple(Transform(obj) for obj in sources.placed(owner.motus.snow_cover)), outputs=OUTPUTS),)
 
 
@@ -24,7 +27,7 @@ OUTPUTS = "volume", "deepest"
 
 
 def new_cover(context):
-    """An object without settings that is to show snow."""
+    """Create the object of a new snow cover in the active collection, with an empty mesh and default settings; returns the object."""
     name = tr("Snow Cover")
     cover = bpy.data.objects.new(name, bpy.data.meshes.new(name))
     (context.collection or context.scene.collection).objects.link(cover)
@@ -32,7 +35,7 @@ def new_cover(context):
 
 
 def wire(cover):
-    """Let snow lie as the settings say."""
+    """Make the modifier and drivers of a new cover, as its settings require, and give it its material."""
     settings = cover.motus.snow_cover
     settings.reads = sources.signature(settings)
     wiring.attach(system(), cover)
@@ -40,7 +43,7 @@ def wire(cover):
 
 
 def settle(cover):
-    """Wire a cover again that reads other objects than it was wired for."""
+    """Update a cover's drivers if it reads different objects than before, for example after a change of a collection."""
     settings = cover.motus.snow_cover
     reads = sources.signature(settings)
     if reads != settings.reads:
@@ -49,7 +52,7 @@ def settle(cover):
 
 
 def remove(cover):
-    """Take a cover away."""
+    """Remove a cover: its material, drivers, settings, and the object itself."""
     look.drop(cover)
     wiring.detach(system(), cover)
     forget(system(), cover)

@@ -1,4 +1,4 @@
-"""What snow lies on: the surfaces as one mesh in the world, refined, and what else flakes land on."""
+"""Ground of a snow cover: its surfaces as one refined mesh in world space, and the objects that shelter them from flakes."""
 
 from typing import Any, NamedTuple
 
@@ -7,7 +7,7 @@ from ...core.lazy import numpy as np
 from ...core.scenery import meshes
 
 MOST = 1 << 21
-"""Vertices of the layer."""
+"""Most vertices of the layer of snow."""
 _grounds = keeping.OfFile(
     "what snow lies on (Ground), or None", "stamps of the faces and where they stand, resolution, up, angle of repose", most=3
 )
@@ -16,7 +16,7 @@ _grounds = keeping.OfFile(
 class Ground(NamedTuple):
     """Surfaces that carry a snow cover, together with the objects that shelter these surfaces from flakes.
 
-    collider: native SnowCollider of surfaces and sheltering objects, with vertex_count vertices; those of the surfaces come first.
+    collider: native SnowCollider of surfaces and sheltering objects, with vertex_count vertices; the vertices of the surfaces come first.
     layer: native SnowLayer of the surfaces alone.
     """
 
@@ -26,7 +26,11 @@ class Ground(NamedTuple):
 
 
 def made(*what):
-    """The Ground of what is Placed; None where it would have more than MOST vertices. what: lain_on, shelters, resolution, up, repose."""
+    """Return the Ground of surfaces, kept for equal arguments; None if it would have more than MOST vertices.
+
+    what: lain_on and shelters, tuples of meshes.Placed (a triangle mesh with its world matrix); then resolution, up and repose, as in
+    work.Plan (edge length of the refined surface, direction against gravity, angle of repose).
+    """
     return _grounds.made(what, lambda: _made(*what))
 
 

@@ -1,4 +1,4 @@
-"""What lying snow looks like: its material."""
+"""Look of lying snow: the material of a snow cover."""
 
 import bpy
 
@@ -7,19 +7,22 @@ from ...core.declare import registered
 from ...core.file.pointers import pointed
 
 KEY = "motus_snow_cover"
-"""Custom property of the material that is made here, by which it is found again."""
+"""Custom property of the material that this module makes, by which the material is found again."""
 NAME = "Motus Snow Cover"
 COLOR = 0.86, 0.90, 0.96, 1.0
 GRAIN, BUMP = 22.0, 0.25
 
 
 def dress(cover):
-    """Give the snow its material: the one that was chosen, or one of ours, which somebody may have changed and so stays."""
+    """Set the material of a cover: the one that its settings choose, or else the material that this module makes.
+
+    A material that was made before in this file is used again, with the changes of the artist.
+    """
     _set(cover, pointed(cover.motus.snow_cover, "material") or _own() or _new())
 
 
 def drop(cover):
-    """Take it back."""
+    """Remove the material from a cover; the material that this module made is removed from the file if nothing uses it."""
     _set(cover, None)
     cover.motus.snow_cover.property_unset("material")
     found = _own()
@@ -36,7 +39,10 @@ def _own():
 
 
 def _new():
-    """White, a little blue, and grainy; closed wherever there is snow, as in Solid. Few nodes, for the file's sake."""
+    """Make the material of lying snow: white with a little blue, grainy and opaque, as in Solid shading.
+
+    It has few nodes, so that the file stays small.
+    """
     material = bpy.data.materials.new(NAME)
     material[KEY] = True
     if not material.use_nodes:

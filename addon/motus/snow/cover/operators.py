@@ -1,4 +1,4 @@
-"""Operators that let snow lie on surfaces, do its work with progress, and take it away."""
+"""Operators that add and remove snow covers, edit their lists, and compute them with a progress bar."""
 
 import bpy
 
@@ -24,7 +24,7 @@ def _names(name, description):
 
 
 def _listed(names):
-    """The objects of names between commas."""
+    """List the objects of names between commas. Raises Refused if there is no object of a name."""
     return [named(name.strip()) for name in names.split(",") if name.strip()]
 
 
@@ -74,7 +74,10 @@ class MOTUS_OT_snow_cover_add(FindsValues, SnowCoverKeywords, bpy.types.Operator
 
 
 def _surfaces(context, names, collection_name):
-    """(mesh objects, collection or None) that are named, or the selected ones."""
+    """Return (mesh objects, collection or None) that snow is to lie on: those that are named, or else the selected meshes.
+
+    Raises Refused if there are no faces that snow can lie on.
+    """
     collection = None
     if collection_name:
         collection = bpy.data.collections.get(collection_name)
@@ -122,7 +125,7 @@ def _check_emitter(obj):
 
 
 def _let_land(emitters, surfaces, collection):
-    """Let the flakes of each emitter without colliders land on these surfaces; linked emitters are left unchanged.
+    """Make surfaces and a collection the colliders of each emitter that has none; linked emitters are left unchanged.
 
     collection: collection of colliders that the emitters get, or None. surfaces: list of objects.
     """
@@ -137,7 +140,10 @@ def _let_land(emitters, surfaces, collection):
 
 
 def cover_for(context, name):
-    """The cover of this name, or the active one; refuses what is none."""
+    """Return the snow cover of this name, or the active object if the name is empty.
+
+    Raises Refused if the object is no snow cover, is linked, or is baked.
+    """
     found = named(name) if name else context.object
     if found is None or not is_owner(build.system(), found):
         raise Refused(tr("This is no snow cover"))
@@ -178,14 +184,14 @@ class MOTUS_OT_snow_cover_remove(Operator, bpy.types.Operator):
 
 
 class _OnCover(OfAnObject):
-    """Operators on the cover that is named, or the active one."""
+    """Base of operators that change one snow cover: the one that `object` names, or the active object."""
 
     object: object_keyword(_COVER)
     found = staticmethod(cover_for)
 
 
 class _InList(_OnCover):
-    """Operators on one of a cover's lists."""
+    """Base of operators that add objects to, or remove them from, a cover's list of surfaces or of emitters."""
 
     what: bpy.props.EnumProperty(
         name="List",
@@ -196,7 +202,7 @@ class _InList(_OnCover):
     for_scripts = ("what",)
 
     def entries(self, cover):
-        """The list."""
+        """Return the list (collection property) of a cover's settings that the operator changes: surfaces or emitters."""
         settings = cover.motus.snow_cover
         return settings.surfaces if self.what == 'SURFACES' else settings.emitters
 

@@ -1,4 +1,4 @@
-"""The panel of lying snow: in the sidebar's tab and in the object's constraint properties, on the cover."""
+"""Panel of a snow cover, in the sidebar and in the object's constraint properties; shown for covers."""
 
 from ...core import wiring
 from ...core.declare import is_owner
@@ -13,7 +13,7 @@ def _is_cover(obj):
 
 
 def draw_main(layout, context):
-    """Draw what is wrong, and how snow lies."""
+    """Draw the cover's problem if there is one, the button that computes a waiting cover, and the settings of how snow lies."""
     cover = context.object
     problem = ui.draw_problem(layout, context, system(), cover)
     if problem == solve.WAITING:
@@ -22,7 +22,7 @@ def draw_main(layout, context):
 
 
 def draw_layer(layout, context):
-    """The mesh of the snow."""
+    """Draw the settings of the layer's mesh, and the material of the snow."""
     settings = context.object.motus.snow_cover
     column = ui.split(layout)
     rows.LAYER.draw(column, settings)
@@ -30,7 +30,7 @@ def draw_layer(layout, context):
 
 
 def draw_surfaces(layout, context):
-    """Draw the list of surfaces that snow lies on."""
+    """Draw the list of surfaces that snow lies on, and the collection of further surfaces."""
     _draw_list(layout, context.object, 'SURFACES')
     ui.split(layout).prop(context.object.motus.snow_cover, "collection")
 
@@ -53,7 +53,7 @@ def _draw_list(layout, cover, what):
 
 
 def draw_readouts(layout, context):
-    """How much snow lies."""
+    """Draw the volume of the lying snow and its largest depth, if they are known."""
     depsgraph = context.view_layer.depsgraph
     volume, deepest = (wiring.output(system(), context.object, name, depsgraph) for name in ("volume", "deepest"))
     if volume is None or deepest is None:
@@ -64,12 +64,12 @@ def draw_readouts(layout, context):
 
 
 def draw_actions(layout, context):
-    """Removing."""
+    """Draw the button that removes the snow cover."""
     layout.operator("motus.snow_cover_remove", text="Remove", icon='X').object = context.object.name
 
 
 def draw_add(layout, context):
-    """Snow on the selected meshes."""
+    """Draw the button that adds a snow cover on the selected meshes."""
     layout.operator_context = 'INVOKE_DEFAULT'
     layout.operator("motus.snow_cover_add", icon='ADD')
 

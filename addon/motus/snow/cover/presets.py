@@ -1,4 +1,4 @@
-"""Presets of a cover's settings."""
+"""Presets of a snow cover's settings: those that Motus brings, and those that users save."""
 
 import math
 
@@ -6,7 +6,7 @@ from ...core.interface import presets
 from ...core.interface.presets import Preset
 from .properties import KEYWORDS
 
-# What belongs to one shot, or one surface, is not part of a style.
+# Settings that presets leave unchanged, as they belong to one shot or one surface and not to a style.
 OF_THE_SHOT = {"resolution", "influence"}
 
 BROUGHT = (

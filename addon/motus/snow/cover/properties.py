@@ -1,4 +1,4 @@
-"""Settings of snow that lies: Object.motus.snow_cover of the object that shows it."""
+"""Settings of lying snow: the property group Object.motus.snow_cover of the object that shows the layer."""
 
 import math
 
@@ -16,7 +16,7 @@ def _dress(settings, _context):
 
 
 class SnowCoverKeywords:
-    """Mixin of the settings and of the operator, which share these properties; scripts use the names as keywords."""
+    """Mixin of a cover's settings and of the operator that adds a cover; in scripts the names are the operator's keywords."""
 
     lump: number(
         "Snow per Flake",
@@ -71,7 +71,7 @@ KEYWORDS = tuple(SnowCoverKeywords.__annotations__)
 
 
 class MOTUS_PG_snow_cover_entry(bpy.types.PropertyGroup):
-    """An object in one of the lists."""
+    """An item in a cover's list of surfaces or of emitters."""
 
     object: to_object(name="Object", description="Mesh object that snow lies on, or emitter of snow", update=rewire, override=OVERRIDABLE)
 

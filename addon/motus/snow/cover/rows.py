@@ -1,4 +1,4 @@
-"""The rows of a cover's settings: in the panel, and for the keywords in the redo panel."""
+"""Rows of a snow cover's settings, as the panel and the operator's redo panel draw them."""
 
 from ...core.interface.rows import Rows
 

@@ -1,4 +1,7 @@
-"""Snow that lies: what its solver reads, and how deep it is at a time."""
+"""Solver of a snow cover: it collects surfaces and emitters, and computes the depth of the lying snow at a frame.
+
+A Problem is a sentence that the panel shows.
+"""
 
 import math
 
@@ -45,16 +48,23 @@ POINTS = Points(attributes=(("depth", 'FLOAT'),), shape='FACES', capacity=4 * gr
 INPUTS = (Geometries("scenery", of=sources.scenery), Setting("influence"))
 DOWN = 0.0, 0.0, -9.81
 LEAST_SIDE = math.radians(15.0)
-"""Of heaps, whatever slopes snow slides from: without any there would be none at edges."""
+"""Smallest angle of the sides of heaps, in radians, whatever the setting Slope is: at an angle of 0 no snow could lie near edges."""
 BEYOND = 250
-"""Frames. After the scene's last one flakes count up to a multiple of it, so that what is computed stays for a while."""
+"""Number of frames: on a frame after the scene's end flakes count up to the next multiple of it.
 
-# Of flakes, what does not change where they land.
+So the cover need not be computed anew on each of these frames.
+"""
+
+# Keywords of the flakes that have no effect on where flakes land.
 _OF_LOOKS = {"start_size", "start_color", "random_size", "random_color", "tumble", "collision", "melt_time", "friction"}
 
 
 def solve(context, scenery, influence):
-    """The layer in world space."""
+    """Compute the layer of snow at the frame of the context, in world space, as the mesh of the cover; returns a Problem to show, or None.
+
+    scenery: input only so that Blender evaluates the surfaces and colliders first; empty if there are none. influence: share of the depth
+    that is shown.
+    """
     settings = context.settings
     context.outputs[:] = 0.0
     if sources.signature(settings) != settings.reads:
@@ -68,7 +78,7 @@ def solve(context, scenery, influence):
     name = context.owner.name
     found = fault if plan is None else _work(context, name, plan)
     if isinstance(found, Problem):
-        # What was worked out before stays until the problem is mended.
+        # The snow that was computed last is shown until the problem is solved.
         before = None if found.blocking else work.latest(name)
         if before:
             _fill(context, *before, influence)  # type: ignore[call-arg]
@@ -78,7 +88,10 @@ def solve(context, scenery, influence):
 
 
 def _work(context, name, plan):
-    """The Work of a plan, or what keeps it from being done now."""
+    """Return the Work (computed cover) of a plan, or the Problem that keeps it from being computed now.
+
+    name: name of the cover's object. If the computation takes long, the viewport waits for an operator.
+    """
     if work.is_too_fine(plan):
         return work.TOO_FINE
     found = work.known(name, plan)
@@ -103,9 +116,12 @@ def _fill(context, plan, found, influence):
 
 
 def _plan(context, settings, scenery):
-    """(Plan, Problem or None); (None, Problem) where there is none."""
+    """Collect all that a cover is computed from; returns (work.Plan, Problem to show or None).
+
+    (None, Problem) if the cover cannot be computed. scenery: {original object: evaluated object}.
+    """
     scene = context.depsgraph.scene
-    # What has come into the collection since the cover was wired may not be evaluated.
+    # Objects that were added to the collection after the cover was wired may not be evaluated yet.
     surfaces = [one for one in sources.surfaces(settings) if all(obj in scenery for obj in (one.object, *one.instancers))]
     if not surfaces:
         return None, NO_SURFACE
@@ -149,13 +165,16 @@ def _plan(context, settings, scenery):
 
 
 def _fall(context, emitter, pull, scenery):
-    """(work.Fall, Problem or None); (None, Problem) where its flakes cannot be."""
+    """Collect all that the flakes of one emitter are computed from; returns (work.Fall, Problem to show or None).
+
+    (None, Problem) if its flakes cannot be computed. pull: acceleration, m/s^2, of gravity. scenery: {original object: evaluated object}.
+    """
     snow, scene = emitter.motus.snow, context.depsgraph.scene
     numbers = flakes.numbers(snow)
     if isinstance(numbers, Problem):
         return None, numbers
     given = {name: value for name, value in numbers if name not in _OF_LOOKS}
-    # What lies is pulled down even where nothing falls by gravity.
+    # Gravity counts for lying snow in any case; for flakes only if it is switched on for the emitter and the scene.
     given["gravity"] = given["gravity"] and scene.use_gravity and any(scene.gravity)
     end_of_scene = scene_time.last(scene)
     last = max(end_of_scene, BEYOND * math.ceil(context.frame / BEYOND) if context.frame > end_of_scene else 0)

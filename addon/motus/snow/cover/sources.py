@@ -1,6 +1,6 @@
-"""What a cover reads: the surfaces that snow lies on, the emitters whose flakes land there, and what shelters.
+"""Find the objects that a snow cover reads: surfaces, emitters, and objects that shelter the surfaces from flakes.
 
-The settings may be an evaluated object's; what is found are originals.
+The functions take the settings of an original or evaluated cover, and return original objects.
 """
 
 from ...core.declare import is_owner, registered
@@ -16,22 +16,25 @@ def _has(obj, name):
 
 
 def is_surface(obj):
-    """Whether snow can lie on an object: not on snow."""
+    """Whether snow can lie on an object: a mesh that is neither a snow cover nor an emitter of snow."""
     return obj.type == 'MESH' and not _has(obj, "snow_cover") and not _has(obj, "snow")
 
 
 def is_surface_or_cover(obj):
-    """Whether snow can lie on an object, or it is such snow."""
+    """Whether an object is a mesh that snow can lie on, or is a snow cover itself."""
     return obj.type == 'MESH' and not _has(obj, "snow")
 
 
 def is_emitter(obj):
-    """Whether flakes come from an object."""
+    """Whether an object is an emitter of snow."""
     return _has(obj, "snow")
 
 
 def surfaces(settings):
-    """The surfaces that snow lies on, Gathered, without deleted ones."""
+    """List the surfaces that snow lies on, as gathered.Gathered (an original mesh object, with the empties that instance it).
+
+    They come from the list and from the collection of a cover's settings. Deleted objects are left out.
+    """
     listed = [one.original for one in (pointed(entry, "object") for entry in settings.surfaces) if one]
     found = [gathered.Gathered(obj, ()) for obj in listed]
     if pointed(settings, "collection"):
@@ -40,33 +43,36 @@ def surfaces(settings):
 
 
 def emitters(settings):
-    """The emitters, each once, but for those that were deleted."""
+    """List the original emitters of a cover's settings, each once, without deleted ones."""
     return list(_emitters(settings))
 
 
 def _emitters(settings):
-    """{original: emitter as the settings name it}."""
+    """Return {original emitter: emitter, original or evaluated as the settings are}, without deleted ones."""
     found = {one.original: one for one in (pointed(entry, "object") for entry in settings.emitters) if one}
     return {original: obj for original, obj in found.items() if is_emitter(obj) and not deleted.is_deleted(obj)}
 
 
 def scenery(settings):
-    """The objects whose geometry is read, and empties by which it is seen."""
+    """List the original objects whose geometry a cover reads, and the empties that instance such objects.
+
+    The geometry is that of surfaces, of colliders of the emitters, and of meshes that emit flakes.
+    """
     found = [one for each in surfaces(settings) for one in (each.object, *each.instancers)]
     for emitter in _emitters(settings).values():
         found += colliders.objects(emitter.motus.snow)
         if emitter.motus.snow.shape == 'SURFACE' and source(emitter):
             found.append(source(emitter))
-    # Somebody may have chosen a cover as a collider, or to be born on: it cannot wait for itself, nor two for each other.
+    # A snow cover that is a collider or emits flakes is left out: otherwise it could form a dependency cycle.
     return [obj for obj in dict.fromkeys(obj.original for obj in found) if not _has(obj, "snow_cover")]
 
 
 def placed(settings):
-    """The objects whose places are read."""
+    """List the original objects whose world matrices a cover reads: its scenery, the emitters, and the meshes or cameras of emitters."""
     falling = _emitters(settings).values()
     return list(dict.fromkeys([*scenery(settings), *(obj.original for obj in (*falling, *map(source, falling)) if obj)]))
 
 
 def signature(settings):
-    """A text that tells which objects are read."""
+    """Return a text that differs if a cover reads different objects: their names, sorted, one on each line."""
     return "\n".join(sorted(obj.name for obj in placed(settings)))

@@ -1,7 +1,7 @@
-"""The work that is done once: where all flakes land, and how snow lies by that at any time.
+"""Work: the part of a snow cover's computation that is done once. It finds where all flakes land, and how snow then lies at any time.
 
-On frames that are shown what takes long is left to an operator with progress, and what was worked out before stays meanwhile; frames
-that are rendered have it done at once.
+If this takes long, the viewport waits for an operator with a progress bar, and shows the last result meanwhile. A render computes the
+result at once.
 """
 
 from typing import Any, NamedTuple
@@ -13,15 +13,18 @@ from .. import flakes
 from . import ground
 
 KEPT, MOST_KEPT = 2, 64
-"""Works of one cover, and of all."""
+"""Most results (Work) that are kept for one cover, and for all covers together."""
 MOST_FLAKES = 10_000_000
-"""That fall until the end."""
+"""Most flakes that may fall from one emitter until the end of the scene."""
 MOST_FLAKES_KEPT = 3 * MOST_FLAKES
-"""Of all works: some 40 bytes each."""
+"""Most flakes of all results that are kept together, at about 40 bytes for each flake."""
 FLAKE, FLIGHT, TRIANGLE, ROUND = 40.0, 4.0, 2.0, 0.01
-"""Prices (core/measures/bounds.py) of a flake, each second that it flies, a triangle, and a vertex in a round of smoothing."""
+"""Prices of a flake, of each second that it flies, of a triangle, and of a vertex in a round of smoothing.
+
+A price is about a microsecond, see core/measures/bounds.py.
+"""
 LONG = bounds.AT_ONCE
-"""The price of work from which on the viewport waits for the artist to ask for it."""
+"""Price of the work above which the viewport waits until the artist runs the operator."""
 PARTS = 24
 MOST_ROUNDS = 400
 
@@ -32,10 +35,10 @@ LESS_SMOOTH = Problem(
 
 
 class Fall(NamedTuple):
-    """What falls from one emitter.
+    """All that the flakes of one emitter are computed from; hashable.
 
-    keywords: of flakes.made(). count: of flakes, about. end: seconds of its time, which starts at a frame, up to which
-    flakes count.
+    keywords, acceleration, poses, wind, faces, angles: arguments of flakes.made(). count: approximate number of flakes.
+    end: seconds since the start frame up to which flakes count. start_frame: frame at which the emitter's time starts.
     """
 
     keywords: tuple
@@ -53,8 +56,8 @@ class Plan(NamedTuple):
     """Everything that a snow cover is computed from, except the time; hashable.
 
     lain_on, shelters: meshes that carry snow, and meshes that only shelter them. resolution: edge length of the refined surface, m.
-    up: direction against gravity. falls: a Fall for each emitter. volume: of the snow of one flake, m^3.
-    repose: angle of repose, radians. smoothing: rounds of smoothing.
+    up: direction against gravity. falls: a Fall for each emitter. volume: volume of the snow that one flake adds, m^3.
+    repose: angle of repose, radians. smoothing: number of rounds of smoothing.
     """
 
     lain_on: tuple
@@ -68,7 +71,7 @@ class Plan(NamedTuple):
 
 
 class Work(NamedTuple):
-    """ground: what snow lies on. covers: the native SnowCover of each fall. fault: Problem or None."""
+    """Result of computing a Plan. ground: Ground of the cover. covers: native SnowCover of each Fall. fault: Problem to show, or None."""
 
     ground: Any
     covers: tuple
@@ -92,20 +95,23 @@ _asked = keeping.OfFile(
 
 
 def may_wait(depsgraph, owner):
-    """Whether a cover, evaluated, is shown on the way to what it will be, and somebody can ask for the work."""
+    """Whether an evaluated cover may be shown before it is computed: in a viewport, if it is not linked.
+
+    The operator that computes a cover does not work on linked ones.
+    """
     return depsgraph.mode == 'VIEWPORT' and owner.library is None
 
 
 def is_too_fine(plan):
-    """Whether the layer is sure to have too many vertices, which can be told without making it."""
-    # Each vertex has two triangles, which are no larger than those whose sides are all of that length.
+    """Whether the layer of a plan would certainly have too many vertices; the layer is not made to find this out."""
+    # There are two triangles for each vertex, and no triangle is larger than an equilateral one whose sides are the resolution.
     return sum(one.area for one in plan.lain_on) > ground.MOST * plan.resolution**2
 
 
 def price(plan):
-    """Rough price of the whole work (see core/measures/bounds.py)."""
+    """Approximate price of computing a plan: about its microseconds (see core/measures/bounds.py)."""
     triangles = sum(len(one.faces.triangles) for one in (*plan.lain_on, *plan.shelters))
-    # Edges are halved: on the average they end up 0.6 times as long as the longest.
+    # Edges are halved until none is longer than the resolution; on average their length is 0.6 times the resolution.
     refined = 2.0 * sum(one.area for one in plan.lain_on) / (0.6 * plan.resolution) ** 2
     return sum(map(_price, plan.falls)) + TRIANGLE * (triangles + min(4 * ground.MOST, refined))
 
@@ -115,35 +121,39 @@ def _price(fall):
 
 
 def known(name, plan):
-    """The Work of a plan of the cover of a name, or what is wrong with it, if it was done before; else None."""
+    """Return the kept Work of a plan, or the Problem that computing it gave; None if it was not computed. name: of the cover's object."""
     return _done.find((name, plan))
 
 
 def latest(name):
-    """(Plan, Work) of what was done last for the cover of a name; None without."""
+    """Return the (Plan, Work) that was computed last for a cover; None if there is none. name: name of the cover's object."""
     return next(((plan, found) for (whose, plan), found in reversed(_done.items()) if whose == name and isinstance(found, Work)), None)
 
 
 def rounds(smoothing, resolution):
-    """Rounds of the library's smoothing by which snow spreads about so far, on a layer of a resolution.
+    """Number of rounds of the library's smoothing in which snow spreads over a distance.
 
-    In a round half of a vertex's snow goes to its neighbours, edges away that are some three quarters of the resolution long.
+    In a round half of a vertex's snow goes to its neighbours, along edges whose length is about three quarters of the resolution.
+    smoothing: the distance, m. resolution: longest edge of the layer, m.
     """
     return min(MOST_ROUNDS, round((2.0 * smoothing / (0.75 * resolution)) ** 2))
 
 
 def ask(name, plan):
-    """Note that the cover of a name waits for a plan."""
+    """Note that a cover waits until the operator computes a plan. name: name of the cover's object."""
     _asked.add(name, plan)
 
 
 def asked(name):
-    """The plan that the cover of a name waits for; None where it waits for nothing."""
+    """Return the plan that a cover waits for; None if it does not wait. name: name of the cover's object."""
     return _asked.get(name)
 
 
 def do(name, plan):
-    """The Work of a plan, or what is wrong with it."""
+    """Return the Work of a plan, which is computed now if it is not kept; a Problem if it cannot be computed.
+
+    name: name of the cover's object.
+    """
     found = known(name, plan)
     if found is None:
         for _ in steps(name, plan):
@@ -153,7 +163,7 @@ def do(name, plan):
 
 
 def steps(name, plan):
-    """Do the work of a plan in parts; yields how many of part_count() are done."""
+    """Compute a plan in parts and keep the result; yields the number of parts done, of part_count(). name: of the cover's object."""
     found = yield from _steps(plan)
     _done.add((name, plan), found)
     for place in [place for place, _ in _done.items() if place[0] == name][:-KEPT]:
@@ -172,7 +182,7 @@ def _steps(plan):
     if place is None:
         return TOO_FINE
     done, covers = 1, []
-    # On each frame every fall's snow is smoothed anew.
+    # The snow of each Fall is smoothed anew on each frame, in the time that a frame has.
     smoothing = min(plan.smoothing, bounds.times(ROUND * place.vertex_count * len(plan.falls)))
     yield done
     for fall in plan.falls:
@@ -191,7 +201,10 @@ def _steps(plan):
 
 
 def _landed(snow, fall):
-    """Have the snow find where its flakes land, which it keeps; yields after each of PARTS, where that takes long."""
+    """Let a native Snow find and keep the landing places of a Fall's flakes, in PARTS parts; yields the number of parts done.
+
+    A short search is not done in parts, but when the native SnowCover is made: then this yields nothing.
+    """
     start = dict(fall.keywords)["delay"]
     for part in range(PARTS if _price(fall) > LONG else 0):
         snow.landings(start + (fall.end - start) * (part + 1) / PARTS)

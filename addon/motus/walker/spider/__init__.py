@@ -1,1 +1,1 @@
-"""A spider that is made by a script: an armature with legs that walk, and a mesh on it."""
+"""Spider: an operator makes an armature whose legs walk, and a mesh that the armature deforms."""

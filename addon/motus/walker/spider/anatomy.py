@@ -1,4 +1,7 @@
-"""Where the parts of a spider are, for any number of legs: lengths as parts of its span, the body's middle over the origin, ahead +Y."""
+"""Places of a spider's parts, for any number of legs.
+
+Lengths are shares of the span of its legs. The middle of the body is above the origin, and the spider faces +Y.
+"""
 
 import math
 from typing import NamedTuple
@@ -6,20 +9,20 @@ from typing import NamedTuple
 from mathutils import Vector
 
 HEIGHT = 0.17
-"""Of the body over the feet."""
+"""Height of the body above the feet."""
 UPPER, LOWER = 0.32, 0.42
-"""Lengths of a leg's two bones."""
+"""Lengths of a leg's upper and lower bone."""
 FIRST, LAST = math.radians(30.0), math.radians(148.0)
-"""Directions of the foremost and of the hindmost pair of legs, from +Y."""
+"""Angles between +Y and the foremost pair of legs, and between +Y and the hindmost pair, in radians."""
 HIP_ACROSS, HIP_ALONG, HIP_AHEAD = 0.07, 0.085, 0.03
 REACH, MORE_REACH = 0.455, 0.075
-"""How far the feet are from the middle at the side; and how much more ahead and behind."""
+"""Distance of a foot from the body's middle if it stands at the side, and what is added if it stands ahead or behind."""
 USUAL_PAIRS = 4
-"""A body with more pairs of legs is longer."""
+"""Number of pairs of legs up to which the body keeps its length; a body with more pairs is longer."""
 
 
 class Leg(NamedTuple):
-    """name: of its pair and side, as it ends the names of its bones. hip, knee, foot: places."""
+    """A leg of a spider. name: its pair and side, such as " 1.L", the end of its bones' names. hip, knee, foot: places of its joints."""
 
     name: str
     hip: Vector
@@ -28,12 +31,12 @@ class Leg(NamedTuple):
 
 
 def stretch(count):
-    """How much longer the body is than that of a spider with eight legs."""
+    """Length of the body, as a multiple of the length for eight legs; at least 1. count: number of legs."""
     return max(1.0, count / (2.0 * USUAL_PAIRS))
 
 
 def legs(count):
-    """The Legs, pair by pair from the front; the last one of an odd number stands behind."""
+    """List the Leg of each of `count` legs, pair by pair from the front; if the number is odd, the last leg points backwards."""
     pairs = count // 2
     found = []
     for pair in range(pairs):
@@ -47,7 +50,7 @@ def legs(count):
 
 def _leg(name, angle, share, count):
     ahead = Vector((math.sin(angle), math.cos(angle), 0.0))
-    # What does not fit around a short body stands beside a longer one.
+    # Legs beyond eight stand along a longer body.
     along = (stretch(count) - 1.0) * (HIP_ALONG + REACH) * (1.0 - 2.0 * share)
     middle = Vector((0.0, HIP_AHEAD + along, 0.0))
     hip = middle + Vector((HIP_ACROSS * ahead.x, HIP_ALONG * ahead.y, HEIGHT - 0.01))
@@ -56,7 +59,7 @@ def _leg(name, angle, share, count):
 
 
 def _knee(hip, foot):
-    """Place of a leg's knee, which bends upwards."""
+    """Place of a leg's knee, which bends upwards, from the places of hip and foot and the lengths of the two bones."""
     way = foot - hip
     angle = math.acos((UPPER**2 + way.length**2 - LOWER**2) / (2.0 * UPPER * way.length))
     across = way.cross(Vector((0.0, 0.0, 1.0))).normalized()

@@ -1,4 +1,4 @@
-"""The spider's mesh: a few facets, each part on one bone."""
+"""Mesh of the spider: parts with few faces; each part is deformed by one bone."""
 
 import math
 
@@ -9,9 +9,9 @@ from ...core.lazy import numpy as np
 from . import anatomy, rig
 
 FUR, BAND, EYE, GLINT = range(4)
-"""Materials."""
+"""Indices of the mesh's material slots."""
 _SIDES, _RINGS = 9, 7
-# How far along, radius, material of the part up to there.
+# Profiles of tubes, a row for each ring: position along the tube from 0 to 1, radius, material of the band that ends there.
 _UPPER = ((0.0, 0.020, FUR), (0.12, 0.029, FUR), (0.45, 0.034, FUR), (0.78, 0.027, FUR), (0.86, 0.028, BAND), (1.0, 0.021, BAND))
 _LOWER = (
     (0.0, 0.020, BAND),
@@ -24,22 +24,25 @@ _LOWER = (
     (1.0, 0.003, FUR),
 )
 _BOW = 0.022
-"""How far the lower half of a leg bends outwards."""
+"""Distance by which the middle of a leg's lower bone bends outwards, as a share of the spider's span."""
 _PALP = ((0.0, 0.016, FUR), (0.4, 0.019, FUR), (0.75, 0.017, BAND), (1.0, 0.007, BAND))
 _FANG = ((0.0, 0.023, FUR), (0.5, 0.027, FUR), (0.85, 0.019, FUR), (1.0, 0.004, EYE))
 _EYES = ((0.027, 0.022, 0.0), (0.062, 0.014, -0.012))
-"""Of a side: how far from the middle, radius, how far ahead of the first."""
+"""(distance from the body's middle, radius, distance ahead of the first eye) of each eye of one side."""
 
 
 class _Parts:
-    """Collects parts, each with materials and the bone that it goes with."""
+    """Vertices, faces and materials of a mesh, collected part by part; each part belongs to one bone, by name."""
 
     def __init__(self, size):
         self._size = size
         self.vertices, self.faces, self.materials, self.bones, self.smooth = [], [], [], {}, []
 
     def add(self, vertices, faces, materials, bone, is_smooth=False):
-        """vertices: (n, 3); faces: of their indices; materials: one a face."""
+        """Add a part to the mesh. vertices: (n, 3), for a span of 1. faces: tuples of indices into `vertices`.
+
+        materials: index of a material slot for each face. bone: name of the bone that deforms the part.
+        """
         first = len(self.vertices)
         self.vertices += (self._size * np.asarray(vertices)).tolist()
         self.faces += [[first + index for index in face] for face in faces]
@@ -48,13 +51,16 @@ class _Parts:
         self.bones.setdefault(bone, []).extend(range(first, len(self.vertices)))
 
     def tube(self, places, profile, bone):
-        """A tube along places (n, 3), by rows of _UPPER's kind."""
+        """Add a tube along a line. places: (n, 3), its points. bone: name of the bone that deforms it.
+
+        profile: (position, radius, material) of the ring at each point, such as _UPPER.
+        """
         places = np.asarray(places, float)
         along = np.gradient(places, axis=0)
         along /= np.linalg.norm(along, axis=1, keepdims=True)
         side = np.empty_like(along)
         last = np.cross(along[0], (0.0, 0.0, 1.0))
-        for row, ahead in enumerate(along):  # the same side all along, however the tube bends
+        for row, ahead in enumerate(along):  # sides of neighbouring rings are nearly parallel, so that the tube does not twist
             last = last - last.dot(ahead) * ahead
             last /= np.linalg.norm(last)
             side[row] = last
@@ -65,7 +71,10 @@ class _Parts:
         self.rings(rings, [material for _, _, material in profile[1:]], bone)
 
     def rings(self, rings, materials, bone, is_smooth=False):
-        """Add a tube through rings (m, k, 3), closed at both ends. materials: of the band between two rings."""
+        """Add a tube through m rings of k points, closed at both ends. rings: (m, k, 3). bone: name of the bone that deforms it.
+
+        materials: index of a material slot for each of the m - 1 bands between rings, or a list with an index for each of k faces.
+        """
         count, sides = rings.shape[:2]
         faces, found = [], []
         for row in range(count - 1):
@@ -81,7 +90,7 @@ class _Parts:
     def ball(self, middle, radii, material, bone, **keywords):
         """Add an ellipsoid whose poles lie along Y. middle, radii: x, y and z of its centre and half-axes.
 
-        material: index of a material slot, or a function of (ring, side) that gives one. bone: the bone that it moves with.
+        material: index of a material slot, or a function of (ring, side) that returns one. bone: name of the bone that deforms it.
         """
         turns = np.linspace(0.08, math.pi - 0.08, _RINGS + 1)
         angles = 0.5 * math.pi - np.arange(_SIDES + 1) * 2.0 * math.pi / (_SIDES + 1)
@@ -96,7 +105,10 @@ class _Parts:
 
 
 def build(owner, count, size, color):
-    """The mesh object, below its armature in the same collection."""
+    """Make the mesh object of a spider as a child of its armature, in the armature's collections; returns the object.
+
+    owner: armature object. count: number of legs. size: span of the legs, metres. color: of the bands, RGBA.
+    """
     parts = _Parts(size)
     _add_body(parts, count)
     for leg in anatomy.legs(count):
@@ -127,7 +139,7 @@ def _add_leg(parts, leg):
 
 
 def _between(start, end, profile, bow):
-    """Places along a line that bends away from the body."""
+    """Points along a line from `start` to `end` that bends away from the body, one for each row of a profile. bow: largest bend."""
     way = end - start
     away = Vector((way.x, way.y, 0.0)).normalized()
     return [tuple(start + share * way + bow * math.sin(math.pi * share) * away) for share, _, _ in profile]
@@ -169,13 +181,13 @@ def _add_body(parts, count):
 
 
 def _curve(start, middle, end, profile):
-    """Places on a parabola."""
+    """Points on a parabola from `start` to `end`, one for each row of a profile. middle: control point of the Bezier curve."""
     start, middle, end = map(Vector, (start, middle, end))
     return [tuple((1.0 - t) ** 2 * start + 2.0 * t * (1.0 - t) * middle + t * t * end) for t, _, _ in profile]
 
 
 def _pattern(ring, side):
-    """Chevrons on the back of the abdomen."""
+    """Index of the material slot of a face of the abdomen, so that chevrons appear on its back. side: 0 is at the top."""
     from_top = min(side, _SIDES - side)
     return BAND if from_top <= (1 if ring % 2 else 0) and 1 <= ring <= _RINGS - 2 else FUR
 

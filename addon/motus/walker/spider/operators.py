@@ -1,4 +1,4 @@
-"""The operator that makes a spider."""
+"""Operator that adds a spider: armature, mesh, and walker."""
 
 import bpy
 from mathutils import Vector

@@ -1,4 +1,4 @@
-"""The spider's armature: a body, an abdomen, legs of two bones, and bones that the feet and the knees go by."""
+"""Armature of the spider: body, abdomen, legs of two bones, and bones that are targets of the feet and of the knees."""
 
 import bpy
 from mathutils import Vector
@@ -8,14 +8,17 @@ from . import anatomy
 
 BODY, ABDOMEN, KNEES = "body", "abdomen", "knees"
 UPPER, LOWER, FOOT = "upper", "lower", "foot"
-"""Beginnings of the names of a leg's bones."""
+"""First words of the names of a leg's bones; anatomy.Leg.name follows."""
 SOFTNESS = 0.02
 KNEES_OVER = 0.5
-"""How far over the body the place is that knees bend towards, of the span."""
+"""Height above the body of the bone that the knees bend towards, as a share of the spider's span."""
 
 
 def build(context, name, place, count, size):
-    """A new armature object in the active collection, which becomes the active one."""
+    """Make a spider's armature object in the active collection, and make it the active object; returns the object.
+
+    place: location in the world. count: number of legs. size: span of the legs, metres.
+    """
     armature = bpy.data.armatures.new(name)
     armature.display_type = 'STICK'
     rig = bpy.data.objects.new(name, armature)
@@ -51,6 +54,6 @@ def _add_bones(bones, count, size):
 
 
 def reach(rig, count):
-    """Let the legs reach for their feet by the system ik, with the knees up."""
+    """Add an Inverse Kinematics chain to each leg, whose target is the foot's bone and whose knee bends upwards. count: of legs."""
     ik = offered("ik")
     ik.add(rig, [ik.NewChain(LOWER + leg.name, rig, FOOT + leg.name, rig, KNEES, SOFTNESS) for leg in anatomy.legs(count)])

@@ -1,1 +1,1 @@
-"""Points and handles that are dragged in the 3D viewport."""
+"""Modal operators that drag points and handles in the 3D viewport."""

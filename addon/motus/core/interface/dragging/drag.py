@@ -1,4 +1,4 @@
-"""What operators share that take hold of a point in the 3D viewport and drag it."""
+"""Base of the modal operators that take hold of a point in the 3D viewport and drag it."""
 
 from mathutils import Vector
 
@@ -9,22 +9,25 @@ from .travel import Travel
 
 
 class PointDrag:
-    """Mixin of a modal operator: press on something, drag, release; Esc or the right button restores what was.
+    """Mixin of a modal operator: press on something, drag, release. Esc or the right mouse button restores the state before.
 
-    While it is dragged, X, Y and Z hold the point to an axis of the world, Shift slows it down, and a number may be typed.
+    During the drag, X, Y and Z lock the point's movement to an axis of the world, Shift slows it down, and a number may be typed.
 
-    The operator is one of core's (operators.py), and has: _hold(context, region, view, mouse) -> (point in the world, the
-    same in the region) of what lies there and is kept as self._held, or None; _move(place),
-    called with where the point goes; _finish(context), called when it was let go after a move; _show_keys(context). It may
-    have _press(event): whether a key has changed a setting before anything is held; _click(context): the answer where
-    it was let go without a move.
+    The operator is also an Operator (core/interface/operators.py), and has these methods:
+    _hold(context, region, view, mouse): finds what is under the mouse and keeps it as self._held; returns (its point in the world, the
+    point in pixels of the region), or None if nothing is there. view is a RegionView3D.
+    _move(place): called whenever the point moves, with its new place in the world.
+    _finish(context): called when the mouse button is released after a movement.
+    _show_keys(context): shows which keys can be pressed.
+    _press(event), optional: returns whether a key has changed a setting before anything is held.
+    _click(context), optional: returns the operator's result if the mouse button is released without a movement.
 
-    What is held has restore(), which puts all back. It refers to objects alone, not to bones or settings of theirs: a script may
-    remove them meanwhile, and only of objects Blender says so, by a ReferenceError.
+    self._held has a method restore(), which restores the state before. It keeps references to objects only, not to their bones or settings:
+    a script may remove any of them during the drag, and only for objects Blender then raises ReferenceError.
     """
 
     def _begin(self, context, event):
-        """The answer of invoke()."""
+        """Start the modal operator, and hold what is under the mouse if the button was pressed; returns the result of invoke()."""
         self._held = None
         if event.type == 'LEFTMOUSE' and event.value == 'PRESS' and not self._take(context, event):
             return {'CANCELLED', 'PASS_THROUGH'}
@@ -40,11 +43,11 @@ class PointDrag:
             return self._wait(context, event) if self._held is None else self._drag(context, event)
         except Refused as refusal:
             self.cancel(context)
-            # An error would open a popup under the mouse.
+            # Reporting an error would open a popup under the mouse.
             self.report({'WARNING'}, str(refusal))
             return {'CANCELLED'}
         except ReferenceError:
-            # A script has removed it meanwhile, or the part of it that is held.
+            # A script has removed the object that is held, or the part of the object.
             self._hide(context)
             self.report({'ERROR'}, tr("The object that was pulled is gone"))
             return {'CANCELLED'}
@@ -68,15 +71,15 @@ class PointDrag:
             self._show_keys(context)
             return {'RUNNING_MODAL'}
         if event.type != 'LEFTMOUSE' or event.value != 'PRESS':
-            return {'PASS_THROUGH'}  # the view can be turned in the meantime
-        # A press beside it is meant for what lies there.
+            return {'PASS_THROUGH'}  # the user can turn the view before the drag
+        # A press beside everything that can be held is left to Blender.
         if not self._take(context, event):
             return {'PASS_THROUGH'}
         self._show(context)
         return {'RUNNING_MODAL'}
 
     def _take(self, context, event):
-        """Take hold of what lies under the mouse; returns whether there is anything."""
+        """Take hold of what is under the mouse; returns whether anything is there."""
         found = view_at(context.window, event.mouse_x, event.mouse_y)
         if found is None:
             return False
@@ -93,7 +96,7 @@ class PointDrag:
         return True
 
     def _drag(self, context, event):
-        """An event while something is held."""
+        """Handle an event while something is held; returns the result of modal()."""
         if (event.type == 'LEFTMOUSE' and event.value == 'RELEASE') or self._travel.is_confirmed_by(event):
             self._hide(context)
             if not self._has_moved:
@@ -118,7 +121,7 @@ class PointDrag:
         self._show(context)
 
     def _show(self, context):
-        """Say what can be done, or how far it went."""
+        """Show in the viewport's header how far the point has moved; if nothing is held, show which keys can be pressed."""
         if self._held is None:
             self._show_keys(context)
             return

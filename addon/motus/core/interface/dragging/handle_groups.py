@@ -1,4 +1,4 @@
-"""What the handles of systems in the viewport share: one gizmo of an owner's draws and picks all of them, and starts an operator."""
+"""Base of the gizmo groups for handles in the viewport: one gizmo draws and picks all handles of an object, and starts an operator."""
 
 from typing import Any
 
@@ -7,9 +7,10 @@ from .. import overlay
 
 
 class HandleGroup:
-    """Mixin of a gizmo group that the active object has in Object Mode.
+    """Mixin of a gizmo group that is shown for the active object in Object Mode.
 
-    has: gizmo and operator, identifiers of classes; system(), whose overlay they are a part of; is_owner(obj).
+    Subclasses have: gizmo and operator, the identifiers of their classes; system(), returns the system with whose overlay the handles are
+    shown; is_owner(obj), returns whether an object has handles.
     """
 
     bl_space_type: Any = 'VIEW_3D'
@@ -21,7 +22,7 @@ class HandleGroup:
         obj, space = context.object, context.space_data
         if native.module is None or obj is None or context.mode != 'OBJECT' or not space.show_gizmo:
             return False
-        # To ask an object for its settings gives it some.
+        # Reading Object.motus creates the property group on the object.
         if not obj.is_property_set("motus") or not cls.is_owner(obj):
             return False
         return overlay.is_shown(context, cls.system()) and obj.visible_get()
@@ -30,4 +31,4 @@ class HandleGroup:
         made = self.gizmos.new(self.gizmo)
         made.target_set_operator(self.operator)
         made.use_draw_modal = True
-        made.use_tooltip = False  # it would cover the handle's name
+        made.use_tooltip = False  # a tooltip would cover the handle's name

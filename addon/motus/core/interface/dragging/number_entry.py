@@ -1,4 +1,4 @@
-"""A number that is typed while an operator runs."""
+"""Entry of a number that the user types while a modal operator runs."""
 
 DIGITS = {
     'ZERO': "0",
@@ -20,9 +20,9 @@ CONFIRMING = {'RET', 'NUMPAD_ENTER'}
 
 
 class NumberEntry:
-    """Text that grows key by key.
+    """Text of a number that the user types key by key.
 
-    takes_numpad: whether a number may begin on the numeric keypad, which otherwise turns the view.
+    takes_numpad: whether a number may begin with a key of the numeric keypad, whose keys otherwise turn the view.
     """
 
     def __init__(self, takes_numpad=False):
@@ -31,24 +31,27 @@ class NumberEntry:
 
     @property
     def is_open(self):
-        """Whether something has been typed."""
+        """Whether the user has typed anything."""
         return bool(self.text)
 
     @property
     def value(self):
-        """The number, or None where the text is none yet."""
+        """The typed number; None if the text is not a number yet."""
         try:
             return float(self.text)
         except ValueError:
             return None
 
     def key(self, kind):
-        """Take the key of that type; False where it has nothing to do with the number."""
+        """Change the text by a pressed key: a digit, a point, a minus or Backspace. Returns False if the key is not for the number.
+
+        kind: Event.type of the key.
+        """
         if kind == 'BACK_SPACE' and self.is_open:
             self.text = self.text[:-1]
             return True
         if kind in MINUS and (self.is_open or self._takes_numpad or kind == 'MINUS'):
-            # As in Blender's own fields, wherever it is typed.
+            # A minus changes the sign at any position in the text, like in Blender's own fields.
             self.text = self.text[1:] if self.text.startswith("-") else "-" + self.text
             return True
         character = DIGITS.get(kind)
@@ -61,5 +64,5 @@ class NumberEntry:
         return True
 
     def clear(self):
-        """Forget what was typed."""
+        """Delete the typed text."""
         self.text = ""

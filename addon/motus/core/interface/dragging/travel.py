@@ -1,4 +1,4 @@
-"""The way of a point that goes along with the mouse: freely, along an axis, or as far as a typed number says."""
+"""Displacement of a point that is dragged by the mouse: freely, along an axis, or of a typed length."""
 
 import bpy
 from mathutils import Vector
@@ -8,16 +8,17 @@ from .number_entry import CONFIRMING, NumberEntry
 
 AXES = {'X': 0, 'Y': 1, 'Z': 2}
 FINE = 0.1
-"""Of the mouse's way counts while Shift is held, as in Blender's own transforms."""
+"""Share of the mouse's movement that counts while Shift is held, like in Blender's own transforms."""
 STEEPEST = 1e-3
-"""Square of the sine between an axis and the line of sight, below which the mouse cannot point at places along the axis."""
+"""Squared sine of the angle between an axis and the line of sight, below which the mouse cannot choose places along the axis."""
 
 
 class Travel:
-    """The point goes as the mouse does, on the plane through it that faces the view; a tenth as far while Shift is held.
+    """Displacement of a dragged point: the point moves with the mouse on the plane through the point that faces the view.
 
-    axis: name of the one that it is held to; None for none. displacement: of the point, in the world. The number that is typed is
-    its length. Of the world, where axis_vector() and length_of() do not say otherwise.
+    While Shift is held, the point moves a tenth as far. axis: name of the axis to which the movement is locked; None for free movement.
+    displacement: of the point, in world space. A typed number sets the displacement's length. Axes and lengths are those of the world
+    unless a subclass overrides axis_vector() and length_of().
     """
 
     def __init__(self, view):
@@ -27,14 +28,14 @@ class Travel:
         self._way, self._number = Vector(), None
 
     def begin(self, event, point, offset=(0.0, 0.0)):
-        """The mouse takes hold of a point of the world. offset: from the mouse to where the point is seen, pixels."""
+        """Start the drag of a world point. offset: from the mouse to where the point is on the screen, in pixels."""
         self.point, self._offset = point, offset
         self._mouse = self._pointed = Vector((event.mouse_x, event.mouse_y))
-        # The mouse keeps its distance from the point, so that nothing leaps.
+        # The offset between mouse and point is kept during the drag, so that the point does not jump.
         self._grabbed = self._under()
 
     def follow(self, event):
-        """Update the displacement of the dragged point after a mouse move; a number that is being typed keeps it fixed."""
+        """Handle a mouse move: update the displacement of the dragged point, unless the user is typing a number."""
         mouse = Vector((event.mouse_x, event.mouse_y))
         self._pointed = self._pointed + (mouse - self._mouse) * (FINE if event.shift else 1.0)
         self._mouse = mouse
@@ -43,7 +44,7 @@ class Travel:
             self.displacement = self._displacement()
 
     def take_key(self, context, event):
-        """A key is pressed: an axis, or a part of a number. Gives whether the point goes elsewhere now."""
+        """Handle a pressed key: an axis, or a character of a number. Returns whether the key has changed either of them."""
         if event.type in AXES:
             if event.is_repeat:
                 return False
@@ -57,21 +58,24 @@ class Travel:
         return True
 
     def is_confirmed_by(self, event):
-        """Whether an event ends the drag, apart from the button."""
+        """Whether a key event ends the drag, as a release of the mouse button does."""
         return event.type in CONFIRMING and event.value == 'PRESS'
 
     def axis_vector(self):
-        """World vector along the axis, as long as the number 1 says."""
+        """World vector along the axis of the movement, with the length that the typed number 1 means."""
         found = Vector()
         found[AXES[self.axis]] = 1.0  # type: ignore[index]
         return found
 
     def length_of(self, way):
-        """Length of a world vector, as numbers say it."""
+        """Length of a world vector as the number that a user would type for it, in Blender's units of the world."""
         return way.length
 
     def header(self, context, space="", length=ui.length):
-        """The line in the viewport's header: how far the point goes, and along which axis. space: of the axes, as text."""
+        """Text for the viewport's header: length of the displacement, and its axis. space: name of the axis's space, may be "".
+
+        length(context, value): function that writes a length as text.
+        """
         label = bpy.app.translations.pgettext_iface
         typed = f"{self.entry.text}|" if self.entry.is_open else length(context, self.length_of(self.displacement))
         parts = [f"{label('Displacement')} {typed}"]
@@ -80,7 +84,7 @@ class Travel:
         return "    ".join(parts)
 
     def _under(self):
-        """The point of the plane that the mouse points at."""
+        """World point under the mouse on the plane through the dragged point that faces the view."""
         return self.view.place_at(self._pointed[0] + self._offset[0], self._pointed[1] + self._offset[1], self.point)
 
     def _displacement(self):
@@ -94,13 +98,13 @@ class Travel:
         return self._way * (number / length) if length > 0.0 else Vector()
 
     def _share_of(self, axis):
-        """How many times an axis the point goes, so that on the screen it is as near to the cursor as can be."""
+        """Factor by which an axis vector is multiplied so that the point is as near to the cursor on the screen as possible."""
         length = axis.length
         along = axis / length
         sight = self.view.sight(self.point + self._way)
         slant = along.dot(sight)
         if 1.0 - slant * slant < STEEPEST:
-            # Towards the viewer by a drag upwards.
+            # The axis is along the line of sight: a drag upwards moves the point towards the viewer.
             share = self._way.dot(self.view.up()) * (-1.0 if slant > 0.0 else 1.0)
         else:
             share = (along.dot(self._way) - slant * sight.dot(self._way)) / (1.0 - slant * slant)

@@ -1,1 +1,1 @@
-"""The panel that says how an input over time is known, and the operators that record it."""
+"""Panel and operators for tracks, the motions of objects, bones or properties over time: how they are known, recording."""

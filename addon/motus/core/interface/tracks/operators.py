@@ -1,4 +1,4 @@
-"""motus.track_record and motus.track_clear: samples of what is not known ahead, kept in the file."""
+"""Operators motus.track_record and motus.track_clear: samples, kept in the file, of motions that cannot be read from keys."""
 
 import math
 
@@ -21,12 +21,12 @@ TRANSFORMS = (
 )
 
 
-# Own and world transforms; a property is named by a script or a panel's button.
+# The redo panel offers the two transforms, unless a script or a panel's button has named a property.
 _WHAT = Rows((Row("transform", when=lambda operator: not operator.data_path),))
 
 
 class _OfATrack(OfADatablock, Operator):
-    """Mixin of operators on a track: the motion of an object, bone or property over time. It declares the keywords that name the track."""
+    """Mixin of operators with the keywords that name a track: the motion of an object, bone or property over time."""
 
     bone: bpy.props.StringProperty(name="Bone", description="Name of a bone; empty means the object itself", options={'SKIP_SAVE'})
     transform: bpy.props.EnumProperty(
@@ -34,7 +34,7 @@ class _OfATrack(OfADatablock, Operator):
     )
 
     def track(self, id_data, scene):
-        """The track of the datablock, original or evaluated."""
+        """The track that the operator's keywords name. id_data: original or evaluated datablock. Raises Refused if there is none."""
         if self.data_path:
             return property_track(id_data, self.data_path, self.index)
         if not isinstance(id_data, bpy.types.Object):

@@ -1,4 +1,4 @@
-"""What a panel shows of an input over time: how it is known, and the buttons that record it."""
+"""Part of a panel about a track, an input over time: how its values are known, and the buttons that record them."""
 
 import bpy
 
@@ -18,7 +18,10 @@ _digests = keeping.OfFile(
 
 
 def draw(layout, track, **keywords):
-    """A line about an original thing's track, and buttons. keywords: of motus.track_record, which name it."""
+    """Draw a sentence about how a track of an original datablock is known, and the buttons that record and clear it.
+
+    keywords: of the operator motus.track_record, which name the track.
+    """
     sentence = track.sentence
     if is_outdated(track):
         sentence = tr("{recorded}; it may be out of date").format(recorded=sentence)
@@ -34,14 +37,14 @@ def draw(layout, track, **keywords):
 
 
 def is_outdated(track):
-    """Whether what a recording was made from is not what it was, as far as that is known."""
+    """Whether the data from which a track was recorded has changed since the recording, as far as Motus can tell."""
     if track.reason is None or not track.recording:
         return False
     return track.recording.digest != _digest(track.id_data)
 
 
 def _digest(id_data):
-    """The digest of a datablock, found anew after an edit."""
+    """Digest of the data from which recordings of a datablock are made; computed again after every edit."""
     if _forget not in bpy.app.handlers.depsgraph_update_post:
         _digests.clear()
         handlers.add(_watched())
@@ -50,7 +53,7 @@ def _digest(id_data):
 
 
 def _forget(*_):
-    # Not persistent: a file in which nobody has looked at a recording costs nothing.
+    # The handler is not persistent: it costs nothing in a file whose recordings nobody has looked at.
     _digests.clear()
 
 
@@ -60,7 +63,7 @@ def _watched():
 
 
 def register():
-    """Give every datablock its list."""
+    """Add the list of recordings to all types of datablocks, as a collection property of bpy.types.ID."""
     setattr(
         bpy.types.ID,
         recordings.LIST,

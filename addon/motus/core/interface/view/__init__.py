@@ -1,1 +1,1 @@
-"""Editors as they are on the screen: viewports and what lies under the mouse, widths, drawing in pixels, graphs, tools, redraws."""
+"""Editors on the screen: viewports and what is under the mouse, widths of regions, drawing in pixels, graphs, tools, redraws."""

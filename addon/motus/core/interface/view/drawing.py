@@ -1,4 +1,4 @@
-"""Lines, shaded areas and text in pixels; the shaders named here are there in every Blender from 3.4 on."""
+"""Draw lines, shaded areas and text in pixels, with shaders that every Blender from 3.4 on has."""
 
 from ...blender import capabilities
 from ...lazy import numpy as np
@@ -7,13 +7,16 @@ TEXT_SIZE = 11.0
 
 
 def flat(points):
-    """float32 (n, 3) of points (n, 2), which is what the shaders take."""
+    """Convert points (n, 2) to the form that shaders take, (n, 3) float32 with z = 0."""
     points = np.asarray(points, np.float32)
     return np.concatenate([points, np.zeros((len(points), 1), np.float32)], axis=1)
 
 
 def project(matrix, points):
-    """Places in a region, from -1 to 1, of world points (n, 3); None where one lies behind the viewer."""
+    """Project world points (n, 3) into a region, (n, 2) from -1 to 1; None if a point is behind the viewer or there are none.
+
+    matrix: perspective matrix of the view (RegionView3D.perspective_matrix).
+    """
     matrix = np.array(matrix)
     clipped = points @ matrix[:, :3].T + matrix[:, 3]
     if len(clipped) == 0 or clipped[:, 3].min() <= 1e-6:
@@ -22,7 +25,10 @@ def project(matrix, points):
 
 
 def to_window(region, matrix, points):
-    """Pixels in the window, (n, 2), of world points (n, 3); None where one lies behind the viewer."""
+    """Project world points (n, 3) to pixels of the window, (n, 2); None if a point is behind the viewer or there are none.
+
+    region: the region that shows the view. matrix: perspective matrix of the view (RegionView3D.perspective_matrix).
+    """
     places = project(matrix, points)
     if places is None:
         return None
@@ -30,7 +36,7 @@ def to_window(region, matrix, points):
 
 
 def line(points, color, width):
-    """A line through places (n, 2). width: pixels."""
+    """Draw a line through points (n, 2), in pixels. color: (r, g, b, a). width: in pixels."""
     import gpu
     from gpu_extras.batch import batch_for_shader
 
@@ -43,7 +49,7 @@ def line(points, color, width):
 
 
 def triangles(points, colors, indices):
-    """Shaded triangles: places (n, 2), one colour (4) a place, indices (t, 3)."""
+    """Draw shaded triangles between points (n, 2), in pixels. colors: (n, 4). indices: of the triangles' points, (t, 3)."""
     import gpu
     from gpu_extras.batch import batch_for_shader
 
@@ -53,7 +59,7 @@ def triangles(points, colors, indices):
 
 
 def discs(points, radii, colors, corners=16):
-    """Discs about places (n, 2), with radii (n,) in pixels and one colour (4) each."""
+    """Draw discs around points (n, 2), in pixels. radii: (n,) in pixels. colors: (n, 4). corners: of a disc's polygon."""
     angles = np.linspace(0.0, 2.0 * np.pi, corners, endpoint=False)
     rim = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     places = (np.asarray(points)[:, None, :] + np.asarray(radii)[:, None, None] * rim).reshape(-1, 2)
@@ -63,7 +69,7 @@ def discs(points, radii, colors, corners=16):
 
 
 def dots(points, colors, size):
-    """Squares of that many pixels about places (n, 2), one colour (4) each."""
+    """Draw squares around points (n, 2), in pixels. colors: (n, 4). size: side of a square in pixels."""
     half = size / 2.0
     corners = np.array([(-half, -half), (half, -half), (half, half), (-half, half)])
     first = 4 * np.arange(len(points))[:, None]
@@ -75,7 +81,7 @@ def dots(points, colors, size):
 
 
 def text(lines, x, y, scale):
-    """Lines of text below one another from (x, y) on. scale: of the interface."""
+    """Draw lines of text below one another, from pixel (x, y) of the region on. scale: of the interface."""
     import blf
 
     font = 0
@@ -91,7 +97,7 @@ def text(lines, x, y, scale):
 
 
 def width(content, scale):
-    """Pixels of a line of text, as text() draws it."""
+    """Width in pixels of one line of text that text() draws. scale: of the interface."""
     import blf
 
     blf.size(0, TEXT_SIZE * scale)

@@ -1,4 +1,4 @@
-"""Small graphs for panels and dialogs, drawn into the pixels of an icon: nothing else can be drawn there."""
+"""Small graphs for panels and dialogs, drawn into the pixels of an icon: Blender lets add-ons draw nothing else there."""
 
 import bpy
 import bpy.utils.previews
@@ -11,15 +11,15 @@ PAD = 8  # pixels above and below
 LINE, AXIS, LEVEL = (0.95, 0.55, 0.20), (0.55, 0.55, 0.55), (0.40, 0.62, 0.90)
 
 _graphs = []
-"""The previews, once there is a graph."""
+"""List of the preview collection with all graphs; empty until the first graph is drawn."""
 _shown = keeping.OfProcess("which graph an icon shows: a hash of its values", "the place where it is shown", most=256)
 
 
 def icon(name, values, levels=(0.0,), marks=()):
-    """Icon that shows values (n,) from left to right, for UILayout.template_icon.
+    """Icon of a graph of values (n,) from left to right, for UILayout.template_icon.
 
-    name: of the place where it is shown, which has one graph at a time. levels: heights of thin lines. marks: more (n,)
-    values, drawn behind.
+    name: of the place in the interface that shows the graph; each place has one graph at a time. levels: heights of thin horizontal lines.
+    marks: further arrays (n,) of values, drawn behind the first.
     """
     if not _graphs:
         _graphs.append(bpy.utils.previews.new())
@@ -35,7 +35,10 @@ def icon(name, values, levels=(0.0,), marks=()):
 
 
 def pixels(values, levels=(0.0,), marks=()):
-    """(HEIGHT, WIDTH, 4) in [0, 1], from the bottom up."""
+    """Draw a graph as pixels: (HEIGHT, WIDTH, 4) floats in [0, 1], the bottom row first.
+
+    values: (n,) from left to right. levels: heights of thin horizontal lines. marks: further arrays (n,), drawn behind the first.
+    """
     every = np.concatenate([values, *marks, np.asarray(levels, dtype=float)])
     low, high = every.min(), every.max()
     scale = (HEIGHT - 2 * PAD - 1) / max(high - low, 1e-12)
@@ -49,12 +52,12 @@ def pixels(values, levels=(0.0,), marks=()):
 
 
 def _draw(picture, heights, colour, width):
-    """A line through the height of each column, smoothed at its edges."""
+    """Draw a smooth line into a picture. heights: of the line in each column, (WIDTH,). width: half the line's width in pixels."""
     rise = np.abs(np.gradient(heights))
     rows = np.arange(HEIGHT)[:, None]
-    # The distance from the line, not the height above it: a steep line would be thin.
+    # The distance from the line counts, not the height above it, with which a steep line would be thin.
     distance = np.abs(rows - heights) / np.sqrt(1.0 + rise * rise)
-    # Between neighbouring columns a steep line has to close.
+    # A steep line must have no gap between neighbouring columns.
     reach = np.maximum(width, 0.5 * rise / np.sqrt(1.0 + rise * rise))
     cover = np.clip(reach + 0.5 - distance, 0.0, 1.0)[..., None]
     picture[..., :3] += cover * (np.array(colour) - picture[..., :3])
@@ -62,11 +65,11 @@ def _draw(picture, heights, colour, width):
 
 
 def unregister():
-    """Let go of the pictures."""
+    """Remove the preview collection with all graphs."""
     while _graphs:
         bpy.utils.previews.remove(_graphs.pop())
     _shown.clear()
 
 
 def register():
-    """There is no graph until one is drawn."""
+    """Do nothing: the preview collection is created with the first graph."""

@@ -1,4 +1,4 @@
-"""The property under the mouse, or whose menu is open."""
+"""Find the property under the mouse, or the property whose context menu is open."""
 
 import re
 
@@ -8,9 +8,9 @@ _INDEX = re.compile(r"\[(\d{1,9})\]$")
 
 
 def find(context, is_drawing=False):
-    """(datablock, data path, index) of the property under the mouse; None without one.
+    """(datablock, data path, index) of the property under the mouse; None if there is none. The index is -1 if it is unknown.
 
-    is_drawing: while a menu is drawn 3.4 tells no index.
+    is_drawing: whether a menu is being drawn at the moment, while Blender 3.4 does not tell the index.
     """
     if hasattr(context, "property"):  # from 4.0 on
         return context.property
@@ -25,7 +25,7 @@ def find(context, is_drawing=False):
 
 
 def _hovered_index(context):
-    """Index of the array component under the mouse, which only the data path that Blender copies tells."""
+    """Index of the array component under the mouse; -1 if unknown. Only the data path that Blender's operator copies has it."""
     manager = context.window_manager
     before = manager.clipboard
     try:

@@ -1,6 +1,6 @@
-"""Lets read-outs move while the animation plays.
+"""Redraw panels with read-outs while the animation plays.
 
-Blender draws no sidebar anew during playback, unless its own *Playback* options name the property editors.
+During playback Blender does not redraw sidebars, unless its own *Playback* options name the property editors.
 """
 
 import threading
@@ -11,28 +11,31 @@ import bpy
 from ...blender import handlers
 
 INTERVAL = 0.1
-"""Seconds between two redraws: more often than that nobody reads numbers, and panels cost time."""
+"""Seconds between two redraws of panels. Nobody reads numbers that change faster, and drawing panels takes time."""
 REGIONS = {'VIEW_3D': 'UI', 'PROPERTIES': 'WINDOW'}
-"""Where panels with read-outs stand."""
+"""{type of area: type of its region that has panels with read-outs}."""
 
 
 class _Drawn:
-    """Whether read-outs were drawn since the last redraw that was asked for here, and when that was."""
+    """State of the redraws. is_new: whether read-outs were drawn since the last redraw that this module has requested.
+
+    time: of that redraw, by time.monotonic().
+    """
 
     is_new = False
     time = 0.0
 
 
 def note():
-    """Called where read-outs are drawn: without any, playback costs nothing."""
+    """Note that read-outs were drawn, and add the handler that redraws them. Without read-outs, playback costs nothing."""
     _Drawn.is_new = True
-    # Not a persistent handler: a file in which nobody has looked at read-outs costs nothing.
+    # The handler is not persistent: it costs nothing in a file whose read-outs nobody has looked at.
     if _frame_changed not in bpy.app.handlers.frame_change_post:
         handlers.add(_PAIRS)
 
 
 def _frame_changed(*_):
-    # A render goes through frames in a thread of its own, where windows must not be touched.
+    # A render changes frames in a separate thread, in which windows must not be touched.
     if not _Drawn.is_new or bpy.app.background or threading.current_thread() is not threading.main_thread():
         return
     now = time.monotonic()
@@ -52,5 +55,5 @@ _PAIRS = ((bpy.app.handlers.frame_change_post, _frame_changed),)
 
 
 def unregister():
-    """Follow playback no more."""
+    """Remove the handler that redraws panels during playback."""
     handlers.remove(_PAIRS)

@@ -1,4 +1,4 @@
-"""Tools of the toolbar: put there with their keys, and taken back; where one is in hand then, Blender's own takes its place."""
+"""Add tools to the toolbar with their keymaps, and remove them; a tool of Blender replaces a removed tool that is active."""
 
 from functools import partial
 
@@ -7,14 +7,14 @@ import bpy
 from ...blender import handlers
 
 RESTING = {'OBJECT': "builtin.select_box", 'EDIT_MESH': "builtin.select_box", 'POSE': "builtin.select_box", 'SCULPT': "builtin.move"}
-"""Blender's tools by mode."""
+"""{mode: identifier of the tool of Blender that replaces a removed tool}."""
 
 _registered = []
 
 
 def register(tools, keys):
-    """Put WorkSpaceTools into the toolbars. keys: the keymap of each of them."""
-    has_keys = bpy.context.window_manager.keyconfigs.addon is not None  # there are none in the background
+    """Add WorkSpaceTools to the toolbars. keys: the keymap that each tool gets."""
+    has_keys = bpy.context.window_manager.keyconfigs.addon is not None  # Blender without a window has no keymaps
     for one in tools:
         one.bl_keymap = keys if has_keys else None
         bpy.utils.register_tool(one, separator=True)
@@ -22,7 +22,7 @@ def register(tools, keys):
 
 
 def unregister(tools):
-    """Take them back."""
+    """Remove WorkSpaceTools from the toolbars; in viewports in which one is active, a tool of Blender becomes active."""
     handlers.take_back(partial(_put_down, {one.bl_idname for one in tools}))
     for one in [one for one in reversed(_registered) if one in tools]:
         _registered.remove(one)
@@ -30,7 +30,7 @@ def unregister(tools):
 
 
 def in_hand(context):
-    """Name of the tool of the viewport in the context's mode; None without one."""
+    """Identifier of the active tool of the 3D viewport in the context's mode; None if there is none."""
     if context.workspace is None:
         return None
     tool = context.workspace.tools.from_space_view3d_mode(context.mode, create=False)

@@ -1,4 +1,4 @@
-"""Which 3D viewport the mouse is over, what its ray and scale are there, and what is kept of viewports as they were."""
+"""3D viewports: the one under the mouse, its rays and its scale, and values and settings that are stored for each viewport."""
 
 from typing import Any, NamedTuple
 
@@ -15,8 +15,8 @@ from ...translations import tr
 class View(NamedTuple):
     """A 3D viewport; `data` is its RegionView3D.
 
-    It may be closed while something is dragged in it. Python's references to its area and region are to freed memory then, so
-    each method looks first whether it is there, and raises Refused where it is not.
+    The user may close the viewport while something is dragged in it. Python's references to its area and region then point to freed memory.
+    So each method first checks whether the viewport still exists; all but tell() raise Refused if it does not.
     """
 
     area: Any
@@ -25,7 +25,7 @@ class View(NamedTuple):
 
     @property
     def is_there(self):
-        """Whether a window still has it."""
+        """Whether the viewport still exists in a window."""
         return any(
             region == self.region
             for window in bpy.context.window_manager.windows
@@ -35,7 +35,7 @@ class View(NamedTuple):
         )
 
     def tell(self, text):
-        """Show a text in the header; None shows what else is there."""
+        """Show a text in the viewport's header; None shows Blender's own content again. Does nothing if the viewport was closed."""
         if self.is_there:
             self.area.header_text_set(text)
 
@@ -44,23 +44,23 @@ class View(NamedTuple):
             raise Refused(tr("The viewport was closed"))
 
     def ray(self, x, y):
-        """Origin and direction, in the world, of the ray through a place of the window."""
+        """(origin, direction) of the ray through a pixel (x, y) of the window, in world space."""
         self._check()
         place = (x - self.region.x, y - self.region.y)
         return (region_2d_to_origin_3d(self.region, self.data, place), region_2d_to_vector_3d(self.region, self.data, place))
 
     def toward_viewer(self):
-        """World direction from the screen to whoever looks at it."""
+        """Unit vector in world space from the screen towards the viewer."""
         self._check()
         return self.data.view_rotation @ Vector((0.0, 0.0, 1.0))
 
     def place_at(self, x, y, point):
-        """The world point under a place of the window on the plane through a point that faces the view."""
+        """World point under a pixel (x, y) of the window, on the plane through `point` that faces the view."""
         self._check()
         return region_2d_to_location_3d(self.region, self.data, (x - self.region.x, y - self.region.y), point)
 
     def sight(self, point):
-        """World direction in which the viewer looks at a point."""
+        """Unit vector in world space from the viewer towards a point; the direction of view if the view is orthographic."""
         self._check()
         viewer = self.data.view_matrix.inverted()
         if self.data.is_perspective:
@@ -68,12 +68,12 @@ class View(NamedTuple):
         return -viewer.col[2].to_3d().normalized()
 
     def up(self):
-        """World direction upwards on the screen."""
+        """Unit vector in world space that points upwards on the screen."""
         self._check()
         return self.data.view_rotation @ Vector((0.0, 1.0, 0.0))
 
     def pixels_for(self, point, length):
-        """How many pixels a length at a point of the world is on the screen, across the view."""
+        """Pixels that a length at a world point, across the view, has on the screen; 0 if the place is not in front of the viewer."""
         self._check()
         across = self.data.view_rotation @ Vector((length, 0.0, 0.0))
         ends = [location_3d_to_region_2d(self.region, self.data, place) for place in (point, point + across)]
@@ -81,7 +81,7 @@ class View(NamedTuple):
 
 
 def view_at(window, x, y):
-    """The viewport at a place of the window; None where there is another thing."""
+    """The viewport (View) under a pixel (x, y) of the window; None if something different is there, such as its sidebar."""
     for area in window.screen.areas:
         if area.type != 'VIEW_3D' or not _contains(area, x, y):
             continue
@@ -97,7 +97,10 @@ def _contains(part, x, y):
 
 
 def redraw(kinds=('VIEW_3D',)):
-    """Let all areas of some kinds, or of all kinds where they are None, be drawn anew, for what Blender does not know to be seen there."""
+    """Redraw all areas of some types, to show a change of which Blender does not know that it is visible there.
+
+    kinds: types of areas; None for all types.
+    """
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
             if kinds is None or area.type in kinds:
@@ -105,7 +108,7 @@ def redraw(kinds=('VIEW_3D',)):
 
 
 def space_for(context):
-    """The space of the context's 3D viewport, or of the largest one in the window; None without."""
+    """SpaceView3D of the context, or else of the largest 3D viewport in the context's window; None if there is none."""
     if context.space_data is not None and context.space_data.type == 'VIEW_3D':
         return context.space_data
     areas = [area for area in context.window.screen.areas if area.type == 'VIEW_3D'] if context.window else []
@@ -113,16 +116,19 @@ def space_for(context):
 
 
 def all_spaces():
-    """The spaces of all 3D viewports in the file, of all workspaces."""
+    """List of the SpaceView3D of all 3D viewports in the file, in all workspaces."""
     return [space for screen in bpy.data.screens for area in screen.areas for space in area.spaces if space.type == 'VIEW_3D']
 
 
 AHEAD = 10.0
-"""m before a camera that a viewport looks through, where nothing says what it looks at."""
+"""Distance from a camera, in m, at which the point that its viewport looks at is assumed: the camera does not tell one."""
 
 
 def seen_place(context, place):
-    """A place of the world, if the context's 3D viewport sees it or there is none; else the one that the viewport looks at."""
+    """Copy of a world point if the context's 3D viewport sees the point; otherwise the world point that the viewport looks at.
+
+    If there is no viewport, the copy is returned too.
+    """
     space = space_for(context)
     view = space.region_3d if space else None
     if view is None:
@@ -137,11 +143,11 @@ def seen_place(context, place):
 
 
 class PerViewport:
-    """Storage of one value for each 3D viewport, removed when the viewport is closed.
+    """Storage of one value for each 3D viewport. A value is removed after its viewport was closed.
 
-    The key is the memory address of the SpaceView3D, which stays the same while the area is maximised. Blender may reuse the address
-    of a closed viewport. Values of closed viewports are therefore removed before each access, and after a file was loaded: Blender
-    creates the viewports of a new file before it frees the old ones.
+    The key is the memory address of the SpaceView3D, which stays the same while the area is maximised. Blender may reuse the address of a
+    closed viewport. Values of closed viewports are therefore removed before each access, and after a file was loaded: Blender creates the
+    viewports of a new file before it frees the old ones.
     """
 
     _all = []
@@ -151,33 +157,33 @@ class PerViewport:
         self._all.append(self)
 
     def get(self, space):
-        """The kept state of a viewport; None without one."""
+        """The value that is stored for a viewport; None if there is none. space: the viewport's SpaceView3D."""
         self.drop_gone()
         return self._kept.get(space.as_pointer())
 
     def put(self, space, value):
-        """Keep something of a viewport."""
+        """Store a value for a viewport. space: the viewport's SpaceView3D."""
         self._kept[space.as_pointer()] = value
 
     def take(self, space):
-        """Take the kept state of a viewport out of the store; None without one."""
+        """Remove the value that is stored for a viewport, and return it; None if there is none."""
         self.drop_gone()
         return self._kept.pop(space.as_pointer(), None)
 
     def drop_gone(self):
-        """Remove the stored values of viewports that were closed."""
+        """Remove the values that are stored for viewports that were closed."""
         if self._kept:
             there = {space.as_pointer() for space in all_spaces()}
             for gone in self._kept.keys() - there:
                 del self._kept[gone]
 
     def clear(self):
-        """Drop all."""
+        """Remove the values that are stored for all viewports."""
         self._kept.clear()
 
     @classmethod
     def of_all(cls, do):
-        """Call do(one) for everything that keeps something of viewports."""
+        """Call do(storage) for every PerViewport that exists."""
         for one in cls._all:
             do(one)
 
@@ -192,18 +198,21 @@ def _watched():
 
 
 def register():
-    """Forget viewports that go when a file is opened."""
+    """Add the handler that removes values of closed viewports after a file was loaded."""
     handlers.add(_watched())
 
 
 def unregister():
-    """Forget all viewports."""
+    """Remove the handler, and the values that are stored for all viewports."""
     handlers.remove(_watched())
     PerViewport.of_all(PerViewport.clear)
 
 
 class _Named(NamedTuple):
-    """An object that a setting of a viewport is, which may be deleted in the meantime."""
+    """Reference to the object in a setting of a viewport, such as its camera, by name: the object may be deleted meanwhile.
+
+    library: path of the library file that the object is linked from; None for a local object.
+    """
 
     name: str
     library: Any
@@ -214,20 +223,20 @@ class _Named(NamedTuple):
 
 
 _before = PerViewport()
-"""{path of a setting: what it was before the viewport was given another value}."""
+"""{data path of a setting: its value before change()}, stored for each viewport."""
 _PERSPECTIVE = "region_3d.view_perspective"
 _VIEW = "region_3d.view_location", "region_3d.view_rotation", "region_3d.view_distance"
-"""What Blender changes along with the perspective."""
+"""Settings of a viewport that Blender changes together with its perspective."""
 
 
 def change(space, values):
-    """Give settings of a viewport other values, by their paths. `restore` gives back what they were."""
+    """Set settings of a viewport, {data path: value}, and store their values before for restore()."""
     if _PERSPECTIVE in values and not has(space, {_PERSPECTIVE: values[_PERSPECTIVE]}):
         for path in _VIEW:
             _keep(space, path)
     for path, value in values.items():
         is_new = not has(space, {path: value})
-        # A setting that has the value already is given it back too, unless the value comes from an earlier change.
+        # restore() also sets a setting that has the value already, unless an earlier change has set the value.
         if is_new or path not in (_before.get(space) or {}):
             _keep(space, path)
         if is_new:
@@ -235,12 +244,15 @@ def change(space, values):
 
 
 def has(space, values):
-    """Whether settings of a viewport, by their paths, are at these values."""
+    """Whether settings of a viewport have these values. values: {data path: value}."""
     return all(getattr(*_place(space, path)) == value for path, value in values.items())
 
 
 def restore(space, values):
-    """Give settings of a viewport, by their paths, what they were before, or these values where that is not known."""
+    """Set settings of a viewport to the values that they had before change().
+
+    values: {data path: value to set if the value before change() is unknown}.
+    """
     kept = _before.get(space) or {}
     for path, value in values.items():
         _set(space, path, kept.pop(path, value))

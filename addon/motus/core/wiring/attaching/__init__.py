@@ -1,1 +1,1 @@
-"""Wires a system on an owner, wires it anew, and takes it back: hubs, solver drivers, and the order of evaluation."""
+"""Set up a system on an owner, set it up again after changes, and remove it: hubs, drivers of solvers, and the order of evaluation."""

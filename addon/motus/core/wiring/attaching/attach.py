@@ -1,12 +1,17 @@
-"""The way of a setting to a pose, and how an owner is put on it and taken off.
+"""Set up a system on an owner (attach), set it up again (refresh), and remove it (detach).
 
-Wiring makes, once: a *hub* for each group, a mesh that Blender evaluates with the scene (hubs/hub_lookup.py); in the hub an *outbox*, an
-array with room for all that is solved (hubs/outbox.py); on the outbox a *solver driver* that waits for what is read (solver_driver.py);
-and *sinks*, constraints, drivers or modifiers that bring slots of the outbox to the members (sinks/stack.py).
+The owner is the object whose settings the system solves. Setting up, called wiring, creates: a *hub* for each group of members, a
+hidden mesh object that Blender evaluates with the scene (hubs/hub_lookup.py); in the hub an *outbox*, an array with slots for all
+results (hubs/outbox.py); on the outbox a *solver driver* that waits for everything the solver reads (solver_driver.py); and *sinks*,
+the constraints, drivers or modifiers that bring slots of the outbox to the members (sinks/stack.py).
 
-Blender then evaluates, at each frame: what the solver reads; the solver driver, which calls motus_solve (solving/namespace.py); that
-has the prepared Solver (solving/solving.py) call System.solve with the settings, and write its poses into the evaluated outbox; the
-sinks, which wait for the outbox. A setting that is edited calls touch(), one that says what is read or driven calls refresh().
+At each frame Blender then evaluates, in this order: the objects that the solver reads; the solver driver, which calls motus_solve
+(solving/namespace.py); the sinks, which wait for the outbox. motus_solve has the prepared Solver (solving/solving.py) call System.solve
+with the settings, and writes the poses into the evaluated outbox. After an edit of a plain setting, touch() is called; after an edit of
+a setting that determines what is read or driven, refresh() is called.
+
+Further terms: several owners can share a hub, of which each has one *row*. The *outlet* is a custom property of the owner that repeats
+the outputs in the outbox. A *leader* is the owner that drives a different object.
 """
 
 from ...declare import groups_of, is_owner, of_owner, systems
@@ -17,13 +22,17 @@ from . import override_drivers, overrides, readers, renaming, sharing, signature
 
 
 def attach(system, owner):
-    """Wire `system` on `owner`: hubs with solvers and outboxes, and sinks on all members. What was wired before is replaced."""
+    """Wire `system` on `owner`: create hubs with solvers and outboxes, and sinks on all members; an earlier wiring is replaced."""
     _wire(system, owner, {})
     refresh_others(system, owner)
 
 
 def _wire(system, owner, before):
-    """before: what stack.places() said of the owner's last wiring; things that had sinks then have them at these places again."""
+    """Wire a system on an owner, and replace the earlier wiring.
+
+    before: result of stack.places() for the earlier wiring; things that had sinks get the new sinks at these places in their constraint
+    stacks.
+    """
     followers = readers.of(system, owner)
     unwiring.unwire(system, owner)
     settings = of_owner(system, owner)
@@ -47,7 +56,7 @@ def _wire(system, owner, before):
 
 
 def _wire_group(system, owner, group):
-    """Give a group a hub of its own, and let its members follow that."""
+    """Create a hub for one group of an owner, and the sinks that bring the hub's results to the group's members."""
     hub = hub_lookup.make_hub(system, owner, group)
     stack.prepare(system, owner, group, hub)
     outbox.create(system, hub.data, group, attribute_sink.serves(system))
@@ -59,7 +68,10 @@ def _wire_group(system, owner, group):
 
 
 def _wire_row(system, owner, group, place):
-    """Let an owner that drives itself alone follow its row of a shared hub."""
+    """Create the sinks and the outlet of an owner that drives only itself and has a row of a shared hub.
+
+    place: result of sharing.join().
+    """
     outputs.create_outlet(system, owner, place.hub.data)
     if place.partner:  # the hub is new
         solver_driver.add(system, owner, group, place.hub)
@@ -67,7 +79,7 @@ def _wire_row(system, owner, group, place):
 
 
 def detach(system, owner):
-    """Remove everything attach() made; the owner's and members' own transforms, keys and constraints stay."""
+    """Remove everything that attach() made on an owner; the own transforms, keys and constraints of the owner and its members stay."""
     followers = readers.of(system, owner)
     unwiring.unwire(system, owner)
     readers.point(system, owner, followers)
@@ -78,13 +90,19 @@ def detach(system, owner):
 
 
 def touch(system, owner):
-    """Have the owner solved with settings that were changed from Python; wired anew if it is a copy, or a member was deleted."""
+    """Have an owner solved again after its settings were changed from Python.
+
+    The owner is wired again if it is a copy that uses another owner's hubs, or if the number of members has changed.
+    """
     if signature.has_strange_carriers(system, owner) or not solver_driver.call_again(system, owner):
         refresh(system, owner)
 
 
 def refresh(system, owner):
-    """Wire again after a change of what is driven or read: targets, members, channels. What is linked stays as it is."""
+    """Wire an owner again after a change of what is driven or read: targets, members or channels.
+
+    Nothing happens if the object is linked or is no owner of the system.
+    """
     if owner.library or not is_owner(system, owner):
         return
     _wire_anew(system, owner)
@@ -98,17 +116,17 @@ def _wire_anew(system, owner):
 
 
 def refresh_others(system, owner):
-    """Wire the owner's other systems again whose groups depend on what has changed in this one."""
+    """Wire the owner's other systems again if their groups depend on what has changed in this system."""
     if system.entries is None:
         return
     for other in systems():
         if other is not system and other.entries is not None and is_owner(other, owner):
-            # The solvers of all other systems wait for the hubs of one that lays poses, which are new ones now.
+            # If this system lays poses, the solvers of all other systems wait for its hubs, and these hubs are new now.
             (refresh if system.lays_pose else refresh_changed)(other, owner)
 
 
 def refresh_changed(system, owner):
-    """Wire again if the groups are others than those wired, or their sinks have copies; returns whether they were."""
+    """Wire an owner again if its groups have changed, or if undriven bones have copies of its sinks; returns whether it was wired."""
     is_same = of_owner(system, owner).wired == signature.of(system, owner, groups_of(system, owner))
     if is_same and not finding.has_strays(system, owner):
         return False
@@ -117,7 +135,10 @@ def refresh_changed(system, owner):
 
 
 def refresh_edited(system, owner):
-    """Wire again if bones have other names now, which the system is told, or more has changed."""
+    """Wire an owner again after bones were edited, if bones that it uses were renamed or its groups have changed.
+
+    The system is told of renamed bones.
+    """
     if renaming.renamed(system, owner):
         _wire_anew(system, owner)
     else:
@@ -125,7 +146,11 @@ def refresh_edited(system, owner):
 
 
 def set_muted(system, owner, muted):
-    """Switch the sinks off or on, leaving all else in place."""
+    """Mute or unmute the sinks of an owner.
+
+    The constraints are muted. The drivers of properties, which are sinks too, are removed if `muted`, and added if not; the list of the
+    properties stays in the hub.
+    """
     for _, constraint in finding.sinks(system, owner):
         constraint.mute = muted
     for group in groups_of(system, owner) if system.groups is not None else ():

@@ -1,8 +1,12 @@
-"""In which order the entries of an owner's systems have to be solved: what a bone or an object depends on.
+"""Find the order in which the entries of an owner's systems have to be solved, from what bones and objects depend on.
 
-A graph of places, each named by a tuple: what Blender evaluates (an object's transform, a bone, a geometry, the drivers of
-some properties), and the entries of the systems. An entry depends on what it reads; a bone or object that an entry drives
-depends on that entry, whichever owner it belongs to. Parents, constraints, drivers and what deforms a geometry are followed through all objects.
+An entry is an item in an owner's list of settings; it reads some bones and objects, and drives others. The order follows from a graph
+of nodes, each a tuple that names something that Blender evaluates (an object's transform, a bone, a geometry, the drivers of some
+properties) or an entry. An entry depends on what it reads; a bone or object that an entry drives depends on that entry, whichever owner
+has the entry. Parents, constraints, drivers and the modifiers that deform a geometry are followed through all objects.
+
+The owner is the object whose settings are solved. A hub is a hidden object whose mesh carries the solver's driver and results; a sink
+is a constraint that brings a result to a bone or object.
 """
 
 import re
@@ -31,14 +35,14 @@ _TARGETS = (
 
 
 def levels(owner):
-    """{(system's name, entry's name): level} of all entries on an owner.
+    """Return {(name of the system, name of the entry): level} for all entries of an owner; entries of level 0 are solved first.
 
-    An entry reads what entries of lower levels drive, directly or by way of other owners; None: it depends on what it drives
-    itself.
+    An entry reads only what entries of lower levels drive, directly or through entries of different owners. The level is None if the
+    entry depends on what it drives itself.
     """
     graph = _Graph(owner)
     found = {}
-    # Components come in such an order that all that one depends on comes before it.
+    # Components are sorted: all that a component depends on comes before the component.
     depth = {}
     for component in _components(graph):
         entries = [node for node in component if node[0] == ENTRY]
@@ -48,21 +52,24 @@ def levels(owner):
             depth[node] = below + (node[0] == ENTRY and not is_loop)
         for node in entries:
             found[node] = None if is_loop else below
-    # Entries of other owners count as levels between: two owners' groups could wait for each other.
+    # Entries of different owners count as levels in between: otherwise the groups of two owners could wait for each other.
     steps = sorted({found[node] for node in graph.roots()} - {None})  # type: ignore[type-var]
     return {node[2:]: None if found[node] is None else steps.index(found[node]) for node in graph.roots()}
 
 
 def depends(obj, bone, rig, bones):
-    """Whether an object, or the bone of it that is named, moves with some of a rig's bones."""
+    """Whether an object, or the bone of the object that is named if `bone` is not "", moves with some of a rig's bones.
+
+    bones: names of bones of the rig.
+    """
     wanted = {(BONE, rig, name) for name in bones}
     return any(node in wanted for node in _all_from(_Graph(rig), _place(obj, bone)))
 
 
 def hanging(rig, places):
-    """{place: the other places on which its transform depends}, with the dependencies through the entries that are set up on `rig`.
+    """Return {place: the different places on which its transform depends}, including dependencies through entries of the owner `rig`.
 
-    places: (object, bone or "").
+    places: list of (object, name of a bone or "").
     """
     graph, found = _Graph(rig), {}
     nodes = {place: set(_place(*place)) for place in places}
@@ -77,7 +84,7 @@ def hanging(rig, places):
 
 
 def _all_from(graph, nodes):
-    """Yields the nodes and all that they depend on."""
+    """Yield these nodes and all nodes that they depend on, directly or indirectly, each once."""
     seen, waiting = set(), list(nodes)
     while waiting:
         node = waiting.pop()
@@ -88,14 +95,14 @@ def _all_from(graph, nodes):
 
 
 def _of_channel(obj, path):
-    """The place that a data path sets the location, rotation or scale of, where it does."""
+    """Yield the node of the bone or object whose location, rotation or scale a data path of `obj` names, if it names one."""
     match = _CHANNEL.match(path)
     if match:
         yield from _place(obj, bpy.utils.unescape_identifier(match["bone"] or ""))
 
 
 class _Graph:
-    """What each place depends on, found when somebody asks."""
+    """Graph of what bones, objects, geometries and entries depend on; dependencies of a node are computed when they are first needed."""
 
     def __init__(self, owner):
         self._owner = owner
@@ -107,7 +114,7 @@ class _Graph:
         self._add(owner)
 
     def _add(self, owner):
-        """Know an owner's entries."""
+        """Add the entries of an owner to the graph, unless they are in it."""
         if owner in self._owners:
             return
         self._owners.add(owner)
@@ -120,11 +127,11 @@ class _Graph:
                     self._entries_on.setdefault(node, []).append(place)
 
     def roots(self):
-        """Where to begin: the owner's entries."""
+        """Return the nodes of the owner's entries, from which the graph is searched."""
         return [node for node in self._entries if node[1] == self._owner]
 
     def depends_on(self, node):
-        """The places that a place directly depends on."""
+        """Return the nodes on which a node depends directly."""
         if node not in self._known:
             self._known[node] = list(dict.fromkeys(getattr(self, "_of_" + node[0])(*node[1:])))
         return self._known[node]
@@ -135,12 +142,12 @@ class _Graph:
             yield from _place(obj, bone)
         for obj in waiting.geometries(registered[system], of_owner(registered[system], owner)):
             yield GEOMETRY, obj
-        # A bone's animation below the entry is read as it is after its own drivers.
+        # The solver reads a driven bone's own transform, which comes after the bone's own drivers.
         for bone in [thing for thing in entry.drives if isinstance(thing, str)]:
             for path, driver in self._of_bone_paths(owner, bone):
                 if ".constraints[" not in path:
                     yield from _read_by(driver)
-        # To Blender all plain settings of an object are one thing.
+        # In Blender's dependency graph all plain settings of an object are one node.
         yield DRIVERS, owner, "motus."
         if not registered[system].lays_pose and any(isinstance(thing, str) for thing in entry.drives):
             yield from (place for place in self._entries if place[1] == owner and registered[place[2]].lays_pose)
@@ -206,7 +213,7 @@ class _Graph:
                 yield from _read_by(driver)
 
     def _all_drivers(self, block):
-        """(data path, driver) of all drivers of a datablock."""
+        """Return (data path, driver) of all drivers of a datablock."""
         if block not in self._drivers:
             animation = getattr(block, "animation_data", None)
             self._drivers[block] = [(curve.data_path, curve.driver) for curve in animation.drivers] if animation else []
@@ -223,7 +230,7 @@ class _Graph:
         return self._drivers[key].get(name, ())
 
     def _solved_by(self, obj):
-        """Bone -> constraints of other bones that Blender's own solvers turn it by."""
+        """Return {name of a bone: IK and Spline IK constraints, on it or on bones below, that turn the bone as part of their chain}."""
         if obj not in self._solved:
             turned = self._solved[obj] = {}
             for bone in obj.pose.bones:
@@ -235,7 +242,7 @@ class _Graph:
         return self._solved[obj]
 
     def _is_sink(self, obj, constraint):
-        """Whether a constraint of `obj` applies the result of an Entry; its dependencies are those that the Entry declares."""
+        """Whether a constraint of `obj` applies the result of an entry; its dependencies are then those that the entry declares."""
         found = (marks.read(system, constraint) for system in _with_entries())
         if any(self._has_entries(mesh) for mesh, _ in filter(None, found)):
             return True
@@ -243,7 +250,7 @@ class _Graph:
         return proxy is not None and proxy[marks.PROXY_KEY] == obj
 
     def _is_of_sink(self, obj, path, driver):
-        """Whether a driver brings values of a hub to a sink, or is one of the owner's that reads one of its own hubs."""
+        """Whether a driver on `obj` brings a solver's result: to a sink's property, or to any property if the owner reads its own hub."""
         targets = [
             target
             for variable in driver.variables
@@ -255,7 +262,7 @@ class _Graph:
         return "constraints[" in path and any(target.id and self._has_entries(target.id) for target in targets)
 
     def _has_entries(self, hub):
-        """Whether a hub's mesh has an owner, whose entries are known from then on."""
+        """Whether the mesh of a hub has an owner with Motus settings; the owner's entries are added to the graph."""
         owner = hub.get(outbox.OWNER_KEY)
         if not isinstance(owner, bpy.types.Object) or not owner.is_property_set("motus"):
             return False
@@ -268,7 +275,7 @@ def _with_entries():
 
 
 def _place(obj, bone):
-    """The place that (object, bone or "") stands for."""
+    """Yield the node of a bone of an object, or of the object's transform if `bone` is "" or not there."""
     if bone and obj.pose and bone in obj.pose.bones:
         yield BONE, obj, bone
     else:
@@ -276,7 +283,7 @@ def _place(obj, bone):
 
 
 def _deforming(obj):
-    """What an object deforms others by."""
+    """Yield the nodes that a geometry depends on if an object deforms it: the object's transform, and its pose or geometry."""
     yield TRANSFORM, obj
     if obj.type == 'ARMATURE':
         yield POSE, obj
@@ -285,7 +292,7 @@ def _deforming(obj):
 
 
 def _targets(constraint):
-    """The places that a constraint reads."""
+    """Yield the nodes that a constraint reads."""
     for target in getattr(constraint, "targets", ()):
         if target.target:
             yield from _place(target.target, target.subtarget)
@@ -300,7 +307,7 @@ def _targets(constraint):
 
 
 def _read_by(driver):
-    """The places that a driver reads."""
+    """Yield the nodes that a driver reads."""
     for variable in driver.variables:
         for target in variable.targets:
             if target.id is None:
@@ -316,7 +323,7 @@ def _read_by(driver):
 
 
 def _components(graph):
-    """Strongly connected components of the graph, what is depended on first (Tarjan, without recursion)."""
+    """Return the strongly connected components of the graph, dependencies first (Tarjan's algorithm without recursion)."""
     places, low, on_stack, stack, found = {}, {}, set(), [], []
     for root in graph.roots():
         if root in places:

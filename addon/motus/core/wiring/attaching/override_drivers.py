@@ -1,17 +1,21 @@
-"""The order of an override's drivers, which has to be that of its library's.
+"""Keep the drivers of a library override in the order of the library's drivers.
 
-Blender knows the drivers of an override by their places in the list. What it saves of one, the targets of its variables, it
-gives to whichever driver has that place in the library when the file is loaded: where the wiring had taken drivers away and
-added others at the end, that would be one of the user's. So they are put back in the library's order, and where the library
-has a driver of ours that is not needed, a muted one without variables stands for it.
+Blender identifies the drivers of an override by their positions in the list. When a file is loaded, the saved targets of a driver's
+variables are given to the driver at that position in the library. If the wiring (the setting up of a system on an object) had removed
+drivers and added new ones at the end, the targets could reach one of the user's drivers. So drivers are put back into the library's
+order. If the library has a driver of Motus that the override does not need, a muted driver without variables takes its position.
 """
 
 PREFIX = '["motus_'
-"""Data paths of outboxes, and of their slots, begin so."""
+"""Beginning of the data paths of outboxes, the custom properties with a solver's results, and of their slots."""
 
 
 def align(owner):
-    """Put an override's drivers in the order of its library's. Those that the library has not come last."""
+    """Sort the drivers of a library override in the order of its library's drivers; drivers that the library does not have come last.
+
+    Nothing happens if the object is no override, or if the library's object has no drivers. If the library has a driver of Motus that
+    the override lacks, a muted driver without variables is added in its place.
+    """
     theirs = _of_library(owner)
     if not theirs:
         return
@@ -25,7 +29,7 @@ def align(owner):
 
 
 def drop_stand_ins(owner):
-    """Remove what align() added."""
+    """Remove the muted drivers without variables that align() has added to a library override."""
     if not _of_library(owner) or not owner.animation_data:
         return
     drivers = owner.animation_data.drivers
@@ -59,7 +63,10 @@ def _stand_in(drivers, theirs):
 
 
 def _sort(drivers, place):
-    """Sort a list of drivers, which Blender lets nobody move, by copies at its end."""
+    """Sort a list of drivers in place by the key function `place`.
+
+    Blender has no function that moves drivers, so copies are added at the end and the old drivers removed.
+    """
     now = list(drivers)
     wanted = sorted(now, key=place)
     right = next((index for index, (one, other) in enumerate(zip(now, wanted)) if one != other), len(now))

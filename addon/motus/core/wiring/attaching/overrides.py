@@ -1,11 +1,11 @@
-"""Library overrides: what Blender forgets of their wiring, and how that is noticed.
+"""Detect library overrides whose wiring, the set-up that Motus has added to them, Blender has lost when the file was loaded.
 
-Of an overridden object Blender saves the properties and list entries that are declared overridable, and constraints and
-modifiers that were added. All else is the library's again when the file is loaded: custom properties (so outboxes and what
-lies beside them), and drivers that were added, or given other variables, where the library's object has drivers. Settings
-that were changed would then meet a wiring that knows nothing of them. So each object is marked with what was wired on it,
-by a custom property, which is forgotten along with the rest; where it does not say what the settings ask for, the owner is
-wired again (see healing).
+Of an overridden object Blender saves the properties and list items that are declared overridable, and added constraints and modifiers.
+Everything else is the library's again when the file is loaded: custom properties (the arrays of results among them), and drivers that
+were added or given different variables, if the library's object has drivers. Changed settings would then meet wiring that was made for
+the library's settings. So each object gets a mark: a custom property with a hash of what was wired on it. Blender loses the mark
+together with the wiring. If the mark does not match the settings, the owner (the object whose settings a system solves) is wired again
+(see the folder healing).
 """
 
 import hashlib
@@ -17,11 +17,11 @@ from ...declare import groups_of, input_variables, of_owner, registered
 from . import override_drivers, signature
 
 _known = {}
-"""(name of the mark, name of the override) -> what it said when it was last looked at, None where there was none."""
+"""(name of the mark's custom property, name of the override) -> value of the mark when it was last read; None if there was none."""
 
 
 def mark(system, owner, groups):
-    """Note what is wired now: in the owner's settings, and on the owner and the overrides that it drives."""
+    """Record how an owner is wired now: in its settings, and by a mark on the owner and on the overrides that it drives."""
     of_owner(system, owner).wired = signature.of(system, owner, groups)
     digest = _digest(system, owner, groups)
     overridden = _overridden(owner, groups)
@@ -34,7 +34,7 @@ def mark(system, owner, groups):
 
 
 def unmark(system, obj):
-    """Take the note away. On an override it comes back when its library is loaded again."""
+    """Remove the mark of a system from an object. On an override the mark comes back when its library is loaded again."""
     obj.pop(_key(system), None)
     _known.pop((_key(system), obj.name), None)
     if obj.override_library and not obj.library:
@@ -42,7 +42,7 @@ def unmark(system, obj):
 
 
 def is_lost(system, owner):
-    """Whether the owner, or one whom it drives, is an override that is not wired as the settings ask for."""
+    """Whether an owner, or an object that it drives, is an override whose wiring does not match the owner's settings."""
     groups = groups_of(system, owner)
     overridden = _overridden(owner, groups)
     if not overridden:
@@ -55,12 +55,12 @@ def is_lost(system, owner):
 
 
 def has_marks():
-    """Whether there is anything to compare."""
+    """Whether any marks of overrides are known, so that has_new_marks() has something to compare."""
     return bool(_known)
 
 
 def has_new_marks():
-    """Whether any mark is another than when it was last looked at: a library was reloaded, or there was an undo."""
+    """Whether any mark differs from its last known value, because a library was reloaded or an edit undone."""
     for (key, name), digest in _known.items():
         obj = bpy.data.objects.get((name, None))
         if obj and obj.get(key) != digest:
@@ -69,25 +69,25 @@ def has_new_marks():
 
 
 def forget():
-    """Know of no marks any more."""
+    """Forget the values of all marks."""
     _known.clear()
 
 
 def complete_reference(owner):
-    """Let the library's object have the groups of settings that its override has.
+    """Give the library's object of an override all groups of Motus settings that the override has.
 
-    Blender 5 takes a group that only the override has for a pointer that was replaced, which it can write but not read.
+    Blender 5 takes a group that only the override has for a replaced pointer, which it can write to a file but not read.
     """
     reference = owner.override_library.reference
     for name in [one.name for one in registered.values() if one.settings is not None]:
         if reference and owner.is_property_set("motus") and owner.motus.is_property_set(name):
-            # To ask an object for its settings gives it some, in memory: linked data is not saved.
+            # Reading the attribute creates the group in memory; linked data is not saved.
             getattr(reference.motus, name)
 
 
 @persistent
 def complete_references(*_):
-    """Let the library's objects of all overrides of the file have the groups of settings that these have."""
+    """Give the library's objects of all overrides in the file the groups of Motus settings that the overrides have."""
     for owner in bpy.data.objects:
         if owner.override_library and not owner.library:
             complete_reference(owner)

@@ -1,7 +1,12 @@
-"""Users' own drivers that read a system's outputs: when the outbox moves, as to a hub or to another slot, they go along.
+"""Keep users' own drivers that read a system's outputs working when the owner is wired again and its outputs move.
 
-One whose output is no longer computed reads a property that is not there, named after the output: Blender marks such a
-driver, and it is found again when the output comes back.
+Outputs may move to a different hub or slot. If an output is no longer computed, the driver is made to read a property that does not
+exist and that is named after the output: Blender marks the driver as invalid, and it is pointed to the output again when the output
+comes back.
+
+The owner is the object whose settings the system solves. Its outputs are numbers in the outbox, an array of results on the mesh of a
+hidden object, the hub. The outlet is a custom property of the owner that repeats them. A carrier is a datablock with outputs: the owner
+with an outlet, or a hub's mesh.
 """
 
 import re
@@ -17,7 +22,11 @@ from . import sharing
 
 
 class Reader(NamedTuple):
-    """A target of a driver's variable, found again by what it is on. output: name of what it reads."""
+    """A target of a driver variable that reads an output of a system, identified by names so that it is found again later.
+
+    user, data_path, array_index: datablock and F-curve of the driver. variable: name of the variable. index: index of the target in the
+    variable. output: name of the output.
+    """
 
     user: bpy.types.ID
     data_path: str
@@ -28,9 +37,10 @@ class Reader(NamedTuple):
 
 
 def of(system, owner):
-    """The Readers of what an owner's system computes, as it is wired now or was last.
+    """Return the Readers of all outputs that an owner's system computes, or computed when it was last wired (set up).
 
-    Those of a hub that computes for another owner, of which this one is a copy, are that owner's, but for the copy's own drivers.
+    If the owner is a copy that uses a hub of its original owner, readers of that hub belong to the original owner, except for the
+    copy's own drivers.
     """
     carriers = _carriers(system, owner)
     names = {(carrier, key): outputs.output_names(system, carrier, key) for key, carrier in carriers}
@@ -52,13 +62,13 @@ def of(system, owner):
 
 
 def _carriers(system, owner):
-    """What outputs can be read from, by the groups' keys: the owner's outlet before the hub."""
+    """Return (key of the group, datablock) for each datablock with outputs: the owner if it has an outlet, then the meshes of its hubs."""
     outlet = [("", owner)] if hub_lookup.has_outlet(system, owner) else []
     return outlet + hub_lookup.carriers_of(system, owner)
 
 
 def _is_borrowed(system, owner, carrier):
-    """Whether a carrier computes for another owner of this file."""
+    """Whether a datablock with outputs (carrier) computes for a different owner of this file."""
     if carrier == owner or carrier.library or carrier.override_library:
         return False
     if outbox.is_shared(system, carrier):
@@ -68,19 +78,26 @@ def _is_borrowed(system, owner, carrier):
 
 
 def absent_path(system, output):
-    """Data path of a property that is never there."""
+    """Return the data path, named after an output, of a custom property that never exists."""
     return f'["motus_{system.name}:{output}"]'
 
 
 def _output(names, carrier, slot, first):
-    """Name of the output in a slot; None where something else is. first: slot at which the owner's begin."""
+    """Return the name of the output in the slot that a data path names; None if the slot holds no output.
+
+    names: {(carrier, key of the group): names of its outputs}. slot: match of outbox.slot_pattern(). first: index at which the owner's
+    slots begin.
+    """
     known = names.get((carrier, slot["key"] or ""), ())
     place = int(slot["slot"]) - first - outbox.FIRST_OUTPUT
     return known[place] if 0 <= place < len(known) else None
 
 
 def point(system, owner, readers):
-    """Let drivers read their outputs where these are now."""
+    """Make the drivers of these Readers read their outputs from the present data paths.
+
+    A driver whose output is no longer computed reads a property that does not exist (see absent_path).
+    """
     places = {}
     for key, carrier in _carriers(system, owner):
         for name in outputs.output_names(system, carrier, key):

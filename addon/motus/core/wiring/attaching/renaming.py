@@ -1,4 +1,8 @@
-"""Bones that were renamed since an owner was wired: the system is told, and keys and drivers of its settings go along."""
+"""Follow the renaming of bones after an owner was wired: the system is told, and keys and drivers of its settings are adapted.
+
+The owner is the object whose settings the system solves. Its settings contain a list of entries, one for each bone, named after the
+bone.
+"""
 
 import bpy
 
@@ -9,21 +13,24 @@ from . import solver_driver
 
 
 def renamed(system, owner):
-    """(rig, old name, new name) of bones that were renamed since the owner was wired."""
+    """Return (rig, old name, new name) for each bone that the owner drives or reads and that was renamed since the owner was wired."""
     driven = [(owner, *names) for names in (*finding.renamed_bones(system, owner), *property_sink.renamed_bones(system, owner))]
     return list(dict.fromkeys(driven + solver_driver.renamed_reads(system, owner)))
 
 
 def follow(system, owner):
-    """Tell the system of its renamed bones. Called before the owner is wired anew, until which the bones count as renamed."""
+    """Tell the system of an owner's renamed bones, and adapt F-curves and drivers of the owner's settings.
+
+    It has to be called before the owner is wired again: from then on the bones no longer count as renamed.
+    """
     bones = renamed(system, owner) if system.bone_renamed else ()
-    # By way of names that no bone has: bones may have exchanged theirs.
+    # Each bone is first given a temporary name that no bone can have, because two bones may have exchanged their names.
     steps = [(rig, old, f"\n{number}") for number, (rig, old, _) in enumerate(bones)]
     steps += [(rig, f"\n{number}", new) for number, (rig, _, new) in enumerate(bones)]
     if not steps:
         return
     settings = of_owner(system, owner)
-    settings.is_active = False  # or settings that are given other names would have it wired in between
+    settings.is_active = False  # else the update callbacks of the renamed settings would wire the owner in between
     try:
         for step in steps:
             system.bone_renamed(owner, *step)
@@ -35,7 +42,10 @@ def follow(system, owner):
 
 
 def _rename_paths(system, owner, old, new):
-    """Let keys, in NLA strips too, and drivers of the settings of an entry, which is named like a bone, go on to animate it."""
+    """Adapt the data paths of F-curves (also those of NLA strips) and drivers that animate the settings of a renamed bone.
+
+    The entries in the owner's list of settings are named after the bones.
+    """
     old, new = (f'["{bpy.utils.escape_identifier(name)}"]' for name in (old, new))
     prefix = of_owner(system, owner).path_from_id() + "."
 

@@ -1,8 +1,12 @@
-"""Owners that share a hub, each a *row* of it: those of one system that read the same, and whose settings stay as they are.
+"""Hubs that several owners of one system share, with one *row* for each owner.
 
-Were the solver to read their settings, it would have to wait for every owner. So a row holds what solve() reads of the
-settings, packed when they are edited, and the owner's name. The owner points to hub and row, the hub to none of its owners:
-one that is appended does not bring the others. The shared outbox is one row's after the other's.
+A hub is a hidden object whose mesh carries a solver's driver and results. Owners share one if their solvers read the same objects and
+their settings are not animated.
+
+If the solver read the settings of the owners, it would have to wait for every owner. So each row holds, as a text in a custom property
+of the mesh, the settings that solve() reads and the owner's name; the text is written whenever the settings are edited. Each owner
+points to its hub and row. The hub points to no owner, so that appending one owner does not append the others. The array of results
+(outbox) of a shared hub consists of the rows, one after the other.
 """
 
 import json
@@ -26,7 +30,11 @@ _known = keeping.OfFile("rows of hubs that owners share (Row), or Damaged", "nam
 
 
 class Row(NamedTuple):
-    """What a row says. settings: has those that System.shared names. memo: see Context.kept."""
+    """Contents of a row: what the solver knows of one owner that shares a hub.
+
+    name: the owner's name. settings: namespace with the settings that System.shared names. inputs: values of the inputs that are
+    settings, by name. member_data: array of System.member_data, or None. memo: dictionary for Context.kept.
+    """
 
     name: str
     settings: Any
@@ -36,14 +44,15 @@ class Row(NamedTuple):
 
 
 def key(system, row):
-    """Name of the property that holds a row."""
+    """Return the name of the custom property of a shared hub's mesh that holds the text of a row, given by the row's index."""
     return f"motus_{system.name}_row_{row}"
 
 
 def can_share(system, owner):
-    """Whether an owner may share a hub: nothing but itself is driven, by settings that do not change in time.
+    """Whether an owner may share a hub with others of the system.
 
-    Of who shares one solve() does not see the owner, by which it knows what is mirrored.
+    It may if it drives only itself, its settings are not animated, all numbers in them are finite, and it is neither linked nor an
+    override. It must not be mirrored: solve() does not see an owner that shares a hub, and so cannot find out that it is mirrored.
     """
     if not system.shared or owner.library or owner.override_library or copies.has_animated_settings(owner) or is_mirrored(owner):
         return False
@@ -52,7 +61,7 @@ def can_share(system, owner):
 
 
 def pack(system, owner):
-    """The text of an owner's row; None where a number in it is not finite."""
+    """Return the text of an owner's row; None if a number in it is not finite."""
     settings = of_owner(system, owner)
     said = {
         "name": owner.name,
@@ -81,7 +90,10 @@ def _plain(group):
 
 
 def row(system, mesh, index):
-    """The Row of a hub's row, None where nobody has it, Damaged where it is not what pack() makes."""
+    """Return the Row with this index of a shared hub's mesh.
+
+    Returns None if no owner has the row, or the class Damaged if the text differs in form from what pack() makes.
+    """
     return _row(system, mesh.get(key(system, index)))
 
 
@@ -110,7 +122,7 @@ _FORMS = {'FLOAT': float, 'INT': lambda value: type(value) is int and abs(value)
 
 
 def _fits(rna, names, value):
-    """Whether parsed values may be those of a group of settings."""
+    """Whether a parsed dictionary has exactly the named settings of a PropertyGroup, each with a value of the declared type."""
     return (
         isinstance(value, dict)
         and value.keys() == set(names)
@@ -134,13 +146,17 @@ def _namespace(values):
 
 
 def name_of(system, mesh, row):
-    """Name of the owner that a row was given to; "" where it was given to none, or is damaged."""
+    """Return the name of the owner to which a row was given; "" if the row was given to no owner or is damaged."""
     found = _row(system, mesh.get(key(system, row)))
     return found.name if isinstance(found, Row) else ""
 
 
 def is_own(system, owner, mesh):
-    """Whether the row that an owner points to was given to it, or to one that is gone, as before it was given another name."""
+    """Whether the row that an owner points to was given to this owner, and not to an owner from which it was copied.
+
+    It is its own if the row has the owner's name or no name, or if no object of the row's name points to the row any more. The last
+    case is that of a renamed owner.
+    """
     row = of_owner(system, owner).row
     name = name_of(system, mesh, row)
     other = bpy.data.objects.get((name, None)) if name else None
@@ -148,7 +164,7 @@ def is_own(system, owner, mesh):
 
 
 def claims(system, obj, mesh):
-    """Whether an object points to a row of a hub."""
+    """Whether an object is an owner of the system that points to a hub with this mesh."""
     if not is_owner(system, obj):
         return False
     hub = pointed(of_owner(system, obj), "hub")
@@ -156,12 +172,12 @@ def claims(system, obj, mesh):
 
 
 def holders(system, mesh):
-    """{row: a local object that points to it}."""
+    """Return {index of a row: local object that points to the row} for a shared hub's mesh."""
     return {of_owner(system, obj).row: obj for obj in bpy.data.objects if not obj.library and claims(system, obj, mesh)}
 
 
 def write(system, owner):
-    """Pack an owner's settings again; returns whether it may go on to share its hub."""
+    """Store an owner's settings in its row of a shared hub again; returns whether the owner may still share the hub."""
     text, settings = pack(system, owner), of_owner(system, owner)
     if text is None or copies.has_animated_settings(owner):
         return False
@@ -172,7 +188,11 @@ def write(system, owner):
 
 
 class Place(NamedTuple):
-    """Where an owner has joined others. partner: the other one that is to be wired anew to join, if the hub is new."""
+    """Hub and row that an owner was given by join().
+
+    hub: the shared hub object. row: index of the owner's row. partner: if the hub is new, the second owner, which has to be wired again
+    to join the hub; else None.
+    """
 
     hub: Any
     row: int
@@ -180,9 +200,10 @@ class Place(NamedTuple):
 
 
 def join(system, owner, reads):
-    """Give an owner a row of a shared hub, of a new one if another owner is there to join it; None if it stays alone.
+    """Give an owner a row of a shared hub; returns the Place, or None if the owner has to have a hub of its own.
 
-    reads: whether the solver of a hub's mesh reads what one of this owner would.
+    If no existing hub is suitable, a new one is created, provided that a different owner (the partner) can share it. reads: function
+    that tells of a hub's mesh whether its solver reads the same objects as a solver for this owner would.
     """
     if not can_share(system, owner):
         return None
@@ -201,15 +222,18 @@ def join(system, owner, reads):
 
 
 def leave(system, owner):
-    """Let an owner's row go."""
+    """Free the row that an owner has in a shared hub; the hub is removed if no owner is left."""
     settings = of_owner(system, owner)
     mesh = pointed(settings, "hub").data
-    settings.hub = None  # by which the row is free
+    settings.hub = None  # a row that no owner points to is free
     prune(system, mesh)
 
 
 def _hub_for(system, owner, uses_attribute, reads):
-    """The hub object that an owner may join: local, whole, and its solver reads the same; None without."""
+    """Return a shared hub object that an owner may join; None if there is none.
+
+    The hub has to be local and undamaged, and its solver has to read the same objects as a solver for this owner.
+    """
     for mesh in bpy.data.meshes:
         if mesh.library or mesh.override_library or not outbox.is_shared(system, mesh):
             continue
@@ -227,7 +251,7 @@ def _hub_for(system, owner, uses_attribute, reads):
 
 
 def _partner_for(system, owner, reads):
-    """Another owner that has a hub of its own, reads the same and may share one; None without."""
+    """Return a different owner with a hub of its own that may share one and whose solver reads the same objects; None if there is none."""
     for mesh in bpy.data.meshes:
         other = mesh.get(outbox.OWNER_KEY)
         if mesh.library or not isinstance(other, bpy.types.Object) or other == owner or not claims(system, other, mesh):
@@ -238,7 +262,7 @@ def _partner_for(system, owner, reads):
 
 
 def _take(system, owner, hub):
-    """Give an owner a row of a hub; returns it."""
+    """Give an owner a free or new row of a shared hub, and store its settings there; returns the row's index."""
     mesh, settings = hub.data, of_owner(system, owner)
     count, taken = outbox.row_count(system, mesh), holders(system, mesh)
     row = next((row for row in range(count) if row not in taken), count)
@@ -252,7 +276,7 @@ def _take(system, owner, hub):
 
 
 def tidy(system):
-    """Note new names of owners, and drop the rows that nobody has."""
+    """In all shared hubs of a system, update the names of renamed owners, and remove the contents of rows that no owner points to."""
     for mesh in [mesh for mesh in bpy.data.meshes if not mesh.library and outbox.is_shared(system, mesh)]:
         for obj in holders(system, mesh).values():
             if is_own(system, obj, mesh):
@@ -261,7 +285,7 @@ def tidy(system):
 
 
 def prune(system, mesh):
-    """Drop the rows that nobody has; a hub without any is removed."""
+    """Remove the contents of the rows of a shared hub that no owner points to, and the whole hub if no owner is left."""
     taken = holders(system, mesh)
     for row in range(outbox.row_count(system, mesh)):
         if row not in taken and key(system, row) in mesh:
@@ -272,14 +296,17 @@ def prune(system, mesh):
 
 
 def pointers(system, owner):
-    """What the pointer settings name that a system's inputs are read of."""
+    """Return {name of the pointer setting: object} for the pointer settings of an owner that the system's inputs read, if they are set."""
     settings = of_owner(system, owner)
     found = {one.of: pointed(settings, one.of) for one in system.inputs if hasattr(one, "of")}
     return {name: target for name, target in found.items() if target}
 
 
 def targets(system, mesh):
-    """What the pointer settings of the owners name, on the same mesh evaluated."""
+    """Return {name of the pointer setting: object or None} for the pointer settings that the inputs read, stored on a shared hub's mesh.
+
+    On an evaluated mesh the objects are evaluated copies. Raises Damaged if a stored value is no object.
+    """
     found = {one.of: mesh.get(target_key(one.of)) for one in system.inputs if hasattr(one, "of")}
     if not all(isinstance(target, (bpy.types.Object, type(None))) for target in found.values()):
         raise Damaged("no object")
@@ -287,5 +314,5 @@ def targets(system, mesh):
 
 
 def target_key(name):
-    """Name of the property of a shared hub's mesh that holds what a pointer setting names."""
+    """Return the name of the custom property of a shared hub's mesh that holds the object named by a pointer setting."""
     return f"motus_of_{name}"

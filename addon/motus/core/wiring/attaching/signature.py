@@ -1,4 +1,9 @@
-"""How an owner is to be wired, as a text: the signature, by which a change of that is noticed."""
+"""Signature of an owner's wiring: a text that changes whenever the owner has to be set up in a different way.
+
+The owner is the object whose settings a system solves. Its wiring consists of hubs (hidden objects whose meshes carry a solver's driver
+and results), proxies (hidden empties that bring a result to a bone or object), sinks (constraints, drivers and modifiers that apply
+results), and the outlet (a custom property of the owner that repeats the solver's outputs).
+"""
 
 import hashlib
 from typing import Any
@@ -13,11 +18,15 @@ from ..sinks import attribute_sink, proxy_sink
 from . import sharing
 
 VERSION = 2
-"""Version of how owners are wired. It is part of the signature, so an owner that another version wired is wired anew."""
+"""Version of the way in which owners are wired. It is part of the signature: owners that an earlier version has wired are wired again."""
 
 
 def has_strange_carriers(system, owner):
-    """Whether the owner was copied from another one and still hangs on its hubs or proxies."""
+    """Whether an owner is a copy that still depends on the hubs or proxies of the object from which it was copied.
+
+    Hubs and proxies are hidden objects that compute and bring results for one owner. Also true for a shared hub that is linked or
+    overridden.
+    """
     return any(_is_strange(system, owner, hub) for _, hub in hub_lookup.hubs(system, owner)) or (
         system.groups is not None and proxy_sink.has_strange_proxies(owner)
     )
@@ -30,10 +39,11 @@ def _is_strange(system, owner, hub):
 
 
 def wants_outlet(system, owner):
-    """Whether the owner is to have an outlet: see outputs.create_outlet.
+    """Whether an owner is to have an outlet, the custom property that repeats the solver's outputs (see outputs.create_outlet).
 
-    To Blender the outlet is one with the owner's settings, for which the solvers of its other systems wait, and by those its
-    matrix does: an owner whose solver waits for its own matrix has none.
+    An owner has no outlet if the system has no outputs, or if settings are animated. It also has none if the solver reads the owner's
+    own world matrix: the outlet and the settings are one node in Blender's dependency graph, the owner's other solvers wait for this
+    node, and the matrix waits for those solvers, so the graph would have a cycle.
     """
     return bool(system.outputs) and not copies.has_animated_settings(owner) and not _waits_for_itself(system, owner)
 
@@ -43,9 +53,10 @@ def _waits_for_itself(system, owner):
 
 
 def wait_for_keys(system, owner):
-    """Data path of a custom property of the owner that Blender evaluates after the owner's keys, and that nothing else precedes.
+    """Give the owner a custom property with a driver, to wait for the owner's F-curves; returns the data path of the property.
 
-    The settings themselves are one with all plain properties of the owner to Blender, which sinks may drive.
+    Blender evaluates the property after the owner's keyframes, and nothing else precedes it. The settings cannot be used for this: all
+    plain properties of an object are one node in Blender's dependency graph, and sinks may drive some of these properties.
     """
     key = wait_key(system)
     owner[key] = 0.0
@@ -54,28 +65,32 @@ def wait_for_keys(system, owner):
 
 
 def wait_key(system):
-    """Name of that property."""
+    """Return the name of the custom property that wait_for_keys() creates on an owner."""
     return f"motus_{system.name}_wait"
 
 
 def waits_apart(owner, groups):
-    """Whether solvers must not wait for all of an owner's plain properties.
+    """Whether the owner's solvers must not wait for the owner's plain properties, which are a single node in Blender's dependency graph.
 
-    So it is with solvers that drive some of these properties, and with all solvers on a camera: its properties come after its
-    data's, which a solver may drive that waits for the camera.
+    If solvers drive some of these properties, waiting would be a dependency cycle. On a camera no solver may wait: Blender evaluates
+    the properties of a camera object after those of the camera's data, which may be driven by a solver that waits for the camera.
     """
     return owner.type == 'CAMERA' or any(group.properties for group in groups)
 
 
 def way_to_wait(owner, groups):
-    """How a solver that waits apart waits for animated settings: "" where there is no need, "keys", or "settings"."""
+    """Return how a solver, for which waits_apart() is true, waits for animated settings: "", "keys" or "settings".
+
+    "": there is nothing to wait for. "keys": it waits by the property of wait_for_keys(). "settings": a driver sets a setting, so the
+    solver waits for the settings themselves.
+    """
     if not waits_apart(owner, groups) or not copies.has_animated_settings(owner):
         return ""
     return "settings" if copies.has_driven_settings(owner) else "keys"
 
 
 def of(system, owner, groups):
-    """A text that changes when a system is to be wired otherwise on an owner: in another way, or in other groups that it declares."""
+    """Return the signature: a text that changes if the owner has to be wired in a different way, or declares different groups."""
     driven = drivers.driven_bones(owner)
     said = [
         (
@@ -109,5 +124,5 @@ def _bone(thing):
 
 
 def _name(obj, owner):
-    # A copy is wired as the one it was copied from.
+    # The owner's name is left out, so that the signature of an object's copy equals that of the object from which it was copied.
     return "" if obj == owner else obj.name

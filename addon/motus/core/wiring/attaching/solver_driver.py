@@ -1,4 +1,10 @@
-"""The driver that calls the solver, and the variables by which it waits for what it reads."""
+"""Create the driver that calls a solver, with the driver variables by which it waits for everything the solver reads.
+
+The owner is the object whose settings are solved. The driver is on the outbox, an array of results on the mesh of a hidden object, the
+hub. Sinks are the constraints, drivers and modifiers that bring results to members, the objects or bones that the owner drives; the
+result of a relative member is applied on top of its own transform, that of an absolute one replaces it. The outlet is a custom property
+of the owner that repeats outputs of the solver.
+"""
 
 import bpy
 
@@ -10,31 +16,35 @@ from ..sinks import property_sink
 from . import sharing, signature, waiting
 
 _OF_PROPERTY = "p"
-"""How the names of variables begin that wait for what has driven properties."""
+"""Prefix of the names of variables that wait for the datablocks of driven properties."""
 
 
 def add(system, owner, group, hub):
-    """Give the hub's mesh, which may be one that owners share, the driver on its outbox."""
+    """Add the driver that calls the solver of a group to the outbox of a hub's mesh. hub: hub object, which several owners may share."""
     expression, variables = _call(system, owner, group, hub)
     call = f'motus_solve(self,"{_name(system, group)}",frame,depsgraph{expression})'
     if system.moves_points:
-        # Blender takes any expression with a call or the frame in it for one that changes with time. Where it does not,
-        # meshes are not evaluated anew on every frame; nothing but a subscript is neither.
+        # Blender assumes that a driver expression with a call or with `frame` in it changes with time, and then evaluates the mesh anew
+        # on every frame. An expression with only a subscript is neither, so a mesh that does not change is not evaluated anew.
         call = f'motus_points[self,"{_name(system, group)}"{expression}]'
     drivers.add(hub.data, outbox.out_path(system, group=group.key), call, variables, index=outbox.STATUS, use_self=True)
 
 
 def prepare(system, owner):
-    """Before an owner is wired: let what its solvers read be there before them, and its evaluated copies be told apart."""
+    """Prepare an owner for being wired.
+
+    An order proxy makes Blender evaluate what the solvers read before the solvers. Marker properties make the evaluated copies of the
+    owner and of the curves that it reads distinguishable.
+    """
     waiting.set_proxy(system, of_owner(system, owner))
     copies.prepare(owner)
     copies.mark(*_curves_for(system, owner))
 
 
 def call_again(system, owner):
-    """Tag an owner, so that its solvers run again with the present settings.
+    """Tag an owner for evaluation, so that its solvers run again with the present settings.
 
-    Returns False if the number of members has changed since the owner was set up, which has to be set up again then.
+    Returns False if the owner has to be wired again, because the number of its members has changed or it can no longer share its hub.
     """
     owner.update_tag()
     for _, hub in hub_lookup.hubs(system, owner):
@@ -43,7 +53,8 @@ def call_again(system, owner):
     if hub and outbox.is_shared(system, hub.data):
         return sharing.write(system, owner)
     if hub and system.member_data:
-        # Reading a list of settings item by item in every solve would be dear where there are many members.
+        # The data is stored as an array, because reading a collection of settings item by item in every solve is slow if there are many
+        # members.
         data = [float(value) for value in system.member_data(owner)]
         if not outbox.has_room(hub.data, len(data)):
             return False
@@ -52,13 +63,16 @@ def call_again(system, owner):
 
 
 def _curves_for(system, owner):
-    """The data of the curves that a system reads for an owner."""
+    """Return the curve datablocks (Object.data) that a system reads for an owner."""
     variables = (variable for _, variable in input_variables(system, owner))
     return [variable.id for variable in variables if variable and variable.id_type == 'CURVE']
 
 
 def marked_by(mesh):
-    """What the solver of a hub's mesh reads and tells copies apart of: the data of curves, and what has driven properties."""
+    """Return the datablocks that the solver of a hub's mesh reads and whose evaluated copies carry a marker property.
+
+    These are the data of curve objects, and the datablocks of driven properties.
+    """
     animation = mesh.animation_data
     targets = [
         (variable.name, target)
@@ -75,28 +89,33 @@ def marked_by(mesh):
 
 
 def waits(system, owner, key):
-    """(object, bone or "") of a group's reads, as it waits for them: where a bone is renamed Blender renames it here too."""
+    """Return (object, name of a bone or "") for each thing that the solver of a group waits for by a constraint on the hub.
+
+    Blender updates the name in the constraint if the bone is renamed.
+    """
     hub = hub_lookup.hub_of(system, owner, key)
     return waiting.waits(hub) if hub else []
 
 
 def renamed_reads(system, owner):
-    """(rig, old name, new name) of bones that the owner reads and that were renamed since it was wired."""
+    """Return (rig, old name, new name) for each bone that an owner's solvers read and that was renamed since the owner was wired."""
     found = {}
     for key, carrier in hub_lookup.carriers_of(system, owner):
         known, first = outbox.info(system, carrier, key), carrier.get(outbox.OWNER_KEY)
         for old, (rig, new) in zip(known.reads if known else (), waits(system, owner, key)):
             if old != new and rig and rig.pose and new in rig.pose.bones:
-                # A copy shares the hubs of the first one, and means itself where that meant itself.
+                # An object's copy uses the hubs of the object from which it was copied. If that object's solver reads the object
+                # itself, the copy is meant here.
                 found[owner if rig == first else rig, old] = new
     return [(rig, old, new) for (rig, old), new in found.items()]
 
 
 def _awaited(group):
-    """The inputs that there is anything to wait for.
+    """Yield the inputs of a group that the solver can wait for.
 
-    To Blender a bone's channels and its constraints' values are one thing: a solver cannot wait for a bone that its own
-    sinks set a value of, as they do where they are absolute. Others let it (see proxy_sink and attribute_sink).
+    In Blender's dependency graph, the channels of a bone and the values of its constraints are one node. So a solver cannot wait for
+    the own drivers of a bone whose constraints its sinks set a value of. This is the case for absolute members; relative members use
+    sinks without this problem (see proxy_sink and attribute_sink). Bones without drivers need no waiting.
     """
     kept = {member.thing for member in group.members if not member.is_relative}
     driven = {}
@@ -115,12 +134,14 @@ def _name(system, group):
 
 
 def _call(system, owner, group, hub):
-    """Further arguments of a solver call, with its driver variables; what has no variable is passed as 0.
+    """Return (text of further arguments, {name: driver variable}) for the expression that calls the solver of a group.
 
-    The solver reads the settings of the evaluated owner. To Blender's dependency graph all plain properties of an object are
-    one node, which comes after their animation and drivers, and after the owner's outlet, which waits for the solver. So an
-    owner without an outlet is waited for by one of its settings, and one that has it, whose settings do not change in time,
-    by a custom property that nothing writes. The solver of a shared hub does not read owners.
+    An input that has no variable is passed as 0.
+
+    The solver reads the settings of the evaluated owner. In Blender's dependency graph, all plain properties of an object are one node,
+    which comes after the F-curves and drivers of these properties, and after the owner's outlet, which waits for the solver. So if an
+    owner has no outlet, the solver waits for one of its settings. If an owner has an outlet, its settings are not animated, and the
+    solver waits for a custom property that nothing writes. The solver of a shared hub does not read owners.
     """
     arguments, variables = [""], {}
     for index, (_, variable) in enumerate(input_variables(system, owner)):
@@ -151,7 +172,10 @@ def _call(system, owner, group, hub):
 
 
 def _laid(system, owner, group):
-    """Variables that wait for the systems that lay poses over the owner's bones, of a group that starts from these."""
+    """Return variables that wait for the systems that lay poses over the owner's bones, if the group starts from such poses.
+
+    A system that lays poses sets the bones' own transforms, before all other systems.
+    """
     starts_there = system.entries and not system.lays_pose and any(isinstance(one.thing, bpy.types.PoseBone) for one in group.members)
     beneath = laying() if starts_there else ()
     return [
@@ -160,7 +184,7 @@ def _laid(system, owner, group):
 
 
 def reads_the_same(system, owner, mesh):
-    """Whether the solver of a hub reads what one for an owner would."""
+    """Whether the driver on a hub's mesh reads the same datablocks and data paths as a driver for this owner would."""
     wanted = [variable and (variable.id, variable.data_path) for _, variable in input_variables(system, owner)]
     animation = mesh.animation_data
     curve = animation and animation.drivers.find(outbox.out_path(system), index=outbox.STATUS)

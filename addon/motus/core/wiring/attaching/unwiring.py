@@ -1,4 +1,10 @@
-"""Takes back what attach.py has wired on an owner; its own transforms, keys and constraints, and those of members, stay."""
+"""Remove what attach.py has created for an owner; the own transforms, keys and constraints of the owner and its members stay.
+
+The owner is the object whose settings a system solves. Hubs are hidden objects whose meshes carry a solver's driver and results. Sinks
+are constraints, drivers and modifiers that apply the results. Proxies are hidden empties that bring a result to a bone or object. The
+outlet is a custom property of the owner that repeats the solver's outputs. Markers are custom properties by which the evaluated copies
+of a datablock are told apart.
+"""
 
 import bpy
 
@@ -12,7 +18,7 @@ from . import override_drivers, overrides, sharing, signature, solver_driver, wa
 
 
 def unwire(system, owner):
-    """Remove hubs, sinks, outlet and proxies of an owner, and from other objects what marks them as read or driven."""
+    """Remove the hubs, sinks, outlet and proxies of an owner, and the markers on other objects that say that they are read or driven."""
     settings = of_owner(system, owner)
     drop_dead_copy(owner)
     override_drivers.drop_stand_ins(owner)
@@ -41,7 +47,7 @@ def unwire(system, owner):
 
 def _remove_hubs(system, owner):
     hubs = [hub for _, hub in hub_lookup.hubs(system, owner)]
-    # A file may name one hub twice.
+    # A damaged file may name the same hub twice.
     own = list(dict.fromkeys([hub.data for hub in hubs if hub_lookup.is_own_hub(hub, owner)] + hub_lookup.lost_hubs(system, owner)))
     property_sink.remove(system, own)
     for mesh in [hub.data for hub in hubs if hub.data not in own]:
@@ -58,7 +64,7 @@ def _remove_hubs(system, owner):
 
 
 def _unmark(datablocks):
-    """Let the copies of datablocks that no solver reads any more be like those of any others."""
+    """Remove the markers by which evaluated copies are told apart from datablocks that no solver reads any more."""
     for datablock in datablocks:
         is_read = any(datablock in solver_driver.marked_by(mesh) for mesh in bpy.data.meshes if outbox.is_hub(mesh))
         if not is_read and not _is_wired(datablock):
@@ -66,5 +72,5 @@ def _unmark(datablocks):
 
 
 def _is_wired(datablock):
-    """Whether a datablock is the owner of any system."""
+    """Whether a datablock is an owner of any system."""
     return isinstance(datablock, bpy.types.Object) and any(is_owner(one, datablock) for one in systems())

@@ -1,9 +1,13 @@
-"""How a solver waits for what it reads: for many transforms at the price of one driver variable, and for final geometry.
+"""Make Blender evaluate what a solver reads before the solver: many transforms by one driver variable, and final geometry.
 
-A muted constraint moves nothing and computes nothing, but its target, an object of any type or a bone, is evaluated before
-the transform of the object that carries the constraint; a driver that declares that transform is evaluated later still.
-A Follow Path or Shrinkwrap constraint at influence 0 also moves nothing, but makes Blender evaluate its target's geometry
-before the transform of the empty that carries it, the *order proxy*.
+Transforms: the hub, the hidden object with the solver's driver, gets a muted constraint for each. A muted constraint moves and computes
+nothing, but Blender evaluates its target, an object or bone, before the transform of the object that carries the constraint. The
+solver's driver has a variable that reads the hub's transform.
+
+Geometry: a Follow Path or Shrinkwrap constraint at influence 0 also moves nothing, but makes Blender evaluate its target's geometry
+before the transform of the empty that carries the constraint, the *order proxy*.
+
+The settings are those of an owner, the object for which a system is solved.
 """
 
 import bpy
@@ -13,30 +17,36 @@ from ...declare import Deformed, Variable
 from ...file.pointers import pointed
 
 _WAITING = {'CURVE': 'FOLLOW_PATH', 'MESH': 'SHRINKWRAP', 'EMPTY': 'COPY_LOCATION'}
-"""Type of an object -> of the constraint that waits for its geometry, or, where it has none, for its transform."""
+"""Type of an object -> type of the constraint that waits for the object's geometry, or for its transform if it has no geometry."""
 _WAIT = frozenset(_WAITING.values())
 
 
 def geometries(system, settings):
-    """The objects whose geometry the system reads as it is evaluated."""
+    """Return the objects whose evaluated geometry a system reads, as named by these settings of an owner; each once."""
     named = (obj for declared in system.inputs if isinstance(declared, Deformed) for obj in declared.objects(settings))
     return list(dict.fromkeys(obj for obj in named if obj and obj.type in _WAITING))
 
 
 def waited_for(settings):
-    """{original: evaluated} of the objects that come before a solver, of the evaluated settings that it was called with."""
+    """Return {original: evaluated} of the objects whose geometry Blender evaluates before a solver.
+
+    settings: evaluated settings of the owner, with which the solver was called.
+    """
     proxy = pointed(settings, "order_proxy")
     return {one.original: one for one in _waits_for(proxy) if one} if proxy else {}
 
 
 def is_stale(system, settings):
-    """Whether the proxy waits for other objects than it would have to now."""
+    """Whether the order proxy in these settings waits for different objects than the system would read now."""
     proxy = pointed(settings, "order_proxy")
     return (_waits_for(proxy) if proxy else []) != geometries(system, settings)
 
 
 def set_proxy(system, settings):
-    """Note the proxy that waits for the geometries, if there are any: all who read the same share one."""
+    """Store in an owner's settings the order proxy that waits for the geometries that the system reads, if there are any.
+
+    Owners that read the same objects share one order proxy.
+    """
     targets = geometries(system, settings)
     if targets:
         settings.order_proxy = _proxy_for(targets)
@@ -55,7 +65,7 @@ def _proxy_for(targets):
 
 
 def release_proxy(settings):
-    """Unset the order proxy in the settings, and remove its object from the file if nothing else uses it."""
+    """Clear the pointer to the order proxy in an owner's settings, and remove the proxy from the file if nothing else uses it."""
     proxy = pointed(settings, "order_proxy")
     settings.property_unset("order_proxy")
     if proxy and proxy.users == 0:
@@ -67,7 +77,10 @@ def _waits_for(candidate):
 
 
 def wait_for(hub, transforms):
-    """Let the hub's transform come after those of (object, bone or "") pairs. Returns the Variable that waits for it."""
+    """Make Blender evaluate (object, name of a bone or "") pairs before the transform of a hub object.
+
+    Returns the Variable for a driver that waits for the hub's transform.
+    """
     for thing, bone in transforms:
         constraint = hub.constraints.new('COPY_LOCATION')
         constraint.mute = True
@@ -77,7 +90,7 @@ def wait_for(hub, transforms):
 
 
 def waits(hub):
-    """The pairs that it waits for."""
+    """Return the (object, name of a bone or "") pairs that are evaluated before the transform of a hub object."""
     return [
         (constraint.target, constraint.subtarget)
         for constraint in hub.constraints

@@ -1,1 +1,1 @@
-"""Wires owners again after changes that Blender does not report to add-ons."""
+"""Repair the wiring of owners after changes that Blender does not report to add-ons."""

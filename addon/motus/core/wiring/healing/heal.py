@@ -1,7 +1,7 @@
-"""Wires owners again after changes that Blender does not report to add-ons: repairs.py has the table of these.
+"""Repair the wiring of owners after changes that Blender does not report to add-ons; repairs.py has the table of these changes.
 
-Solvers and Blender's handlers notice (watch.py). What is to be repaired is repaired when Blender has finished the evaluation, which
-it then does once more.
+An owner is an object whose settings Motus solves; its wiring consists of drivers, constraints and hidden objects. Solvers and handlers
+detect the changes (watch.py). Repairs are made when Blender has finished the evaluation; Blender then evaluates once more.
 """
 
 import logging
@@ -19,7 +19,10 @@ log = logging.getLogger(__name__)
 
 
 def heal(moment, depsgraph=None):
-    """Make the repairs of a moment whose signs are there."""
+    """Make those repairs that are due at a moment, such as repairs.EDIT, and whose change is detected.
+
+    depsgraph: dependency graph that Blender has passed to the handler, or None. Exceptions are logged.
+    """
     event = repairs.Event(moment, depsgraph)
     for repair in repairs.at(moment):
         if noticed.in_use or not repair.needs_use:
@@ -32,12 +35,12 @@ def _try(repair, event):
         if found:
             repair.repair(found, event)
     except Exception:
-        # A handler that raises would say so after every change.
+        # An exception in a handler would be reported after every change.
         log.exception("Motus: this could not be mended: %s", repair.change)
 
 
 def reset():
-    """Forget all that was noticed in the file."""
+    """Forget everything that was detected in the open file."""
     noticed.reset()
     overrides.forget()
     relations.forget()
@@ -45,7 +48,7 @@ def reset():
 
 @persistent
 def _after_edit(_scene=None, depsgraph=None):
-    # Neither what Blender keeps of an override nor what an object hangs on changes with the frame: these are looked for here alone.
+    # Lost overrides and changed relations of objects are looked for only here, because they do not change with the frame.
     if noticed.in_use or read_keys.readings or overrides.has_marks():
         _after_evaluation(repairs.EDIT, depsgraph)
 
@@ -65,14 +68,14 @@ def _after_evaluation(moment, depsgraph):
 
 @persistent
 def loaded(*_):
-    """Before the first evaluation of a file."""
+    """Handler of load_post: make the repairs of a loaded file, before its first evaluation."""
     reset()
     heal(repairs.LOADED)
 
 
 @persistent
 def _arrived(*_):
-    # After undo the scene may be as it was when Blender had just put helpers there.
+    # Undo may restore a scene in which Blender had just put helpers into collections.
     heal(repairs.ARRIVED)
 
 
@@ -99,17 +102,17 @@ def _watched_handlers():
         ("save_post", _saved),
         ("save_post_fail", _saved),
     )
-    # Older Blenders lack some of the lists.
+    # Older versions of Blender lack some of these handler lists.
     return [(getattr(found, name), function) for name, function in lists if hasattr(found, name)]
 
 
 def register():
-    """Look for what is to be repaired from now on."""
+    """Add the handlers that look for changes to repair."""
     handlers.add(_watched_handlers())
 
 
 def unregister():
-    """Look for no repairs any more, and forget what was noticed."""
+    """Remove the handlers that look for changes to repair, and forget everything that was detected."""
     handlers.remove(_watched_handlers())
     remains.stop()
     reset()

@@ -1,6 +1,7 @@
-"""Notices that objects were given another parent, constraint or driver: what reads them may have to be solved in another order.
+"""Detect that objects were given different parents, constraints or drivers, which may change the order in which entries are solved.
 
-Blender tells handlers which objects were updated, not why; so what an object hangs on is kept, to be compared.
+An entry is an item in an owner's list of settings. Blender tells handlers which objects were updated but not why, so the relations of
+each object are stored and compared.
 """
 
 import bpy
@@ -8,11 +9,11 @@ import bpy
 from ...evaluated import copies
 
 _known = {}
-"""What each object hung on when it was last looked at, by its name and its library's file."""
+"""(name of an object, path of its library or None) -> relations of the object when they were last read."""
 
 
 def look():
-    """Note what the objects hang on that are not known yet."""
+    """Store the relations of the objects that are not known yet, and forget the objects that are gone."""
     objects = {_key(obj): obj for obj in bpy.data.objects}
     for key in _known.keys() - objects.keys():
         del _known[key]
@@ -21,7 +22,7 @@ def look():
 
 
 def have_changed(depsgraph):
-    """Whether one of the objects that were updated hangs on something else than before."""
+    """Whether the relations of any object that the depsgraph reports as updated differ from its known ones, which are then replaced."""
     changed = False
     for update in depsgraph.updates:
         is_object = update.is_updated_transform and isinstance(update.id, bpy.types.Object)
@@ -34,21 +35,21 @@ def have_changed(depsgraph):
 
 
 def forget():
-    """Forget all objects."""
+    """Forget the relations of all objects."""
     _known.clear()
 
 
 def _key(obj):
-    """By which bpy.data.objects finds it, too."""
+    """Return the key of an object, which bpy.data.objects accepts too."""
     return obj.name, obj.library and obj.library.filepath
 
 
 def _hangs_on(obj):
     constraints = [(one.type, _name(getattr(one, "target", None)), getattr(one, "subtarget", "")) for one in obj.constraints]
-    # Of bones, of which there may be hundreds that are posed with the mouse, just how many.
+    # For each bone only the number of its constraints: a rig may have hundreds of bones, and is posed with the mouse.
     on_bones = [len(bone.constraints) for bone in obj.pose.bones] if obj.pose else ()
     animation = obj.animation_data
-    # Blender warns of the type of a parent that is gone (3.4).
+    # The type is read only if there is a parent: Blender 3.4 prints a warning if the parent is gone.
     parent = (obj.parent.name, obj.parent_type, obj.parent_bone) if obj.parent else ()
     return (parent, tuple(constraints), tuple(on_bones), len(animation.drivers) if animation else 0)
 

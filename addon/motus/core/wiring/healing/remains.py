@@ -1,7 +1,8 @@
-"""Removes owners that were deleted, with their helpers.
+"""Remove owners that were deleted, with their helpers.
 
-Blender removes a deleted object when nothing uses it any more. An owner and its hub use each other, so they would stay in the file,
-and in Blender's pickers, for good. What something else uses stays, as Blender would have it.
+An owner is an object whose settings Motus solves; its helpers are hidden objects. Blender removes a deleted object when nothing uses it
+any more. An owner and its hub (the helper with the solver's driver) use each other, so both would stay in the file and in Blender's
+pickers for good. Objects that something else uses stay, as they do in Blender.
 """
 
 import bpy
@@ -13,23 +14,23 @@ from ..hubs import outbox
 
 
 def remove_soon():
-    """Have remove_deleted() called when the script that runs has ended.
+    """Schedule remove_deleted() for when the running script has ended, if any owners count as deleted.
 
-    It may have taken an owner out of one collection to put it into another. Without a window the script runs to the end, so
-    that owners are removed when it saves the file.
+    The script may have taken an owner out of one collection in order to put it into a different one. In background mode nothing is
+    scheduled, since a script runs to the end there; owners are then removed when the script saves the file.
     """
     if not bpy.app.background and not bpy.app.timers.is_registered(remove_deleted) and _deleted_owners():
         bpy.app.timers.register(remove_deleted, first_interval=0.0)
 
 
 def stop():
-    """Have remove_deleted() called no more."""
+    """Cancel a scheduled call of remove_deleted()."""
     if bpy.app.timers.is_registered(remove_deleted):
         bpy.app.timers.unregister(remove_deleted)
 
 
 def remove_deleted():
-    """Remove the owners of this file that were deleted, and what only they and what hangs on them need."""
+    """Remove the local owners that were deleted, and the objects that only they and their helpers use."""
     owners = _deleted_owners()
     for obj in _unneeded(owners) if owners else ():
         if obj.type == 'MESH' and outbox.is_hub(obj.data):
@@ -50,7 +51,10 @@ def _deleted_owners():
 
 
 def _unneeded(owners):
-    """Of these owners, what they drive or point to, and all helpers, those objects that are used from nowhere else."""
+    """Return all objects to be removed: of these deleted owners, what they drive or point to, and all helpers, those without outside users.
+
+    An outside user is anything apart from the returned objects that uses an object. Objects with a fake user are left out.
+    """
     found = _reached(owners | {obj for obj in bpy.data.objects if helpers.is_helper(obj) and not obj.library})
     while True:
         counts = _uses_within(found)
@@ -61,7 +65,7 @@ def _unneeded(owners):
 
 
 def _reached(objects):
-    """These objects, and what they drive or point to, one from another."""
+    """Return these objects and all local objects that they drive or point to, directly or through each other."""
     found, new = set(), objects
     while new:
         found |= new
@@ -74,7 +78,7 @@ def _reached(objects):
 
 
 def _uses_within(objects):
-    """{object: how often the settings and custom properties of these objects, and of the hubs among them, point to it}."""
+    """Return {object: number of pointers to it} in the settings and custom properties of these objects, and of their hubs' meshes."""
     counts = {}
     for obj in objects:
         holders = (obj, obj.data) if obj.type == 'MESH' and outbox.is_hub(obj.data) else (obj,)

@@ -1,7 +1,12 @@
-"""The kinds of change that Blender does not report to add-ons, as a table: what tells of each, what repairs it, and when it is looked for.
+"""Table of the changes that Blender does not report to add-ons: how each is detected, how it is repaired, and when it is looked for.
 
-A sign is cheap and says what the repair is given: a list, a set, or True; nothing that is true means that there is nothing to do.
-A repair happens once for each change, and has the same result whichever owner is evaluated first.
+The sign of a change is a cheap test, and returns what the repair needs: a list, a set, or True. A result that is false, such as an
+empty list, means that there is nothing to repair. A repair is made once for each change, and its result does not depend on which owner
+was evaluated first.
+
+The owner is the object whose settings a system solves; a *place* is the pair (name of the system, name of the owner). Hubs are hidden
+objects whose meshes carry a solver's driver and results; several owners can share one, with a row each. Sinks are constraints, drivers
+and modifiers that apply the results. Proxies are hidden empties for the wiring.
 """
 
 from collections.abc import Callable
@@ -24,28 +29,38 @@ from . import relations, remains
 from .watch import key, noticed
 
 EDIT, FRAME, LOADED, ARRIVED, SAVING, SAVED = "edit", "frame", "loaded", "arrived", "saving", "saved"
-"""When repairs are looked for: an evaluation after an edit or after a change of the frame has ended; a file was loaded; undo, redo or
-an import has brought datablocks; a file will be saved; a file was saved."""
+"""Moments at which repairs are looked for.
+
+EDIT: an evaluation after an edit has ended. FRAME: an evaluation after a change of the frame has ended. LOADED: a file was loaded.
+ARRIVED: undo, redo or an import has brought datablocks. SAVING: a file is about to be saved. SAVED: a file was saved.
+"""
 AFTER_EVALUATION = EDIT, FRAME
 
 
 class Event(NamedTuple):
-    """What a handler of Blender's was called for. depsgraph: None if Blender gives none."""
+    """Call of a Blender handler.
+
+    moment: EDIT, FRAME, LOADED, ARRIVED, SAVING or SAVED. depsgraph: None if Blender passes none to the handler.
+    """
 
     moment: str
     depsgraph: Any = None
 
     def have_collections_changed(self):
-        """Whether objects may have come into or gone out of collections."""
+        """Whether objects may have been linked to collections or unlinked from them in this evaluation; False without a depsgraph."""
         return self.depsgraph is not None and deleted.have_collections_changed(self.depsgraph)
 
     def has_updated(self, kind):
-        """Whether a datablock of a kind, such as 'OBJECT', was updated."""
+        """Whether a datablock of a type, such as 'OBJECT', was updated in this evaluation; False without a depsgraph."""
         return self.depsgraph is not None and self.depsgraph.id_type_updated(kind)
 
 
 class Repair(NamedTuple):
-    """One kind of change, in words, and its repair. needs_use: looked for only after a solver of the file was called."""
+    """A kind of change and its repair.
+
+    change: the change in words. moments: when it is looked for. sign: returns what the repair needs, or a false value. repair: makes
+    the repair. needs_use: whether it is looked for only after a solver was called in the open file.
+    """
 
     change: str
     moments: tuple
@@ -55,13 +70,13 @@ class Repair(NamedTuple):
 
 
 def _attached():
-    """(system, owner) of all that is wired in this file."""
+    """Return (system, owner) for each system that is set up on a local object."""
     owners = [obj for obj in bpy.data.objects if not obj.library and obj.is_property_set("motus")]
     return [(system, owner) for owner in owners for system in systems() if is_owner(system, owner)]
 
 
 def _find(name, owner_name):
-    """The system and the owner of these names; (None, None) if they are gone or not wired in this file."""
+    """Return the system and the owner with these names; (None, None) if they are gone, or if the system is not set up on a local object."""
     system, owner = registered.get(name), bpy.data.objects.get((owner_name, None))
     if not system or not owner or not is_owner(system, owner):
         return None, None
@@ -69,7 +84,10 @@ def _find(name, owner_name):
 
 
 def _found_at(places):
-    """(system, owner) of a set of places, from which those that are gone are dropped."""
+    """Return (system, owner) for each place, the pair of their names, in a set.
+
+    Places whose system or owner is gone are removed from the set.
+    """
     found = []
     for place in list(places):
         system, owner = _find(*place)
@@ -81,7 +99,10 @@ def _found_at(places):
 
 
 def _pop_each(places):
-    """Yields (system, owner) of a set of places until it is empty, those that come into it meanwhile too."""
+    """Yield (system, owner) for the places in a set, removing each, until the set is empty, including places added meanwhile.
+
+    A place is the pair (name of a system, name of an owner).
+    """
     while places:
         system, owner = _find(*places.pop())
         if owner is not None:
@@ -143,16 +164,16 @@ def _changed(event):
 
 
 def _look_at_rows(event):
-    """Note the state of owners that share a hub, whose solver does not read them.
+    """Detect changes of owners that share a hub, whose solver does not read the owners.
 
-    They cannot go on to share it if settings have become animated, or if scales have come to mirror an owner, which is looked at
-    after an edit.
+    Such an owner must leave the hub if its settings have become animated, or if it has become mirrored by a negative scale. Mirroring
+    is looked for only after an edit.
     """
     for place, rows in list(noticed.rows.items()):
         name, _ = place
         for owner_name in [row.name for row in rows if isinstance(row, sharing.Row)]:
             owner = bpy.data.objects.get((owner_name, None))
-            if owner is None:  # it has another name now, or is gone: all rows are looked through
+            if owner is None:  # the owner was renamed or removed: all rows are looked through
                 noticed.rows.pop(place, None)
                 noticed.object_count = -1
                 continue
@@ -174,7 +195,7 @@ def _refresh_changed(places, _event):
 
 
 def _has_new_objects(event):
-    # To count the objects takes 0.1 ms if there are 5000. What is new stands in a collection, or it is not evaluated.
+    # Counting the objects takes 0.1 ms for 5000 objects. New objects are in a collection, otherwise they are not evaluated.
     may_have = event.moment == EDIT or event.depsgraph is None or noticed.object_count < 0 or event.have_collections_changed()
     return may_have and len(bpy.data.objects) != noticed.object_count
 
@@ -222,7 +243,7 @@ def _with_other_collection(event):
 
 
 def _edited_armatures(event):
-    """The armatures that were updated, but for those that are in Edit Mode still."""
+    """Return the original armatures that were updated in this evaluation and are not in Edit Mode."""
     if not event.has_updated('ARMATURE'):
         return set()
     edited = [
@@ -238,9 +259,12 @@ def _grown_armatures(event):
 
 
 def _release_joined(grown, _event):
-    """Release the sinks that came along with a rig that was joined into another one, and remove what is left of that rig."""
+    """Remove the sinks that came with a rig that was joined into a different one, and remove the remains of the joined rig.
+
+    A sink is a constraint or driver that brings a solver's result to a bone. grown: armatures whose number of bones has changed.
+    """
     noticed.bone_counts.update((key(armature), len(armature.bones)) for armature in grown)
-    # What is released takes objects out of the file, which Blender must not be going through then.
+    # The objects are collected first: release() removes objects from the file, which is not allowed while bpy.data.objects is iterated.
     joined, found = {}, [obj for obj in bpy.data.objects if obj.data in grown and not (obj.library or obj.override_library)]
     for obj in found:
         for system in systems():
@@ -253,7 +277,7 @@ def _release_joined(grown, _event):
 
 
 def _discard(rig):
-    """Remove a rig that is in no collection, with its hubs and order proxies; only these helpers still use the rig."""
+    """Remove a rig that is in no collection, with its hubs and order proxies, hidden helper objects that alone still use the rig."""
     for system in systems():
         for hub in [hub for _, hub in hub_lookup.hubs(system, rig) if hub_lookup.is_own_hub(hub, rig)]:
             bpy.data.meshes.remove(hub.data)
@@ -267,14 +291,14 @@ def _follow_bones(edited, _event):
     ]
     for system, owner in touched:
         attach.refresh_edited(system, owner)
-    # Once more, now that all of an owner's systems know the names: by them their entries wait for each other.
+    # A second pass: only now do all systems of an owner know the new names, by which their entries depend on each other.
     for system, owner in touched:
         if system.entries is not None:
             attach.refresh_changed(system, owner)
 
 
 def _armatures(system, owner):
-    """The data of the owner and of all objects that it reads."""
+    """Return Object.data of an owner and of all objects whose transforms the owner's solvers read."""
     read = [pair[0] for group_key, _ in hub_lookup.carriers_of(system, owner) for pair in waits(system, owner, group_key)]
     return {owner.data, *(obj.data for obj in read if obj)}
 
@@ -334,7 +358,7 @@ def _wire_overrides(_found, _event):
 
 
 def _release_overrides():
-    """Take off overrides again what was taken off them, and came back from their library."""
+    """Remove sinks again from overrides from which they had been removed, and to which reloading the library has brought them back."""
     found = [obj for obj in bpy.data.objects if obj.override_library and not obj.library and obj.is_property_set("motus")]
     for obj in found:
         for system in [one for one in systems() if has_settings(one, obj)]:
@@ -412,11 +436,11 @@ TABLE = (
     Repair("Drivers of properties are to be at rest in the file that is saved", (SAVING,), _awake, _rest_each, needs_use=False),
     Repair("Drivers of properties are at rest since the file was saved", (LOADED, SAVED), _asleep, _wake_each, needs_use=False),
 )
-"""All repairs, in the order in which they are made."""
+"""All repairs of changes that Blender does not report to add-ons, in the order in which they are made."""
 
 _AT = {moment: tuple(one for one in TABLE if moment in one.moments) for moment in (EDIT, FRAME, LOADED, ARRIVED, SAVING, SAVED)}
 
 
 def at(moment):
-    """The repairs whose conditions are tested at a moment, such as LOADED or SAVING, in the order in which they are made."""
+    """Return the repairs that are looked for at a moment, such as LOADED or SAVING, in the order in which they are made."""
     return _AT[moment]

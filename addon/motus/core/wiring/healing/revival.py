@@ -1,8 +1,8 @@
-"""Lets Blender evaluate again what it has given up while the add-on was not there.
+"""Make Blender evaluate drivers and F-curves again that it has switched off while the add-on was disabled.
 
-Blender marks a driver as invalid if its function or a property that it reads is missing, and leaves it out from then on. The
-order of evaluation knows nothing of properties that were missing when it was built. Editors that list an F-curve of a missing
-property switch the F-curve off. All of this outlasts the moment at which the add-on is enabled; only loading a file ends it.
+Blender marks a driver as invalid if its function or a property that it reads is missing, and no longer evaluates it. The dependency
+graph lacks relations to properties that were missing when it was built. Editors that list an F-curve of a missing property switch the
+F-curve off. All of this remains after the add-on is enabled; without this module only loading a file would end it.
 """
 
 import itertools
@@ -14,11 +14,11 @@ from ...blender import actions, datablocks, handlers
 from . import heal
 
 _NAME = "motus"
-"""What all our driver functions, properties and custom properties have in their names."""
+"""Text that the names of all driver functions, properties and custom properties of Motus contain."""
 
 
 class _Revival:
-    """is_due: whether Blender has evaluated the open file without the add-on."""
+    """State of this module. is_due: whether Blender has evaluated the open file without the add-on."""
 
     is_due = False
 
@@ -27,13 +27,13 @@ _revival = _Revival()
 
 
 def revive():
-    """Switch the drivers and F-curves on again that need Motus, those of linked data too, which costs in memory only."""
+    """Switch on again all drivers and F-curves that need Motus, including those of linked data, which are changed in memory only."""
     for holder in datablocks.everything():
         animation = getattr(holder, "animation_data", None)
         for curve in animation.drivers if animation else ():
             if _needs_motus(curve):
                 curve.is_valid = True
-                # Has Blender compile it, clear the mark, and build the order of evaluation anew.
+                # Assigning the expression makes Blender compile it, clear the invalid mark and rebuild the dependency graph.
                 curve.driver.expression = curve.driver.expression
     for action in bpy.data.actions:
         for curve in itertools.chain.from_iterable(actions.all_fcurves(action)):
@@ -50,7 +50,10 @@ def _needs_motus(curve):
 
 @persistent
 def _catch_up(*_):
-    """Before the first evaluation that the add-on sees, of a file that was there before it."""
+    """Handler that revives drivers and repairs the wiring before the first evaluation that the add-on sees of a file.
+
+    Nothing happens if the file was loaded while the add-on was enabled.
+    """
     if _revival.is_due:
         _revival.is_due = False
         revive()
@@ -70,14 +73,14 @@ def _watched():
 
 
 def register():
-    """Revive as soon as Blender lets add-ons see the file, which it does not while they are enabled."""
+    """Revive drivers as soon as Blender gives the add-on access to the file; it does not while it enables add-ons."""
     _revival.is_due = True
     handlers.add(_watched())
     bpy.app.timers.register(_catch_up, first_interval=0.0)
 
 
 def unregister():
-    """Wait no more for Blender to let add-ons see the file."""
+    """Remove the timer and handlers that wait for access to the file."""
     if bpy.app.timers.is_registered(_catch_up):
         bpy.app.timers.unregister(_catch_up)
     handlers.remove(_watched())

@@ -1,49 +1,53 @@
-"""What solvers and handlers notice between two repairs (see repairs.py), kept by names until the evaluation has ended.
+"""Collect what solvers and handlers detect between two repairs (see repairs.py), by names, until the evaluation has ended.
 
-Solvers run in threads of Blender's and must change nothing, so they leave names here. All names are of local datablocks: what is
-linked is wired in its own file.
+Solvers run in Blender's evaluation threads and must not change the file, so they only store names here. All names are those of local
+datablocks: linked objects are wired in their own file.
+
+The owner is the object whose settings a system solves. A hub is a hidden object whose mesh carries the driver and results of a solver;
+several owners can share one, with a row each. Drivers of properties are at rest if they are muted and aimed at a custom property, as
+they are saved in a file.
 """
 
 from ..sinks import property_sink
 
 
 class Noticed:
-    """Everything that was noticed since the file was opened. A *place* is (name of a system, name of an owner)."""
+    """Everything that was detected since the file was opened. A *place* is the pair (name of a system, name of an owner)."""
 
     def __init__(self):
         self.evaluations = 0
-        """How many evaluations have ended since a solver was first called: no number comes twice, whatever file is opened."""
+        """Number of evaluations that have ended since a solver was first called. It never decreases, even if a different file is opened."""
         self.reset()
 
     def reset(self):
-        """Discard all that was noticed, since a different file is open."""
+        """Discard everything that was detected, because a different file is open."""
         self.in_use = False
-        """Whether any solver was called. Until then nothing of Motus in the file can need a repair."""
+        """Whether any solver was called since the file was opened. Until then most kinds of repairs are not looked for."""
         self.object_count = -1
-        """How many objects the file had when copies were last looked for; -1 if they are to be looked for in any case."""
+        """Number of objects in the file when copies were last looked for; -1 if they have to be looked for in any case."""
         self.states = {}
-        """Place -> the last state that note_state() was told."""
+        """(name of a system, name of an owner) -> state of the owner that note_state() was last called with."""
         self.changed = set()
-        """Places whose state has changed."""
+        """(name of a system, name of an owner) of the owners whose state has changed and that may have to be wired again."""
         self.orphans = set()
-        """Names of the meshes of hubs whose owner is gone."""
+        """Names of the hubs' meshes whose owner was removed."""
         self.bone_counts = {}
-        """Key of an armature -> how many bones it had when the rigs with it were last looked at."""
+        """(name of an armature, name of its library or None) -> number of its bones when the rigs with the armature were last examined."""
         self.moved_points = set()
-        """Places whose points are moved by their system."""
+        """(name of a system, name of an owner) of the owners whose solver reads their mesh."""
         self.gathering = set()
-        """Places whose solvers read what a collection holds."""
+        """(name of a system, name of an owner) of the owners whose solvers read objects of a collection."""
         self.rows = {}
-        """(name of a system, name of the mesh of a hub that owners share) -> the rows of that hub."""
+        """(name of a system, name of the mesh of a hub that several owners share) -> list of the rows of the hub."""
         self.unsettled = set()
-        """Places that have asked for System.settle after the evaluation."""
+        """(name of a system, name of an owner) of the owners for which System.settle is to be called after the evaluation."""
         self.resting = set()
-        """Keys of the meshes of hubs whose drivers of properties are at rest."""
+        """(name, name of the library or None) of the hubs' meshes whose drivers of properties are at rest."""
         self.given_up = set()
-        """Places that could not be given hubs of their own, which is tried once."""
+        """(name of a system, name of an owner) of the copied owners that could not get hubs of their own; this is tried only once."""
 
     def note_use(self):
-        """Called by every solver."""
+        """Note that a solver was called. Every solver calls it."""
         self.in_use = True
 
     def note_state(self, place, state):
@@ -57,12 +61,18 @@ class Noticed:
             self.changed.add(place)
 
     def note_properties(self, hub):
-        """Called by the solver with an evaluated hub's mesh that drives properties."""
+        """Note a hub whose drivers of properties are at rest, so that they are woken. hub: evaluated mesh; the hub's solver calls it.
+
+        At rest means that the drivers are muted and aimed at a custom property, as they are saved in a file.
+        """
         if property_sink.is_resting(hub):
             self.resting.add(key(hub))
 
     def note_rows(self, system, name, rows):
-        """Called by the solver of a hub that owners share, with the name of the hub's mesh and its rows."""
+        """Note the rows of a hub that several owners share. The hub's solver calls it.
+
+        system: name of the system. name: name of the hub's mesh. rows: Rows of the mesh.
+        """
         self.rows[system.name, name] = rows
 
     def note_orphan(self, hub):
@@ -78,14 +88,14 @@ class Noticed:
 
 
 noticed = Noticed()
-"""What was noticed in the file that is open."""
+"""Everything that was detected in the open file."""
 
 
 def evaluation():
-    """A number that is the same for all solvers of one evaluation, and a different one for the next in the viewport."""
+    """Return a number that is equal for all solvers of one evaluation, and different for the next evaluation in the viewport."""
     return noticed.evaluations
 
 
 def key(datablock):
-    """What tells a datablock from others of its kind: its name, and the name of its library."""
+    """Return (name, name of the library or None), which identifies a datablock among those of its type."""
     return datablock.name, datablock.library and datablock.library.name

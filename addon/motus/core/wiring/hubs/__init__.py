@@ -1,1 +1,1 @@
-"""Hubs, the hidden meshes that carry a solver and its outbox: whose they are, and what lies where in them."""
+"""Hubs, the hidden mesh objects that carry a solver's driver and its array of results: which owner has which hubs, and their layout."""

@@ -1,8 +1,12 @@
-"""How a sink is known again, whatever the user calls it: by the hub that it names, and by which member of it it drives.
+"""Identify sinks among an object's constraints, whatever name the user gives them: by the hub and the member that a sink notes.
 
-Both stand in the constraint's custom space, which Blender keeps with it, copies with it and reads for no other space. What
-a file holds there is checked: a sink is a constraint of one of our kinds that names a mesh with an outbox of the system.
-Where the hub is gone the name and the kind are all that is left.
+A sink is a constraint that brings a solver's result to a member, an object or bone that an owner drives. The hub is noted as the
+constraint's custom space (space_object), and the index of the member as that object's subtarget. Blender saves and copies both with the
+constraint, and reads them only for the custom space, which sinks do not use.
+
+A file may hold anything there, so the data is checked: a constraint counts as a sink only if its type is in KINDS and its space_object
+is a mesh object with an outbox (array of results) of the system. If the hub is gone, only the constraint's name and type identify a
+sink.
 """
 
 import re
@@ -12,18 +16,22 @@ from . import outbox
 KINDS = {'LIMIT_LOCATION', 'TRANSFORM', 'GEOMETRY_ATTRIBUTE', 'COPY_TRANSFORMS'}
 CHANNELS = ("location", "rotation", "scale")
 PROXY_KEY = "motus_proxy"
-"""Custom property of a proxy: the object that copies it, or a bone of which does."""
+"""Custom property of a proxy, a hidden empty that brings a result to a member: the object that, or a bone of which, copies the proxy."""
 
 
 def name(system, channel=""):
-    """What the sinks of a system are called."""
+    """Return the name that new sinks of a system get.
+
+    channel: "location", "rotation" or "scale" if a sink brings only that channel; "" otherwise.
+    """
     return " ".join(filter(None, ("Motus", system.label, channel.title())))
 
 
 def put(constraint, hub, index):
-    """Note on a sink which member of which hub it drives.
+    """Store in a sink which member of which hub it drives. constraint: the sink. index: index of the member, or row of a shared hub.
 
-    A constraint that is open in the interface has a dashed line in the viewport to its target: to the hub, at the origin.
+    The constraint is collapsed in the interface: while it is open, Blender draws a dashed line from the object to the hub at the
+    origin.
     """
     constraint.show_expanded = False
     constraint.space_object = hub
@@ -31,21 +39,22 @@ def put(constraint, hub, index):
 
 
 def read(system, constraint):
-    """(the original of its hub's mesh, key of its group) of a sink of the system, itself original or evaluated.
+    """Return (original mesh of the hub, key of the group) of a constraint that is a sink of the system; None for any other constraint.
 
-    None for any other constraint.
+    The constraint may be on an original or an evaluated object.
     """
     if constraint.type not in KINDS:
         return None
     hub = constraint.space_object
-    # Of an evaluated hub nobody here waits for the geometry, until which its data is memory that Blender has freed.
+    # The original is taken because the caller need not have declared a dependency on the hub's evaluated geometry. Until Blender has
+    # evaluated the hub, the data of its evaluated copy can be memory that was freed.
     mesh = hub.original.data if hub and hub.type == 'MESH' else None
     key = outbox.key_on_hub(system, mesh) if mesh else None
     return None if key is None else (mesh, key)
 
 
 def index_of(constraint):
-    """Which member a sink drives; None where that is not noted."""
+    """Return the index of the member (or the row of a shared hub) that a sink drives; None if the sink holds no valid index."""
     if constraint.type == 'GEOMETRY_ATTRIBUTE':
         return constraint.sample_index
     noted = constraint.space_subtarget
@@ -53,7 +62,7 @@ def index_of(constraint):
 
 
 def is_bereft(system, constraint):
-    """Whether a constraint is called and made like a sink of the system, but names no hub."""
+    """Whether a constraint has the name and type of a sink of the system, but no hub any more."""
     if constraint.type not in KINDS or read(system, constraint) is not None:
         return False
     if constraint.type == 'COPY_TRANSFORMS' and constraint.target and PROXY_KEY not in constraint.target:

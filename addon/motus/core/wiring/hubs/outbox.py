@@ -1,17 +1,24 @@
-"""The outbox: one float array property of a solver's carrier that holds all it computed.
+"""The outbox: a custom property, an array of float64 numbers on a hub's mesh, that holds all results of a solver.
 
     [status, weight, outputs..., x, y, z, rx, ry, rz of member 0, of member 1, ..., sx, sy, sz of member 0, ...]
 
-Scales are there where a member of the group has the channel. It lies on a hub's mesh. The solver driver sits on the first slot, status: to
-Blender's dependency graph the array is one property, so whoever reads any slot of it waits for the solver. status is 0 or
-the index + 1 of the system's problem (INTERNAL for an error of our own, SILENT before the first evaluation, and so on); weight is the
-influence of the sinks, and 0 where they may not act. On the original the weight stays zero and the scales one for ever:
-without the add-on nothing acts.
+A hub is a hidden object whose mesh carries a solver's driver and its results; a member is an object or bone that the owner of the
+settings drives. Scales are present if any member of the group has the channel "scale". The driver that calls the solver is on slot 0,
+the status: Blender's dependency graph treats the array as one property, so that everything that reads any slot is evaluated after the
+solver.
 
-A system with several groups has an outbox a group. Beside it lies, for such a system, what the group needs to know: the
-names of its outputs and of its members, and Group.data; as text, which is parsed only once.
+The status is 0.0 if all is well, the index + 1 of one of the system's problems, or a negative constant of this module, such as INTERNAL
+for an error in Motus or SILENT before the first evaluation. The weight is the influence of the sinks (the constraints that apply the
+results), and 0 if they must not act. On the original mesh, the weight stays 0 and the scales stay 1: nothing acts if the add-on is
+missing.
 
-All of that may have been changed by whoever had the file: opened() and owner_of() check it, and raise Damaged.
+A system that declares groups has one outbox for each group. A second custom property beside each outbox, a text that is parsed only
+once, holds the names of the group's outputs and members, and Group.data.
+
+All of this data may have been changed by anybody who had the file: opened() and owner_of() check it, and raise Damaged.
+
+The docstrings call the hub's mesh, original or evaluated, the carrier. Several owners can share a hub; its outbox then consists of
+rows, one for each owner. The result of a relative member is applied on top of its own transform.
 """
 
 import functools
@@ -32,17 +39,17 @@ POSE_SIZE = 6
 SCALE_SIZE = 3
 
 OWNER_KEY = "motus_owner"
-"""Custom property of a hub's mesh: the object whose settings it computes."""
+"""Custom property of a hub's mesh: the object whose settings the hub's solver computes."""
 SHARED_KEY = "motus_shared"
-"""Custom property of the mesh of a hub that owners share (see rows): [1], or [0] where the members sample no attribute."""
+"""Custom property of a hub's mesh that several owners share, one row each: [1] if the members sample an attribute of the mesh, else [0]."""
 MEMBER_DATA_KEY = "motus_member_data"
-"""Custom property of a hub's mesh: what System.member_data said when the settings last changed."""
+"""Custom property of a hub's mesh: the numbers that System.member_data returned when the settings were last edited."""
 INTERNAL, SILENT, DAMAGED, NEWER, FULL, NOT_FINITE = -1, -2, -3, -4, -5, -6
 VERSION = 1
-"""Of what lies in an outbox and beside it; to be raised where an add-on of today could not read it."""
+"""Version of the data in and beside an outbox. It has to be raised when an existing release of the add-on could not read the data."""
 OTHER = "\n"
-"""What Info.members has in place of a name for an object that is not the owner."""
-LARGEST_CACHE = 256  # groups whose Info is known at a time
+"""Placeholder in Info.members for the name of a member that is an object different from the owner."""
+LARGEST_CACHE = 256  # number of groups whose parsed Info is cached at a time
 
 _infos = keeping.OfProcess(
     "what a hub's mesh notes of a group (Info), or the exception for why it says none", "its text and version", LARGEST_CACHE
@@ -51,29 +58,38 @@ _infos = keeping.OfProcess(
 
 @dataclass(frozen=True)
 class Info:
-    """What is known of a group since it was wired. uses_attribute: the poses are not in the outbox. data: of the Group."""
+    """Description of a group, stored on the hub's mesh when the owner was wired.
+
+    outputs: names of the outputs. members: see the comment. has_scales: whether the outbox holds scales. is_relative: whether any
+    member is relative. uses_attribute: whether the poses are in an attribute of the mesh instead of the outbox. data: the dictionary
+    Group.data.
+    """
 
     outputs: tuple
-    members: tuple  # names of bones; "" for the owner itself, OTHER for another object
+    members: tuple  # of each member: name of the bone; "" for the owner itself; OTHER for a different object
     has_scales: bool
     is_relative: bool
     uses_attribute: bool
     data: dict
-    reads: tuple  # names of the bones in Group.reads
+    reads: tuple  # names of the bones that Group.reads listed
 
     @functools.cached_property
     def layout(self):
-        """What lies where in the outbox."""
+        """Layout of the outbox of this group."""
         return Layout(FIRST_OUTPUT + len(self.outputs), len(self.members), self.has_scales, self.is_relative, self.uses_attribute)
 
     @functools.cached_property
     def places(self):
-        """Slot of each output by its name."""
+        """Dictionary from the name of each output to its slot in the outbox."""
         return places_of(self.outputs)
 
 
 class Layout(NamedTuple):
-    """Arrangement of the values in an outbox, the float array with a solver's results. base: index of the first pose."""
+    """Arrangement of the values in an outbox, the float array with a solver's results.
+
+    base: index of the first pose. members: number of members. has_attribute: whether the poses are in an attribute instead of the
+    array.
+    """
 
     base: int
     members: int
@@ -83,13 +99,16 @@ class Layout(NamedTuple):
 
     @property
     def size(self):
-        """How many slots there are."""
+        """Number of slots of the outbox."""
         in_slots = 0 if self.has_attribute else self.members
         return self.base + in_slots * (POSE_SIZE + SCALE_SIZE * self.has_scales)
 
 
 class Outbox(NamedTuple):
-    """One that was found to be what it should be. slots: its memory. info: None where the system declares no groups."""
+    """An outbox whose data was checked.
+
+    slots: memory of the float array. info: None if the system declares no groups, or if this is one row of a shared hub.
+    """
 
     slots: memoryview
     layout: Layout
@@ -97,7 +116,7 @@ class Outbox(NamedTuple):
 
 
 def _is_data(value):
-    """Whether a parsed value may be Group.data."""
+    """Whether a parsed value has the form of Group.data: a dictionary whose values are texts, numbers or lists of numbers."""
     return isinstance(value, dict) and all(
         isinstance(one, str) or stored.fits(one, float) or stored.fits(one, [float]) for one in value.values()
     )
@@ -105,52 +124,59 @@ def _is_data(value):
 
 _INFO_FORM = ([str], [str], bool, bool, bool, _is_data, [str])
 
-_Mesh, _Object = bpy.types.Mesh, bpy.types.Object  # to look them up there costs more than the question
+_Mesh, _Object = bpy.types.Mesh, bpy.types.Object  # looking them up in bpy.types takes longer than the isinstance() calls that use them
 
 
 def out_key(system, group=""):
-    """Name of a group's outbox property."""
+    """Return the name of the custom property that holds the outbox of a group; group: the group's key."""
     return f"motus_{system.name}_out_{group}" if group else f"motus_{system.name}_out"
 
 
 def info_key(system, group=""):
-    """Name of the property beside it."""
+    """Return the name of the custom property that describes a group's outbox; group: the group's key."""
     return f"motus_{system.name}_info_{group}" if group else f"motus_{system.name}_info"
 
 
 def out_path(system, index=None, group=""):
-    """Data path of the outbox on its carrier, or of one slot of it."""
+    """Return the data path of a group's outbox on the hub's mesh; with an index, the data path of that slot."""
     path = f'["{out_key(system, group)}"]'
     return path if index is None else f"{path}[{index}]"
 
 
 def slot_pattern(system):
-    """Matches data paths of slots of any of the system's outboxes: group "key" is the group's, "slot" the index."""
+    """Return a regular expression that matches the data path of a slot in any outbox of a system.
+
+    The match's group "key" is the key of the system's group (None if it is ""), and "slot" the index of the slot.
+    """
     return re.compile(rf'\["motus_{system.name}_out(?:_(?P<key>\w+))?"\]\[(?P<slot>\d{{1,9}})\]$')
 
 
 def pose_base(group):
-    """First slot of the poses."""
+    """Return the index of the first pose's first slot in the outbox of a group."""
     return FIRST_OUTPUT + len(group.outputs)
 
 
 def pose_slot(group, member):
-    """First slot of a member's location and rotation."""
+    """Return the index of the first of the six slots for the location and rotation of a member, given by its index."""
     return pose_base(group) + POSE_SIZE * member
 
 
 def scale_slot(group, member):
-    """First slot of a member's scale."""
+    """Return the index of the first of the three slots for the scale of a member, given by its index."""
     return pose_slot(group, len(group.members)) + SCALE_SIZE * member
 
 
 def has_scales(group):
-    """Whether the outbox holds scales."""
+    """Whether the outbox of a group holds scales: any member has the channel "scale"."""
     return any("scale" in member.channels for member in group.members)
 
 
 def create(system, carrier, group, uses_attribute):
-    """Give `carrier` an empty outbox with room for the group's members, whose poses may go to an attribute instead."""
+    """Give a hub's mesh (carrier) a new outbox with neutral values and slots for the members of a group.
+
+    uses_attribute: the poses go to an attribute of the mesh, so the outbox has no slots for members. If the system declares groups, a
+    description (Info) is stored beside the outbox.
+    """
     members = 0 if uses_attribute else len(group.members)
     slots = [float(SILENT)] + [0.0] * (pose_slot(group, members) - 1)
     if members and has_scales(group):
@@ -176,22 +202,22 @@ def _noted(thing, hub):
 
 
 def is_shared(system, mesh):
-    """Whether owners of the system share a hub's mesh."""
+    """Whether a mesh is that of a hub which several owners of the system share."""
     return SHARED_KEY in mesh and key_on_hub(system, mesh) is not None
 
 
 def has_attribute(mesh):
-    """Whether the members of a shared hub sample an attribute."""
+    """Whether the members of a shared hub sample an attribute of its mesh. Raises Damaged if the mesh does not say so in a valid form."""
     return stored.whole_numbers(mesh.get(SHARED_KEY), 1)[0] != 0
 
 
 def row_layout(system, mesh):
-    """The Layout of one row of a shared hub."""
+    """Return the Layout of one row, the part of a shared hub's outbox that belongs to one owner. Raises Damaged."""
     return Layout(FIRST_OUTPUT + len(system.outputs), 1, False, False, has_attribute(mesh))
 
 
 def row_count(system, mesh):
-    """How many rows a shared hub has room for; 0 where it is damaged."""
+    """Return the number of rows that the outbox of a shared hub has; 0 if the hub is damaged."""
     try:
         return len(stored.doubles(mesh.get(out_key(system)))) // row_layout(system, mesh).size
     except Damaged:
@@ -199,7 +225,7 @@ def row_count(system, mesh):
 
 
 def is_whole(system, mesh):
-    """Whether a shared hub is what create_shared() and add_row() make."""
+    """Whether the data of a shared hub is undamaged, and its mesh has one vertex for each row if members sample an attribute, else none."""
     try:
         count = row_count(system, mesh)
         opened(system, mesh, row=count - 1)
@@ -209,25 +235,28 @@ def is_whole(system, mesh):
 
 
 def create_shared(system, mesh, uses_attribute):
-    """Give a hub's mesh an outbox without rows."""
+    """Give a hub's mesh an outbox that has no rows yet, for owners that will share the hub.
+
+    uses_attribute: whether the members sample an attribute of the mesh.
+    """
     mesh[SHARED_KEY] = [int(uses_attribute)]
     mesh[out_key(system)] = [0.0]
 
 
 def add_row(system, mesh):
-    """Make room for one more row in the outbox of a shared hub."""
+    """Extend the outbox of a shared hub by the slots of one more row."""
     layout = row_layout(system, mesh)
     slots = list(mesh[out_key(system)]) if row_count(system, mesh) else []
     mesh[out_key(system)] = slots + [float(SILENT)] + [0.0] * (layout.size - 1)
 
 
 def is_hub(mesh):
-    """Whether a mesh is that of a hub."""
+    """Whether a mesh belongs to a hub of any system."""
     return OWNER_KEY in mesh or SHARED_KEY in mesh
 
 
 def key_on_hub(system, mesh):
-    """Key of the system's group that a hub's mesh serves; None where it serves none."""
+    """Return the key of the system's group that a hub's mesh computes; None if the mesh computes no group of the system."""
     if out_key(system) in mesh:
         return ""
     prefixes = out_key(system), info_key(system)
@@ -236,9 +265,10 @@ def key_on_hub(system, mesh):
 
 
 def opened(system, carrier, group="", row=None):
-    """A group's Outbox on a carrier, original or evaluated; one row's of a shared hub.
+    """Return the checked Outbox of a group on a hub's mesh (carrier), original or evaluated.
 
-    Raises Damaged where it is not what create() makes.
+    row: index of a row of a shared hub, to get only that row's part. Raises Damaged if the data differs from what create() or add_row()
+    makes.
     """
     slots = stored.doubles(carrier.get(out_key(system, group)))
     if row is not None:
@@ -255,7 +285,10 @@ def opened(system, carrier, group="", row=None):
 
 
 def layout_of(system, carrier, group, size):
-    """The Layout that an outbox of so many slots should have, whatever its own is. Raises Damaged where nobody knows."""
+    """Return the Layout that an outbox of `size` slots should have, whether or not the outbox itself fits it.
+
+    Raises Damaged if the description of a group beside the outbox cannot be read.
+    """
     noted = _info(system, carrier, group)
     return _layout_without_info(system, carrier, size) if noted is None else noted.layout
 
@@ -270,16 +303,16 @@ def _layout_without_info(system, carrier, size):
 
 
 def is_in_place(system, carrier, group=""):
-    """Whether the original of a carrier still has a group's outbox.
+    """Whether the original of a hub's mesh (carrier) still has the outbox of a group as an array.
 
-    A script may delete the property below the driver, or put a group in its place. To Blender's dependency graph the driver then
-    precedes nothing: it may run while other threads read what the solver writes.
+    A script may delete the property that the driver is on, or replace it by a group of properties. Blender's dependency graph then
+    evaluates nothing after the driver: it may run while other threads read what the solver writes.
     """
     return isinstance(carrier, _Mesh) and hasattr(carrier.original.get(out_key(system, group)), "typecode")
 
 
 def has_room(mesh, count):
-    """Whether a hub's mesh has data for so many members, or none as yet."""
+    """Whether the custom property with a hub's member data has `count` numbers, or does not exist yet."""
     if MEMBER_DATA_KEY not in mesh:
         return True
     try:
@@ -289,7 +322,7 @@ def has_room(mesh, count):
 
 
 def owner_of(system, carrier):
-    """The object whose settings a carrier's solver computes. Raises Damaged without one."""
+    """Return the object whose settings the solver on a hub's mesh (carrier) computes. Raises Damaged if there is no such object."""
     owner = carrier.get(OWNER_KEY)
     if not isinstance(owner, _Object) or not has_settings(system, owner):
         raise Damaged("no owner")
@@ -303,7 +336,7 @@ def _info(system, carrier, group):
     noted = carrier.get(name)
     read = getattr(noted, "get", None)
     said = (read("text"), read("version", VERSION)) if read else (None, VERSION)
-    is_sound = isinstance(said[0], str) and isinstance(said[1], int)  # what a damaged file has may have no hash
+    is_sound = isinstance(said[0], str) and isinstance(said[1], int)  # values from a damaged file may be unhashable
     found = _infos.made(said, lambda: _parsed(*said)) if is_sound else _parsed(*said)
     if not isinstance(found, Info):
         raise found("no info")
@@ -311,7 +344,10 @@ def _info(system, carrier, group):
 
 
 def _parsed(text, version):
-    """The Info that a text says, or the exception that tells why it says none."""
+    """Parse the description of a group into an Info.
+
+    Returns the class Damaged if the text is malformed, or the class Newer if a newer version of Motus wrote it.
+    """
     if isinstance(version, int) and version > VERSION:
         return Newer
     try:
@@ -322,7 +358,10 @@ def _parsed(text, version):
 
 
 def info(system, carrier, group=""):
-    """The Info that create() noted beside the outbox; None where the system declares no groups, or one of the two is damaged."""
+    """Return the Info of a group that create() stored beside the outbox on a hub's mesh (carrier).
+
+    Returns None if the system declares no groups, or if the outbox or the description is damaged.
+    """
     try:
         return opened(system, carrier, group).info
     except Damaged:
@@ -330,5 +369,5 @@ def info(system, carrier, group=""):
 
 
 def places_of(outputs):
-    """Slot of each output by its name."""
+    """Return a dictionary from the name of each output to its slot in the outbox."""
     return {name: FIRST_OUTPUT + index for index, name in enumerate(outputs)}

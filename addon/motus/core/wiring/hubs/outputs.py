@@ -1,4 +1,10 @@
-"""What others read of a solver: its outputs, and the owner's outlet, where scripts and users' own drivers find them."""
+"""Outputs of solvers for scripts and users' own drivers: numbers in the hub's outbox, repeated in the owner's outlet.
+
+The outbox is an array of results on the mesh of a hidden object, the hub. The outlet is a custom property of the owner itself.
+
+The owner is the object whose settings are solved; an entry is an item in its list of settings. The weight, a slot of the outbox, is the
+influence of the constraints that apply the results.
+"""
 
 import math
 
@@ -10,16 +16,17 @@ from . import hub_lookup, outbox
 
 
 def create_outlet(system, owner, mesh):
-    """Let scripts and users' own drivers read the outputs, as far as System.outputs names them, from the owner itself.
+    """Create the outlet of an owner: a custom property whose drivers copy status, weight and System.outputs from the hub's mesh.
 
-    Only where no setting is animated: the solver would have to wait for the settings, which to Blender are one with this.
+    Scripts and users' own drivers read the outputs there. The caller must not create an outlet if any setting is animated: the solver
+    would have to wait for the settings, which Blender's dependency graph does not distinguish from the outlet.
     """
     owner[outbox.out_key(system)] = [float(outbox.SILENT)] + [0.0] * (outbox.FIRST_OUTPUT + len(system.outputs) - 1)
     if not outbox.is_shared(system, mesh):
-        # The solver, which knows the owner, fills in the rest.
+        # A driver for the first slot is enough: the solver reads the owner and writes the remaining slots itself.
         _copy_slot(system, owner, mesh, outbox.STATUS)
         return
-    first = hub_lookup.first_slot(system, owner)  # to copy all of them takes less than one call of Python's
+    first = hub_lookup.first_slot(system, owner)  # drivers that copy all of the slots take less time than one call into Python
     for slot in range(outbox.FIRST_OUTPUT + len(system.outputs)):
         _copy_slot(system, owner, mesh, slot, first)
 
@@ -30,18 +37,27 @@ def _copy_slot(system, owner, mesh, slot, first=0):
 
 
 def outlet(system, owner):
-    """Memory of an evaluated owner's outlet, which is to hold what its own hub's outbox begins with; None where it has none."""
+    """Return the memory of an evaluated owner's outlet, into which the solver copies the first slots of the hub's outbox.
+
+    Returns None if the owner has no outlet.
+    """
     return stored.doubles(owner[outbox.out_key(system)]) if hub_lookup.has_outlet(system, owner) else None
 
 
 def output_names(system, carrier, group=""):
-    """Names of a group's outputs."""
+    """Return the names of the outputs of a group, read from the hub's mesh (carrier) if the system declares groups.
+
+    Returns System.outputs if the carrier is None or damaged.
+    """
     known = outbox.info(system, carrier, group) if carrier and system.groups is not None else None
     return system.outputs if known is None else tuple(known.outputs)
 
 
 def output_path(system, name, owner=None, group=""):
-    """Data path, on the carrier, of an output for users' own drivers. owner: needed where the system declares groups."""
+    """Return the data path of an output on the hub's mesh, for users' own drivers.
+
+    owner: object whose hub is meant; required if the system declares groups, or if owners share a hub.
+    """
     if owner is None:
         return outbox.out_path(system, outbox.FIRST_OUTPUT + system.outputs.index(name), group)
     names = output_names(system, hub_lookup.carrier_of(system, owner, group), group)
@@ -49,7 +65,7 @@ def output_path(system, name, owner=None, group=""):
 
 
 def output(system, owner, name, depsgraph, group=""):
-    """Value of an output as last evaluated; None where nothing was."""
+    """Return the value of an output at the last evaluation; None if the output was not evaluated or is not finite."""
     carrier = hub_lookup.carrier_of(system, owner, group)
     if carrier is None:
         return None
@@ -58,21 +74,23 @@ def output(system, owner, name, depsgraph, group=""):
 
 
 def outputs_of(system, owner, entry, names, depsgraph):
-    """Values of the outputs "<entry>.<name>" as last evaluated, in whichever group the entry is; None where nothing was.
+    """Return the values of the outputs "<entry>.<name>" at the last evaluation, from the group that contains the entry.
 
-    Of a system whose members are relative: its weight is never 0 where it was solved.
+    Returns None if no group of the owner has all of these outputs evaluated. It is meant for systems whose members are relative: their
+    weight is 0 only if nothing was solved.
     """
     wanted = [f"{entry}.{name}" for name in names]
     for key, carrier in hub_lookup.carriers_of(system, owner):
         weight, values = _told(system, carrier.evaluated_get(depsgraph), key, wanted)
-        # Blender 5 may copy the owner anew without solving again (a change of mode): all is 0 for a while.
+        # After a change of mode, Blender 5 may make a new evaluated copy of the owner without solving again: all values, including the
+        # weight, are 0 for a while.
         if values and weight != 0.0:
             return values
     return None
 
 
 def _told(system, evaluated, group, names, row=None):
-    """(weight, values of the outputs) on an evaluated carrier; values: None where not all of them are there."""
+    """Return (weight, values of the named outputs) of an evaluated hub's mesh; values is None if an output is missing or not finite."""
     try:
         box = outbox.opened(system, evaluated, group, row)
     except Damaged:

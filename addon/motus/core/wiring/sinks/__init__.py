@@ -1,1 +1,1 @@
-"""What brings results to objects, bones, properties and geometry: constraints, drivers, modifiers."""
+"""Sinks: the constraints, drivers and modifiers that bring solvers' results to objects, bones, properties and geometry."""

@@ -1,11 +1,11 @@
-"""Sinks for many members where the Geometry Attribute constraint exists (Blender 5): one constraint a member.
+"""Geometry Attribute constraints (Blender 5) as sinks: one constraint for each member, an object or bone that the owner drives.
 
-The solver writes one 4x4 matrix a member into an attribute of the evaluated hub mesh; each constraint samples its own. A
-driver on each constraint's influence would cost more than the constraint. So two kinds of members have none. A relative
-member's row is the identity where nothing is to happen. For a member that *stands still* by itself (no parent, keys,
-drivers or constraints of its own) the solver blends its row with the member's own transform, which it may read at any time
-because nothing moves it; the owner itself has a driver all the same. The original mesh holds the own transforms and
-identities too, for Blenders without the add-on.
+The solver writes one 4x4 matrix for each member into an attribute of the evaluated hub's mesh, and each constraint samples the matrix
+of its member. A driver on a constraint's influence would cost more time than the constraint. So two kinds of members have no such
+driver. The matrix of a relative member is the identity if the solver has no influence. A member that *stands still* by itself has no
+parent, keys, drivers or constraints of its own: the solver blends its matrix with the member's own transform, which it may read at any
+time because nothing changes it. The owner itself has a driver in any case. The original mesh holds the members' own transforms and the
+identities too, for a Blender without the add-on.
 """
 
 from contextlib import suppress
@@ -25,17 +25,24 @@ from . import attributes
 
 ATTRIBUTE = "motus_transform"
 STILL_KEY = "motus_still"
-"""Custom property of a hub's mesh: for each member whether it MOVES by itself, is STILL, or is driven RELATIVE to that."""
+"""Custom property of a hub's mesh: one number for each member.
+
+MOVES: the member's own transform may change. STILL: the own transform does not change in time. RELATIVE: the result is applied on top
+of the own transform.
+"""
 MOVES, STILL, RELATIVE = 0, 1, 2
 
 
 def serves(system):
-    """Whether the members of a system sample an attribute of the hub, and no drivers bring them the result."""
+    """Whether the members of a system are driven by Geometry Attribute constraints, instead of constraints with drivers.
+
+    This needs Blender 5, and a system that neither uses a modifier nor requires equal matrices in all versions of Blender (same_bits).
+    """
     return capabilities.has_geometry_attribute_constraint() and not (system.has_modifier or system.same_bits)
 
 
 def prepare(system, mesh, owner, group):
-    """Give the helper mesh of a hub one vertex and one 4x4 matrix attribute value for each member of a group.
+    """Give a hub's mesh one vertex and one 4x4 matrix attribute value for each member of a group.
 
     It has to be called before the members get their Geometry Attribute constraints.
     """
@@ -46,7 +53,7 @@ def prepare(system, mesh, owner, group):
 
 
 def prepare_row(mesh):
-    """Give the mesh of a shared hub one point and matrix more, or its first."""
+    """Add one vertex, with its matrix, to the mesh of a hub that several owners share; the first call adds the attribute."""
     if ATTRIBUTE not in mesh.attributes:
         mesh.attributes.new(ATTRIBUTE, 'FLOAT4X4', 'POINT')
     mesh.vertices.add(1)
@@ -54,7 +61,11 @@ def prepare_row(mesh):
 
 
 def add(system, group, index, hub, row=None):
-    """Drive member `index` of the group by its row of the hub's attribute; row: where that is another, as the hub is shared."""
+    """Add the Geometry Attribute constraint of a member, which samples the member's matrix on the hub's mesh.
+
+    index: index of the member in the group. row: index of the matrix if several owners share the hub; else None, and the index is the
+    member's.
+    """
     member = group.members[index]
     first = 0 if row is None else hub_lookup.first_slot(system, member.thing)
     place = index if row is None else row
@@ -78,7 +89,7 @@ def add(system, group, index, hub, row=None):
 
 
 def _kinds(mesh):
-    """For each member what STILL_KEY says; None where that is missing or damaged."""
+    """Return MOVES, STILL or RELATIVE for each member, as stored in a hub's mesh; None if the data is missing or damaged."""
     try:
         return stored.whole_numbers(mesh.get(STILL_KEY), len(mesh.vertices))
     except Damaged:
@@ -86,7 +97,11 @@ def _kinds(mesh):
 
 
 def write(mesh, members, locations, rotations, scales, weight):
-    """Fill the attribute of the evaluated mesh; `members()` are the evaluated members."""
+    """Fill the matrix attribute of an evaluated hub's mesh with the members' poses.
+
+    members: function that returns the evaluated members. locations: (n, 3). rotations: (n, 4) quaternions. scales: (n, 3) or None.
+    weight: influence, by which members that stand still are blended with their own transforms. Raises Damaged.
+    """
     if weight < 1.0:
         still = np.array(stored.whole_numbers(mesh.get(STILL_KEY), len(mesh.vertices))) == STILL
         if still.any():
@@ -98,7 +113,10 @@ def write(mesh, members, locations, rotations, scales, weight):
 
 
 def write_rest(mesh, members):
-    """Let the evaluated mesh's members be where they are by themselves, but those that move: their influence is 0."""
+    """Fill the matrix attribute of an evaluated hub's mesh so that the members stay at their own transforms.
+
+    If no member stands still, all matrices are identities. Members that move need none: the influence of their constraints is 0.
+    """
     kinds = _kinds(mesh)
     if kinds is not None and STILL in kinds:
         _store(mesh, *_own_poses_of(mesh, members()))
@@ -116,9 +134,9 @@ def _own_poses_of(mesh, members):
 
 
 def own_poses(members):
-    """Locations (n, 3), quaternions (n, 4) and scales (n, 3) of rows that do nothing.
+    """Return locations (n, 3), quaternions (n, 4) and scales (n, 3) for matrices that leave members at their own transforms.
 
-    Relative members' are neutral; others have their own transforms, which counts where they stand still.
+    Relative members get neutral poses. Absolute members get their own transforms, which matter only for members that stand still.
     """
     count = len(members)
     locations, rotations, scales = np.zeros((count, 3)), np.zeros((count, 4)), np.ones((count, 3))
@@ -134,7 +152,7 @@ def _kind(system, member, owner):
     if member.is_relative:
         return RELATIVE
     thing = member.thing
-    # Which members a group has is too dear to find out in a solver.
+    # If the system declares groups, finding the members of a group takes too long for a solver.
     stands = (
         system.groups is None
         and isinstance(thing, bpy.types.Object)
@@ -145,7 +163,7 @@ def _kind(system, member, owner):
 
 
 def _slerp(start, end, shares):
-    """Spherical interpolation of quaternions, row by row, the shorter way."""
+    """Return the spherical linear interpolation between rows of quaternions (n, 4), along the shorter arc. shares: (n, 1), 0 to 1."""
     dots = (start * end).sum(axis=1, keepdims=True)
     end = np.where(dots < 0.0, -end, end)
     angles = np.arccos(np.minimum(np.abs(dots), 1.0))
@@ -165,7 +183,7 @@ def _store(mesh, locations, rotations, scales):
 
 @persistent
 def store_own_poses(*_):
-    """Before a file is saved: let the original meshes hold where the members stand by themselves now."""
+    """Handler of save_pre: store the present transforms of members that stand still in the original hub meshes."""
     if native.module is None:
         return
     for mesh in bpy.data.meshes:

@@ -1,4 +1,4 @@
-"""How arrays of numbers get into the attributes of a hub's mesh."""
+"""Write arrays of numbers to attributes of the mesh of a hub, a hidden object with a solver's results, or get an attribute's memory."""
 
 import math
 
@@ -14,13 +14,13 @@ _FORMS = {
     'INT32_2D': ("value", "<i4", (2,)),
     'FLOAT4X4': ("value", "<f4", (16,)),
 }
-"""Type of an attribute -> (name of an item's property, type of its numbers, shape of what one item holds)."""
+"""Data type of an attribute -> (name of an item's property, numpy type of its numbers, shape of one item's value)."""
 
 
 def write(mesh, name, data_type, values):
-    """Fill an attribute, one a point, with a float32 array: a row a point. mesh: original or evaluated, linked or not.
+    """Fill a point attribute with a float32 array, one row for each point. mesh: original or evaluated, linked or local.
 
-    Raises Damaged where the mesh has no attribute of that name, type, domain and length.
+    Raises Damaged if the mesh has no point attribute with this name, data type and length.
     """
     data, count = _data(mesh, name, data_type, 'POINT'), len(values)
     if len(data) != count or len(mesh.vertices) != count:
@@ -31,16 +31,17 @@ def write(mesh, name, data_type, values):
     if not mesh.is_evaluated or mesh.original.library is None:
         data.foreach_set(field, values.reshape(-1))
         return
-    # On linked data foreach_set writes nothing (5.2). Assigning an item un-shares the array from the original.
+    # On linked data foreach_set writes nothing (Blender 5.2). Assigning an item stops the array from being shared with the original.
     setattr(data[0], field, getattr(data[0], field))
     found = memory(mesh, name, data_type)
     found[...] = values.reshape(found.shape)
 
 
 def memory(mesh, name, data_type, domain='POINT'):
-    """The array itself in which Blender holds an attribute, a row an item, which is to be one that nothing else shares.
+    """Return an array that is the memory of an attribute itself, one row for each item, to be read and written.
 
-    Raises Damaged as write() does.
+    The attribute's data must not be shared with a different mesh. Raises Damaged if the mesh has no attribute with this name, data type
+    and domain, or if its items are not contiguous.
     """
     _, numbers, shape = _FORMS[data_type]
     found = items(_data(mesh, name, data_type, domain), numbers, shape)
@@ -50,7 +51,10 @@ def memory(mesh, name, data_type, domain='POINT'):
 
 
 def items(data, numbers, shape):
-    """The memory of what each item of a collection of Blender's begins with: numbers of a type, in a shape."""
+    """Return an array of the numbers with which each item of a Blender collection begins in memory, without a copy.
+
+    data: the collection. numbers: numpy type. shape: shape of an item's numbers. Raises Damaged if the items are not equally spaced.
+    """
     count = len(data)
     if count == 0:
         return np.empty((0, *shape), numbers)
@@ -62,7 +66,7 @@ def items(data, numbers, shape):
 
 
 class _Memory:
-    """What numpy makes an array of without a copy."""
+    """Object with numpy's array interface, from which np.asarray() makes an array of existing memory without a copy."""
 
     def __init__(self, start, shape, step, numbers):
         steps = (step, *(4 * math.prod(shape[place:]) for place in range(2, len(shape) + 1)))

@@ -1,4 +1,10 @@
-"""Finding sinks again: on owners, on members, and on copies of both."""
+"""Find the constraints that are sinks of a system: on owners, on members, and on copies of both.
+
+A sink brings a solver's result to a member, an object or bone that an owner drives.
+
+The owner is the object whose settings are solved; it is the leader of the different objects that it drives. The results are in the
+outbox, an array on the mesh of a hidden object, the hub. A proxy is a hidden empty that brings a result to a member.
+"""
 
 import bpy
 
@@ -10,10 +16,13 @@ from . import property_sink, proxy_sink
 
 
 def on_object(system, obj, has_bones=True):
-    """Yields (Object or PoseBone, constraint, carrier, group's key) of every sink of the system, whoever drives it.
+    """Yield (Object or PoseBone, constraint, carrier, key of the group) for each sink of the system on an object.
 
-    has_bones: those of its bones too. A solver that waits for the object alone must not look at the hubs of its bones, which other
-    threads may evaluate meanwhile.
+    Sinks that different owners drive are included.
+
+    carrier: mesh of the hub that the sink reads, or the object itself if the hub is gone. has_bones: whether sinks on the object's
+    bones are included. A solver that waits only for the object must pass False, since other threads may be evaluating the hubs of its
+    bones.
     """
     for thing in _things(obj) if has_bones else (obj,):
         for constraint in thing.constraints:
@@ -29,10 +38,10 @@ def _things(obj):
 
 
 def sinks(system, owner):
-    """(Object or PoseBone, constraint) of every sink that the owner drives."""
+    """Return (Object or PoseBone, constraint) for each sink that an owner drives."""
     driven = _driven_objects(system, owner)
     carriers = {owner, *(carrier for _, carrier in hub_lookup.carriers_of(system, owner)), *hub_lookup.lost_hubs(system, owner)}
-    # Overrides may have been given sinks of their library again.
+    # Blender may have given overrides the sinks of their library's object again.
     overridden = [obj for obj in driven if obj.override_library]
     carriers.update(overridden)
     for obj in overridden:
@@ -41,17 +50,17 @@ def sinks(system, owner):
 
 
 def is_sink(system, constraint):
-    """Whether a constraint is a sink of the system, whoever drives it."""
+    """Whether a constraint is a sink of the system, whichever owner drives it."""
     return marks.read(system, constraint) is not None
 
 
 def has_sinks(system, obj):
-    """Whether an object carries sinks of the system: its own, its leader's, or those it was copied with."""
+    """Whether an object has sinks of the system: of its own hubs, of its leader's (the owner that drives it), or copied with the object."""
     return any(True for _ in on_object(system, obj))
 
 
 def renamed_bones(system, owner):
-    """(old name, new name) of the driven bones of an owner that were renamed since they were wired."""
+    """Return (old name, new name) for each bone of an owner that the owner drives and that was renamed since it was wired."""
     if owner.pose is None:
         return []
     found, at_home = {}, set()
@@ -59,19 +68,19 @@ def renamed_bones(system, owner):
         if old == thing.name:
             at_home.add(old)
         else:
-            found.setdefault(old, thing.name)  # copies of the bone come after it
+            found.setdefault(old, thing.name)  # the first bone counts: copies of a bone come after it
     return [(old, new) for old, new in found.items() if old not in at_home]
 
 
 def has_strays(system, owner):
-    """Whether bones that the system does not drive have got copies of its sinks, by tools of Blender's."""
+    """Whether bones that the system does not drive have copies of its sinks, made by Blender's tools for bones."""
     if owner.pose is None or owner.override_library:
         return False
     return any(old != thing.name for thing, old in _as_wired(system, owner)) or bool(_strays(system, owner))
 
 
 def _as_wired(system, owner):
-    """Yields (PoseBone, name that it had when it was wired) for every sink on the owner's bones of which that can be told."""
+    """Yield (PoseBone, name of the bone when it was wired) for each sink on the owner's bones for which the name is known."""
     old_names = {}
     for key, carrier in hub_lookup.carriers_of(system, owner):
         known = outbox.info(system, carrier, key)
@@ -84,7 +93,10 @@ def _as_wired(system, owner):
 
 
 def abandoned(system, obj):
-    """Objects with sinks of the same hub as this one, itself among them, if the hub's owner is gone; else none."""
+    """Return the objects, including this one, that have sinks of the same hub as this object although the hub's owner is gone.
+
+    The list is empty if the owners of all its sinks exist.
+    """
     hubs = {carrier for _, _, carrier, _ in on_object(system, obj) if _is_abandoned(system, carrier)}
     return [
         other
@@ -103,10 +115,13 @@ def _is_abandoned(system, carrier):
 
 
 def release(system, *objects):
-    """Free objects of all sinks of the system, whoever drives them. An owner of its own is detached instead."""
+    """Remove all sinks of the system from these objects, whichever owner drives them.
+
+    An object that is itself an owner has to be detached instead.
+    """
     found = [one for obj in objects for one in on_object(system, obj)]
     for obj in objects:
-        # Blender merges the drivers of a rig that is joined into another one, those of its outlet too.
+        # When a rig is joined into a different one, Blender merges their drivers, including the drivers of the joined rig's outlet.
         drivers.remove_under(obj, f'["{outbox.out_key(system)}')
     remove([(thing, constraint) for thing, constraint, _, _ in found])
     for obj in objects:
@@ -118,14 +133,14 @@ def release(system, *objects):
 
 
 def makers(system, obj):
-    """Owners of the hubs and proxies that the sinks on an object hang on."""
+    """Return the owners of the hubs and proxies that the sinks on an object read."""
     found = {proxy_sink.proxy_of(constraint) or carrier for _, constraint, carrier, _ in on_object(system, obj)}
     owners = [one.get(marks.PROXY_KEY) or one.get(outbox.OWNER_KEY) for one in found]
     return {owner for owner in owners if isinstance(owner, bpy.types.Object)}
 
 
 def remove(found):
-    """Remove sinks, given as (Object or PoseBone, constraint), with their drivers."""
+    """Remove sinks, given as (Object or PoseBone, constraint), together with the drivers on them."""
     by_object = {}
     for thing, constraint in found:
         by_object.setdefault(thing.id_data, []).append((thing, constraint))
@@ -136,13 +151,13 @@ def remove(found):
             active = thing.constraints.active
             kept = None if active == constraint else active
             thing.constraints.remove(constraint)
-            thing.constraints.active = kept  # which removing any other one forgets
+            thing.constraints.active = kept  # removing a constraint clears the active one
         drivers.drop_empty_animation(obj)
         obj.update_tag()
 
 
 def remove_orphans(system, owner):
-    """Where the sinks are gone, remove what is left of some: drivers whose bone is gone, and constraints whose hub is.
+    """Remove remains of sinks from an owner: drivers of constraints whose bone is gone, and constraints whose hub is gone.
 
     Removing a bone in Edit Mode leaves the drivers of its constraints behind.
     """
@@ -158,21 +173,24 @@ def remove_orphans(system, owner):
 
 
 def _strays(system, owner):
-    """(PoseBone, constraint) of sinks without a hub. Not of overrides, which may have lost theirs."""
+    """Return (PoseBone, constraint) for each sink on an owner's bones whose hub is gone.
+
+    The list is empty for library overrides, which may have lost their hubs.
+    """
     if system.groups is None or owner.pose is None or owner.override_library:
         return []
     return [(bone, constraint) for bone in owner.pose.bones for constraint in bone.constraints if marks.is_bereft(system, constraint)]
 
 
 def led_by(system, owner):
-    """Objects whose leader the owner is."""
+    """Return the objects that an owner drives for this system, as stored in their settings: their leader is the owner."""
     if _drives_itself_alone(system, owner):
         return []
     return [other for other in bpy.data.objects if leader_of(system, other) == owner]
 
 
 def _drives_itself_alone(system, owner):
-    """Whether its hubs have no members that are neither the owner nor bones of it."""
+    """Whether all members of an owner's hubs are the owner itself or its bones."""
     if any(_may_lead(system, mesh) for mesh in hub_lookup.hub_meshes(system, owner)):
         return False
     return system.groups is not None or has_sinks(system, owner)
@@ -196,7 +214,7 @@ def _driven_objects(system, owner):
 
 
 def _slot(system, driver):
-    """(carrier, group's key, slot) of the outbox that a driver reads; None for any other driver."""
+    """Return (hub's mesh, key of the group, index of the slot) for the slot of an outbox that a driver reads; None if it reads none."""
     pattern = outbox.slot_pattern(system)
     for variable in driver.variables:
         target = variable.targets[0]

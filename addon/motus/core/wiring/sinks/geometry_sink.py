@@ -1,8 +1,10 @@
-"""The sink of systems that move or make points: a Geometry Nodes modifier of the owner that brings in what the hub holds.
+"""Geometry Nodes modifiers as sinks, for systems that move or make points: the modifier brings in the geometry of the hub's mesh.
 
-The hub's mesh is empty in the file. The solver gives the *evaluated* one points and attributes, of which moved_points and
-made_points say what they are, and what the nodes do with them. Without the add-on there are none, and the owner stands as
-it is. In Edit Mode, where the points of a mesh come and go before the solver hears of it, the modifier is switched off.
+The hub is a hidden object; its mesh has no points in the file. The solver adds points and attributes to the *evaluated* mesh.
+moved_points.py and made_points.py define these attributes and the nodes that use them. Without the add-on there are no points, and the
+owner has its own shape. The modifier is off in Edit Mode, where points are added and removed before the solver is told.
+
+The owner is the object whose settings are solved, and whose geometry the modifier changes.
 """
 
 import bpy
@@ -12,17 +14,17 @@ from ..hubs import hub_lookup
 from . import made_points, moved_points
 
 KEY = "motus_system"
-"""Custom property of the node group: name of the system whose sinks have it."""
+"""Custom property of the modifier's node group: name of the system whose sinks use the group."""
 HUB = "Hub"
 
 
 def prepare(system, mesh, settings):
-    """Give a hub's mesh the attributes that the solver fills for an owner with these settings."""
+    """Add to a hub's mesh the attributes that the solver fills for an owner with these settings."""
     _kind(system).prepare(system, mesh, settings)
 
 
 def add(system, owner, hub):
-    """Let the owner's points be moved by what the hub holds, by the modifier that is there already or a new one."""
+    """Give the owner a modifier that brings in the geometry of a hub, or let its existing modifier read this hub."""
     found = modifier(system, owner)
     if found is not None:
         if _form_of(system, found.node_group) is None:
@@ -32,29 +34,29 @@ def add(system, owner, hub):
     active = getattr(owner.modifiers, "active", None)
     found = owner.modifiers.new(f"Motus {system.label}", 'NODES')
     if found is None:
-        return  # objects of its type have no modifiers: what it holds came with a copy from another one
+        return  # objects of this type have no modifiers: the settings were copied from an object of a different type
     found.node_group = _node_group(system)
     found.show_in_editmode = found.show_on_cage = found.show_expanded = False
-    # Before it is moved: where that is done by an operator, Blender evaluates, and takes no notice of the hub later.
+    # The input is set before the modifier is moved: if an operator moves it, Blender evaluates at once and later ignores a new hub.
     node_groups.set_input(found, HUB, hub)
     if _kind(system).IS_FIRST:
         _move_first(owner, found)
     if active:
-        owner.modifiers.active = active  # the user's, which stays so
+        owner.modifiers.active = active  # the modifier that the user has made active stays active
 
 
 def modifier(system, owner):
-    """The owner's sink of the system; None where it has none."""
+    """Return the owner's modifier that is the sink of the system; None if there is none."""
     return next((one for one in owner.modifiers if _is_sink(system, one)), None)
 
 
 def points_place(system, owner):
-    """Place of the sink in the owner's stack of modifiers; None where it has none."""
+    """Return the index of the system's modifier among the owner's modifiers; None if there is none."""
     return next((index for index, one in enumerate(owner.modifiers) if _is_sink(system, one)), None)
 
 
 def remove(system, owner):
-    """Take the sink away, and what it was made of where nobody else needs that."""
+    """Remove the system's modifiers from the owner, and their node groups if nothing else uses these."""
     for found in [one for one in owner.modifiers if _is_sink(system, one)]:
         group = found.node_group
         node_groups.let_go(found)
@@ -63,7 +65,7 @@ def remove(system, owner):
 
 
 def is_stale(system, owner):
-    """Whether the hub waits for another mesh than the owner has now."""
+    """Whether the solver's driver on the owner's hub waits for a mesh different from the one that the owner has now."""
     hub = hub_lookup.hub_of(system, owner)
     if hub is None or not hub.data.animation_data or owner.type != 'MESH':
         return False
@@ -78,9 +80,10 @@ def is_stale(system, owner):
 
 
 def is_cut_off(system, owner):
-    """Whether the owner's Geometry Nodes modifier reads a hub object that is not the owner's own.
+    """Whether the modifier of an owner that is a sink reads a hub object different from the owner's hub.
 
-    In Blender 5.2 a library override loses the input of a modifier whose node group it replaces.
+    In Blender 5.2 a library override loses the input of a modifier whose node group it replaces. The result is False if the owner has
+    no such modifier, or if sockets of its node group were removed.
     """
     found = modifier(system, owner)
     return (
@@ -91,34 +94,40 @@ def is_cut_off(system, owner):
 
 
 def room(system, carrier, inputs, context):
-    """What the solver fills, in the context too. Its write(weight) lets the evaluated hub hold that."""
+    """Return an object with the memory that the solver fills, and provide the memory in the context.
+
+    The object's write(weight) stores the results in the evaluated hub's mesh (carrier).
+    """
     return _kind(system).Room(system, carrier, inputs, context)
 
 
 def write_nothing(system, carrier):
-    """Let the owner be what it is by itself."""
+    """Make the evaluated hub's mesh (carrier) hold nothing that changes the owner's own shape."""
     _kind(system).write_nothing(system, carrier)
 
 
 def set_points_material(system, owner, material):
-    """Give the points that the system makes on an owner, or what their shape is, a material."""
+    """Set the material of the points that a system makes on an owner, or of the curves, tubes or faces that are made of the points."""
     _set_form(system, owner, made_points.MATERIAL, material)
 
 
 def set_points_object(system, owner, instanced):
-    """Let the owner have an instance of an object on each point, scaled by its radius and turned by its quaternion."""
+    """Put an instance of an object on each point that a system makes on an owner.
+
+    The instance is scaled by the point's radius and rotated by its quaternion.
+    """
     _set_form(system, owner, made_points.OBJECT, instanced)
 
 
 def set_points_collection(system, owner, instanced):
-    """Let the owner have an instance of an object of a collection on each point, which chooses one by its id."""
+    """Put an instance of one of a collection's objects, chosen by the point's id, on each point that a system makes on an owner."""
     _set_form(system, owner, made_points.COLLECTION, instanced)
 
 
 def _set_form(system, owner, form, value):
     found = modifier(system, owner)
     if found is None:
-        return  # somebody has removed it
+        return  # the modifier was removed
     group = found.node_group
     if _form_of(system, group) != form:
         node_groups.let_go(found)
@@ -143,7 +152,7 @@ def _is_sink(system, one):
 
 def _move_first(owner, found):
     if len(owner.modifiers) == 1:
-        return  # in 3.4 the operator refuses overrides
+        return  # nothing to move; in Blender 3.4 the operator refuses overrides
     if capabilities.has_modifier_order():
         owner.modifiers.move(len(owner.modifiers) - 1, 0)
         return
@@ -152,7 +161,7 @@ def _move_first(owner, found):
 
 
 def _form_of(system, group):
-    """Variant of the system's node group to which `group` belongs, told by its input sockets; None if sockets were removed."""
+    """Return the variant of the system's node group to which `group` belongs, found by its input sockets; None if sockets were removed."""
     return next(
         (
             form
@@ -173,7 +182,10 @@ def _sockets(system, form):
 
 
 def _node_group(system, form=None):
-    """The node group of all the system's sinks of a form in this file; without one of the first."""
+    """Return the node group for all sinks of a system in this file, created if there is none.
+
+    form: variant of the node group, a key of FORMS; None for the first variant.
+    """
     first = next(iter(_kind(system).FORMS))
     form = first if form is None else form
     for group in bpy.data.node_groups:

@@ -1,8 +1,10 @@
-"""How points are made on the owner: the hub's evaluated mesh has them, and the modifier brings them in.
+"""Make points on the owner: the evaluated mesh of the hub has the points, and a Geometry Nodes modifier of the owner brings them in.
 
-What the hub's mesh holds in the file is the form alone, attributes without points. At each solve the evaluated mesh is given
-that form anew, and room for as many points as there are: fresh memory, which neither the original nor what Blender has
-evaluated before shares, so that the solver can fill it where it lies.
+The hub is a hidden object that belongs to the owner. In the file, its mesh has attributes but no points. At each solve, the evaluated
+mesh is emptied to this form and given the required number of points. Their memory is new, and shared with neither the original mesh nor
+earlier evaluated copies, so the solver writes into it directly.
+
+The weight is the influence of the results; no points are shown if it is 0.
 """
 
 from typing import Any
@@ -18,12 +20,13 @@ from ...measures import finite
 from . import attributes
 
 IS_FIRST = False
-"""The modifier is added behind those that the owner has: these shape what the owner has by itself."""
+"""Whether the modifier is the first of the owner's modifiers. It is not: the earlier modifiers shape only the owner's own geometry."""
 MATERIAL, OBJECT, COLLECTION = "Material", "Object", "Collection"
 FORMS = {name: ((name, 'INPUT', f"NodeSocket{name}"),) for name in (MATERIAL, OBJECT, COLLECTION)}
-"""What is made of the points, by the input that says it: what the system's shape is, or instances of an object or collection.
+"""Variants of the node group -> additional input sockets; each variant is named by the input that determines what is made of the points.
 
-Each has nodes of its own and no more inputs than it needs, for the file's sake.
+MATERIAL: the shape that the system declares, with a material. OBJECT: instances of an object. COLLECTION: instances of objects of a
+collection. Each variant has its own nodes, and no more inputs than it needs, to keep files small.
 """
 TUBE_SIDES = 8
 RADIUS = "radius"
@@ -39,11 +42,14 @@ _TYPES = {
     'QUATERNION': 'QUATERNION',
     'EULER': 'FLOAT_VECTOR',
 }
-"""Kind of an attribute -> its type. EULER: what quaternions are to Blenders without attributes of these."""
+"""Kind of an attribute -> Blender's data type of the attribute.
+
+EULER: Euler angles in place of quaternions, for Blender versions without quaternion attributes.
+"""
 
 
 class Room:
-    """What the solver asks for points. is_full: for more than there may be."""
+    """Memory for points, which the solver requests by calling context.points. is_full: whether more points were requested than allowed."""
 
     def __init__(self, system, carrier, _inputs, context):
         self._system, self._made, self._carrier, self._settings = system, system.makes_points, carrier, context.settings
@@ -55,7 +61,7 @@ class Room:
     def _points(self, count, edges=0, triangles=0):
         self.is_full = count > self._made.capacity
         if self.is_full and self._made.shape == 'FACES':
-            count = edges = triangles = 0  # a part of a surface is another surface
+            count = edges = triangles = 0  # no points at all: a part of a surface would be a different surface
         count = min(count, self._made.capacity)
         present = _resize(self._system, self._carrier, int(count), self._settings)
         self._staged = []
@@ -69,7 +75,7 @@ class Room:
     def _positions(self, count):
         if "position" in self._carrier.attributes:
             return attributes.memory(self._carrier, "position", 'FLOAT_VECTOR')
-        # Before Blender 3.5 a vertex is a record that begins with its position.
+        # Before Blender 3.5 a vertex is a struct that begins with its position.
         places = attributes.items(self._carrier.vertices, "<f4", (3,))
         positions = scratch("positions", (count, 3), np.float32)
         self._staged.append(lambda: np.copyto(places, positions))
@@ -82,7 +88,7 @@ class Room:
         return rotations
 
     def is_finite(self):
-        """Whether where the points are, how large, and how they are turned may reach Blender."""
+        """Whether the positions, radii and rotations of the points are finite, so that they may reach Blender."""
         placing = (
             name
             for name, kind in (("position", 'VECTOR'), *self._made.attributes)
@@ -91,7 +97,7 @@ class Room:
         return self._found is None or all(finite.is_finite(self._found[name]) for name in placing if name in self._found)
 
     def write(self, weight):
-        """Let the evaluated hub have the points, or none where the weight is 0 or the solver has asked for none."""
+        """Complete the points in the evaluated hub's mesh; remove them if the weight is 0 or the solver has requested none."""
         if weight == 0.0 or self._found is None:
             _clear(self._carrier)
             return
@@ -102,7 +108,7 @@ class Room:
 
 
 def prepare(system, mesh, settings):
-    """Give a hub's mesh the attributes of the points."""
+    """Add the attributes of the points to a hub's mesh, except those that the system does not need with these settings."""
     unneeded = system.makes_points.unneeded(settings)
     for name, kind in system.makes_points.attributes:
         if name not in unneeded:
@@ -110,16 +116,19 @@ def prepare(system, mesh, settings):
 
 
 def write_nothing(_system, carrier):
-    """Let there be no points."""
+    """Remove all points from the evaluated hub's mesh (carrier)."""
     _clear(carrier)
 
 
 def add_nodes(system, group, start, form):
-    """The nodes of the modifier; returns the socket of what it makes, with the owner's own geometry."""
+    """Add the nodes that bring in the points to a node group of the modifier.
+
+    form: variant, a key of FORMS. Returns the output socket with the owner's own geometry and what is made of the points.
+    """
     made = system.makes_points
     hub = node_groups.add_node(group, "GeometryNodeObjectInfo", transform_space='RELATIVE' if made.space == 'WORLD' else 'ORIGINAL')
-    # As an instance it stands still in the world with all that its attributes say, whatever that is. A surface says nothing
-    # but where it is, and modifiers behind, which do not look into instances, are to have it.
+    # As an instance, the geometry keeps its place in the world, with all attributes whatever they mean. A surface has only positions,
+    # and modifiers behind this one, which do not reach into instances, have to get its geometry.
     hub.inputs["As Instance"].default_value = made.space == 'WORLD' and made.shape != 'FACES'
     group.links.new(start.outputs["Hub"], hub.inputs["Object"])
     mesh = hub.outputs["Geometry"]
@@ -144,7 +153,7 @@ def _as_instances(made, group, start, mesh, form):
     info = node_groups.add_node(group, f"GeometryNode{form}Info", transform_space='ORIGINAL')
     group.links.new(start.outputs[form], info.inputs[form])
     node = node_groups.add_node(group, "GeometryNodeInstanceOnPoints")
-    # Which of a collection's objects an instance is follows from the attribute "id", where nothing else is linked.
+    # Blender chooses the object of a collection for each instance by the attribute "id" if no socket is linked to the instance index.
     switches = (info.inputs["Separate Children"], info.inputs["Reset Children"]) if form == COLLECTION else (info.inputs["As Instance"],)
     for switch in (*switches, node.inputs["Pick Instance"]):
         switch.default_value = True
@@ -185,13 +194,13 @@ def _as_tubes(made, group, mesh):
     group.links.new(curves, node.inputs["Curve"])
     group.links.new(circle.outputs["Curve"], node.inputs["Profile Curve"])
     if "Scale" in node.inputs:
-        # Where there is no such input Blender takes the radius by itself.
+        # Versions of Blender without this input apply the radius by themselves.
         _link_radius(made, group, node, "Scale")
     return node.outputs["Mesh"]
 
 
 _SHAPES = {'POINTS': _as_points, 'CURVES': _as_curves, 'TUBES': _as_tubes, 'FACES': _as_faces}
-"""Points.shape -> what adds the nodes that make it of the hub's mesh."""
+"""Points.shape -> function that adds the nodes which make this shape of the hub's mesh."""
 
 
 def _link_radius(made, group, node, name):
@@ -200,19 +209,19 @@ def _link_radius(made, group, node, name):
 
 
 def _made_as(kind):
-    """The kind as which this Blender is given an attribute."""
+    """Return the kind of an attribute in this version of Blender: 'EULER' for 'QUATERNION' if there are no quaternion attributes."""
     return 'EULER' if kind == 'QUATERNION' and not capabilities.has_quaternion_attributes() else kind
 
 
 def _found_as(mesh, name, kind):
-    """The kind as which the hub's mesh has an attribute: rotations are Euler angles still if an older Blender has saved the file."""
+    """Return the kind of an attribute on a hub's mesh: 'EULER' for 'QUATERNION' if an older version of Blender has saved the file."""
     return 'EULER' if kind == 'QUATERNION' and mesh.attributes[name].data_type == _TYPES['EULER'] else kind
 
 
 def _resize(system, carrier, count, settings):
-    """Give an evaluated mesh the attributes of the points, and so many of these, whose content is undefined.
+    """Give an evaluated hub's mesh (carrier) the attributes of the points, and `count` points with undefined contents.
 
-    Returns which attributes these are: pairs of name and kind.
+    Returns (name, kind) of each attribute. Raises Damaged if the original mesh lacks attributes that the settings need.
     """
     mesh, made = carrier.original, system.makes_points
     names = mesh.attributes.keys()
@@ -222,7 +231,7 @@ def _resize(system, carrier, count, settings):
         if not missing.issubset(made.unneeded(settings)):
             raise Damaged("another form than that of the points")
     form = _forms.made((system.name, present), lambda: _form_of(mesh, present))
-    # Of all that empties a mesh this alone leaves it the driver that is being evaluated.
+    # BMesh.to_mesh() is the only way to empty the mesh that keeps the driver that is being evaluated.
     form.to_mesh(carrier)
     carrier.vertices.add(count)
     return present
@@ -247,7 +256,11 @@ def _clear(carrier):
 
 
 def _faces(carrier, edges, triangles):
-    """Room for edges and triangles in an evaluated mesh: which points they join, and which edges leave a triangle's corners."""
+    """Add edges and triangles to an evaluated mesh; returns a dictionary of arrays to be filled.
+
+    edges: (n, 2) indices of the points that an edge joins. triangles: (m, 3) indices of the points of each triangle. sides: (m, 3)
+    indices of the edge that starts at each corner of a triangle.
+    """
     found = {"edges": _edges(carrier, edges)}
     if triangles == 0:
         return found | {"triangles": np.empty((0, 3), np.int32), "sides": np.empty((0, 3), np.int32)}
@@ -257,7 +270,7 @@ def _faces(carrier, edges, triangles):
         starts = attributes.items(carrier.polygons, "<i4", ())
         corners, sides = (attributes.memory(carrier, name, 'INT', 'CORNER') for name in (".corner_vert", ".corner_edge"))
     else:
-        # Before Blender 3.6 a polygon is a record that begins with its first corner and how many it has, and a corner one
+        # Before Blender 3.6 a polygon is a struct that begins with its first corner and its number of corners, and a corner is a struct
         # of a vertex and an edge.
         polygons, records = attributes.items(carrier.polygons, "<i4", (2,)), attributes.items(carrier.loops, "<i4", (2,))
         polygons[:, 1] = 3
@@ -267,18 +280,18 @@ def _faces(carrier, edges, triangles):
 
 
 def _edges(carrier, count):
-    """Room for edges in an evaluated mesh: the points that each of them joins."""
+    """Add edges to an evaluated mesh; returns the array (count, 2) of the points that each edge joins, to be filled."""
     carrier.edges.add(count)
     if count == 0:
         return np.empty((0, 2), np.int32)
     if ".edge_verts" in carrier.attributes:
         return attributes.memory(carrier, ".edge_verts", 'INT32_2D', 'EDGE')
-    # Before Blender 3.6 an edge is a record that begins with its ends.
+    # Before Blender 3.6 an edge is a struct that begins with its two vertices.
     return attributes.items(carrier.edges, "<i4", (2,))
 
 
 def _join(carrier, curves):
-    """Join points that follow each other and are of the same curve by edges."""
+    """Add an edge between each two consecutive points of the same curve. curves: array with the number of the curve for each point."""
     starts = np.flatnonzero(curves[1:] == curves[:-1])
     ends = _edges(carrier, len(starts))
     ends[:, 0] = starts

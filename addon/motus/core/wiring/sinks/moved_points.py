@@ -1,4 +1,7 @@
-"""How the points of the owner's mesh are moved: each by a vector that the hub holds for the point of the same index."""
+"""Move the points of the owner's mesh: each by the vector that the hub, a hidden mesh object, holds for the point of equal index.
+
+The hub's mesh, also called carrier, has the results of a solver. The weight is the influence of the results.
+"""
 
 from ...blender import node_groups
 from ...declare import Vertices
@@ -9,13 +12,13 @@ from . import attributes
 
 ATTRIBUTE = "motus_offset"
 IS_FIRST = True
-"""The modifier is the first of the stack: the vectors are those of the mesh's own points."""
+"""Whether the modifier is the first of the owner's modifiers. It is, so the vectors are those of the mesh's own points."""
 FORMS = {"": ()}
-"""One, which has no inputs of its own."""
+"""Variants of the node group -> additional input sockets. There is one variant, without additional inputs."""
 
 
 class Room:
-    """What the solver fills: a vector for each point of the evaluated mesh that the system moves, zero to begin with."""
+    """Memory that the solver fills: a vector for each point of the evaluated mesh whose points the system moves, initially 0."""
 
     is_full = False
 
@@ -26,31 +29,31 @@ class Room:
         context.offsets = self._offsets[:count]
 
     def is_finite(self):
-        """Whether the vectors may reach the owner's points; else these stay where they are."""
+        """Whether all vectors are finite and may reach the owner's points; if not, they are set to 0, so that the points are not moved."""
         if finite.is_finite(self._offsets):
             return True
         self._offsets.fill(0.0)
         return False
 
     def write(self, weight):
-        """Let the evaluated hub hold the vectors, times the weight."""
+        """Store the vectors, multiplied by the weight, in the evaluated hub's mesh."""
         if weight != 1.0:
             self._offsets *= np.float32(weight)
         _write(self._carrier, self._offsets)
 
 
 def prepare(_system, mesh, _settings):
-    """Give a hub's mesh the attribute that the solver fills."""
+    """Add to a hub's mesh the attribute that holds a vector for each point."""
     mesh.attributes.new(ATTRIBUTE, 'FLOAT_VECTOR', 'POINT')
 
 
 def write_nothing(_system, carrier):
-    """Let the owner's points be where they are by themselves."""
+    """Store zero vectors in the evaluated hub's mesh (carrier), so that the owner's points are not moved."""
     _write(carrier, _zeros(carrier, 0))
 
 
 def add_nodes(_system, group, start, _form):
-    """The nodes of the modifier; returns the socket of the owner's geometry, moved."""
+    """Add the nodes that move the points to a node group of the modifier; returns the output socket with the owner's moved geometry."""
     hub = node_groups.add_node(group, "GeometryNodeObjectInfo")
     index = node_groups.add_node(group, "GeometryNodeInputIndex")
     sample = node_groups.add_node(group, "GeometryNodeSampleIndex", data_type='FLOAT_VECTOR', domain='POINT')
@@ -69,7 +72,7 @@ def add_nodes(_system, group, start, _form):
 
 
 def _zeros(carrier, count):
-    # Points can be added to an evaluated mesh, but not taken away one by one.
+    # At least as many vectors as the mesh has points: points of an evaluated mesh can be added, but not removed one by one.
     offsets = scratch("offsets", (max(count, len(carrier.vertices)), 3), np.float32)
     offsets.fill(0.0)
     return offsets

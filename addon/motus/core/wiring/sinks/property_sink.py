@@ -1,11 +1,15 @@
-"""The sink of a property: a driver that lets one number of any datablock be what an output of the group is.
+"""Drivers as sinks of properties: each sets one number of any datablock to an output of a solver.
 
-A driver wins over keys, so the property's own value and keys stay where they are. What it is by itself is told by its keys, which are
-read below the driver, or else by its value as it was wired, since Blender lets what a driver says reach the original.
+A driver takes precedence over keyframes, so the property's own value and keyframes are kept. The own value of the property, which the
+influence blends with the output, is computed from its keyframes. If it has no keyframes, it is the value that the property had when it
+was wired, because Blender also writes a driver's result to the original.
 
-In a file the driver is *at rest*: muted, and aimed at a custom property, so that without the add-on the keys animate the
-property again. It is put to rest before a file is saved, and woken after that, when the file is loaded, and by the first
-solver of what was linked or appended.
+In a file the driver is *at rest*: muted, and its data path is that of a custom property, so that a Blender without the add-on animates
+the property by its keyframes. Drivers are put to rest before a file is saved. They are woken after saving, after loading, and by the
+first call of the solver if they were linked or appended.
+
+The owner is the object whose settings are solved. Its hub is a hidden object whose mesh has the outbox, the array with the solver's
+results.
 """
 
 import functools
@@ -27,21 +31,21 @@ from ...translations import tr
 from ..hubs import hub_lookup, outbox
 
 VARIABLE = "motus"
-"""Name of the variable of drivers that are sinks, which the wiring makes anew."""
+"""Name of the variable in drivers that are sinks; renewing the wiring removes these drivers and adds them again."""
 KEY = "motus_properties"
-"""Custom property of a hub's mesh: a Note of each property, as text."""
+"""Custom property of a hub's mesh: the Notes of all properties that the hub's solver drives, as text."""
 REST_KEY = "motus_resting"
-"""Custom property of a hub's mesh whose drivers are at rest, and of what they are on: they are aimed at it."""
+"""Custom property of a hub's mesh whose drivers are at rest, and of the datablocks with these drivers, which are aimed at it."""
 _OF_BONE = re.compile(r'pose\.bones\["((?:[^"\\]|\\.)*)"\]')
 
 _known = keeping.OfProcess("what a hub's mesh notes of driven properties, or Damaged", "the text", most=256)
 
 
 class Note(NamedTuple):
-    """Record of one driven property, stored in the hub.
+    """Record of one driven property, stored as text in the hub's mesh.
 
-    slot: index of its value in the outbox, the float array of the solver's results. path, index: as those of a Property.
-    base: value of the property without keys.
+    slot: index of the property's value in the outbox, the float array of the solver's results. path: data path of the property from its
+    object. index: index of the array's item, -1 if the property is no array. base: value of the property without keyframes.
     """
 
     slot: int
@@ -51,7 +55,7 @@ class Note(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Where a property lies: its datablock, and the animation.Number there."""
+    """Where a property lies. id_data: its datablock. data_path: its path from the datablock. number: animation.Number of the property."""
 
     id_data: Any
     data_path: str
@@ -59,13 +63,17 @@ class Place(NamedTuple):
 
     @property
     def driver(self):
-        """F-curve of the driver on the property; None if it has no driver."""
+        """F-curve of the driver on the property; None if the property has no driver."""
         found = self.id_data.animation_data
         return found and found.drivers.find(self.data_path, index=max(self.number.index, 0))
 
 
 def property_place(obj, path, index=-1):
-    """The Place of a property by its path from an object, through datablocks that the object uses. Refuses what is no decimal number."""
+    """Return the Place of a property, given by its data path from an object; the path may lead through datablocks that the object uses.
+
+    index: index of the array's item; -1 if the property is no array. Raises Refused if there is no such property or it is no decimal
+    number.
+    """
     try:
         found = obj.path_resolve(path, False)
         id_data, data_path = found.id_data, found.path_from_id()
@@ -78,7 +86,10 @@ def property_place(obj, path, index=-1):
 
 
 def check_property(obj, path, index=-1):
-    """The Place of a property that may be driven; refuses any other."""
+    """Return the Place of a property that may be driven.
+
+    Raises Refused if property_place() does, or if the datablock is linked, or the property has a driver or cannot be animated.
+    """
     found = property_place(obj, path, index)
     check_local(found.id_data)
     declared = found.number.holder.bl_rna.properties.get(found.number.name)
@@ -126,10 +137,10 @@ def _drive(system, group, found, mesh, slot):
 
 
 def waits(group):
-    """Yields driver Variables that make the solver wait until Blender has copied the datablocks of a group's driven properties.
+    """Yield driver Variables that make the solver wait until Blender has copied the datablocks of a group's driven properties.
 
-    The solver reads the properties' keys from these evaluated copies. It does not wait for the properties themselves: that would be
-    a dependency cycle.
+    The solver reads the properties' keyframes from these evaluated copies. It does not wait for the properties themselves: that would
+    be a dependency cycle.
     """
     for id_data in dict.fromkeys(_datablocks(group)):
         copies.mark(id_data)
@@ -146,7 +157,7 @@ def _datablocks(group):
 
 
 def remove(system, meshes):
-    """Remove the sinks of these hubs, wherever they are; the properties are what they were."""
+    """Remove the sinks of the hubs with these meshes from all datablocks; the properties get their own values back."""
     for holder, curve, mesh in _sinks(meshes):
         _restore(system, holder, curve, mesh)
         holder.animation_data.drivers.remove(curve)
@@ -154,7 +165,10 @@ def remove(system, meshes):
 
 
 def remove_copies(system, owner, mesh):
-    """Remove what a copied owner, or what it uses, has of the sinks of the first one's hub; an override of those of the overridden hub."""
+    """Remove the drivers that were copied with an owner, or with datablocks that it uses, and that read the hub of the original owner.
+
+    If the owner is a library override, its drivers that read the overridden hub are removed. mesh: mesh of that hub.
+    """
     for order, note in enumerate(_notes_of(mesh)):
         if _object_key(order) in mesh:
             continue
@@ -168,7 +182,7 @@ def remove_copies(system, owner, mesh):
             mine.id_data.animation_data.drivers.remove(curve)
             _tidy(mine.id_data)
             if mine.id_data != owner:
-                copies.unmark(mine.id_data)  # which it was copied with
+                copies.unmark(mine.id_data)  # the marker of the datablock was copied with it
 
 
 def _tidy(holder):
@@ -179,18 +193,21 @@ def _tidy(holder):
 
 
 def _restore(system, holder, curve, mesh):
-    """Let a property have its own value again."""
+    """Set a driven property to the value that it had without the driver.
+
+    curve: F-curve of the driver. mesh: mesh of the hub that it reads.
+    """
     note = next((one for one in _notes_of(mesh) if _reads(system, curve, one)), None)
     if note is None or curve.data_path == _REST_PATH:
         return
     try:
         channel.number(holder, curve.data_path, note.index).write(note.base)
     except Refused:
-        pass  # it is gone
+        pass  # the property is gone
 
 
 def rest(system, mesh):
-    """Put the drivers of a hub to rest."""
+    """Put all property drivers that read a hub to rest: mute them and aim them at a custom property. mesh: mesh of the hub."""
     for holder, curve, _ in _sinks([mesh]):
         _restore(system, holder, curve, mesh)
         holder[REST_KEY] = [0.0]
@@ -200,7 +217,10 @@ def rest(system, mesh):
 
 
 def wake(system, owner, mesh):
-    """Let the drivers of a hub act again; linked ones too, in memory. Those that Blender has given an override anew are aimed at its hub."""
+    """Unmute all property drivers that read a hub, and aim them at their properties again; linked drivers are changed in memory only.
+
+    Drivers that Blender has copied anew to a library override are made to read the override's hub. mesh: mesh of the hub.
+    """
     notes = list(_notes_of(mesh))
     for order, note in enumerate(notes):
         found = _found(mesh.get(_object_key(order), owner), note)
@@ -212,7 +232,7 @@ def wake(system, owner, mesh):
         for curve in resting:
             if _hub_of(curve) != mesh:
                 curve.driver.variables[VARIABLE].targets[0].id = mesh
-            notes[order] = note._replace(base=found.number.present)  # which somebody may have edited since
+            notes[order] = note._replace(base=found.number.present)  # the value may have been edited since
             curve.data_path, curve.array_index, curve.mute = found.data_path, max(note.index, 0), False
             if not found.id_data.library:
                 found.id_data.pop(REST_KEY, None)
@@ -224,18 +244,22 @@ def wake(system, owner, mesh):
 
 
 def is_resting(mesh):
-    """Whether the drivers of a hub, original or evaluated, are at rest."""
+    """Whether the property drivers that read a hub are at rest (muted). mesh: the hub's mesh, original or evaluated."""
     return REST_KEY in mesh
 
 
 def clear(mesh, box):
-    """Before a solver is called: let no property be set."""
+    """Set the outputs of all driven properties to NaN, which means "do not set", before the solver is called. box: array of results."""
     for note in _checked(mesh, box):
         box[note.slot] = math.nan
 
 
 def blend(mesh, owner, box, frame, weight):
-    """Lay what the solver has found over the properties' own values. owner: evaluated."""
+    """Replace the output of each driven property by the blend of the property's own value and the output.
+
+    The weight is the share of the output. An output that is NaN or infinite gives the own value. owner: evaluated. box: array of
+    results.
+    """
     for order, note in enumerate(_checked(mesh, box)):
         value = box[note.slot]
         is_set = weight != 0.0 and abs(value) < INFINITE
@@ -246,13 +270,16 @@ def blend(mesh, owner, box, frame, weight):
 
 
 def blend_none(system, key, mesh, frame):
-    """Let the properties of a hub that was not solved be what they are by themselves, as far as the hub still tells."""
+    """Set the outputs of all driven properties to the properties' own values, for a hub that was not solved.
+
+    Raises Damaged if the data on the hub's mesh cannot be read.
+    """
     box = stored.doubles(mesh.get(outbox.out_key(system, key)))
     blend(mesh, mesh.get(outbox.OWNER_KEY), box, frame, 0.0)
 
 
 def _own(obj, note, frame):
-    """What a property is by its keys alone; its value where keys do not tell it."""
+    """Return the own value of a driven property: the value of its keyframes at the frame, or Note.base if it has no usable keyframes."""
     found = _found(obj, note)
     if found:
         keys = channel.Channel(found.id_data, found.data_path, note.index, is_beneath_driver=True)
@@ -262,7 +289,10 @@ def _own(obj, note, frame):
 
 
 def driven_properties(system, owner):
-    """(object, function that gives the Place from it, or from its evaluated copy) of all properties that an owner drives now."""
+    """Yield (object, function) for each property that an owner drives now.
+
+    The function returns the Place of the property if it is called with the object or its evaluated copy.
+    """
     for _, mesh in hub_lookup.carriers_of(system, owner):
         for order, note in enumerate(_notes_of(mesh)):
             obj = mesh.get(_object_key(order), owner)
@@ -272,7 +302,7 @@ def driven_properties(system, owner):
 
 
 def are_driven(system, owner, mesh):
-    """Whether all properties of a hub are there and have their drivers."""
+    """Whether all properties that a hub is to drive exist and have their drivers. mesh: mesh of the hub."""
     for order, note in enumerate(_notes_of(mesh)):
         found = _found(mesh.get(_object_key(order), owner), note)
         if found is None or not found.driver or _hub_of(found.driver) != mesh or not _reads(system, found.driver, note):
@@ -281,7 +311,10 @@ def are_driven(system, owner, mesh):
 
 
 def renamed_bones(system, owner):
-    """(old name, new name) of bones whose properties an owner drives: Blender has renamed them in the drivers' own paths."""
+    """Return (old name, new name) for each renamed bone of the owner whose properties the owner drives.
+
+    Blender has updated the name in the data paths of the drivers; the Notes have the old name.
+    """
     found = {}
     for _, mesh in hub_lookup.carriers_of(system, owner):
         for holder, curve, _ in _sinks([mesh]):
@@ -293,7 +326,7 @@ def renamed_bones(system, owner):
 
 
 def is_foreign(mesh):
-    """Whether a hub drives properties by way of objects that are not its owner."""
+    """Whether a hub drives properties whose data paths start from objects different from the owner. mesh: mesh of the hub."""
     return any(_object_key(order) in mesh for order, _ in enumerate(_notes_of(mesh)))
 
 
@@ -313,7 +346,7 @@ def _parsed(text):
 
 
 def _notes(mesh):
-    """The Notes of a hub's mesh. Raises Damaged where they are not what add() makes."""
+    """Return the Notes of the properties that a hub's mesh drives. Raises Damaged if their text differs in form from what add() makes."""
     text = mesh.get(KEY)
     if text is None:
         return ()
@@ -324,7 +357,7 @@ def _notes(mesh):
 
 
 def _notes_of(mesh):
-    """The Notes of a hub's mesh; none if they are damaged."""
+    """Return the Notes of the properties that a hub's mesh drives; none if they are damaged."""
     try:
         return _notes(mesh)
     except stored.Damaged:
@@ -339,14 +372,14 @@ def _found(obj, note):
 
 
 def _sinks(meshes):
-    """(datablock, driver, hub's mesh) of all sinks of these hubs."""
+    """Return (datablock, F-curve of the driver, mesh of the hub) for each property driver that reads one of these hubs' meshes."""
     with_notes = {mesh for mesh in meshes if KEY in mesh}
     found = drivers.targets_on(with_notes) if with_notes else ()
     return [(holder, curve, variable.targets[0].id) for holder, curve, variable, _ in found if variable.name == VARIABLE]
 
 
 def _hub_of(curve):
-    """The hub's mesh that a sink reads; None of any other driver."""
+    """Return the mesh of the hub that a property driver reads; None if the driver is no sink."""
     for variable in curve.driver.variables:
         if variable.name == VARIABLE and variable.type == 'SINGLE_PROP':
             hub = variable.targets[0].id
@@ -355,7 +388,7 @@ def _hub_of(curve):
 
 
 def _is_of(curve, owner, mesh):
-    """Whether a sink is a hub's, or was the hub's of the library's object that its owner overrides."""
+    """Whether a property driver reads this hub's mesh, or, if the owner is a library override, the hub of the library's object."""
     hub = _hub_of(curve)
     if hub is None or hub == mesh:
         return hub is not None
@@ -364,7 +397,7 @@ def _is_of(curve, owner, mesh):
 
 
 def _reads(system, curve, note):
-    """Whether a sink reads the slot of a note."""
+    """Whether a property driver reads the slot of the array of results that a Note names."""
     found = outbox.slot_pattern(system).match(curve.driver.variables[VARIABLE].targets[0].data_path)
     return found is not None and int(found["slot"]) == note.slot
 

@@ -1,12 +1,17 @@
-"""Sinks for relative objects, and for bones whose own channels are driven, where Blender has no Geometry Attribute constraint.
+"""Copy Transforms constraints with proxies as sinks, for Blender versions without the Geometry Attribute constraint.
 
-To Blender's dependency graph a bone's channels and the values of its constraints are one thing. A driver that brings the
-solver's result to a constraint would have to come before the bone's own drivers, and after the solver, which needs what
-those say. So the result takes a way round: a hidden empty, the *proxy*, is turned and scaled by drivers, and the bone
-copies its transform on top of its own. An object does so whatever drives it: unlike Transformation, Copy Transforms keeps a
-negative scale.
+They serve relative objects, and relative bones whose own channels have drivers. Relative means that the result is applied on top of the
+own transform.
 
-A constraint does not count as a user of its target, so the owner's settings point to the proxies too.
+In Blender's dependency graph, a bone's channels and the values of its constraints are one node. A driver that brings the solver's
+result to a constraint would have to come before the bone's own drivers, and also after the solver, which needs the results of those. So
+a hidden empty, the *proxy*, is moved, rotated and scaled by drivers, and the bone copies the proxy's transform on top of its own. A
+relative object has a proxy whether or not its channels have drivers, unless the system requires equal matrices in all versions of
+Blender (same_bits): Copy Transforms keeps a negative scale, which a Transformation constraint does not.
+
+A constraint does not count as a user of its target, so the owner's settings also point to the proxies.
+
+A member is an object or bone that is driven. The results are in the outbox, an array on the mesh of a hidden object, the hub.
 """
 
 import bpy
@@ -18,14 +23,17 @@ from ..hubs import marks, outbox
 
 
 def is_needed(system, member, driven_bones):
-    """Whether a member has to have a proxy. driven_bones: names of the owner's bones whose own channels are driven."""
+    """Whether a member needs a proxy. driven_bones: names of the owner's bones whose own channels have drivers."""
     if isinstance(member.thing, bpy.types.PoseBone):
         return member.is_relative and member.thing.name in driven_bones
     return member.is_relative and not system.same_bits
 
 
 def add(system, settings, group, index, hub):
-    """Drive relative member `index` of the group by its slots of the hub's outbox. settings: keep the proxy alive."""
+    """Drive a relative member of a group by a proxy whose drivers read the member's slots of the hub's outbox.
+
+    index: index of the member. settings: settings of the owner, which get a pointer that keeps the proxy in the file.
+    """
     member = group.members[index]
     thing = member.thing
     proxy = helpers.make(f"{marks.name(system)} {thing.name}")
@@ -47,16 +55,16 @@ def add(system, settings, group, index, hub):
 
 
 def _keep(settings, name, proxy):
-    # By the name overrides know the entry.
+    # The item gets a name because library overrides identify items by it.
     entry = settings.targets.add()
     entry.name, entry.object = name, proxy
     if settings.id_data.override_library:
-        # What an override points to from here, Blender does not save.
+        # Blender does not save this pointer of an override, so the proxy gets a fake user.
         proxy.use_fake_user = True
 
 
 def release(settings):
-    """Let go of the hidden objects; the last one to do so removes them."""
+    """Remove the pointers to proxies from the settings, and each proxy that nothing else uses."""
     kept = {pointed(entry, "object") for entry in settings.targets} - {None}
     settings.targets.clear()
     for one in kept:
@@ -65,14 +73,14 @@ def release(settings):
 
 
 def proxy_of(constraint):
-    """The proxy that a constraint copies; None for any other constraint."""
+    """Return the proxy that a constraint copies; None if the constraint copies none."""
     if constraint.type != 'COPY_TRANSFORMS' or constraint.target is None or marks.PROXY_KEY not in constraint.target:
         return None
     return constraint.target
 
 
 def has_strange_proxies(obj):
-    """Whether an object was copied from another one and still hangs, or its bones do, on its proxies."""
+    """Whether an object is a copy on which, or on whose bones, constraints still read the proxies of the object it was copied from."""
     things = (obj, *(obj.pose.bones if obj.pose else ()))
     proxies = (proxy_of(constraint) for thing in things for constraint in thing.constraints)
     return any(proxy.get(marks.PROXY_KEY) != obj for proxy in proxies if proxy)

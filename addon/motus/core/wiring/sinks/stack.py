@@ -1,4 +1,9 @@
-"""Which kind of sink a member is given, and where in its stack of constraints the sinks stand."""
+"""Choose the kind of sink for each member, and the position of the sinks among the member's constraints.
+
+A sink is a constraint that brings a solver's result to a member, an object or bone that the owner drives.
+
+The results come from the hub, a hidden object whose mesh carries the solver's driver.
+"""
 
 from ...blender import drivers
 from ...declare import of_owner
@@ -8,7 +13,7 @@ AIMING = {'TRACK_TO', 'DAMPED_TRACK', 'LOCKED_TRACK'}
 
 
 def prepare(system, owner, group, hub):
-    """Give a hub's mesh what the sinks of a group will read there, besides the outbox. Called before there are sinks."""
+    """Give a hub's mesh the attributes that the sinks of a group will read. It has to be called before sinks are added."""
     if attribute_sink.serves(system):
         attribute_sink.prepare(system, hub.data, owner, group)
     elif system.has_modifier:
@@ -16,7 +21,10 @@ def prepare(system, owner, group, hub):
 
 
 def add(system, owner, group, hub):
-    """Let all that a group drives follow the hub: properties, and the owner's points or the members."""
+    """Add the sinks of a group: drivers of its properties, and the modifier of the owner or the constraints of the members.
+
+    Each driven object that is not the owner gets a pointer to the owner, its leader, in its settings.
+    """
     property_sink.add(system, owner, group, hub, is_off=of_owner(system, owner).is_baked)
     led = [one.object for one in group.properties]
     if system.has_modifier:
@@ -30,7 +38,10 @@ def add(system, owner, group, hub):
 
 
 def add_constraints(system, owner, group, hub, row=None):
-    """Give each member of a group its sinks; row: the owner's, if the hub is shared. The user's active constraints stay active."""
+    """Add the constraints that drive the members of a group. row: row of the owner if several owners share the hub; else None.
+
+    The active constraint of each member stays active.
+    """
     driven = drivers.driven_bones(owner)
     for index, member in enumerate(group.members):
         active = member.thing.constraints.active
@@ -44,7 +55,7 @@ def add_constraints(system, owner, group, hub, row=None):
 
 
 def places(system, owner):
-    """For each driven Object or PoseBone, (place in its constraint stack, whether muted) of its sinks, in their order."""
+    """Return {Object or PoseBone: [(index in its constraints, whether muted) of each sink, in order]} for all that an owner drives."""
     ours = {}
     for thing, constraint in finding.sinks(system, owner):
         ours.setdefault(thing, []).append(constraint.name)
@@ -55,9 +66,11 @@ def places(system, owner):
 
 
 def order(system, owner, groups, before):
-    """Move sinks, which were added behind all other constraints, to where they were, or to where new ones belong.
+    """Move new sinks, which were added behind all other constraints, to the right places among the constraints of each member.
 
-    before: what places() said when the owner was last wired.
+    before: result of places() for the earlier wiring, from which sinks get their earlier indices and mute states. Sinks of a member
+    that had none stay last, with two exceptions: sinks of a system that lays poses come first, and sinks that move a member come before
+    the constraints at the end that aim the member at something.
     """
     aimed = {member.thing for group in groups for member in group.members if _is_aimed_afterwards(member)}
     for thing, found in places(system, owner).items():
@@ -71,12 +84,12 @@ def order(system, owner, groups, before):
 
 
 def _is_aimed_afterwards(member):
-    """Whether constraints that turn a member towards something are to act where its sinks have put it."""
+    """Whether constraints that aim a member at something have to act after the member's sinks, because the sinks move the member."""
     return "location" in member.channels and not (member.is_relative and "rotation" in member.channels)
 
 
 def _first_aiming(thing, end):
-    """Where the constraints before `end` begin that all aim at something."""
+    """Return the index at which the unbroken run of aiming constraints before the index `end` begins."""
     while end and thing.constraints[end - 1].type in AIMING:
         end -= 1
     return end

@@ -1,7 +1,10 @@
-"""Sinks for Blenders without the Geometry Attribute constraint: Transformation constraints that read the outbox of a hub.
+"""Transformation constraints as sinks, for Blender versions without the Geometry Attribute constraint.
 
-Their drivers only copy slots of it, which takes no Python. An absolute member without rotation has Limit Location instead,
-with min = max: it keeps a negative scale and a shear, which Transformation loses.
+A sink brings a solver's result to a member, an object or bone that the owner drives. Drivers copy the numbers from the outbox, the
+array of results on a hub's mesh, to the constraint; they need no Python. An absolute member without rotation has a Limit Location
+constraint with min = max instead: this keeps a negative scale and shear, which a Transformation constraint loses.
+
+Several owners can share a hub; its outbox then has one row for each owner.
 """
 
 from ...blender import drivers
@@ -13,7 +16,10 @@ LIMITS = ("min_{}", "max_{}")
 
 
 def add(system, group, index, hub, row=None):
-    """Drive member `index` of the group by its slots of the hub's outbox; row: its own, where the hub is shared."""
+    """Add the constraints that drive a member of a group, with drivers that read the member's slots of the hub's outbox.
+
+    index: index of the member. row: row of the owner if several owners share the hub; else None.
+    """
     member = group.members[index]
     first = 0 if row is None else hub_lookup.first_slot(system, member.thing)
     pose, scale = first + outbox.pose_slot(group, index), first + outbox.scale_slot(group, index)
@@ -27,13 +33,16 @@ def add(system, group, index, hub, row=None):
         for axis, letter in enumerate(AXES):
             for path in paths:
                 _drive(constraint, path.format(letter), system, group, hub, slot + axis)
-        # Influence costs a driver, and relative sinks need none: neutral values do nothing.
+        # Relative sinks do without a driver on their influence: neutral values change nothing.
         if not member.is_relative:
             _drive(constraint, "influence", system, group, hub, first + outbox.WEIGHT)
 
 
 def _mapped(member, channel, hub):
-    """A Transformation constraint that maps an empty range of the hub's location, so that its least value counts."""
+    """Add a Transformation constraint whose input range is empty, so that the minimum of its output range is applied.
+
+    Returns (constraint, data paths of the output's minimum, with {} for the axis).
+    """
     constraint = member.thing.constraints.new('TRANSFORM')
     constraint.target = hub
     constraint.owner_space = member.owner_space

@@ -1,1 +1,1 @@
-"""What runs while Blender evaluates: the function that solver drivers call, and the solvers behind it."""
+"""Code that runs while Blender evaluates the scene: the function that drivers call, and the solvers that it runs."""

@@ -1,4 +1,8 @@
-"""The function every solver driver calls, and its place in the driver namespace."""
+"""Define motus_solve, the function that every driver of a solver calls, and register it in Blender's driver namespace.
+
+The driver is on the outbox, an array of results on the mesh of a hidden object, the hub. Members are the objects and bones that the
+results drive.
+"""
 
 from contextlib import suppress
 
@@ -19,12 +23,13 @@ from . import solving
 
 
 def motus_solve(*arguments):
-    """Solve one group of a system into the outbox of an evaluated carrier. Never raises. Returns status.
+    """Solve one group of a system, and write the results into the outbox on an evaluated hub's mesh; returns the status, never raises.
 
-    arguments: the carrier, as `self`; the system's name, with the group's key after a dot where it has one; the frame; the
-    depsgraph; what the driver's variables say. Somebody else may have written other ones into the driver.
+    arguments: the evaluated mesh, which the driver passes as `self`; the system's name, followed by a dot and the group's key if the
+    group has one; the frame; the depsgraph; the values of the driver's variables. The driver's expression may have been edited by
+    somebody, so the arguments are checked.
     """
-    # An exception would leave the driver invalid until somebody edits it; the panel shows the status instead.
+    # An exception would make Blender mark the driver as invalid until it is edited; the panel shows the status instead.
     try:
         keep_state()
         if len(arguments) < 4 or not isinstance(arguments[2], (int, float)):
@@ -36,7 +41,10 @@ def motus_solve(*arguments):
 
 
 class _Points:
-    """Lets drivers call motus_solve by a subscript, for systems that read neither the frame nor the depsgraph."""
+    """Object that lets drivers call motus_solve by a subscript, for systems that read neither the frame nor the depsgraph.
+
+    Blender takes an expression with a call or with `frame` for one that changes with time, but not a subscript.
+    """
 
     def __getitem__(self, arguments):
         carrier, name, *values = arguments if isinstance(arguments, tuple) and len(arguments) > 1 else (None, None)
@@ -44,7 +52,10 @@ class _Points:
 
 
 def _fail(error, carrier=None, name="", frame=0.0):
-    """The status of a carrier that was not solved, whose members are left at their own transforms, as far as can be."""
+    """Return the status of a hub's mesh (carrier) whose solver raised this error.
+
+    As far as possible, the results are made neutral, so that members stay at their own transforms.
+    """
     settings = None
     with suppress(Exception):
         system, key = solving.called(name)
@@ -68,8 +79,9 @@ def _rest(system, key, carrier, frame):
 def _rest_slots(system, key, carrier):
     memory = memoryview(carrier[outbox.out_key(system, key)])
     box = np.frombuffer(memory, memory.format)
-    if property_sink.KEY not in carrier:  # whose properties would be 0
-        # Where nobody knows what the slots are: in a file that is as it was saved, all are 0, but for scales, which are 1.
+    if property_sink.KEY not in carrier:  # with it, zeros would set the driven properties to 0
+        # Neutral values even if the meaning of the slots is unknown: in a file as it was saved, all slots are 0, except scales, which
+        # are 1.
         box[box != 1] = 0
     box[outbox.STATUS : outbox.FIRST_OUTPUT] = 0
     layout = outbox.layout_of(system, carrier, key, len(box))
@@ -90,7 +102,7 @@ _FUNCTIONS = {"motus_solve": motus_solve, "motus_points": _Points()}
 
 @persistent
 def _fill_namespace(*_):
-    # Blender clears the namespace on every file load; load_post comes before the first evaluation.
+    # Blender clears the driver namespace on every file load; load_post handlers run before the first evaluation.
     bpy.app.driver_namespace.update(_FUNCTIONS)
 
 
@@ -100,7 +112,7 @@ def _watched():
 
 
 def register():
-    """Make the driver functions known, now and after every file load."""
+    """Add the driver functions to Blender's driver namespace now and after every file load, and start the repairs of the wiring."""
     _fill_namespace()
     handlers.add(_watched())
     heal.register()
@@ -108,7 +120,7 @@ def register():
 
 
 def unregister():
-    """Take the driver functions back."""
+    """Remove the driver functions from Blender's driver namespace, and stop the repairs of the wiring."""
     revival.unregister()
     heal.unregister()
     handlers.remove(_watched())

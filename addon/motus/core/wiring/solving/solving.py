@@ -1,8 +1,13 @@
-"""What a solver driver does at each frame with the evaluated mesh that it sits on.
+"""Run a system's solve function at each frame, for the driver on an evaluated hub's mesh.
 
-A Solver, or RowsSolver of a hub that owners share, is prepared once, and kept for as long as Blender keeps the evaluated copies
-it was prepared for (core/evaluated/copies.py): what is read of the hub is checked then, and each frame only solves. References to
-evaluated datablocks are kept too: they are good for as long as these lie where they are, and raise ReferenceError after.
+A Solver, or a RowsSolver for a hub that several owners share, is prepared once and kept for as long as Blender keeps the evaluated
+copies for which it was prepared (core/evaluated/copies.py). The data of the hub is checked during preparation, so that each frame only
+solves. A solver keeps references to evaluated datablocks. They stay valid as long as Blender keeps these at the same memory addresses,
+and raise ReferenceError afterwards.
+
+A hub is a hidden object; its mesh, also called carrier, has the driver and the outbox, an array of the results. Sinks are the
+constraints, drivers and modifiers that bring results to members, the objects and bones that are driven. The result of a relative member
+is applied on top of its own transform. The owner is the object whose settings are solved.
 """
 
 import logging
@@ -30,7 +35,7 @@ _MEMOS = keeping.OfEvaluation(
 
 
 def called(name):
-    """The system and the group's key that a driver names. Raises Damaged."""
+    """Return (system, key of the group) for the name in a driver's expression. Raises Damaged if there is no such system."""
     name, _, key = name.partition(".") if isinstance(name, str) else ("", "", "")
     system = registered.get(name)
     if not isinstance(system, System):
@@ -39,7 +44,10 @@ def called(name):
 
 
 def solver_of(carrier, name):
-    """The Solver or RowsSolver for an evaluated carrier and what its driver names. Raises Damaged."""
+    """Return the Solver or RowsSolver for an evaluated hub's mesh (carrier) and the name in its driver's expression.
+
+    Raises Damaged if there is no such system, or if the mesh has no valid outbox.
+    """
     system, key = called(name)
     if not outbox.is_in_place(system, carrier, key):
         raise Damaged("no outbox")
@@ -53,7 +61,7 @@ def solver_of(carrier, name):
 
 
 class Solver:
-    """Computes one group of a system in each evaluation. carrier: the evaluated mesh with the solver's driver and results."""
+    """Solver of one group of a system, which computes in each evaluation. carrier: evaluated mesh with the solver's driver and results."""
 
     def __init__(self, system, key, carrier):
         found = outbox.opened(system, carrier, key)
@@ -61,14 +69,14 @@ class Solver:
         settings, layout = of_owner(system, owner), found.layout
         self._system, self._carrier, self._owner = system, carrier, owner
         self._copy = copies.of(owner)
-        # What is kept of the settings, unless they are animated.
+        # Values that are derived from the settings, kept as long as the settings are not animated.
         self._memo = None if self._copy is None else _MEMOS.on(self._copy).setdefault((system.name, key), {})
         self._slots, self._box, self._layout = found.slots, np.frombuffer(found.slots), layout
         self._outlet = outputs.outlet(system, owner)
         self._poses = _Poses(layout.members)
         self._drives_properties = property_sink.KEY in carrier
         self._reading = read_keys.reading_of(carrier, system.name) if system.reads_keys or self._drives_properties else None
-        # Whether settings are animated counts for outlets and driven properties alone.
+        # Whether settings are animated matters only for outlets and driven properties.
         self._counts = bool(system.outputs) or self._drives_properties
         self._place = None if owner.library else (system.name, owner.name)
         self._reads_mesh, self._reads_several = system.reads_mesh, system.reads_several
@@ -87,14 +95,17 @@ class Solver:
         )
 
     def is_current(self):
-        """Whether the owner is still the same evaluated copy."""
+        """Whether the owner still has the evaluated copy for which this solver was prepared."""
         try:
             return self._copy is not None and copies.of(self._owner) is self._copy
-        except ReferenceError:  # the owner is gone
+        except ReferenceError:  # the owner was removed
             return False
 
     def solve(self, frame, depsgraph, values):
-        """Solve into the carrier; returns the status. values: of the inputs, as the driver gives them."""
+        """Solve, and write the results into the outbox on the hub's mesh; returns the status.
+
+        values: values of the driver's variables for the inputs.
+        """
         if self._reading is None or not self._reading.is_edit(frame):
             return self._solve(frame, depsgraph, values)
         with self._reading:
@@ -121,7 +132,7 @@ class Solver:
         influence = finite.share(context.settings.influence)
         if self._drives_properties:
             property_sink.blend(carrier, owner, self._box, frame, 0.0 if is_blocked else influence)
-        # Where members are relative the solver applies the influence, and then to the absolute ones among them too.
+        # If any member is relative, solve() applies the influence itself, to the absolute members of the group too.
         weight = 0.0 if is_blocked else 1.0 if self._layout.is_relative else influence
         box[outbox.WEIGHT] = weight
         if is_blocked:
@@ -140,7 +151,10 @@ class Solver:
         return box[outbox.STATUS]
 
     def _is_finite(self, room):
-        """Whether what was found may reach the sinks. Outputs that may not are 0; those of properties that are left alone are NaN."""
+        """Whether all results are finite numbers that may reach the sinks; outputs that are not finite are set to 0.
+
+        Outputs that set properties are not checked: NaN there means that the property is left alone.
+        """
         outputs = self._context.outputs
         if len(outputs) and not self._drives_properties and not finite.is_finite(outputs):
             outputs[~(np.abs(outputs) < finite.INFINITE)] = 0.0
@@ -148,7 +162,7 @@ class Solver:
         return finite.is_finite(self._poses.block) if room is None else room.is_finite()
 
     def _read(self, values):
-        """The arguments of solve by their names."""
+        """Return {name: value} of the arguments of System.solve."""
         context = self._context
         found = context.kept("settings", None, self._read_settings) if self._settings else {}
         return found | _arguments(self._inputs, values, context.settings) if self._inputs else found
@@ -157,7 +171,7 @@ class Solver:
         return {declared.name: declared.read(0.0, self._context.settings) for declared in self._settings}
 
     def _store(self, weight):
-        """Let the members' sinks have what was found."""
+        """Write the poses to the attribute or the outbox that the members' sinks read. weight: influence of the sinks."""
         context, layout = self._context, self._layout
         if layout.has_attribute:
             attribute_sink.write(
@@ -197,7 +211,7 @@ class Solver:
 
 
 class RowsSolver:
-    """Solves every row of a hub that owners share, for as long as Blender keeps that evaluated copy of it."""
+    """Solver for a hub that several owners share, with one row of the outbox for each owner. mesh: evaluated mesh of the hub."""
 
     def __init__(self, system, _key, mesh):
         self._system, self._mesh = system, mesh
@@ -213,7 +227,7 @@ class RowsSolver:
         self._name = mesh.name if not mesh.library else None
 
     def _context(self, index, row):
-        """Context of a row that somebody has; None for others."""
+        """Return the Context for one row; None if no owner has the row, or if the row is damaged."""
         slots, here = self._table[index], slice(index, index + 1)
         if isinstance(row, sharing.Row):
             return Context(
@@ -228,11 +242,11 @@ class RowsSolver:
 
     @staticmethod
     def is_current():
-        """Whether all is there that it was prepared for: it reads nothing but the hub."""
+        """Return True: a RowsSolver reads only the hub's mesh, so it stays valid as long as the evaluated copy of the mesh exists."""
         return True
 
     def solve(self, frame, depsgraph, values):
-        """Solve into the hub's mesh; returns the status of the first row, on which the driver sits."""
+        """Solve all rows, and write the results into the outbox on the hub's mesh; returns the status of row 0, on which the driver is."""
         table, layout, poses = self._table, self._layout, self._poses
         noticed.note_use()
         table[:, outbox.WEIGHT] = 0.0
@@ -275,19 +289,22 @@ class RowsSolver:
 
 
 def _inputs(system):
-    """(place among the driver's arguments, input) of those inputs that a solver does not read of the settings."""
+    """Return (position among the driver's arguments, input) for each input of a system that is not read from the settings."""
     return [(index, one) for index, one in enumerate(system.inputs) if not isinstance(one, Setting)]
 
 
 def _arguments(inputs, values, settings):
-    """What the driver gave for these inputs, by their names."""
+    """Return {name: value} for these inputs, read from the values of the driver's variables. Raises Damaged if there are too few values."""
     if inputs and len(values) <= inputs[-1][0]:
         raise Damaged("too few arguments")
     return {declared.name: declared.read(values[index], settings) for index, declared in inputs}
 
 
 class _Poses:
-    """Room for what a solver finds: locations (n, 3), rotations (n, 4), scales (n, 3) in one `block` of memory."""
+    """Memory for the poses that a solver computes, in one array `block`.
+
+    locations (n, 3), rotations (n, 4), quaternions, and scales (n, 3) are views of the array.
+    """
 
     def __init__(self, count):
         self.block, self._neutral = np.empty(10 * count), np.zeros(10 * count)
@@ -302,12 +319,12 @@ class _Poses:
         return locations.reshape(-1, 3), rotations.reshape(-1, 4), scales.reshape(-1, 3)
 
     def reset(self):
-        """Let nothing turn or move."""
+        """Set all poses to the neutral transform."""
         self.block[:] = self._neutral
 
 
 def do_nothing(box, layout):
-    """Values of an outbox that leave the members where they stand by themselves."""
+    """Fill an outbox with values that leave the members at their own transforms: weight 0, and neutral poses for relative members."""
     box[outbox.WEIGHT] = 0.0
     if layout.is_relative and not layout.has_attribute:
         end = layout.base + outbox.POSE_SIZE * layout.members
@@ -318,14 +335,17 @@ def do_nothing(box, layout):
 def _member_data(system, carrier, count):
     if system.member_data is None:
         return None
-    if count == 0 and not carrier.get(outbox.MEMBER_DATA_KEY):  # no custom property holds an empty list of floats
+    if count == 0 and not carrier.get(outbox.MEMBER_DATA_KEY):  # a custom property cannot hold an empty list of floats
         return np.empty(0)
     return np.frombuffer(stored.doubles(carrier.get(outbox.MEMBER_DATA_KEY), count))
 
 
 def status_of(error, carrier, name, settings):
-    """The status of what could not be computed, which is written down unless the file is damaged. settings: the owner's, or None."""
-    # What is damaged in a file is said in the panel; here it would be said at every frame.
+    """Return the status for an error that a solver raised; the error is logged unless the file is damaged or a setting is not finite.
+
+    settings: settings of the owner, or None if they cannot be read.
+    """
+    # The panel reports damaged data; a log entry would be repeated at every frame.
     if isinstance(error, Damaged):
         return float(outbox.NEWER if isinstance(error, Newer) else outbox.DAMAGED)
     if settings is not None and finite.has_bad_settings(settings):
