@@ -158,26 +158,6 @@ class TestArriving(LiveFile):
         bpy.ops.ed.redo()
         self.assert_unseen()
 
-    def test_files_of_older_versions(self):
-        """Their helpers have names like any object, and those that were pasted stand in the scene."""
-        self.open()
-        for obj in helpers():
-            del obj[KEY]
-            for named in filter(None, (obj, obj.data)):
-                named.name = named.name.lstrip(".")
-            bpy.context.scene.collection.objects.link(obj)
-            obj.hide_viewport = False
-        for obj in bpy.data.objects:
-            for thing in (obj, *(obj.pose.bones if obj.pose else ())):
-                for one in thing.constraints:
-                    one.show_expanded = True
-        path = self.save()
-        bpy.ops.wm.open_mainfile(filepath=path)
-        self.assertGreater(len(helpers()), 25)
-        self.assert_unseen()
-        self.assert_collapsed()
-        self.assert_moves()
-
 
 class TestCopies(LiveFile):
     def test_duplicated(self):
