@@ -251,7 +251,7 @@ def _edited_armatures(event):
         for update in event.depsgraph.updates
         if isinstance(update.id, bpy.types.Armature)
     ]
-    return {armature for armature in edited if armature is not None and not armature.is_editmode}  # type: ignore[attr-defined]
+    return {armature for armature in edited if armature is not None and not armature.is_editmode}
 
 
 def _grown_armatures(event):
