@@ -109,11 +109,13 @@ def draw(cls):
 
 
 def panels():
-    """All panels but those of presets, which Blender draws."""
+    """All registered panels but those of presets, which Blender draws."""
     return [
         cls
         for cls in bpy.types.Panel.__subclasses__()
-        if cls.__module__.startswith(f"{test_habits.package}.") and not hasattr(cls, "preset_subdir")
+        if cls.__module__.startswith(f"{test_habits.package}.")
+        and getattr(cls, "is_registered", False)
+        and not hasattr(cls, "preset_subdir")
     ]
 
 
