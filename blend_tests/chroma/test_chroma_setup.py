@@ -524,6 +524,29 @@ class SetUp(support.SceneTestCase):
             self.assertGreater(plane.data.polygons[0].normal.z, 0.99)
             bpy.ops.motus.chroma_key_remove()
 
+    def test_plane_ignores_a_keyed_scale(self):
+        """As a render does, which takes the camera's axes at length 1: the plane stands where that of a camera without a scale does."""
+        scene = bpy.context.scene
+        parent, camera = bpy.data.objects.new("Crane", None), bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+        for obj in (parent, camera):
+            scene.collection.objects.link(obj)
+        camera.parent, parent.rotation_euler.z = parent, 0.7
+        camera.location, camera.rotation_euler = (1.0, 2.0, 3.0), (0.5, 0.2, 1.0)
+        self.set_up(clip=footage(self.folder), use_plane=True, camera="Camera", plane_distance=7.0)
+        plane = scene.motus.chroma.plane
+        for obj, scales in ((camera, {1: (1.0, 1.0, 1.0), 9: (3.0, 0.5, 2.0), 17: (-1.0, 1.0, 4.0)}), (parent, {1: (2.0,) * 3, 17: (0.25,) * 3})):
+            for frame, scale in scales.items():
+                obj.scale = scale
+                obj.keyframe_insert("scale", frame=frame)
+        corners = np.array([vertex.co for vertex in plane.data.vertices])
+        np.testing.assert_allclose(corners[:, 2], -7.0, rtol=1e-6)
+        for frame in (17, 5, 9, 1):
+            scene.frame_set(frame)
+            seen = np.array(plane.matrix_world)
+            axes = np.array(camera.matrix_world)[:3, :3]
+            wanted = np.column_stack((axes / np.linalg.norm(axes, axis=0), camera.matrix_world.translation))
+            np.testing.assert_allclose(seen[:3], wanted, atol=2e-6)
+
     def test_plane_has_the_key(self):
         """Its material shows the footage, and follows the colour and the levels when the screen is measured."""
         scene = bpy.context.scene

@@ -78,9 +78,7 @@ def add(system, kind, beside=""):
         image.pixels = [0.1, 0.6, 0.1, 1.0] * 64
         operators.chroma_key_setup(clip="Screen", camera=owner, use_plane=True)
     elif name == "drivers":
-        # Of a camera not the scale: the plane of a chroma key takes the scale that the camera has when the key is set up.
-        paths = {"rig": ('pose.bones["Spine"].rotation_quaternion', 1), "camera": ("color", 0)}
-        path, index = paths.get(kind, ("scale", 2))
+        path, index = ('pose.bones["Spine"].rotation_quaternion', 1) if kind == "rig" else ("scale", 2)
         operators.driver_add(datablock=owner, data_path=path, index=index, function='PENDULUM')
     elif name == "walker":
         more = {"feet": "Foot.L,Foot.R", "body": "Hips"} if kind == "rig" else {"feet": "Left,Right"}

@@ -3,7 +3,6 @@
 from typing import NamedTuple
 
 import bpy
-from mathutils import Matrix
 
 from ..core.blender import capabilities
 from . import footage, group
@@ -40,12 +39,20 @@ def add(scene, camera, image, key, distance):
         data.uv = places[loop.vertex_index]
     mesh.materials.append(_material(scene, image, key))
     obj.parent = camera
-    # Renders ignore the camera's scale, and so the plane must ignore it too.
-    lengths = (axis.length for axis in camera.matrix_world.to_3x3().col)
-    obj.matrix_parent_inverse = Matrix.Diagonal((*(1.0 / length if length else 1.0 for length in lengths), 1.0))
+    _ignore_scale(obj)
     obj.hide_render = True
     obj[group.KEY] = True
     return obj
+
+
+def _ignore_scale(obj):
+    """Keep the world scale of a child of the camera at 1 if the camera or its parents are scaled, since renders ignore the camera's scale."""
+    limit = obj.constraints.new('LIMIT_SCALE')
+    limit.owner_space = 'WORLD'
+    for axis in "xyz":
+        for end in ("min", "max"):
+            setattr(limit, f"use_{end}_{axis}", True)
+            setattr(limit, f"{end}_{axis}", 1.0)
 
 
 def update(obj, key):

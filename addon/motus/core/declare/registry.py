@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from ..blender.poses import is_pose_outdated
 from ..file.pointers import pointed
 from .inputs import Variable
 from .members import Group, Member
@@ -75,11 +76,14 @@ def wired_on(thing: Any) -> Iterator[tuple[Any, list[System]]]:
 
 
 def groups_of(system: System, owner: Any) -> tuple[Group, ...]:
-    """The groups of members that the system drives for an owner: one, where the system declares none."""
+    """The groups of members that the system drives for an owner: one, where the system declares none.
+
+    There are no groups where the system cannot work on the owner, nor where the system declares groups and the owner's pose is outdated.
+    """
     if not can_own(system, owner):
         return ()
     if system.groups is not None:
-        return tuple(system.groups(owner))
+        return () if is_pose_outdated(owner) else tuple(system.groups(owner))
     if system.has_modifier:
         return (Group(outputs=system.outputs),)
     channels = system.channels(of_owner(system, owner))
