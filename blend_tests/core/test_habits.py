@@ -1,6 +1,7 @@
 """What every system shares in the interface: each test goes over all that is registered, so that a new system is held to it."""
 
 import types
+from unittest import mock
 
 import bpy
 
@@ -303,6 +304,20 @@ class Panels(support.SceneTestCase):
                 one.select_set(is_selected)
                 with self.subTest(one.name, is_selected=is_selected):
                     self.assertEqual(buttons(), wanted)
+
+
+    def test_no_two_buttons_that_add_have_the_same_label(self):
+        def noted(_layout, name, text="", **_options):
+            labels.append(text or _rna(name).name)
+            return Properties()
+
+        with mock.patch.object(Layout, "operator", noted):
+            for one in (None, *live_objects()):
+                labels = []
+                bpy.context.view_layer.objects.active = one
+                drawn(panels.MOTUS_PT_sidebar)
+                with self.subTest(one and one.name):
+                    self.assertEqual(sorted(set(labels)), sorted(labels))
 
 
 class Menus(support.SceneTestCase):

@@ -42,9 +42,9 @@ def noted():
     entries, found = support.addon("core.interface.bone_entries"), {}
     draw = entries.draw_add
 
-    def noting(layout, identifier, icon, words, bones=()):
+    def noting(layout, identifier, icon, words, bones=(), idle=""):
         found.setdefault(identifier, []).append((words, tuple(bones)))
-        return draw(layout, identifier, icon, words, bones)
+        return draw(layout, identifier, icon, words, bones, idle)
 
     entries.draw_add = noting
     try:

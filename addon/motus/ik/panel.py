@@ -48,7 +48,7 @@ def draw_add(layout, context):
     column.operator("motus.ik_add", text="IK with Control Bone", icon='BONE_DATA').make_control_bone = True
     ends = targets.ends(rig, bone_entries.posed(context)) if active else []
     words = tr("IK on {count} Bones").format(count=len(ends)) if len(ends) > 1 else ""
-    bone_entries.draw_add(column, "motus.ik_add", 'GROUP_BONE', words, ends if words else ())
+    bone_entries.draw_add(column, "motus.ik_add", 'GROUP_BONE', words, ends if words else (), tr("IK on All Selected Bones"))
 
 
 def _words(context, rig, active):

@@ -49,7 +49,7 @@ def draw_add(layout, context):
     bone_entries.draw_add(column, "motus.look_at_add", 'HIDE_OFF', _words(context, rig))
     heads = bone_entries.posed(context)
     words = tr("Look At with {count} Bones").format(count=len(heads)) if len(heads) > 1 else ""
-    bone_entries.draw_add(column, "motus.look_at_add", 'GROUP_BONE', words, heads if words else ())
+    bone_entries.draw_add(column, "motus.look_at_add", 'GROUP_BONE', words, heads if words else (), tr("Look At with All Selected Bones"))
 
 
 def _words(context, rig):

@@ -91,16 +91,18 @@ def has_entry(rig, name, bone):
     return _uses(rig, name) and bone in of_owner(registered[name], rig).entries
 
 
-def draw_add(layout, identifier, icon, words, bones=()):
+def draw_add(layout, identifier, icon, words, bones=(), idle=""):
     """Draw a button that adds a system, with a text that says to what; returns the button's properties.
 
-    words: the text, in the user's language; if it is empty the button is greyed out and has the operator's label. identifier: of the
-    operator. bones: names of the bones that the operator works on; if empty, it works on the selection.
+    words: the text, in the user's language; if it is empty the button is greyed out. idle: the text of the greyed button, in the user's
+    language; if it is empty too the button has the operator's label. identifier: of the operator. bones: names of the bones that the
+    operator works on; if empty, it works on the selection.
     """
     row = layout.row(align=True)
     row.enabled = bool(words)
     row.operator_context = 'INVOKE_DEFAULT'
-    button = row.operator(identifier, icon=icon, **({"text": words, "translate": False} if words else {}))
+    text = words or idle
+    button = row.operator(identifier, icon=icon, **({"text": text, "translate": False} if text else {}))
     if bones:
         button.bones = ",".join(bones)
     return button

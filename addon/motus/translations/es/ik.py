@@ -59,6 +59,7 @@ INTERFACE = {
     "Further Targets": "Otros objetivos",
     "IK on {bone}": "IK en {bone}",
     "IK on {bone} to {target}": "IK en {bone} hacia {target}",
+    "IK on All Selected Bones": "IK en los huesos seleccionados",
     "IK on {count} Bones": "IK en {count} huesos",
     "IK added to {count} bones": "IK agregada a {count} huesos",
     "Names of the last bones of several chains, with commas between: all are added at once": "Nombres de los últimos huesos de varias cadenas, separados por comas: se agregan todas a la vez",

@@ -43,6 +43,7 @@ INTERFACE = {
     "Heads": "Cabezas",
     "Names of several head bones, with commas between: all are added at once": "Nombres de varios huesos de cabezas, separados por comas: se agregan todas a la vez",
     "Look At with {bone}": "Mirar con {bone}",
+    "Look At with All Selected Bones": "Mirar con los huesos seleccionados",
     "Look At with {count} Bones": "Mirar con {count} huesos",
     "{bone} Looks at {target}": "{bone} mira a {target}",
     "Bone of the eye, below the head": "Hueso del ojo, bajo la cabeza",
