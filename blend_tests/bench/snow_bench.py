@@ -19,18 +19,18 @@ import support  # noqa: E402  (found by the line above)
 COUNTS = (5_000, 100_000, 1_000_000)
 KINDS = (  # name, settings
     ("points", {"look": 'POINTS'}),
-    ("points, own ways", {"look": 'POINTS', "snow_offsets": True}),
+    ("points, own ways", {"look": 'POINTS', "steering_per_flake": True}),
     ("flake", {"look": 'FLAKE'}),
 )
 LIFETIME = 5.0
 FIRST, FRAMES, ROUNDS = 200, 12, 7
 FAR = 5000
 # Snow steering and wind; flakes that have no lifetimes of their own, so that their number is exact.
-KEYWORDS = {"snow": True, "random_size": True, "tumble": 2.0, "drag": 0.5, "wind": (1.0, 0.0, -1.0), "gusts": 0.3}
+KEYWORDS = {"use_steering": True, "random_size": True, "tumble": 2.0, "drag": 0.5, "wind": (1.0, 0.0, -1.0), "gusts": 0.3}
 FIELD = 40.0
 RESOLUTIONS = 0.5, 0.15
 """m: of a square field, and of the layers that lie on it."""
-LANDING = {"rate": 500.0, "lifetime": 3.0, "start_speed": 3.0, "cone_radius": 0.5 * FIELD, "location": (0.0, 0.0, 3.0)}
+LANDING = {"rate": 500.0, "lifetime": 3.0, "start_speed": 3.0, "emitter_radius": 0.5 * FIELD, "location": (0.0, 0.0, 3.0)}
 
 
 def new_scene():
@@ -40,7 +40,7 @@ def new_scene():
 
 def snowing(count, settings):
     scene = new_scene()
-    bpy.ops.motus.snow_add(rate=count / LIFETIME, lifetime=LIFETIME, cone_radius=20.0, **KEYWORDS, **settings)
+    bpy.ops.motus.snow_add(rate=count / LIFETIME, lifetime=LIFETIME, emitter_radius=20.0, **KEYWORDS, **settings)
     return scene
 
 

@@ -7,7 +7,7 @@ import support
 from snow.snow_cases import SnowTestCase
 
 SQUARE = [(-2, -2, 0), (2, -2, 0), (2, 2, 0), (-2, 2, 0)]
-FALLING = {"rate": 300.0, "start_speed": 2.0, "lifetime": 4.0, "cone_radius": 1.9, "location": (0.0, 0.0, 3.0), "seed": 3}
+FALLING = {"rate": 300.0, "start_speed": 2.0, "lifetime": 4.0, "emitter_radius": 1.9, "location": (0.0, 0.0, 3.0), "seed": 3}
 LUMP = 0.1
 COARSE = {"lump": LUMP, "resolution": 0.5}
 

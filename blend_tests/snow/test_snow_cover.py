@@ -24,7 +24,7 @@ class Cover(CoverTestCase):
 
     def test_any_frame_cold_is_as_played_to(self):
         self.square()
-        emitter = self.add(snow=True, snow_offsets=True, turbulence=0.5, start_frame=-60.0, **FALLING)
+        emitter = self.add(use_steering=True, steering_per_flake=True, turbulence=0.5, start_frame=-60.0, **FALLING)
         for frame, place in ((1, -1.0), (100, 1.0)):
             emitter.location.x = place
             emitter.keyframe_insert("location", frame=frame)
@@ -68,7 +68,7 @@ class Cover(CoverTestCase):
 
     def test_the_ground_at_the_height_of_a_surface_takes_nothing(self):
         self.square()
-        emitter = self.add(**FALLING, snow=True, snow_offsets=True)
+        emitter = self.add(**FALLING, use_steering=True, steering_per_flake=True)
         cover = self.cover(thinnest=0.0)
         go_to(150)
         before = self.output(cover, "volume")
@@ -259,7 +259,7 @@ class Cover(CoverTestCase):
         bpy.context.scene.collection.children.link(collection)
         collection.objects.link(self.square())
         for place in (-1.0, 1.0):
-            self.add(**(FALLING | {"location": (place, 0.0, 3.0), "cone_radius": 0.9}))
+            self.add(**(FALLING | {"location": (place, 0.0, 3.0), "emitter_radius": 0.9}))
         cover = self.cover("", collection="Yard", emitters="Snow,Snow.001", thinnest=0.0)
         self.assertEqual(len(cover.motus.snow_cover.emitters), 2)
         go_to(100)

@@ -11,7 +11,7 @@ SQUARE = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)]
 
 class Moving(SnowTestCase):
     def test_flakes_stay_where_they_were_born(self):
-        emitter = self.add(rate=50.0, lifetime=2.0, start_speed=0.0, cone_radius=0.0)
+        emitter = self.add(rate=50.0, lifetime=2.0, start_speed=0.0, emitter_radius=0.0)
         key_places(emitter, {1: (0.0, 0.0, 0.0), 49: (8.0, 0.0, 2.0)})
         born = {}
         for frame in (25, 25.5, 40, 49, 60, 30):
@@ -31,7 +31,7 @@ class Moving(SnowTestCase):
         carrier.keyframe_insert("rotation_euler", frame=1)
         carrier.rotation_euler.z = 5.0
         carrier.keyframe_insert("rotation_euler", frame=60)
-        emitter = self.add(snow=True, random_lifetime=True, **MANY)
+        emitter = self.add(use_steering=True, random_lifetime=True, **MANY)
         emitter.parent = carrier
         found = {}
         for _ in range(2):
@@ -40,7 +40,7 @@ class Moving(SnowTestCase):
                 self.assertEqual(found.setdefault(frame, state(emitter)), state(emitter), frame)
 
     def test_a_motion_without_an_end(self):
-        emitter = self.add(rate=50.0, lifetime=2.0, start_speed=0.0, cone_radius=0.0)
+        emitter = self.add(rate=50.0, lifetime=2.0, start_speed=0.0, emitter_radius=0.0)
         key_places(emitter, {1: (0.0, 0.0, 0.0), 25: (1.0, 0.0, 0.0)})
         animation = emitter.animation_data
         action = animation.action
@@ -169,7 +169,7 @@ class Camera(SnowTestCase):
         camera.data.lens = 30.0
         camera.data.keyframe_insert("lens", frame=50)
         key_places(camera, {1: (0.0, -8.0, 3.0), 60: (4.0, -8.0, 3.0)})
-        emitter = self.add(camera="Camera", snow=True, start_speed=1.0, **MANY)
+        emitter = self.add(camera="Camera", use_steering=True, start_speed=1.0, **MANY)
         found = {}
         for _ in range(2):
             for frame in OFF_THE_FRAMES:
@@ -276,7 +276,7 @@ class Camera(SnowTestCase):
 
 
 class Wind(SnowTestCase):
-    BLOWN = {"start_speed": 0.0, "cone_radius": 0.0, "drag": 2.0, "gusts": 0.3, "location": (0.0, 0.0, 0.0)}
+    BLOWN = {"start_speed": 0.0, "emitter_radius": 0.0, "drag": 2.0, "gusts": 0.3, "location": (0.0, 0.0, 0.0)}
 
     def blown(self):
         """An emitter with wind that is keyed."""

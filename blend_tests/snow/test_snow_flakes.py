@@ -11,8 +11,8 @@ EVERYTHING = {
     "random_lifetime": True,
     "random_size": True,
     "random_color": True,
-    "snow": True,
-    "snow_offsets": True,
+    "use_steering": True,
+    "steering_per_flake": True,
     "gravity": True,
     "drag": 0.7,
     "wind": (1.0, 0.5, 0.0),
@@ -22,16 +22,25 @@ EVERYTHING = {
     "cone_angle": 0.4,
     "seed": 7,
     "max_angle": 1.2,
-    "snow_frequency": 0.8,
+    "steering_frequency": 0.8,
     "gust_frequency": 0.4,
     "turbulence_size": 1.5,
 }
+
+NATIVE = {
+    "emitter_radius": "cone_radius",
+    "use_steering": "snow",
+    "steering_frequency": "snow_frequency",
+    "steering_per_flake": "snow_offsets",
+}
+"""Keyword of the operator -> argument of the library, where they differ."""
 
 
 class Flakes(SnowTestCase):
     def library(self, emitter, frame, **keywords):
         """What the library makes of an emitter that stands still."""
         matrix = np.array(emitter.matrix_world)
+        keywords = {NATIVE.get(name, name): value for name, value in keywords.items()}
         return native().Snow(emitter_times=[0.0], emitter_matrices=[matrix], **keywords).evaluate(seconds(frame))
 
     def test_the_defaults_are_the_librarys(self):
@@ -162,7 +171,7 @@ class Flakes(SnowTestCase):
         self.assertEqual(len(flakes(emitter)["id"]), 0)
 
     def test_the_scenes_gravity(self):
-        emitter = self.add(gravity=True, start_speed=0.0, location=(0.0, 0.0, 0.0), cone_radius=0.0)
+        emitter = self.add(gravity=True, start_speed=0.0, location=(0.0, 0.0, 0.0), emitter_radius=0.0)
         scene = bpy.context.scene
         scene.gravity = 0.0, 2.0, 0.0
         go_to(48)

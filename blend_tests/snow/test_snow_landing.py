@@ -260,7 +260,7 @@ class Collection(LandingCase):
 
     def test_a_file_that_is_opened_cold(self):
         self.gathered(self.board("Low", (1.0, 0.0, 0.5)), self.board("High", (-1.0, 0.0, 1.5)))
-        emitter = self.add(colliders="Scenery", snow=True, snow_offsets=True)
+        emitter = self.add(colliders="Scenery", use_steering=True, steering_per_flake=True)
         go_to(90)
         before, name = state(emitter), emitter.name
         file = os.path.join(self.folder, "snow.blend")
@@ -386,7 +386,7 @@ class Moving(LandingCase):
 class Threads(LandingCase):
     def test_one_thread_and_two(self):
         """The same bits, of flakes and of where they land."""
-        emitter = self.add(use_ground=True, rate=5000.0, snow=True, snow_offsets=True, random_lifetime=True, tumble=1.0)
+        emitter = self.add(use_ground=True, rate=5000.0, use_steering=True, steering_per_flake=True, random_lifetime=True, tumble=1.0)
         self.gathered(self.board("Board", (0.0, 0.0, 1.0), (1.0, 1.0)))
         emitter.motus.snow.colliders = bpy.data.collections["Scenery"]
         file = os.path.join(self.folder, "threads.blend")

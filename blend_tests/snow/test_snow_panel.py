@@ -17,8 +17,8 @@ class Panels(SnowTestCase):
     def test_the_emitter(self):
         emitter = self.add(**MANY)
         for shape, extent in (
-            ('SQUARE', ["cone_radius"]),
-            ('CONE', ["cone_radius", "cone_angle"]),
+            ('SQUARE', ["emitter_radius"]),
+            ('CONE', ["emitter_radius", "cone_angle"]),
             ('SURFACE', ["surface"]),
             ('CAMERA', ["camera", "closest", "farthest"]),
         ):
@@ -39,11 +39,11 @@ class Panels(SnowTestCase):
         self.assertIn("As they were on frame 7", " ".join(shown.named("label")))
 
     def test_the_radius_of_what_is_flat_counts_no_height(self):
-        emitter = self.add(cone_radius=1.0)
+        emitter = self.add(emitter_radius=1.0)
         value = support.addon("snow.handles").value
         for shape, radius in (('SQUARE', 1.0), ('DISC', 1.0), ('BOX', 3.0)):
             emitter.motus.snow.shape = shape
-            self.assertAlmostEqual(value(emitter.motus.snow, "cone_radius", (-1.0, 0.0, 3.0)), radius)
+            self.assertAlmostEqual(value(emitter.motus.snow, "emitter_radius", (-1.0, 0.0, 3.0)), radius)
 
     def test_wind_over_time(self):
         emitter = self.add(drag=1.0, **MANY)

@@ -42,12 +42,12 @@ def _render_presets(file):
         if is_rising:
             emitter.rotation_euler.x = 0.0
         else:
-            thinner = (1.1 / settings.cone_radius) ** 2
-            settings.cone_radius, settings.rate = 1.1, max(settings.rate * thinner * 8.0, 25.0)
+            thinner = (1.1 / settings.emitter_radius) ** 2
+            settings.emitter_radius, settings.rate = 1.1, max(settings.rate * thinner * 8.0, 25.0)
         if preset == 'BLIZZARD':
             settings.wind = 2.4, 0.5, -3.0
         if preset == 'DUST':
-            emitter.location.z, settings.cone_radius = 0.5, 1.3
+            emitter.location.z, settings.emitter_radius = 0.5, 1.3
         settings.flake_width = 0.05 if is_rising or preset == 'DUST' else 0.16
         stage.add_text(label, Vector((x, -1.6, -2.55)), 0.36, LABEL)
     stage.add_camera(scene, (0.0, -16.0, 0.3), (0.0, 0.0, 0.3), width=6.1 * CELL)
@@ -66,7 +66,7 @@ def _render_emitters(file):
             "start_speed": 1.2,
             "look": 'SPECK',
             "flake_width": 0.05,
-            "cone_radius": 0.7,
+            "emitter_radius": 0.7,
             "cone_angle": math.radians(35.0),
             "tumble": 2.0,
             "start_frame": -60.0,
@@ -103,7 +103,7 @@ def _render_cover(file):
             preset='GENTLE',
             location=(x, 0.0, 6.0),
             rate=2500.0,
-            cone_radius=3.4,
+            emitter_radius=3.4,
             lifetime=8.0,
             seed=column,
             start_frame=1.0 - (6.0 + seconds) * scene.render.fps,

@@ -7,6 +7,7 @@ SYSTEM = System(
     name="snow",
     label="Snow",
     settings=properties.MOTUS_PG_snow,
+    former_names=properties.FORMER_NAMES,
     classes=(
         # Blender has to register property groups before the group that contains them.
         properties.MOTUS_PG_snow_stop,

@@ -32,7 +32,7 @@ _DIRECT = (
     "delay",
     "duration",
     "looping",
-    "cone_radius",
+    "emitter_radius",
     "cone_angle",
     "random_speed",
     "random_orientation",
@@ -40,10 +40,10 @@ _DIRECT = (
     "random_size",
     "random_color",
     "seed",
-    "snow",
+    "use_steering",
     "max_angle",
-    "snow_frequency",
-    "snow_offsets",
+    "steering_frequency",
+    "steering_per_flake",
     "gravity",
     "drag",
     "gusts",
@@ -54,7 +54,14 @@ _DIRECT = (
     "melt_time",
     "friction",
 )
-"""Settings that are arguments of the native library, with equal names and units."""
+"""Settings that are arguments of the native library, in equal units."""
+_NATIVE = {
+    "emitter_radius": "cone_radius",
+    "use_steering": "snow",
+    "steering_frequency": "snow_frequency",
+    "steering_per_flake": "snow_offsets",
+}
+"""Name of a setting -> name of the argument of the native library, if the two differ."""
 _SHAPES = {'CAMERA': "frustum"}
 """Shape in the settings -> name of the shape in the native library, if it is not the lower-case word."""
 _NAMES = (("position", "position"), ("velocity", "velocity"), ("size", "radius"), ("color", "tint"), ("age", "age"), ("rotation", "turn"))
@@ -88,7 +95,7 @@ def numbers(settings):
         return NOT_FINITE
     if not most(settings) <= MOST:
         return TOO_MANY
-    found, shape = [(name, getattr(settings, name)) for name in _DIRECT], chosen(settings, "shape")
+    found, shape = [(_NATIVE.get(name, name), getattr(settings, name)) for name in _DIRECT], chosen(settings, "shape")
     found += [
         ("collision", chosen(settings, "collision").lower()),
         ("start_size", _size(settings)),

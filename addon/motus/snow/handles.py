@@ -7,7 +7,7 @@ from mathutils import Vector
 
 from ..core.lazy import numpy as np
 
-RADIUS, ANGLE, SPEED = "cone_radius", "cone_angle", "start_speed"
+RADIUS, ANGLE, SPEED = "emitter_radius", "cone_angle", "start_speed"
 """Names of the settings that handles set."""
 SECONDS = 0.5
 """Time, in seconds: the arrow of an emitter is as long as the way of a flake, at Speed, in this time."""
@@ -31,8 +31,8 @@ def leans(settings):
 
 def ray(settings):
     """Return (start, end) of the line that shows in which direction flakes leave the edge on the +X side, in the emitter's space."""
-    angle, start = settings.cone_angle, np.array((settings.cone_radius, 0.0, 0.0))
-    return start, start + max(settings.cone_radius, LEAST_RAY) * np.array((math.sin(angle), 0.0, math.cos(angle)))
+    angle, start = settings.cone_angle, np.array((settings.emitter_radius, 0.0, 0.0))
+    return start, start + max(settings.emitter_radius, LEAST_RAY) * np.array((math.sin(angle), 0.0, math.cos(angle)))
 
 
 def of(settings):
@@ -41,7 +41,7 @@ def of(settings):
         return []
     # The handle of the radius is on the -X side, as the handle of the angle is on the +X side.
     found = [
-        Handle(RADIUS, np.array((-settings.cone_radius, 0.0, 0.0))),
+        Handle(RADIUS, np.array((-settings.emitter_radius, 0.0, 0.0))),
         Handle(SPEED, np.array((0.0, 0.0, SECONDS * settings.start_speed))),
     ]
     if leans(settings):

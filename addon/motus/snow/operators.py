@@ -15,7 +15,7 @@ from ..core.measures import scene_time
 from ..core.refusals import INFINITE, Refused, check_finite, check_local, check_unbaked, named, named_collection, named_mesh
 from ..core.translations import tr
 from . import build, colliders, flakes, presets, rows
-from .properties import KEYWORDS, SnowKeywords
+from .properties import FORMER_NAMES, KEYWORDS, FormerKeywords, SnowKeywords
 
 ABOVE = 6.0  # height, in metres, of a new emitter above the 3D cursor or the place that the viewport shows
 
@@ -34,7 +34,7 @@ def _is_custom(operator):
     return operator.preset == presets.PLAIN
 
 
-class MOTUS_OT_snow_add(FindsValues, SnowKeywords, bpy.types.Operator):
+class MOTUS_OT_snow_add(FindsValues, SnowKeywords, FormerKeywords, bpy.types.Operator):
     bl_idname = "motus.snow_add"
     bl_label = "Add Snow"
     bl_description = "Let an emitter, or the faces of a mesh, emit flakes, without a cache"
@@ -58,6 +58,7 @@ class MOTUS_OT_snow_add(FindsValues, SnowKeywords, bpy.types.Operator):
 
     modes = OBJECT_MODE
     needs_native = True
+    former_keywords = FORMER_NAMES
     redo = (Rows(("preset",), title="Preset"), *(dataclasses.replace(group, when=_is_custom) for group in rows.ALL))
 
     def invoke(self, context, _event):

@@ -24,7 +24,7 @@ def _batches(context, obj):
 
 def _lines(settings):
     """Ends of the line segments (2n, 3) of the shape in which flakes are born, in the emitter's space."""
-    radius = settings.cone_radius
+    radius = settings.emitter_radius
     if settings.shape == 'SQUARE':
         return radius * _square(0.0)
     if settings.shape == 'BOX':

@@ -45,7 +45,7 @@ def draw_steering(layout, context):
 
 
 def _draw_steering_switch(layout, context):
-    layout.prop(context.object.motus.snow, "snow", text="")
+    layout.prop(context.object.motus.snow, "use_steering", text="")
 
 
 def draw_air(layout, context):

@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from ..core.file import former_names
 from ..core.file.pointers import to_object
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 from ..core.settings.declared import number, switch, whole
@@ -79,7 +80,7 @@ class SnowKeywords:
         update=rewire,
         override=OVERRIDABLE,
     )
-    cone_radius: number(
+    emitter_radius: number(
         "Radius", "Radius of the disc, ball or cone; half the width of the square or box", 1.0, min=0.0, soft_max=10.0, subtype='DISTANCE'
     )
     cone_angle: number(
@@ -113,7 +114,7 @@ class SnowKeywords:
     random_color: switch("Random Color", "Each flake has a colour from anywhere on the gradient, not its first one")
     seed: whole("Seed", "Seed of all random numbers", 0, min=0)
 
-    snow: switch("Snow", "Flakes steer through the air, as a smooth noise of their age turns them")
+    use_steering: switch("Snow", "Flakes steer through the air, as a smooth noise of their age turns them")
     max_angle: number(
         "Max Angle",
         "Largest angle by which steering turns the flakes' way about the world's X and Y axes",
@@ -122,8 +123,8 @@ class SnowKeywords:
         soft_max=math.pi,
         subtype='ANGLE',
     )
-    snow_frequency: number("Frequency", "Approximate number of turns of a flake per second", 1.0, min=1e-3, max=1000.0, soft_max=5.0)
-    snow_offsets: switch("Individual Paths", "Each flake steers along a path of its own; otherwise all flakes of the same age turn alike")
+    steering_frequency: number("Frequency", "Approximate number of turns of a flake per second", 1.0, min=1e-3, max=1000.0, soft_max=5.0)
+    steering_per_flake: switch("Individual Paths", "Each flake steers along a path of its own; otherwise all flakes of the same age turn alike")
 
     gravity: switch("Gravity", "The scene's gravity pulls flakes down")
     drag: number(
@@ -208,6 +209,25 @@ class SnowKeywords:
 
 
 KEYWORDS = tuple(SnowKeywords.__annotations__)
+FORMER_NAMES = {
+    "cone_radius": "emitter_radius",
+    "snow": "use_steering",
+    "snow_frequency": "steering_frequency",
+    "snow_offsets": "steering_per_flake",
+}
+"""{former name: present name} of settings and keywords, for scripts and files of earlier versions."""
+
+
+class FormerSettings:
+    """Mixin of an emitter's settings: the former names of SnowKeywords."""
+
+    __annotations__ = former_names.of_settings(SnowKeywords.__annotations__, FORMER_NAMES)
+
+
+class FormerKeywords:
+    """Mixin of the operator that adds snow: the former names of SnowKeywords."""
+
+    __annotations__ = former_names.of_keywords(SnowKeywords.__annotations__, FORMER_NAMES)
 
 
 class MOTUS_PG_snow_stop(bpy.types.PropertyGroup):
@@ -258,7 +278,7 @@ class MOTUS_PG_snow_collider(bpy.types.PropertyGroup):
     )
 
 
-class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
+class MOTUS_PG_snow(SystemSettings, SnowKeywords, FormerSettings, bpy.types.PropertyGroup):
     stops: bpy.props.CollectionProperty(type=MOTUS_PG_snow_stop, name="Gradient", override=EXTENDABLE)
     surface: to_object('MESH', name="Mesh", description="Mesh that emits the flakes", update=rewire, override=OVERRIDABLE, also=_is_other)
     collider: to_object(

@@ -35,7 +35,7 @@ EMISSION = Rows(
 SHAPE = Rows(("shape",))
 EXTENT = Rows(
     (
-        Row("cone_radius", when=is_not("shape", 'SURFACE', 'CAMERA')),
+        Row("emitter_radius", when=is_not("shape", 'SURFACE', 'CAMERA')),
         Row("cone_angle", when=_leans),
         Row("closest", when=is_one_of("shape", 'CAMERA')),
         Row("farthest", when=is_one_of("shape", 'CAMERA')),
@@ -46,10 +46,10 @@ EMITTER = Rows((*SHAPE.rows, *EXTENT.rows), title="Emitter")
 SOURCE = Rows((Row("surface", when=is_one_of("shape", 'SURFACE')), Row("camera", when=is_one_of("shape", 'CAMERA'))))
 RANDOM = Rows(("random_speed", "random_orientation", "random_lifetime", "random_size", "random_color", "seed"), title="Random")
 STEERING = Rows(
-    (Row("max_angle", when=_is_on("snow")), Row("snow_frequency", when=_is_on("snow")), Row("snow_offsets", when=_is_on("snow")), "tumble"),
+    (Row("max_angle", when=_is_on("use_steering")), Row("steering_frequency", when=_is_on("use_steering")), Row("steering_per_flake", when=_is_on("use_steering")), "tumble"),
     title="Steering",
 )
-SNOW = Rows(("snow", *STEERING.rows), title="Steering")
+SNOW = Rows(("use_steering", *STEERING.rows), title="Steering")
 AIR = Rows(
     (
         "gravity",

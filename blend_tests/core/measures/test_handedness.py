@@ -298,7 +298,7 @@ class Snowfall(ParentsTestCase):
     def test_flakes_go_along_the_emitters_axis(self):
         """From its place, along its Z axis as it is in the world, and as fast whatever it is scaled by."""
         for matrix in self.each():
-            bpy.ops.motus.snow_add(preset='PLAIN', location=(0.3, 0.2, 0.1), start_frame=1, cone_radius=0.0)
+            bpy.ops.motus.snow_add(preset='PLAIN', location=(0.3, 0.2, 0.1), start_frame=1, emitter_radius=0.0)
             emitter = bpy.context.object
             world = put_under(emitter, matrix)
             snow_cases.go_to(30)

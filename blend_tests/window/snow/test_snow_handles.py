@@ -19,7 +19,7 @@ def build(shape='CONE', **settings):
     bpy.context.scene.frame_set(1)
     with window_support.override():
         bpy.ops.motus.snow_add(
-            location=(0.0, 0.0, 2.0), shape=shape, cone_radius=1.0, cone_angle=0.5, start_speed=3.0, rate=200.0, **settings
+            location=(0.0, 0.0, 2.0), shape=shape, emitter_radius=1.0, cone_angle=0.5, start_speed=3.0, rate=200.0, **settings
         )
     view = window_support.region().data
     view.view_perspective = 'ORTHO'
@@ -65,15 +65,15 @@ def test_each_handle_follows_the_cursor():
     build()
     yield
     yield from window_support.picture("snow_handles")
-    before = {name: getattr(settings(), name) for name in ("cone_radius", "start_speed", "cone_angle")}
-    cursor = yield from drag("cone_radius", -60, 0)
-    assert settings().cone_radius > 1.3, settings().cone_radius
+    before = {name: getattr(settings(), name) for name in ("emitter_radius", "start_speed", "cone_angle")}
+    cursor = yield from drag("emitter_radius", -60, 0)
+    assert settings().emitter_radius > 1.3, settings().emitter_radius
     mouse.undo()
     yield
-    assert settings().cone_radius == before["cone_radius"], "it was not undone by one step"
+    assert settings().emitter_radius == before["emitter_radius"], "it was not undone by one step"
     mouse.redo()
     yield
-    assert settings().cone_radius > 1.3
+    assert settings().emitter_radius > 1.3
     cursor = yield from drag("start_speed", 0, -40)
     assert settings().start_speed > before["start_speed"] and off("start_speed", cursor) <= 6.0
     before_angle = settings().cone_angle
@@ -86,12 +86,12 @@ def test_each_handle_follows_the_cursor():
 def test_escape_puts_it_back():
     build('SQUARE')
     yield
-    before = settings().cone_radius
-    place = yield from drag("cone_radius", -60, 0, release=False)
-    assert settings().cone_radius != before
+    before = settings().emitter_radius
+    place = yield from drag("emitter_radius", -60, 0, release=False)
+    assert settings().emitter_radius != before
     window_support.press('ESC', *place)
     yield
-    assert settings().cone_radius == before
+    assert settings().emitter_radius == before
     mouse.simulate('LEFTMOUSE', 'RELEASE', *place)
     yield
 
@@ -99,7 +99,7 @@ def test_escape_puts_it_back():
 def test_an_emitter_that_is_removed_while_the_drag_waits():
     build('SQUARE')
     yield
-    place, ended = seen("cone_radius"), []
+    place, ended = seen("emitter_radius"), []
     dragging = support.addon("core.interface.dragging.drag").PointDrag
     cancel = dragging.cancel
 
@@ -121,7 +121,7 @@ def test_none_of_what_leaves_a_mesh_or_is_seen_by_a_camera():
     build('SQUARE')
     yield
     handles = support.addon("snow.handles")
-    assert [one.setting for one in handles.of(settings())] == ["cone_radius", "start_speed"]
+    assert [one.setting for one in handles.of(settings())] == ["emitter_radius", "start_speed"]
     settings().random_orientation = True
     assert len(handles.of(settings())) == 3
     for shape in ('SURFACE', 'CAMERA'):

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 from .inputs import Geometries, Vertices
@@ -80,6 +80,7 @@ class System(Feature):
     entry_settings: tuple[Any, ...] = ()
     owner_of: Callable[..., Any] | None = None
     owner_types: frozenset[str] = frozenset()
+    former_names: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def has_modifier(self) -> bool:

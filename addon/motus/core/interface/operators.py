@@ -1,7 +1,7 @@
 """Base classes of operators: modes in which they work, tooltips that say why not, reports of refusals, and the redo panel."""
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -131,7 +131,7 @@ class Operator:
 
     modes: the Modes in which the operator works; None for all modes. needs_native: whether it needs the native module. redo: groups of rows
     that the redo panel draws (core/interface/rows.py). for_scripts: keywords that the redo panel does not draw, in addition to those for
-    which is_for_scripts() is true.
+    which is_for_scripts() is true. former_keywords: {former name of a keyword: present name}.
     """
 
     bl_options: Any = {'REGISTER', 'UNDO'}
@@ -139,6 +139,7 @@ class Operator:
     needs_native = False
     redo: tuple[Any, ...] = ()
     for_scripts: Iterable[str] = ()
+    former_keywords: Mapping[str, str] = {}
 
     @classmethod
     def poll(cls, context):
@@ -164,6 +165,7 @@ class Operator:
         """Raise Refused if the operator, called without keywords, would refuse the selection. Operators override this method."""
 
     def execute(self, context):
+        self._take_former_keywords()
         try:
             self.run(context)
         except Refused as refusal:
@@ -171,6 +173,13 @@ class Operator:
         if is_offered(context, type(self)):
             _pressed.add(type(self))
         return {'FINISHED'}
+
+    def _take_former_keywords(self):
+        """Set the keywords whose former names the caller has used. The former ones are unset, since the redo panel runs execute() again."""
+        for former, name in self.former_keywords.items():
+            if self.properties.is_property_set(former):
+                setattr(self, name, getattr(self, former))
+                self.properties.property_unset(former)
 
     def refuse(self, refusal):
         """Report the sentence of a Refused as an error; returns {'CANCELLED'}."""

@@ -19,7 +19,7 @@ def add(context, collection, covered, clouds, ahead, lifetime, cover):
         if bpy.ops.motus.snow_add(
             preset="GENTLE",
             location=place,
-            cone_radius=radius,
+            emitter_radius=radius,
             rate=rate,
             seed=seed,
             lifetime=lifetime,

@@ -18,7 +18,7 @@ from ... import native
 from ...blender import helpers
 from ...declare import has_settings, is_owner, leader_of, of_owner, registered, systems
 from ...evaluated import copies, read_keys
-from ...file import deleted
+from ...file import deleted, former_names
 from ...measures.handedness import is_mirrored
 from ..attaching import attach, overrides, sharing, signature, waiting
 from ..attaching.solver_driver import waits
@@ -200,6 +200,20 @@ def _has_new_objects(event):
     return may_have and len(bpy.data.objects) != noticed.object_count
 
 
+def _renamed_settings(event):
+    if event.depsgraph is None or _has_new_objects(event) or overrides.has_new_marks():
+        return [system for system in systems() if system.former_names]
+    return []
+
+
+def _move_renamed(found, _event):
+    """Store settings under their present names. found: systems with settings that were renamed. Linked objects are included."""
+    for system in found:
+        for obj in [one for one in bpy.data.objects if has_settings(system, one)]:
+            if former_names.move(of_owner(system, obj), system.former_names):
+                obj.update_tag()
+
+
 def _part_copies(_found, _event):
     helpers.put_away()
     relations.look()
@@ -379,6 +393,13 @@ def _refresh_order(_found, _event):
 
 
 TABLE = (
+    Repair(
+        "Settings came into the file that an earlier version has saved under other names",
+        (LOADED, ARRIVED, *AFTER_EVALUATION),
+        _renamed_settings,
+        _move_renamed,
+        needs_use=False,
+    ),
     Repair("What was linked or appended has drivers of properties that are at rest", AFTER_EVALUATION, _resting, _wake_resting),
     Repair(
         "Settings have become animated, which the owner's outlet cannot wait for, or channels of driven bones driven",
