@@ -9,6 +9,7 @@ import live_scenes
 import support
 
 core = support.addon("core.interface.operators")
+offering = support.addon("core.interface.view.offering")
 panels = support.addon("core.interface.panels")
 system = support.addon("core.declare")
 over_frames = support.addon("core.interface.over_frames")
@@ -392,11 +393,11 @@ class Menus(support.SceneTestCase):
                 type(self).is_there = True
 
         context, other = _Offering(bpy.context, "MOTUS_OT_adding"), bpy.context
-        core.offer(Layout())
+        offering.offer(Layout())
         self.assertTrue(Adding.poll(context))
         self.assertEqual(Adding().execute(context), {'FINISHED'})
         self.assertTrue(Adding.poll(context))
-        core.offer(Layout())
+        offering.offer(Layout())
         self.assertFalse(Adding.poll(context))
         Adding().execute(other)  # by a script
         self.assertFalse(Adding.poll(context))
@@ -409,9 +410,9 @@ class Menus(support.SceneTestCase):
             if cls.bl_idname == "motus.demo_scene":
                 continue
             offered = _rna("motus.bake" if cls.bl_idname != "motus.bake" else "motus.unbake")
-            with self.subTest(cls.bl_idname), bpy.context.temp_override(**{core.OFFER: offered}):
+            with self.subTest(cls.bl_idname), bpy.context.temp_override(**{offering.OFFER: offered}):
                 self.assertTrue(getattr(bpy.ops.motus, cls.bl_idname.partition(".")[2]).poll())
-        with bpy.context.temp_override(**{core.OFFER: _rna("motus.bake")}):
+        with bpy.context.temp_override(**{offering.OFFER: _rna("motus.bake")}):
             self.assertFalse(bpy.ops.motus.bake.poll(), "the offered operator itself is asked what is selected")
 
     def test_each_button_has_an_offer_of_its_own(self):
@@ -428,10 +429,10 @@ class Menus(support.SceneTestCase):
                 offers.append((self, name, offered.identifier))
 
         root = Noting()
-        column = core.offer(root).column(align=True)
+        column = offering.offer(root).column(align=True)
         column.operator("motus.bake")
         column.operator("motus.unbake")
-        self.assertEqual([offer[1:] for offer in offers], [(core.OFFER, "MOTUS_OT_bake"), (core.OFFER, "MOTUS_OT_unbake")])
+        self.assertEqual([offer[1:] for offer in offers], [(offering.OFFER, "MOTUS_OT_bake"), (offering.OFFER, "MOTUS_OT_unbake")])
         self.assertEqual(len({id(root), id(column), *(id(layout) for layout, *_ in offers)}), 4)
 
     def test_scripts_name_what_they_mean(self):
@@ -452,7 +453,7 @@ class _Offering:
 
     def __init__(self, context, identifier):
         self._context = context
-        setattr(self, core.OFFER, types.SimpleNamespace(identifier=identifier))
+        setattr(self, offering.OFFER, types.SimpleNamespace(identifier=identifier))
 
     def __getattr__(self, name):
         return getattr(self._context, name)

@@ -2,7 +2,8 @@
 
 from ..core import native
 from ..core.blender.datablocks import collection_of, label_of
-from ..core.interface import operators, panels, ui
+from ..core.interface import panels, ui
+from ..core.interface.view import offering
 from ..core.refusals import Refused
 from . import expressions, history, places, preview
 from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
@@ -11,7 +12,7 @@ from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
 def _draw(layout, context):
     for found in places.of_object(context.object):
         _draw_driver(layout, context.object, found)
-    operators.offer(layout.column()).operator(MOTUS_OT_driver_add.bl_idname, icon='ADD')
+    offering.offer(layout.column()).operator(MOTUS_OT_driver_add.bl_idname, icon='ADD')
 
 
 def _draw_driver(layout, obj, found):

@@ -124,7 +124,9 @@ class SnowKeywords:
         subtype='ANGLE',
     )
     steering_frequency: number("Frequency", "Approximate number of turns of a flake per second", 1.0, min=1e-3, max=1000.0, soft_max=5.0)
-    steering_per_flake: switch("Individual Paths", "Each flake steers along a path of its own; otherwise all flakes of the same age turn alike")
+    steering_per_flake: switch(
+        "Individual Paths", "Each flake steers along a path of its own; otherwise all flakes of the same age turn alike"
+    )
 
     gravity: switch("Gravity", "The scene's gravity pulls flakes down")
     drag: number(

@@ -46,7 +46,12 @@ EMITTER = Rows((*SHAPE.rows, *EXTENT.rows), title="Emitter")
 SOURCE = Rows((Row("surface", when=is_one_of("shape", 'SURFACE')), Row("camera", when=is_one_of("shape", 'CAMERA'))))
 RANDOM = Rows(("random_speed", "random_orientation", "random_lifetime", "random_size", "random_color", "seed"), title="Random")
 STEERING = Rows(
-    (Row("max_angle", when=_is_on("use_steering")), Row("steering_frequency", when=_is_on("use_steering")), Row("steering_per_flake", when=_is_on("use_steering")), "tumble"),
+    (
+        Row("max_angle", when=_is_on("use_steering")),
+        Row("steering_frequency", when=_is_on("use_steering")),
+        Row("steering_per_flake", when=_is_on("use_steering")),
+        "tumble",
+    ),
     title="Steering",
 )
 SNOW = Rows(("use_steering", *STEERING.rows), title="Steering")

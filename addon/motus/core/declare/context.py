@@ -1,4 +1,4 @@
-"""What a solve function is given beyond its declared inputs, and what it fills."""
+"""Context: the argument of every solve function, with what it reads in addition to its declared inputs, and the arrays that it fills."""
 
 from __future__ import annotations
 
@@ -12,11 +12,19 @@ from ..measures import scene_time
 
 @dataclass
 class Context:
-    """What solve() reads beyond its declared inputs, and what it fills; see docs/systems.md.
+    """First argument of a system's solve(), for one group of an owner's members; see docs/systems.md.
 
-    common: kept by solve() itself for all owners that are solved at once, from the same inputs at the same frame.
-    points(count): arrays for so many points by the names of their attributes, of a system that makes points. All of them are
-    to be filled; they are shorter where there is no room for so many, and Blender's own memory, valid until solve() returns.
+    The owner is the object whose settings are solved, its members are the objects and bones that are driven.
+
+    To read: settings, owner: the settings and the object, evaluated. frame: of the scene, with its fraction. depsgraph: dependency graph
+    that is evaluated. member_data: (members,) numbers that System.member_data returned. group, data: Group.key and Group.data.
+    To fill: locations, rotations, scales: (members, 3 or 4) arrays with a row for each member, preset to neutral values, which leave a
+    member alone. outputs: list of numbers in the order of the declared names. offsets: (points, 3), if the system moves points.
+    points(count): for a system that makes points, returns {name of an attribute: array with room for `count` points}. solve() has to
+    fill all of them. The arrays are shorter if there is no room for so many, and are Blender's own memory, valid until solve() returns.
+    wants_to_settle: solve() sets it to have System.settle() called after the evaluation.
+    common: dictionary in which solve() may store results for all owners that are solved at once, from equal inputs at the same frame.
+    memo, targets: see begin().
     """
 
     settings: Any
@@ -38,28 +46,28 @@ class Context:
     common: dict[str, Any] = field(default_factory=dict)
 
     def begin(self, frame: float, depsgraph: Any, memo: Any, common: dict[str, Any] | None = None, targets: Any = None) -> None:
-        """Prepare the context for a solve at a frame.
+        """Prepare the context for a call of solve() at a frame.
 
-        memo: storage for kept(), None while the settings are animated. common: data shared by owners that are solved at once.
-        targets: {pointer setting: evaluated object}, None to read them from the settings.
+        memo: dictionary in which kept() stores results; None while the settings are animated. common: data shared by owners that are
+        solved at once. targets: {name of a pointer setting: evaluated object}; None if target() is to read the settings.
         """
         self.frame, self.depsgraph, self.memo, self.targets = frame, depsgraph, memo, targets
         self.common = {} if common is None else common
         self.wants_to_settle = False
 
     def target(self, name: str) -> Any:
-        """The evaluated object that a pointer setting names."""
+        """The evaluated object to which a pointer property of the settings points; None if there is none. name: of the property."""
         return pointed(self.settings, name) if self.targets is None else self.targets[name]
 
     @property
     def is_still(self) -> bool:
-        """Whether nothing animates the settings: they are the same until somebody edits them."""
+        """Whether neither keys nor drivers animate the settings, so that they change by edits alone."""
         return self.memo is not None
 
     def kept(self, name: str, key: Any, make: Callable[[], Any]) -> Any:
-        """Result of `make()`, cached under `name` until `key` differs; `make` is called in each solve while the settings are animated.
+        """Result of `make()`, cached under `name` until `key` differs; while the settings are animated, `make` is called each time.
 
-        `make` may depend on nothing but the settings and `key`.
+        make: function whose result depends on nothing but the settings and `key`; an edit of the settings empties the cache.
         """
         if self.memo is None:
             return make()
@@ -70,7 +78,7 @@ class Context:
 
     @property
     def fps(self) -> float:
-        """Frames a second."""
+        """Frame rate of the scene that is evaluated, in frames per second."""
         found = self.common.get("fps")
         if found is None:
             found = self.common["fps"] = scene_time.fps(self.depsgraph.scene)

@@ -1,4 +1,9 @@
-"""What a solver reads: values that Blender evaluates before the solver, and transforms that the solver waits for."""
+"""Declarations of a solver's inputs: values that Blender evaluates before it calls the solver, and transforms that the solver waits for.
+
+A solver is called by a scripted driver. `variable(owner, settings)` of an input returns the variable of that driver, by which the
+dependency graph knows the order; `read(value, settings)` turns the variable's value into the argument of solve(). owner: object whose
+settings are solved. settings: property group of the system on it.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +21,8 @@ from ..file.pointers import pointed
 class Variable:
     """Description of a driver variable: a property of a datablock, or the evaluated transform of an object or bone.
 
-    id_type, id, data_path: as those of a DriverTarget. Without data_path the variable reads the transform of the object or its bone.
+    id_type, id, data_path: of the DriverTarget. If data_path is "", the variable reads the transform of the object `id`, or of its bone.
+    bone: name of the bone, or "".
     """
 
     id_type: str
@@ -32,13 +38,13 @@ class Variable:
 
 @dataclass(frozen=True)
 class Setting:
-    """A number, boolean or enum of the owner's settings (an enum arrives as its index)."""
+    """Input: a number, boolean or enum property of the settings; solve() gets the number of an enum's item. name: of the property."""
 
     name: str
 
     @staticmethod
     def variable(_owner: Any, _settings: Any) -> None:
-        """None: the solver waits for all settings of the owner at once, and reads them itself."""
+        """None, since the solver waits for all settings of the owner by one common variable, and reads them itself."""
 
     def read(self, _value: Any, settings: Any) -> Any:
         value = getattr(settings, self.name)
@@ -49,7 +55,7 @@ class Setting:
 
 @dataclass(frozen=True)
 class Matrix:
-    """World matrix of the object that the pointer setting `of` names; None without it."""
+    """Input: world matrix of the object to which the pointer property `of` of the settings points; None if it points to none."""
 
     name: str
     of: str
@@ -66,7 +72,10 @@ class Matrix:
 
 @dataclass(frozen=True)
 class OwnMatrix:
-    """World matrix of the owner; None where the boolean setting `when`, if one is named, is off. The owner may not be driven itself."""
+    """Input: world matrix of the owner, the object whose settings are solved. It must not be driven by the solver itself.
+
+    when: name of a boolean setting; if it is off, the input is None and the solver does not wait. "" always reads the matrix.
+    """
 
     name: str
     when: str = ""
@@ -79,7 +88,7 @@ class OwnMatrix:
 
 @dataclass(frozen=True)
 class Splines:
-    """The splines of the curve object that the pointer setting `of` names; None without it."""
+    """Input: the splines of the curve object to which the pointer property `of` of the settings points; None if it points to none."""
 
     name: str
     of: str
@@ -97,9 +106,9 @@ class Splines:
 
 @dataclass(frozen=True)
 class Vertices:
-    """The evaluated mesh of the owner, as its datablock has it: without shape keys and modifiers; None without it.
+    """Input: the evaluated Mesh of the owner, with the points of the datablock, before shape keys and modifiers; None if it is no mesh.
 
-    The solver runs again whenever that mesh is edited.
+    Blender calls the solver again whenever the mesh is edited.
     """
 
     name: str
@@ -114,16 +123,16 @@ class Vertices:
 
 @dataclass(frozen=True)
 class Deformed:
-    """Makes Blender evaluate the geometry (hooks, shape keys, modifiers) of the object that setting `of` points to before the solver.
+    """Input by which Blender evaluates the geometry (hooks, shape keys, modifiers) of the object in the setting `of` before the solver.
 
-    The input's value is not the geometry: it is None if there is no such geometry, and a matrix without meaning otherwise.
+    The argument of solve() is not the geometry: it is None if there is no such geometry, and a matrix without meaning otherwise.
     """
 
     name: str
     of: str
 
     def objects(self, settings: Any) -> list[Any]:
-        """The objects whose geometry is evaluated first, as far as they exist."""
+        """Objects whose geometry is evaluated before the solver; None in the place of one that is missing."""
         return [pointed(settings, self.of)]
 
     def variable(self, owner: Any, settings: Any) -> Variable | None:
@@ -136,9 +145,9 @@ class Deformed:
 
 @dataclass(frozen=True)
 class Geometry(Deformed):
-    """The evaluated mesh or curve object that `of` names, once its final geometry is there, modifiers included; None without it.
+    """Input: the mesh or curve object in the setting `of`, with its geometry evaluated, modifiers included; None if there is none.
 
-    The solver runs again whenever that geometry is edited. Not in a system whose owners share solvers (System.shared).
+    Blender calls the solver again whenever that geometry is edited. Not allowed in a system whose owners share solvers (System.shared).
     """
 
     def read(self, value: Any, settings: Any) -> Any:
@@ -147,7 +156,10 @@ class Geometry(Deformed):
 
 @dataclass(frozen=True)
 class Geometries(Deformed):
-    """Evaluates the geometry of several objects first. `of(settings)` returns them; read them with wiring.waited_for()."""
+    """Input by which Blender evaluates the geometry of several objects before the solver, which reads them by wiring.waited_for().
+
+    of: function of the settings that returns the objects.
+    """
 
     of: Callable[[Any], list[Any]]  # type: ignore[assignment]
 
@@ -157,7 +169,10 @@ class Geometries(Deformed):
 
 @dataclass(frozen=True)
 class Transform:
-    """Makes the solver run after Blender has evaluated the transform of an object, or of a bone of it. It is not passed to solve()."""
+    """Input of a Group: Blender calls the solver after it has evaluated the transform of an object, or of one of its bones.
+
+    bone: name of the bone, or "". The transform is no argument of solve(), which reads it from the evaluated object.
+    """
 
     object: Any
     bone: str = ""
@@ -169,11 +184,14 @@ class Transform:
 
 @dataclass(frozen=True)
 class BonesOwn:
-    """Waits for the drivers of a bone's own location, rotation and scale. No argument of solve."""
+    """Input of a Group: Blender calls the solver after the drivers of a pose bone's own location, rotation and scale.
+
+    object, bone: the rig, and the name of its bone. The input is no argument of solve().
+    """
 
     object: Any
     bone: str
 
     def variable(self) -> Variable:
-        """The driver variable that waits."""
+        """Driver variable that makes the solver wait for the drivers of the bone's channels."""
         return Variable('OBJECT', self.object, f'pose.bones["{bpy.utils.escape_identifier(self.bone)}"].location[0]')

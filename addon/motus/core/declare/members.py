@@ -1,4 +1,4 @@
-"""What a solver drives or makes: objects, bones, properties and points, in groups that are solved at once."""
+"""Declarations of what a solver drives or makes: objects, bones, properties and points, in groups that one call of the solver computes."""
 
 from __future__ import annotations
 
@@ -13,10 +13,11 @@ from .inputs import Transform
 
 @dataclass(frozen=True)
 class Member:
-    """An Object or PoseBone that is driven, and how.
+    """Declaration of an Object or PoseBone (`thing`) that a solver drives.
 
-    space: of what solve() fills, unless is_relative: then location, rotation and scale act on top of the thing's own, channel by
-    channel and in the axes of these; neutral values (no move, no rotation, scale 1) leave it alone.
+    channels: those that are driven, of "location", "rotation" and "scale". space: in which solve() gives the transform, as a constraint's
+    space, if is_relative is false. is_relative: location, rotation and scale act on top of the thing's own transform, each channel by
+    itself and along the axes of that transform; neutral values (no move, no rotation, scale 1) leave the thing alone.
     """
 
     thing: Any
@@ -36,9 +37,10 @@ class Member:
 
 @dataclass(frozen=True)
 class Property:
-    """A decimal number that is driven by one of a group's outputs, in the place of its own value and keys.
+    """Declaration of a FLOAT property that an output of a Group drives, in place of its own value and keys.
 
-    path: from the object, as object.path_resolve() takes it, through its data, materials, ...; index: in an array.
+    output: name of the number in Group.outputs. path: data path from the object, as Object.path_resolve() takes it; it may lead
+    through the object's data or its materials. index: of the component of an array; -1 if the property is no array.
     """
 
     output: str
@@ -49,11 +51,12 @@ class Property:
 
 @dataclass(frozen=True)
 class Group:
-    """Members, inputs and outputs of one solver; a system may have several groups on one owner.
+    """Declaration of what one call of a solver computes: its members, inputs and outputs. An owner may have several groups of a system.
 
-    key: letters and digits, "" for the first. inputs: Transform and BonesOwn that the solver waits for. outputs: names of
-    numbers. properties: driven by outputs, on top of which solve() leaves the influence to the wiring; what solve() does not set
-    is the property's own. data: what solve needs to know and is known when wired: strings, numbers, and lists of numbers by name.
+    key: letters and digits that name the group; "" for the first. members: objects and bones that are driven. inputs: Transforms and
+    BonesOwn that the solver waits for. outputs: names of the numbers that solve() sets. properties: driven by these numbers; the wiring
+    blends them by the influence, and a number that solve() does not set leaves the property at its own value.
+    data: {name: string, number or list of numbers} that is known when the owner is wired, and that solve() reads as Context.data.
     """
 
     key: str = ""
@@ -65,16 +68,16 @@ class Group:
 
     @property
     def reads(self) -> list[tuple[Any, str]]:
-        """(object, bone or "") for each transform that the solver reads, each once."""
+        """(object, name of the bone or "") for each transform that the solver waits for, without repetitions."""
         return [(one.object, one.bone) for one in dict.fromkeys(self.inputs) if isinstance(one, Transform)]
 
 
 @dataclass(frozen=True)
 class Entry:
-    """One item in an owner's list of settings, which drives bones of the owner or objects; used to sort items by their dependencies.
+    """Declaration of what an entry, an item in an owner's list of settings, reads and drives; it sorts entries by their dependencies.
 
-    reads: (object, bone or "") whose evaluated transforms the item needs. drives: names of the owner's bones, and objects.
-    The order is computed in core/wiring/attaching/levels.py.
+    name: of the entry. reads: (object, name of the bone or "") of each transform that the entry needs evaluated. drives: names of the
+    owner's bones, and other objects. core/wiring/attaching/levels.py computes the order.
     """
 
     name: str
@@ -84,16 +87,17 @@ class Entry:
 
 @dataclass(frozen=True)
 class Points:
-    """Points that a system makes on its owner, with a position and `attributes`, which are pairs of name and kind.
+    """Declaration of the points that a system makes on its owner, by a Geometry Nodes modifier.
 
-    kind: 'FLOAT', 'INT', 'VECTOR', 'COLOR', or 'QUATERNION' (w, x, y, z), which before Blender 4.0 arrives as Euler angles.
-    Names that Blender knows: the FLOAT "radius" of points and curves; the VECTOR "velocity", in metres a second, of which
-    motion blur is made; the INT "id", by which instances on the points are the same from one frame to the next.
-    shape: 'POINTS'; 'CURVES', along points that follow each other and have the same INT "curve"; or 'TUBES' around such.
-    space: 'WORLD', in which the points stay where they are while the owner moves, or 'LOCAL', the owner's.
-    capacity: more points than that there never are.
-    unneeded: says of settings which attributes' names there is no need for: points have them neither, nor the time that they
-    take. It may depend on settings alone whose change wires anew (settings.rewire).
+    attributes: (name, kind) of the point attributes in addition to the position. kind: 'FLOAT', 'INT', 'VECTOR', 'COLOR', or
+    'QUATERNION' (w, x, y, z), which is stored as Euler angles before Blender 4.0. Blender itself uses these names: the FLOAT "radius" of
+    points and curves; the VECTOR "velocity", in metres per second, for motion blur; the INT "id", by which an instance on a point is the
+    same from one frame to the next.
+    shape: 'POINTS'; 'CURVES' through consecutive points that have the same INT "curve"; or 'TUBES' around such curves.
+    space: 'WORLD' if the points stay in place while the owner moves, or 'LOCAL' for the owner's space.
+    capacity: largest number of points.
+    unneeded: function of the settings that returns names of attributes which the points need not have, to save time. It may depend only
+    on settings whose change wires the owner again (`update=rewire`).
     """
 
     attributes: tuple[tuple[str, str], ...] = ()

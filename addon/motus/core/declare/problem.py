@@ -1,13 +1,14 @@
-"""What a solver says when something keeps it from working."""
+"""Problem: the sentence that a solver returns if something keeps it from working."""
 
 from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True)
 class Problem:
-    """A sentence for the artist. A blocking one leaves the driven objects at their own transforms.
+    """A sentence that the panel shows to the artist.
 
-    about: what it is about now, such as the name of a setting, for a system that says more than the declared sentence.
+    blocking: whether the driven objects stay at their own transforms. about: subject of this very problem, such as the name of a
+    setting, for a system whose panel says more than the declared sentence.
     """
 
     sentence: str
@@ -16,4 +17,4 @@ class Problem:
 
 
 OK = None
-"""What solve() returns when all is well."""
+"""Return value of solve() if there is no problem."""

@@ -1,4 +1,8 @@
-"""Which features are registered, and which objects a system is wired on."""
+"""Registry of features and systems, and lookups of their owners.
+
+A feature is a folder of the add-on with settings, operators and panels; a system is a feature whose settings are solved. The owner is an
+object on which a system is set up, that is, whose settings are solved.
+"""
 
 from __future__ import annotations
 
@@ -12,21 +16,24 @@ from .members import Group, Member
 from .system import Feature, System
 
 registered: dict[str, Feature] = {}
-"""The registered features by name, systems among them."""
+"""Registered features by name, systems included."""
 
 
 def systems() -> list[System]:
-    """The registered systems: of all features those that are solved."""
+    """The registered features that are Systems."""
     return [feature for feature in registered.values() if isinstance(feature, System)]
 
 
 def laying() -> list[System]:
-    """The registered systems that pose bones by their own transforms, as keys do: all other systems act on top (System.lays_pose)."""
+    """The registered systems that set the own transforms of bones, as keys do, beneath all constraints and all other systems.
+
+    They declare System.lays_pose, such as the system of animation layers.
+    """
     return [system for system in systems() if system.lays_pose]
 
 
 def entries_on(owner: Any) -> Iterator[tuple[System, Any]]:
-    """Yields (system, Entry) for each Entry of an owner that drives the owner, its bones or other objects.
+    """Yield (system, Entry) for each Entry of an owner, an item in its list of settings that drives bones or objects.
 
     Systems that pose bones by their own transforms (System.lays_pose) are left out.
     """
@@ -37,37 +44,37 @@ def entries_on(owner: Any) -> Iterator[tuple[System, Any]]:
 
 
 def offered(name: str) -> Any:
-    """The functions that a registered feature offers to others (Feature.offers)."""
+    """The functions that a registered feature offers to different features (Feature.offers). name: of the feature."""
     return registered[name].offers
 
 
 def of_owner(system: Feature, owner: Any) -> Any:
-    """Settings of `system` on an object."""
+    """The property group with the settings of a system on an object. Reading it creates it; has_settings() tells whether it exists."""
     return getattr(owner.motus, system.name)
 
 
 def has_settings(system: Feature, obj: Any) -> bool:
-    """Whether an object has settings of the system; to ask it for them gives it some."""
+    """Whether an object has settings of a system. Nothing is created, whereas of_owner() would create settings."""
     return obj.is_property_set("motus") and obj.motus.is_property_set(system.name)
 
 
 def is_owner(system: System, obj: Any) -> bool:
-    """Whether the system is set up on an object itself; False for an object that another object's settings drive."""
+    """Whether a system is set up on an object itself. False for an object that is driven by the settings of another object."""
     return has_settings(system, obj) and can_own(system, obj) and of_owner(system, obj).is_active
 
 
 def can_own(system: System, obj: Any) -> bool:
-    """Whether an object is of a type that the system works on."""
+    """Whether an object is of a type on which a system can be set up (System.owner_types)."""
     return not system.owner_types or obj.type in system.owner_types
 
 
 def leader_of(system: System, obj: Any) -> Any:
-    """The object whose settings of the system drive this one; None where it has its own, or none."""
+    """The object whose settings of a system drive `obj`, such as a wagon's engine; None if none does."""
     return pointed(of_owner(system, obj), "leader") if has_settings(system, obj) else None
 
 
 def wired_on(thing: Any) -> Iterator[tuple[Any, list[System]]]:
-    """Yields (owner, systems): an object with the systems that are wired on it, then the owners that drive it, each with one system."""
+    """Yield (thing, systems that are set up on it), then (owner, [system]) for each object whose settings drive `thing`."""
     yield thing, [one for one in systems() if is_owner(one, thing)]
     for one in systems():
         leader = leader_of(one, thing)
@@ -76,9 +83,10 @@ def wired_on(thing: Any) -> Iterator[tuple[Any, list[System]]]:
 
 
 def groups_of(system: System, owner: Any) -> tuple[Group, ...]:
-    """The groups of members that the system drives for an owner: one, where the system declares none.
+    """The Groups that a system computes for an owner; one Group with all members if the system declares no groups.
 
-    There are no groups where the system cannot work on the owner, nor where the system declares groups and the owner's pose is outdated.
+    There are none if the system cannot work on the owner, or if it declares groups and Blender has not evaluated the owner's pose since
+    its armature was exchanged.
     """
     if not can_own(system, owner):
         return ()
@@ -92,18 +100,18 @@ def groups_of(system: System, owner: Any) -> tuple[Group, ...]:
 
 
 def input_variables(system: System, owner: Any) -> Iterable[tuple[Any, Variable | None]]:
-    """(input, Variable) for each declared input of a system; None instead of the Variable for inputs that need no driver variable."""
+    """(input, Variable) for each declared input of a system on an owner; None in place of the Variable if the input needs none."""
     settings = of_owner(system, owner)
     return [(declared, declared.variable(owner, settings)) for declared in system.inputs]
 
 
 def described(system: Feature) -> list[Any]:
-    """SystemPanels (core/interface/panels.py) from which the panel classes of a system were generated, each once."""
+    """The SystemPanels (core/interface/panels.py) from which the panel classes of a system were generated, without repetitions."""
     found = (getattr(cls, "of_system", None) for cls in system.classes)
     return list(dict.fromkeys(one for one in found if one is not None))
 
 
 def title(system: Feature) -> tuple[str, str]:
-    """(label, context of its translation) under which a system stands in menus, panels and dialogs."""
+    """(label, translation context of the label) of a system, for menus, panels and dialogs."""
     panel = next(iter(described(system)), None)
     return (panel.label, panel.translation_context) if panel and panel.label == system.label else (system.label, "*")

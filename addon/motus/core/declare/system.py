@@ -1,4 +1,7 @@
-"""What a folder declares: its interface (Feature), and how its settings are solved (System). The wiring does the rest."""
+"""Declarations of a folder of the add-on: Feature for its interface, System for settings that are solved while Blender evaluates.
+
+From a System, core/wiring makes the drivers, constraints and modifiers on the scene's objects.
+"""
 
 from __future__ import annotations
 
@@ -12,11 +15,13 @@ from .members import Points
 
 @dataclass(frozen=True)
 class Feature:
-    """What a folder adds to the interface: settings of objects, operators, panels, menus; see docs/systems.md.
+    """Declaration of what a folder of the add-on adds to Blender's interface: settings, operators, panels, menus; see docs/systems.md.
 
-    settings: a PropertyGroup that becomes Object.motus.<name>. scene_settings: one that becomes Scene.motus.<name>.
-    offers: a module or object with what other systems may call, which they have by registry.offered().
-    extras: with register() and unregister() of their own.
+    name: of the folder. label: name for users, in English. classes: all classes that Blender registers, in the order of registration.
+    settings: PropertyGroup that becomes Object.motus.<name>, or None. scene_settings: PropertyGroup that becomes Scene.motus.<name>.
+    extras: modules or objects whose register() and unregister() are called too. overlay: Overlay that the viewport shows for
+    selected objects (core/interface/overlay.py), or None. offers: module or object with the functions that different systems may call,
+    by registry.offered(). add_menu, object_menu, pose_menu: identifiers of operators in Blender's menus.
     """
 
     name: str
@@ -34,24 +39,36 @@ class Feature:
 
 @dataclass(frozen=True, kw_only=True)
 class System(Feature):
-    """A Feature whose settings, SystemSettings, are solved while Blender evaluates the scene.
+    """Declaration of a Feature whose settings, a SystemSettings, are solved while Blender evaluates the scene.
 
-    moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. makes_points: the solver
-    makes these, by a modifier too. dress: called with the owner where Blender has lost what the modifier was given by
-    wiring.set_points_material() and the like. unbakeable: a sentence that says why there is nothing to bake. settle: called after an
-    evaluation in which solve() has asked for it (Context.wants_to_settle), with the owner. rebuild: called with the owner by *Refresh*,
-    in place of wiring.refresh(). over_time: called with the owner, a driven object
-    and the scene; gives what core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner,
-    a rig, and the old and the new name of a bone of it that the owner drives or reads. shared: names of the settings that
-    solve() reads beside its inputs; if it reads nothing else, owners with the same inputs are solved by one solver as long as
-    their settings are still. is_relative: of the members, where no groups are declared: see Member; solve() applies the
-    influence then. same_bits: the members have the same matrices in every Blender, to the last bit, by sinks that all Blenders
-    have. lays_pose: its members, bones of the owner, are posed by their own transforms alone, as keys pose them: its sinks come
-    before all other constraints, and all other systems start from what it makes of the bones, which solve() tells rigs.lay().
-    reads_keys: its solver reads keys of other frames, and is called again when these are edited (core/evaluated/read_keys.py). entry_settings: names of
-    the settings of a bone's entry that *To All Selected* copies (core/interface/bone_entries.py). owner_of: called with an object
-    that may belong to an owner without being driven; gives that owner or None. owner_types: types of objects that can be owners, all
-    if there are none; settings that a script has given to an object of another type count for nothing.
+    The owner is the object that has the settings; its members are the objects and bones that the solver drives. A sink is a constraint,
+    driver or modifier that brings a result to a member.
+
+    solve: function (context, **inputs) that fills the Context and returns a Problem or None. problems: each Problem that solve() returns.
+    inputs: what Blender evaluates before the solver, from core/declare/inputs.py. outputs: names of the numbers that solve() sets.
+    channels: function of the settings that returns a subset of {"location", "rotation", "scale"}. members: function of the owner that
+    returns the driven objects and bones. member_data: function of the owner that returns one number for each member, or None.
+    space: 'WORLD' or the space of a constraint in which solve() gives transforms. is_relative: whether solve() gives moves and turns on
+    top of a member's own transform, and applies the influence itself; not used if `groups` are declared (see Member).
+    same_bits: whether members have the same matrices, bit by bit, in every version of Blender; only some kinds of sinks allow that.
+    lays_pose: whether the members are bones that are posed by their own transforms, as keys pose them. Their sinks come before all other
+    constraints, and all other systems start from the resulting pose, which solve() passes to rigs.lay().
+    reads_keys: whether solve() reads keyframes of other frames; it is called again if they are edited (core/evaluated/read_keys.py).
+    groups: function of the owner that returns Groups, in place of `channels` and `members`. entries: function of the owner that returns
+    an Entry for each item in the owner's list of settings. entry_settings: names of the settings of a bone's entry that the button
+    *To All Selected* copies. bone_renamed: called with the owner, a rig, and the old and the new name of a bone of the rig that the
+    owner drives or reads.
+    moves_points: whether solve() moves the points of the owner's mesh, by a modifier; there are no members then.
+    makes_points: Points that solve() makes, by a modifier; None if it makes none. dress: called with the owner if Blender has lost what
+    the modifier was given, such as by wiring.set_points_material().
+    settle: called with the owner after an evaluation in which solve() has set Context.wants_to_settle. rebuild: called with the owner by
+    the operator *Refresh*, in place of wiring.refresh(). over_time: called with the owner, a driven object and the scene; returns the
+    object's motion at any times, for core/tracks/solved.py, or None. unbakeable: sentence that says why there is nothing to bake, or "".
+    shared: names of the settings that solve() reads in addition to its inputs. If solve() reads nothing else, one solver computes all
+    owners with equal inputs whose settings are not animated.
+    owner_of: called with an object that may belong to an owner without being driven; returns that owner or None.
+    owner_types: types of the objects that can be owners; empty allows all. Settings that a script has given to an object of a different
+    type have no effect. former_names: {former name: present name} of settings that were renamed (core/file/former_names.py).
     """
 
     solve: Callable[..., Any]
@@ -84,15 +101,15 @@ class System(Feature):
 
     @property
     def has_modifier(self) -> bool:
-        """Whether its sink is a modifier of the owner, and it drives no members."""
+        """Whether the result reaches the scene by a modifier of the owner, and the system drives no members."""
         return self.moves_points or self.makes_points is not None
 
     @property
     def reads_several(self) -> bool:
-        """Whether its solver waits for objects that may come and go without its settings being edited."""
+        """Whether the solver waits for objects of a collection, which may change although no setting is edited."""
         return any(isinstance(declared, Geometries) for declared in self.inputs)
 
     @property
     def reads_mesh(self) -> bool:
-        """Whether its solver waits for the mesh that the owner has."""
+        """Whether the solver waits for the owner's own mesh."""
         return any(isinstance(declared, Vertices) for declared in self.inputs)

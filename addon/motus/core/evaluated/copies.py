@@ -235,9 +235,10 @@ def _number_in(mark: Any) -> int:
 
 
 def number_given(evaluated: Any) -> int:
-    """The number of an evaluated copy of any datablock; if the copy has no marker property, it is added to the copy.
+    """Number by which an evaluated copy of a datablock is told apart from all copies before and after it; it is assigned if missing.
 
-    Only for datablocks whose custom properties no other thread reads at the same time.
+    The number is stored in a custom property (KEY) of the evaluated copy, which is added if it is missing. Only for datablocks whose
+    custom properties no other thread reads at the same time, such as meshes.
     """
     mark = _mark(evaluated)
     if mark is None:
@@ -271,7 +272,7 @@ def number_of_action(action: Any) -> int | None:
 
 
 def found_of_action(action: Any) -> dict[Any, Any]:
-    """Dict of values that were read from an evaluated action, for keeping.OfEvaluation.within(); a new {} for an original action."""
+    """Values that were derived from an evaluated action, kept with it for keeping.OfEvaluation.within(); {} for an original action."""
     number = number_of_action(action)
     if number is None:
         return {}
@@ -280,7 +281,7 @@ def found_of_action(action: Any) -> dict[Any, Any]:
 
 
 def _mark(datablock: Any) -> memoryview[int] | None:
-    """The memory of a datablock's marker property, which holds the number; None if the property is missing or of a different form."""
+    """Memory of the custom property (KEY) with the number of an evaluated copy; None if it is missing or of a different form."""
     try:
         return stored.whole_numbers(datablock.get(KEY), 1)
     except stored.Damaged:
@@ -288,7 +289,7 @@ def _mark(datablock: Any) -> memoryview[int] | None:
 
 
 def _is_given(number: Any) -> bool:
-    """Whether a number was assigned since this module was loaded; a number that was loaded with a file was not."""
+    """Whether a copy's number was assigned since this module was loaded. A number that came with a file was not."""
     return isinstance(number, int) and _first <= number <= _latest[0]
 
 

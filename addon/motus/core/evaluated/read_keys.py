@@ -31,7 +31,7 @@ _at_work: dict[int, list[dict[int, int]]] = {}
 
 
 class Reading:
-    """Actions that a solver or driver on an evaluated datablock has read. As a context manager it notes what its thread reads.
+    """Record of the actions that a solver or driver on an evaluated datablock has read. Within `with`, it records what its thread reads.
 
     among(datablock): gives the actions that the solver or driver can read at all; None if it can read any action.
     """
@@ -101,7 +101,10 @@ def reading_of(datablock: Any, name: str, index: int = 0, among: Callable[[Any],
 
 
 def number_of(action: Any) -> int | None:
-    """Number of an evaluated copy of an action whose keys are read now, which is noted; None for an original action."""
+    """Number of an evaluated copy of an action, for code that is about to read its keys; None for an original action.
+
+    The Reading that is entered in this thread, if any, records that its solver or driver has read the action.
+    """
     number = copies.number_of_action(action)
     if _at_work and number is not None:
         note({action.as_pointer(): number})
@@ -109,12 +112,12 @@ def number_of(action: Any) -> int | None:
 
 
 def is_noting() -> bool:
-    """Whether a solver or driver is at work in any thread whose reads of actions are noted."""
+    """Whether a solver or driver whose reads of actions are recorded runs in any thread. If not, nobody has to call number_of()."""
     return bool(_at_work)
 
 
 def noted() -> dict[int, int] | None:
-    """Actions that the solver at work in this thread has read so far; None if no solver in this thread notes its reads.
+    """Actions that the solver or driver which runs in this thread has read so far; None if its reads are not recorded.
 
     Returns {address of an evaluated action: number of its copy}. A second solver that reuses the first one's result passes it to note().
     """

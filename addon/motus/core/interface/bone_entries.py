@@ -6,8 +6,8 @@ from ..declare import has_settings, of_owner, registered
 from ..refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..settings import entries
 from ..translations import counted, tr
-from . import operators
 from .operators import OBJECT_OR_POSE_MODE, Operator, object_keyword
+from .view import offering
 
 
 def active_property(label, index_of):
@@ -186,7 +186,7 @@ def _give(system, entry, values):
 
 def draw_shown(layout, system, label, icon='BONE_DATA'):
     """Draw the name of the bone whose settings are drawn below, and the button *To All Selected*. system: name of the system."""
-    row = operators.offer(layout.row(align=True))
+    row = offering.offer(layout.row(align=True))
     row.label(text=label, icon=icon, translate=False)
     row.operator(MOTUS_OT_to_selected.bl_idname).system = system.name
 

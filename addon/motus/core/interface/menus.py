@@ -4,7 +4,8 @@ from typing import Any
 
 import bpy
 
-from . import operators, panels
+from . import panels
+from .view import offering
 
 _entries: dict[str, tuple[Any, ...]] = {"add": (), "object": (), "pose": ()}
 
@@ -31,7 +32,7 @@ class MOTUS_MT_pose(bpy.types.Menu):
 
 
 def _draw(layout, kind):
-    layout = operators.offer(layout)
+    layout = offering.offer(layout)
     layout.operator_context = 'INVOKE_DEFAULT'
     for index, ((label, label_context), identifiers) in enumerate(_entries[kind]):
         if index:

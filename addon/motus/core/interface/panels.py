@@ -13,7 +13,8 @@ import bpy
 from .. import native
 from ..bake import state
 from ..declare import described, registered, title
-from . import operators, overlay, ui
+from . import overlay, ui
+from .view import offering
 
 REFRESH = "motus.refresh"
 
@@ -133,7 +134,7 @@ def _menu(panel, name):
     """Generate the menu *More* of a panel, with actions that users seldom need, such as Refresh."""
 
     def draw(self, _context):
-        button = operators.offer(self.layout).operator(panel.refresh, icon='FILE_REFRESH')
+        button = offering.offer(self.layout).operator(panel.refresh, icon='FILE_REFRESH')
         if panel.refresh == REFRESH:
             button.system = panel.name
 
@@ -246,7 +247,7 @@ class _Adding:
             layout.label(text="Nothing is selected", icon='INFO')
         else:
             layout.label(text=context.object.name, icon='OBJECT_DATA', translate=False)
-        column = operators.offer(layout.column())
+        column = offering.offer(layout.column())
         for system in registered.values():
             for panel in described(system):
                 draw_add(panel, column, context)

@@ -20,8 +20,9 @@ def fingerprint(rig):
 
 
 def plan(rig, key, make):
-    """Plan of a solver for a rig: the result of `make(rig, rows)`, kept until `key` or the bones change. rows: {bone name: row}.
+    """Plan of a solver for a rig: the result of the function `make(rig, rows)`, kept until `key` or the bones change.
 
+    rows: {name of a bone: its row in the solver's arrays}.
     key: text that stands for everything that the plan is made from, the rig's fingerprint() included. The plan's attribute `still`
     is the rig's Still (names, rest pose, lengths and inheritance of the bones). Each thread makes and keeps its own plans.
     Raises Damaged if the object has no pose or `key` is no text.
@@ -47,8 +48,9 @@ def plan(rig, key, make):
 
 
 def source(rig, key, make, read):
-    """Result of `read(rig, plan)` for an evaluated rig, kept between frames; `plan` is the result of plan(rig, key, make).
+    """Data that a solver reads from an evaluated rig, kept between frames: the result of `read(rig, plan)`.
 
+    The second argument of `read` is the rig's plan, plan(rig, key, make).
     The result is kept as long as Blender keeps the evaluated copies of the rig and of its armature. If the armature's copy cannot
     be identified, the result is kept as long as the rest pose and inheritance of the bones stay the same.
     """
@@ -62,9 +64,10 @@ def source(rig, key, make, read):
 
 
 class _Source(NamedTuple):
-    """Result that source() keeps for a rig. made: what read(rig, plan) returned.
+    """Data that a solver has read from an evaluated rig, with the signs by which source() knows whether they still hold.
 
-    armature: stamp of the evaluated armature, or None. still: the Still of the plan.
+    armature: number of the evaluated copy of the armature; None if copies cannot be told apart. still: the rig's Still, its names, rest
+    pose and inheritance, when it was read. made: the data, which the caller's function read(rig, plan) has returned.
     """
 
     armature: Any

@@ -48,6 +48,7 @@ class Faces(NamedTuple):
 
     @property
     def bytes(self):
+        """Memory of the arrays, in bytes."""
         return self.positions.nbytes + self.triangles.nbytes
 
 
@@ -70,7 +71,7 @@ class Placed(NamedTuple):
         return self.faces.area * larger * largest
 
     def chosen(self, which):
-        """Copy of this Placed with only the triangles that `which`, (t,) bool, selects; None if `which` selects none."""
+        """A Placed mesh that has only some of the triangles; None if it would have none. which: (t,) bool, true for triangles to keep."""
         if not which.any():
             return None
         faces = self.faces._replace(triangles=np.ascontiguousarray(self.faces.triangles[which]))
@@ -119,7 +120,7 @@ def _read(mesh):
 
 
 def placed(obj, matrix):
-    """Triangles of an evaluated mesh object together with a world matrix, as Placed; None if the object has no faces()."""
+    """Triangles of an evaluated mesh object together with a world matrix, as Placed; None if the object is no mesh or has no area."""
     found, matrix = faces(obj), matrix.copy()  # a copy: reading a row of an object's own matrix would read the matrix from the object again
     return found and Placed((found.stamp, np.array(matrix, float).tobytes()), found, matrix)
 

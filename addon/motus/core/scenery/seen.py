@@ -23,17 +23,23 @@ class Seen(NamedTuple):
 
     @property
     def placed(self):
-        """Faces of the mesh object at the place of this occurrence, as a meshes.Placed; None if the object has no faces."""
+        """The mesh object's triangles with the world matrix of this occurrence, as a meshes.Placed; None if the mesh has no faces."""
         return meshes.placed(self.objects[0], self.matrix)
 
 
 def awaited(members):
-    """Objects that Blender has to evaluate before the Gathered `members` can be read: the mesh objects and their instancers."""
+    """Original objects that Blender has to evaluate before a solver reads meshes of a collection: these, and empties that instance them.
+
+    members: a Gathered for each mesh object.
+    """
     return [one for each in members for one in (each.object, *each.instancers)]
 
 
 def gathered(members, ready):
-    """List of a Seen for each Gathered in `members` whose objects are evaluated. ready: {original: evaluated}, from wiring.waited_for()."""
+    """A list with a Seen for each mesh object of a collection that is evaluated, together with the empties that instance it.
+
+    members: a Gathered for each mesh object. ready: {original object: evaluated object}, from wiring.waited_for().
+    """
     found = []
     for each in members:
         objects = ready.get(each.object), *map(ready.get, each.instancers)
@@ -44,17 +50,20 @@ def gathered(members, ready):
 
 
 def alone(obj):
-    """A Seen for an evaluated mesh object that a setting names directly."""
+    """The Seen of an evaluated mesh object by itself, which is no instance, such as an object that a setting names."""
     return Seen(obj.matrix_world, (obj,))
 
 
 def still(found, scene):
-    """List of those Seen in `found` that do not move over time. A parent that several objects share is examined once."""
+    """The mesh occurrences in a list of Seen that keep place and shape at all frames. A parent that several share is examined once."""
     return answered(object(), lambda: [one for one in found if not one.moves(scene)])
 
 
 def matrix(each, ready):
-    """World matrix of a Gathered: of the object itself, or of its instance. ready: {original object: evaluated object}."""
+    """World matrix at which a Gathered mesh object appears: its own, or that of its instance if empties instance its collection.
+
+    ready: {original object: evaluated object}.
+    """
     found = ready[each.object].matrix_world
     for instancer in reversed(each.instancers):
         found = ready[instancer].matrix_world @ Matrix.Translation(-instancer.instance_collection.instance_offset) @ found
