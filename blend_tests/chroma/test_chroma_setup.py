@@ -534,7 +534,10 @@ class SetUp(support.SceneTestCase):
         camera.location, camera.rotation_euler = (1.0, 2.0, 3.0), (0.5, 0.2, 1.0)
         self.set_up(clip=footage(self.folder), use_plane=True, camera="Camera", plane_distance=7.0)
         plane = scene.motus.chroma.plane
-        for obj, scales in ((camera, {1: (1.0, 1.0, 1.0), 9: (3.0, 0.5, 2.0), 17: (-1.0, 1.0, 4.0)}), (parent, {1: (2.0,) * 3, 17: (0.25,) * 3})):
+        for obj, scales in (
+            (camera, {1: (1.0, 1.0, 1.0), 9: (3.0, 0.5, 2.0), 17: (-1.0, 1.0, 4.0)}),
+            (parent, {1: (2.0,) * 3, 17: (0.25,) * 3}),
+        ):
             for frame, scale in scales.items():
                 obj.scale = scale
                 obj.keyframe_insert("scale", frame=frame)

@@ -11,7 +11,7 @@ from mathutils import Matrix, Vector
 
 from ..core import keeping, native, rigs, wiring
 from ..core.animation import strips
-from ..core.declare import Problem, laying, registered
+from ..core.declare import Problem, laying_systems, registered
 from ..core.evaluated import copies
 from ..core.evaluated.question import answered
 from ..core.file import stored
@@ -318,7 +318,7 @@ def _make(context, copy, scene):
 
 def _are_constrained(thing):
     """Whether active constraints move an evaluated Object or PoseBone, other than those by which Motus applies dynamics or poses."""
-    followed = [registered["dynamics"], *laying()]
+    followed = [registered["dynamics"], *laying_systems()]
     return any(
         not one.mute and one.influence > 0.0 and not any(wiring.is_sink(system, one) for system in followed) for one in thing.constraints
     )

@@ -24,7 +24,7 @@ def systems() -> list[System]:
     return [feature for feature in registered.values() if isinstance(feature, System)]
 
 
-def laying() -> list[System]:
+def laying_systems() -> list[System]:
     """The registered systems that set the own transforms of bones, as keys do, beneath all constraints and all other systems.
 
     They declare System.lays_pose, such as the system of animation layers.

@@ -96,8 +96,8 @@ def is_gone(datablock: Any) -> bool:
     return False
 
 
-_copies = _OfCopies("an evaluated object, armature, curve or scene: its drivers, its action, and the rooms of what is read of it")
-_found = _OfCopies("an evaluated action: the rooms of what is read of it")
+_copies = _OfCopies("an evaluated object, armature, curve or scene: its drivers, its action, and what has been read of it")
+_found = _OfCopies("an evaluated action: what has been read of it")
 _REACH = keeping.OfEvaluation("which settings and bones an action sets", "the action", "one for each evaluated action")
 
 

@@ -15,7 +15,7 @@ import threading
 
 from .. import wiring
 from ..animation.reason import Reason
-from ..declare import laying, systems
+from ..declare import laying_systems, systems
 from ..file.pointers import pointed
 from ..lazy import numpy as np
 from . import rotations
@@ -148,5 +148,5 @@ def acting_on(thing, beneath=None):
     The constraints of systems that lay poses (System.lays_pose) belong to the own transform: they are left out.
     beneath: a System whose constraints are left out too, or None.
     """
-    skipped = [system for system in (*laying(), beneath) if system]
+    skipped = [system for system in (*laying_systems(), beneath) if system]
     return [one for one in thing.constraints if not one.mute and not any(wiring.is_sink(system, one) for system in skipped)]
