@@ -20,10 +20,12 @@ case "$*" in
     --version) echo "Blender 4.9.0" ;;
     *ik_bench.py*) echo "| a row"; echo "what went wrong"; exit 1 ;;
     *layers_bench.py*) echo "no row" ;;
-    *walker_bench.py*) echo "| another row"; echo "what an operator reports" ;;
+    *walker_bench.py*)
+        echo "| another row"; echo "what an operator reports"
+        echo '{"table": "T", "row": "R", "measures": []}' >>"$MOTUS_BENCH_ROWS" ;;
 esac
 """
-"""A Blender in which one benchmark breaks, one prints nothing that can be told from Blender's own lines, and one runs."""
+"""A Blender in which one benchmark breaks, one states no row, and one runs."""
 PLACES = """
 import addon_utils
 for module in addon_utils.modules():
@@ -154,7 +156,9 @@ class Command(unittest.TestCase):
         blender = self.folder / "blender"
         blender.write_text(FAKE, encoding="utf-8")
         blender.chmod(0o755)
-        environment = dict(os.environ, BLENDER=str(blender), MOTUS_PREPARED="1", MOTUS_PROFILE=str(self.folder / "profile"))
+        environment = dict(os.environ, BLENDER=str(blender), MOTUS_PREPARED="1")
+        for name in ("PROFILE", "BUILD", "CACHE"):
+            environment[f"MOTUS_{name}"] = str(self.folder / name)
         done = motus("bench", "--blenders", "4.9", "ik_bench in", "layers_bench in", "walker_bench in", env=environment)
         self.assertEqual(done.returncode, 1, done.stdout)
         for line in (

@@ -1,6 +1,6 @@
 """A thousand properties driven by functions of Motus's, beside the same number by other expressions. Run by ./motus bench.
 
-The scenes take turns in one process, as in typical_bench.py. "rest" is a function of Python's that gives back the frame: what
+The scenes take turns in one process (costs.py). "rest" is a function of Python's that gives back the frame: what
 Blender takes for a call before anything is computed.
 """
 
@@ -13,7 +13,9 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
-from typical_bench import frame_microseconds, new_object  # noqa: E402
+from costs import frame_times  # noqa: E402
+from sample_scenes import new_object  # noqa: E402
+from table import Column, Table  # noqa: E402
 
 import support  # noqa: E402  (found by the line above)
 
@@ -54,10 +56,12 @@ def report(wanted):
     support.empty_scene()
     bpy.app.driver_namespace["motus_bench_rest"] = lambda frame: frame
     scenes = [new_scene(EXPRESSIONS[name]) for name in names]
-    rounds = np.array([[frame_microseconds(scene) for scene in scenes] for _ in range(ROUNDS)]) / COUNT
-    print(f"| {COUNT} driven properties, us each a frame, Blender {bpy.app.version_string}; without any: {np.median(rounds[:, 0]):.2f}")
-    for name, column in zip(names[1:], (rounds[:, 1:] - rounds[:, :1]).T):
-        print(f"| {name:28} {np.median(column):7.2f}  least {column.min():6.2f}")
+    rounds = np.array([[frame_times(scene) for scene in scenes] for _ in range(ROUNDS)]) / COUNT
+    table = Table(f"One of {COUNT} driven properties, a frame", Column("each", "us", "9.2f", True), Column("each CPU", "us", "9.2f"))
+    table.row("without any", rounds[:, 0, 0], np.median(rounds[:, 0, 1]))
+    for index, name in enumerate(names[1:], start=1):
+        added = rounds[:, index] - rounds[:, 0]
+        table.row(name, added[:, 0], np.median(added[:, 1]))
 
 
 if __name__ == "__main__":

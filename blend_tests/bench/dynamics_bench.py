@@ -1,31 +1,31 @@
 """What dynamics cost a frame: objects, each with its own, and a rig of 200 bones in ten chains. Run by ./motus bench.
 
-Each row is the cost that they add to a frame of the same keyed things without any; the scenes take turns, as in typical_bench.py.
+Each row is the cost that they add to a frame of the same keyed things without any; the scenes take turns (costs.py).
 """
 
 import sys
 from pathlib import Path
 
 import bpy
-import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
-import typical_bench  # noqa: E402
+import costs  # noqa: E402  (found by the line above)
+from sample_scenes import new_object  # noqa: E402
+from table import Table  # noqa: E402
 
-import support  # noqa: E402  (found by the line above)
+import support  # noqa: E402
 
 OBJECTS = 10
 CHAINS, BONES = 10, 20
-BOUNDS = {"one object": 0.030, f"{OBJECTS} objects": 0.300, f"{CHAINS * BONES} bones": 4.000}  # ms
 
 
 def new_objects(count):
     """Empties that keys move."""
     found = []
     for index in range(count):
-        obj = typical_bench.new_object("Ball")
+        obj = new_object("Ball")
         for frame, place in ((1, 0.0), (20, 3.0), (40, 0.0)):
             obj.location = (place, 2.0 * index, 0.0)
             obj.keyframe_insert("location", frame=frame)
@@ -51,21 +51,13 @@ def trail(rigs):
         bpy.ops.motus.dynamics_add(object=rig.name, bones=names, whole_chains=True, chain_delay=0.02, style='FLOPPY')
 
 
-SCENES = {
-    "one object": (lambda: new_objects(1), follow),
-    f"{OBJECTS} objects": (lambda: new_objects(OBJECTS), follow),
-    f"{CHAINS * BONES} bones": (new_rig, trail),
-}
-
-
-def report():
-    print(f"| Cost added to a frame by dynamics, ms, Blender {bpy.app.version_string}: the median of rounds, the least, the bound")
-    for name, (make, add) in SCENES.items():
-        rounds = typical_bench.costs(make, add) / 1e3
-        extra = rounds[:, 1] - rounds[:, 0]
-        print(f"| {name:24} {np.median(extra):9.4f} {extra.min():9.4f} {BOUNDS[name]:9.3f}")
+SCENES = (  # name, what is there, what is added to it, the wanted ms
+    ("one object", lambda: new_objects(1), follow, 0.030),
+    (f"{OBJECTS} objects", lambda: new_objects(OBJECTS), follow, 0.300),
+    (f"{CHAINS * BONES} bones", new_rig, trail, 4.000),
+)
 
 
 if __name__ == "__main__":
     support.enable()
-    report()
+    costs.report(Table("Cost added to a frame by dynamics", *costs.COLUMNS), SCENES)

@@ -13,6 +13,8 @@ from mathutils import Vector
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
+from table import Column, Table, note  # noqa: E402
+
 import support  # noqa: E402  (found by the line above)
 
 CHAINS = 100
@@ -122,20 +124,23 @@ def costs(chains, bones, kind):
 
 
 def report_costs():
-    print(f"| Frame time above that of the same rig without IK, Blender {bpy.app.version_string}; targets move.")
-    print("| Medians of rounds in which the scenes take turns, and the rounds' quartiles.")
-    print("| A still rig is not evaluated at all without IK: there the cost of its pose is counted too.")
-    print("| Without IK Blender evaluates the same scene faster where the rig was made before the targets: it then begins with")
-    print("| the rig, and the targets fill the other threads. A rig whose custom properties point to the targets loses that too.")
-    print(f"| {'chains':>7} {'bones':>6} {'rig':20} {'what':12} {'us a chain':>11} {'quartiles':>17} {'of Blender':>11}")
+    note("A still rig is not evaluated at all without IK: there the cost of its pose is counted too.")
+    note("Without IK Blender evaluates the same scene faster where the rig was made before the targets: it then begins with")
+    note("the rig, and the targets fill the other threads. A rig whose custom properties point to the targets loses that too.")
+    table = Table(
+        "Frame time of a chain above that of the same rig without IK, targets move: medians of rounds in which the scenes take turns",
+        Column("a chain", "us", "9.2f", True),
+        Column("of Blender", "x"),
+        width=56,
+    )
     for chains, bones in ((CHAINS, 2), (10, 5), (10, 20), (10, 100)):
         for kind in RIGS:
-            rounds = costs(chains, bones, kind)
-            extra = dict(zip(SYSTEMS, ((rounds - rounds[:, :1]) / chains).T))
-            for name in ("Blender IK", "Motus IK"):
-                low, median, high = np.percentile(extra[name], (25, 50, 75))
-                ratio = np.median(extra[name] / extra["Blender IK"])
-                print(f"| {chains:7} {bones:6} {kind:20} {name:12} {median:11.2f} {low:8.2f} {high:8.2f} {ratio:10.3f}x")
+            rig = f"{chains} chains of {bones} bones, {kind}"
+            with table.guarded(rig):
+                rounds = costs(chains, bones, kind)
+                extra = dict(zip(SYSTEMS, ((rounds - rounds[:, :1]) / chains).T))
+                for name in ("Blender IK", "Motus IK"):
+                    table.row(f"{rig}: {name}", extra[name], np.median(extra[name] / extra["Blender IK"]))
 
 
 def tips(rig, chains, bones):
@@ -191,20 +196,28 @@ def report_limits():
     blender = residuals(add_blender_ik, bones, places, 0.05, limits)
     motus = residuals(add_motus_ik, bones, places, 0.05, limits)
     within = np.mean(motus <= blender + 1e-4)
-    print(f"|\n| {places.shape[0] * chains} random targets, three bones with random limits; residuals of the chain's length")
-    print(f"| {'what':12} {'median':>10} {'mean':>10} {'largest':>10} {'NaN':>5}")
+    columns = [Column(name, "", "9.2e") for name in ("median", "mean", "largest")]
+    count = places.shape[0] * chains
+    table = Table(
+        f"{count} random targets, three bones with random limits; residuals of the chain's length", *columns, Column("NaN", "", "9.0f")
+    )
     for name, found in (("Blender IK", blender), ("Motus IK", motus)):
-        print(f"| {name:12} {np.median(found):10.2e} {found.mean():10.2e} {found.max():10.2e} {np.isnan(found).sum():5}")
-    print(
-        f"| Motus within Blender's residual + 1e-4: {100.0 * within:.2f} %; "
+        table.row(name, np.median(found), found.mean(), found.max(), np.isnan(found).sum())
+    note(
+        f"Motus within Blender's residual + 1e-4: {100.0 * within:.2f} %; "
         f"better by more than 1e-4: {100.0 * np.mean(motus < blender - 1e-4):.2f} %"
     )
 
 
 def report_reaching():
     generator = np.random.default_rng(7)
-    print("|\n| Share of targets that are missed by more than 1e-4 of the chain's length, though within reach")
-    print(f"| {'bones':>6} {'case':44} {'Blender IK':>11} {'Motus IK':>11} {'largest, Motus':>15}")
+    table = Table(
+        "Share of targets that are missed by more than 1e-4 of the chain's length, though within reach",
+        Column("Blender IK", "%", "9.2f"),
+        Column("Motus IK", "%", "9.2f"),
+        Column("largest, Motus", "", "9.1e"),
+        width=56,
+    )
     for bones in (2, 5, 20, 40):
         cases = {
             "straight rest pose, anywhere within reach": (0.0, random_places(generator, PLACES, 10, 0.05, 0.999)),
@@ -214,7 +227,7 @@ def report_reaching():
         for case, (bend, places) in cases.items():
             found = [residuals(add, bones, places, bend) for add in (add_blender_ik, add_motus_ik)]
             missed = [100.0 * np.mean(~(one <= 1e-4)) for one in found]
-            print(f"| {bones:6} {case:44} {missed[0]:9.2f} % {missed[1]:9.2f} % {found[1].max():15.1e}")
+            table.row(f"{bones} bones, {case}", *missed, found[1].max())
 
 
 if __name__ == "__main__":

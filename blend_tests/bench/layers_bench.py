@@ -14,6 +14,8 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
+from table import Column, Table  # noqa: E402
+
 import support  # noqa: E402  (found by the line above)
 
 BONES, KEYS, FRAMES, ROUNDS = 200, 10, 60, 7
@@ -97,11 +99,11 @@ def main():
     for _ in range(ROUNDS):
         for name, scene in scenes:
             taken[name].append(milliseconds(scene))
-    print(f"| A frame of a rig of {BONES} bones, ms, Blender {bpy.app.version_string}: the median frame of the best of {ROUNDS} rounds")
-    print(f"| {'layers':24} {'frame':>8} {'added':>8}")
+    title = f"A frame of a rig of {BONES} bones: the median frame of the best of {ROUNDS} rounds"
+    table = Table(title, Column("frame", "ms", "9.2f"), Column("added", "ms", "9.2f"), rows="layers")
     bare = min(taken["none"])
     for name, found in taken.items():
-        print(f"| {name:24} {min(found):8.2f} {min(found) - bare:8.2f}")
+        table.row(name, min(found), None if name == "none" else min(found) - bare)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
 import truth  # noqa: E402
+from table import Column, Table  # noqa: E402
 
 import support  # noqa: E402  (found by the line above)
 
@@ -143,11 +144,14 @@ def native_positions(points):
 
 
 def report_exactness():
-    print(
-        "|\n| Exactness at 101 equal distances: position error / length, step error / step, both largest; "
-        "times better than Blender's default"
+    table = Table(
+        "Exactness at 101 equal distances, largest errors",
+        Column("position / length", "", "9.1e"),
+        Column("step / step", "", "9.1e"),
+        Column("of the largest coordinate", "", "9.1e"),
+        Column("better than Blender's default", "x", "9.2g"),
+        width=52,
     )
-    print(f"| {'curve':14} {'what':35} {'position':>10} {'step':>10} {'better':>10}")
     for name, points in CURVES.items():
         exact, length = truth.positions_at_fractions(points, FRACTIONS)
         rows = {
@@ -159,10 +163,8 @@ def report_exactness():
         reference = errors(rows["Blender Follow Path, resolution 12"], exact, length)[0]
         for what, found in rows.items():
             position_error, step_error = errors(found, exact, length)
-            print(f"| {name:14} {what:35} {position_error:10.1e} {step_error:10.1e} {reference / max(position_error, 1e-17):9.2g}x")
-        largest = np.abs(exact).max()
-        off = np.abs(rows["Motus on the object (float32)"] - exact).max() / largest
-        print(f"| {name:14} {'Motus on the object':35} {off:10.1e} of the largest coordinate")
+            off = np.abs(found - exact).max() / np.abs(exact).max()
+            table.row(f"{name}: {what}", position_error, step_error, off, reference / max(position_error, 1e-17))
 
 
 def report_frame_time():
@@ -172,9 +174,11 @@ def report_frame_time():
         f"Motus train x {FOLLOWERS}, banking": motus_frame_time(),
     }
     reference = next(iter(rows.values()))
-    print(f"| Frame time, {FOLLOWERS} followers on one curve, Blender {bpy.app.version_string}")
+    table = Table(
+        f"Frame time, {FOLLOWERS} followers on one curve", Column("frame", "ms", "9.2f"), Column("of Blender", "x", "9.2f"), width=52
+    )
     for what, value in rows.items():
-        print(f"| {what:52} {value:8.2f} ms {value / reference:7.2f}x")
+        table.row(what, value, value / reference)
 
 
 if __name__ == "__main__":

@@ -7,9 +7,12 @@ from pathlib import Path
 
 import bpy
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent)]
 
-import support
+from table import Column, Table  # noqa: E402
+
+import support  # noqa: E402  (found by the line above)
 
 FRAMES = 12
 
@@ -102,17 +105,19 @@ def numpy_time(places, roots, radius, frames=3):
     return statistics.median(times)
 
 
-def report(what, side, count, radius, distance):
-    obj, places, roots = pinned(side, count, radius, distance)
-    solve, first = solve_time(obj)
-    naive = numpy_time(places, roots, radius)
-    print(f"| {what:48} {frame_times():8.2f} {solve:8.2f} {first:9.1f} {naive:9.1f} {naive / solve:7.0f}x", flush=True)
+def report(table, what, side, count, radius, distance):
+    with table.guarded(what):
+        obj, places, roots = pinned(side, count, radius, distance)
+        solve, first = solve_time(obj)
+        naive = numpy_time(places, roots, radius)
+        table.row(what, frame_times(), solve, first, naive, naive / solve)
 
 
 if __name__ == "__main__":
     support.enable()
-    print(f"| Pins in Blender {bpy.app.version_string}, ms{'':21} {'frame':>8} {'solve':>8} {'first':>9} {'numpy':>9}")
-    report("100 pins, 100 k vertices, radius 5 %, straight", 316, 100, 0.1, 'STRAIGHT')
-    report("100 pins, 100 k vertices, radius 5 %, surface", 316, 100, 0.1, 'SURFACE')
-    report("4 pins, 1 M vertices, radius 5 %, straight", 1000, 4, 0.1, 'STRAIGHT')
-    report("4 pins, 1 M vertices, radius 20 %, straight", 1000, 4, 0.4, 'STRAIGHT')
+    times = [Column(name, "ms", "9.2f") for name in ("frame", "solve", "first", "numpy")]
+    table = Table("A frame with pins", *times, Column("numpy of solve", "x", "9.0f"), width=48)
+    report(table, "100 pins, 100 k vertices, radius 5 %, straight", 316, 100, 0.1, 'STRAIGHT')
+    report(table, "100 pins, 100 k vertices, radius 5 %, surface", 316, 100, 0.1, 'SURFACE')
+    report(table, "4 pins, 1 M vertices, radius 5 %, straight", 1000, 4, 0.1, 'STRAIGHT')
+    report(table, "4 pins, 1 M vertices, radius 20 %, straight", 1000, 4, 0.4, 'STRAIGHT')

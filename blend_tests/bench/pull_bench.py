@@ -11,6 +11,8 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
+from table import Column, Table  # noqa: E402
+
 import support  # noqa: E402  (found by the line above)
 
 SIDE = 1000
@@ -162,14 +164,15 @@ ROWS = (
 
 
 def report_dabs():
-    print(f"| A dab on {SIDE * SIDE} vertices to the evaluated mesh, Blender {bpy.app.version_string}")
-    print(f"| {'radius':>8} {'what':35} {'ms':>9} {'of Blender':>11}")
+    table = Table(f"A dab on {SIDE * SIDE} vertices to the evaluated mesh", Column("dab", "ms"), Column("of Blender", "x", "9.4f"))
     for share in SHARES:
         reference = None
         for name, measure in ROWS:
-            found = measure(share * SIDE * SPACING)
-            reference = reference or found
-            print(f"| {share:8.0%} {name:35} {found:9.2f} {found / reference:10.4f}x", flush=True)
+            name = f"{name}, radius {share:.0%}"
+            with table.guarded(name):
+                found = measure(share * SIDE * SPACING)
+                reference = reference or found
+                table.row(name, found, found / reference)
 
 
 def report_start():
@@ -189,9 +192,9 @@ def report_start():
         ("each pick", picking),
         ("Blender's first ray_cast", (ray - start_ray) * 1e3),
     )
-    print("| What a session takes besides, ms")
+    table = Table("What a session takes besides", Column("taken", "ms"), width=52)
     for name, value in rows:
-        print(f"| {name:52} {value:9.3f}")
+        table.row(name, value)
 
 
 def report_grid():
@@ -210,10 +213,10 @@ def report_grid():
         bpy.ops.mesh.primitive_grid_add(x_subdivisions=SIDE - 1, y_subdivisions=SIDE - 1, size=SIDE * SPACING)
         return time.perf_counter() - start
 
-    print(f"| A grid of {SIDE} x {SIDE} vertices, ms")
+    table = Table(f"A grid of {SIDE} x {SIDE} vertices", Column("added", "ms", "9.1f"), Column("of Blender", "x"))
     rows = [("Blender's Grid", min(blender() for _ in range(3))), ("motus.grid_add", min(own() for _ in range(3)))]
     for name, value in rows:
-        print(f"| {name:35} {value * 1e3:9.1f} {value / rows[0][1]:8.3f}x")
+        table.row(name, value * 1e3, value / rows[0][1])
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """Whole frames of snow at several numbers of flakes, a jump to a far frame, and covers of several sizes. Run by ./motus bench.
 
 The cost is what the snow adds to a frame of an empty scene, and a cover to one of the same scene without it; the scenes take
-turns in one process, as in typical_bench.py.
+turns in one process, as in costs.py.
 """
 
 import sys
@@ -13,6 +13,8 @@ import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
+
+from table import Column, Table  # noqa: E402
 
 import support  # noqa: E402  (found by the line above)
 
@@ -92,28 +94,29 @@ def added(bare, other):
 
 
 def report(wanted):
-    print(f"| Cost that snow adds to a frame, ms, Blender {bpy.app.version_string}: medians of rounds in which the scenes take")
-    print(f"| turns, the least of them, and a jump to frame {FAR} beside one to frame {1 + FIRST}.")
-    print(f"| {'scene':40} {'median':>8} {'least':>8} {'far':>8} {'near':>8}")
+    def is_wanted(name):
+        return not wanted or any(part in name for part in wanted)
+
+    added_column = Column("added", "ms", has_rounds=True)
+    title = f"Cost that snow adds to a frame; a jump to frame {FAR} beside one to frame {1 + FIRST}"
+    table = Table(title, added_column, Column("far", "ms"), Column("near", "ms"))
     for kind, settings in KINDS:
         for count in COUNTS:
             name = f"{count:,} flakes, {kind}"
-            if wanted and not any(part in name for part in wanted):
-                continue
-            support.empty_scene()
-            bare, other = new_scene(), snowing(count, settings)
-            extra = added(bare, other)
-            far, near = jump(other)
-            print(f"| {name:40} {np.median(extra):8.3f} {extra.min():8.3f} {far:8.3f} {near:8.3f}")
+            if is_wanted(name):
+                with table.guarded(name):
+                    support.empty_scene()
+                    bare, other = new_scene(), snowing(count, settings)
+                    table.row(name, added(bare, other), *jump(other))
+    table = Table("Cost that a cover adds to a frame", added_column, Column("vertices", "", "9.0f"))
     for resolution in RESOLUTIONS:
         name = f"cover, resolution {resolution:g} m"
-        if wanted and not any(part in name for part in wanted):
-            continue
-        support.empty_scene()
-        bare, other = field(), field(resolution)
-        name += f", {vertex_count(other):,} vertices"
-        extra = added(bare, other)
-        print(f"| {name:40} {np.median(extra):8.3f} {extra.min():8.3f}")
+        if is_wanted(name):
+            with table.guarded(name):
+                support.empty_scene()
+                bare, other = field(), field(resolution)
+                vertices = vertex_count(other)
+                table.row(name, added(bare, other), vertices)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,10 @@
 """Scenes as artists have them, a few of everything, beside Blender's own constraints. Run by ./motus bench.
 
 Each row is one scene: the cost that the systems, or Blender's constraints in their place, add to a frame of the same objects
-without any. The scenes of a row take turns in one process, as in ik_bench.py.
+without any. The scenes of a row take turns in one process (costs.py).
 """
 
-import statistics
 import sys
-import time
 from pathlib import Path
 
 import bpy
@@ -15,34 +13,18 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
-import support  # noqa: E402  (found by the line above)
+import dynamics_bench  # noqa: E402  (found by the line above)
+import stereo_bench  # noqa: E402
+import walker_bench  # noqa: E402
+from costs import FRAMES, costs, nothing  # noqa: E402
+from sample_scenes import new_curve, new_object  # noqa: E402
+from table import Column, Table  # noqa: E402
 
-FRAMES = 40
-FEWEST_ROUNDS, SECONDS = 7, 5.0
-FOLLOWERS, RIGS, LIMBS, PENDULUMS = 50, 10, 4, 10
+import support  # noqa: E402
+
+FOLLOWERS, RIGS, LIMBS, OWNERS = 50, 10, 4, 10
 LEAST_COST = 0.001
 """Ms: of less nothing is a multiple that says anything."""
-
-
-def new_object(name, data=None):
-    obj = bpy.data.objects.new(name, data)
-    bpy.context.scene.collection.objects.link(obj)
-    return obj
-
-
-def new_curve(place=0.0):
-    """A bend of 18 m whose path is evaluated along with the frames."""
-    data = bpy.data.curves.new("Course", 'CURVE')
-    data.dimensions = '3D'
-    spline = data.splines.new('BEZIER')
-    spline.bezier_points.add(1)
-    for point, x in zip(spline.bezier_points, (0.0, 12.0)):
-        point.handle_left_type = point.handle_right_type = 'FREE'
-        point.co = (x, place, 0.25 * x)
-        point.handle_left, point.handle_right = (x - 4.0, place - 6.0, 0.25 * x), (x + 4.0, place + 6.0, 0.25 * x)
-    data.path_duration = 200
-    data.driver_add("eval_time").driver.expression = "frame"
-    return new_object("Course", data)
 
 
 def new_followers(count, curves):
@@ -129,7 +111,7 @@ def new_mixed():
     return {
         "singles": new_followers(12, 2),
         "train": new_followers(20, 1),
-        "characters": [new_character(3.0 * index) for index in range(3)],
+        "characters": new_characters(3),
     }
 
 
@@ -138,77 +120,92 @@ def mixed_by_motus(parts):
     names, curve = ",".join(obj.name for obj, _ in parts["train"]), parts["train"][0][1]
     bpy.ops.motus.path_train_add(objects=names, curve=curve.name, gap=0.5, timing='SPEED', speed=1.0, extend='LOOP', orientation='BANKING')
     reach_by_motus(parts["characters"])
-    for rig, goals in parts["characters"]:
-        bpy.ops.motus.look_at_add(object=rig.name, bone="head", target=goals[LIMBS].name, body_length=2)
+    look_by_motus(parts["characters"])
 
 
 def mixed_by_blender(parts):
     follow_by_blender(parts["singles"])
     follow_by_blender(parts["train"])
     reach_by_blender(parts["characters"])
-    for rig, goals in parts["characters"]:
+    look_by_blender(parts["characters"])
+
+
+def pendulums_by_motus(_made):
+    for index in range(OWNERS):
+        bpy.ops.motus.pendulum_add(kind='SINGLE', location=(index, 0.0, 0.0), angle1=0.3 + 0.1 * index)
+
+
+def new_characters(count):
+    return [new_character(3.0 * index) for index in range(count)]
+
+
+def look_by_motus(characters):
+    for rig, goals in characters:
+        bpy.ops.motus.look_at_add(object=rig.name, bone="head", target=goals[LIMBS].name, body_length=2)
+
+
+def look_by_blender(characters):
+    for rig, goals in characters:
         for name, share in (("chest", 0.15), ("neck", 0.15), ("head", 1.0)):
             constraint = rig.pose.bones[name].constraints.new('DAMPED_TRACK')
             constraint.target, constraint.track_axis, constraint.influence = goals[LIMBS], 'TRACK_Z', share
 
 
-def pendulums_by_motus(_made):
-    for index in range(PENDULUMS):
-        bpy.ops.motus.pendulum_add(kind='SINGLE', location=(index, 0.0, 0.0), angle1=0.3 + 0.1 * index)
+def layer(characters):
+    """A layer each, of a copy of the rig's own action."""
+    for rig, _ in characters:
+        action = rig.animation_data.action.copy()
+        bpy.ops.motus.layer_add(object=rig.name, action=action.name, mask='ALL', start=1.0, after='REPEAT', weight=0.7)
 
 
-def nothing(_made):
-    pass
+def snow(_made):
+    for index in range(OWNERS):
+        bpy.ops.motus.snow_add(rate=200.0, lifetime=5.0, location=(3.0 * index, 0.0, 5.0), snow=True)
 
 
-SCENES = {
-    "one follower": (lambda: new_followers(1, 1), follow_by_motus, follow_by_blender),
-    f"{FOLLOWERS} followers, one curve": (lambda: new_followers(FOLLOWERS, 1), follow_by_motus, follow_by_blender),
-    f"{FOLLOWERS} followers, {FOLLOWERS} curves": (lambda: new_followers(FOLLOWERS, FOLLOWERS), follow_by_motus, follow_by_blender),
-    "one rig, four limbs": (lambda: [new_character(0.0)], reach_by_motus, reach_by_blender),
-    f"{RIGS} rigs, four limbs each": (lambda: [new_character(3.0 * index) for index in range(RIGS)], reach_by_motus, reach_by_blender),
-    f"{PENDULUMS} pendulums": (lambda: None, pendulums_by_motus, nothing),
-    "12 followers, train, 3 characters": (new_mixed, mixed_by_motus, mixed_by_blender),
+MIXED = "12 followers, train, 3 characters"
+SCENES = {  # what is there, what Motus and Blender add to it, and the wanted ms of Motus
+    "one follower": (lambda: new_followers(1, 1), follow_by_motus, follow_by_blender, 0.06),
+    f"{FOLLOWERS} followers, one curve": (lambda: new_followers(FOLLOWERS, 1), follow_by_motus, follow_by_blender, 0.5),
+    f"{FOLLOWERS} followers, {FOLLOWERS} curves": (
+        lambda: new_followers(FOLLOWERS, FOLLOWERS),
+        follow_by_motus,
+        follow_by_blender,
+        2.0,
+    ),
+    "one rig, four limbs": (lambda: new_characters(1), reach_by_motus, reach_by_blender, 0.15),
+    f"{RIGS} rigs, four limbs each": (lambda: new_characters(RIGS), reach_by_motus, reach_by_blender, 1.3),
+    f"{OWNERS} pendulums": (lambda: None, pendulums_by_motus, nothing, 0.3),
+    MIXED: (new_mixed, mixed_by_motus, mixed_by_blender, 1.5),
+    f"{OWNERS} look-ats": (lambda: new_characters(OWNERS), look_by_motus, look_by_blender, None),
+    f"{OWNERS} rigs with a layer": (lambda: new_characters(OWNERS), layer, nothing, None),
+    f"{OWNERS} objects with dynamics": (lambda: dynamics_bench.new_objects(OWNERS), dynamics_bench.follow, nothing, None),
+    f"{OWNERS} walkers": (lambda: walker_bench.new_spiders(OWNERS), walker_bench.walk, nothing, None),
+    f"{OWNERS} emitters of 1000 flakes": (lambda: None, snow, nothing, None),
+    f"{OWNERS} stereo rigs": (lambda: stereo_bench.new_cameras(OWNERS), stereo_bench.by_object, nothing, None),
 }
 
 
-def frame_microseconds(scene):
-    samples = []
-    for frame in range(1, FRAMES + 6):
-        begin = time.perf_counter()
-        scene.frame_set(frame)
-        samples.append(time.perf_counter() - begin)
-    # Not the median: where other programs have the processor meanwhile, most frames of several threads are cut into.
-    return statistics.quantiles(samples[5:], n=10)[0] * 1e6
-
-
-def costs(make, *ways):
-    """Frame times, us, each the first decile of a round, (rounds, 1 + ways): of what `make` makes as it is, and with what each of the ways adds to it."""
-    support.empty_scene()
-    scenes = []
-    for add in (nothing, *ways):
-        scenes.append(bpy.data.scenes.new("Bench"))
-        bpy.context.window.scene = scenes[-1]
-        add(make())
-    begin, rounds = time.perf_counter(), []
-    while len(rounds) < FEWEST_ROUNDS or time.perf_counter() - begin < SECONDS:
-        rounds.append([frame_microseconds(scene) for scene in scenes])
-    return np.array(rounds)
-
-
 def report(wanted):
-    print(f"| Cost added to a frame, ms, Blender {bpy.app.version_string}: medians of rounds in which the scenes take turns,")
-    print("| the least of them, and their upper quartile. Bare: the same objects without either.")
-    print(f"| {'scene':36} {'bare':>7} {'Blender':>9} {'Motus':>9} {'least':>7} {'upper':>7} {'of Blender':>11}")
-    for name, (make, motus, blender) in SCENES.items():
+    table = Table(
+        "Cost added to a frame: medians of rounds in which the scenes take turns",
+        Column("bare", "ms", "9.2f"),
+        Column("Blender", "ms"),
+        Column("Blender CPU", "ms"),
+        Column("Motus", "ms", has_rounds=True),
+        Column("Motus CPU", "ms"),
+        Column("of Blender", "x", "9.2f"),
+        Column("goal", ""),
+        rows="scene",
+    )
+    for name, (make, motus, blender, goal) in SCENES.items():
         if wanted and not any(part in name for part in wanted):
             continue
-        rounds = costs(make, motus, blender) / 1e3
-        extra = rounds[:, 1:] - rounds[:, :1]
-        low, median, high = np.percentile(extra[:, 0], (0, 50, 75))
-        by_blender = np.median(extra[:, 1])
-        ratio = f"{median / by_blender:10.2f}x" if by_blender >= LEAST_COST else f"{'-':>11}"
-        print(f"| {name:36} {np.median(rounds[:, 0]):7.2f} {by_blender:9.3f} {median:9.3f} {low:7.3f} {high:7.3f} {ratio}")
+        with table.guarded(name):
+            bare, (ours, by_blender) = costs(make, motus, blender)
+            wall, cpu = (None, None) if blender is nothing else np.median(by_blender, axis=0)
+            ratio = np.median(ours[:, 0]) / wall if wall is not None and wall >= LEAST_COST else None
+            table.row(name, np.median(bare[:, 0]), wall, cpu, ours[:, 0], np.median(ours[:, 1]), ratio, goal)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """What walkers cost a frame: spiders whose feet stand on a mesh, beside the same spiders whose feet nobody moves. Run by ./motus bench.
 
-The scenes take turns, as in typical_bench.py. Planning a shot anew, as after an edit of a setting, is a row of its own.
+The scenes take turns (costs.py). Planning a shot anew, as after an edit of a setting, is a row of its own.
 """
 
 import sys
@@ -8,18 +8,18 @@ import time
 from pathlib import Path
 
 import bpy
-import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
-import typical_bench  # noqa: E402
+import costs  # noqa: E402  (found by the line above)
+from sample_scenes import new_curve  # noqa: E402
+from table import Column, Table  # noqa: E402
 
-import support  # noqa: E402  (found by the line above)
+import support  # noqa: E402
 
 SPIDERS = 10
 STONES = 50
-BOUNDS = {"one spider": 0.300, f"{SPIDERS} spiders": 3.000, f"on {STONES} stones": 1.500, "on a path": 1.000}  # ms
 PLANNING, FRAMES = 50.0, 250  # ms, of so many frames
 ROUNDS = 20
 
@@ -56,7 +56,7 @@ def new_on_path():
     found = new_spiders(1)
     for spider, _ in found:
         spider.animation_data_clear()
-        bpy.ops.motus.path_follow_add(object=spider.name, curve=typical_bench.new_curve().name, duration=10.0)
+        bpy.ops.motus.path_follow_add(object=spider.name, curve=new_curve().name, duration=10.0)
     return found
 
 
@@ -66,13 +66,19 @@ def walk(spiders):
         bpy.ops.motus.walker_add(object=spider.name, **{key: land.name})
 
 
+SCENES = (  # name, what is there, what is added to it, the wanted ms
+    ("one spider", lambda: new_spiders(1), walk, 0.300),
+    (f"{SPIDERS} spiders", lambda: new_spiders(SPIDERS), walk, 3.000),
+    (f"on {STONES} stones", new_on_stones, walk, 1.500),
+    ("on a path", new_on_path, walk, 1.000),
+)
+
+
 def report():
-    print(f"| Cost added to a frame by walkers, ms, Blender {bpy.app.version_string}: the median of rounds, the least, the bound")
-    for name, make in zip(BOUNDS, (lambda: new_spiders(1), lambda: new_spiders(SPIDERS), new_on_stones, new_on_path)):
-        rounds = typical_bench.costs(make, walk) / 1e3
-        extra = rounds[:, 1] - rounds[:, 0]
-        print(f"| {name:24} {np.median(extra):9.4f} {extra.min():9.4f} {BOUNDS[name]:9.3f}")
-    print(f"| {'planning 250 frames':24} {planning():9.4f} {'':9} {PLANNING:9.3f}")
+    costs.report(Table("Cost added to a frame by walkers", *costs.COLUMNS), SCENES)
+    table = Table(f"Planning the steps of {FRAMES} frames, the least", Column("planning", "ms"), Column("goal"))
+    with table.guarded("one spider"):
+        table.row("one spider", planning(), PLANNING)
 
 
 def planning():
@@ -82,11 +88,10 @@ def planning():
     walk(spiders)
     plan, scene = support.addon("walker.plan"), bpy.context.scene
     owner = spider.evaluated_get(bpy.context.evaluated_depsgraph_get())
-    read = (
-        plan.read(owner.motus.walker),
-        plan.body(owner, scene, 24.0)[0],
-        support.addon("walker.ground").parts(owner.motus.walker, scene)[0],
-    )
+    numbers, poses = plan.read(owner.motus.walker), plan.body(owner, scene, 24.0)[0]
+    placed = support.addon("walker.ground").parts(owner.motus.walker, scene)[0]
+    bodies = plan.carrying.moved(owner, poses.seconds * 24.0, poses.digest)[0] if any(numbers.lengths) else None
+    read = numbers, poses, placed, bodies
     found = []
     for _ in range(ROUNDS):
         begin = time.perf_counter()
