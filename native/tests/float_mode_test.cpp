@@ -111,7 +111,8 @@ TEST_CASE("pulls of the smallest sizes do not depend on the thread's float mode"
     }
 }
 
-TEST_CASE("surfaces and lattices of the smallest sizes do not depend on it either", "[float_mode]") {
+TEST_CASE("surfaces and lattices of the smallest sizes do not depend on the thread's float mode",
+          "[float_mode]") {
     for (const float size : tiny_sizes) {
         std::vector<glm::vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
         for (glm::vec3& p : points) p *= size;
@@ -135,7 +136,8 @@ TEST_CASE("surfaces and lattices of the smallest sizes do not depend on it eithe
     }
 }
 
-TEST_CASE("nor does a foot that has hardly begun its step", "[float_mode]") {
+TEST_CASE("a foot that has hardly begun its step does not depend on the thread's float mode",
+          "[float_mode]") {
     const auto sets_off = [](double time) {
         return walker::moved({0.0, -0.9, 0.0}) * walker::there(time + 1.0);
     };

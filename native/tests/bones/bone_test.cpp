@@ -88,7 +88,7 @@ TEST_CASE("no mode changes anything under a parent that is not scaled", "[bone]"
     }
 }
 
-TEST_CASE("what each mode takes of a scale along the axes", "[bone]") {
+TEST_CASE("each inheritance mode takes its share of a scale along the axes", "[bone]") {
     RandomBones random;
     Rest bone;  // the parent and the bone lie along Y, at rest and posed
     bone.has_parent = true;
@@ -181,7 +181,7 @@ TEST_CASE("without local location a bone moves along its parent's axes", "[bone]
     CHECK(glm::distance(after - before, glm::dmat3(parent) * step) < 1e-12);
 }
 
-TEST_CASE("the own transform comes back from the pose", "[bone]") {
+TEST_CASE("a bone's own transform can be computed back from its pose", "[bone]") {
     RandomBones random;
     for (const InheritScale mode : modes) {
         for (int i = 0; i < 40; ++i) {

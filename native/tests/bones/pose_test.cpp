@@ -59,7 +59,7 @@ TEST_CASE("Euler angles are those of mathutils", "[pose]") {
     }
 }
 
-TEST_CASE("Euler angles at a right angle about Y", "[pose]") {
+TEST_CASE("Euler angles are right at 90 degrees about Y", "[pose]") {
     for (const double sign : {1.0, -1.0}) {
         const glm::dquat rotation = from_euler({0.3, sign * pi / 2.0, 0.4});
         const glm::dvec3 euler = euler_xyz(rotation);

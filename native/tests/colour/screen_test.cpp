@@ -50,13 +50,13 @@ TEST_CASE("the screen's colour is found", "[colour]") {
     }
 }
 
-TEST_CASE("a subject in the other screen's colour is no screen", "[colour]") {
+TEST_CASE("a subject in the colour of another kind of screen is not taken for the screen", "[colour]") {
     const auto found = screen_color(Footage(green, blue, 0.2, 0.005).picture());
     REQUIRE(found);
     CHECK(found->y > found->z);
 }
 
-TEST_CASE("without a screen there is no colour", "[colour]") {
+TEST_CASE("a picture without a screen gives no screen colour", "[colour]") {
     CHECK_FALSE(screen_color(Footage(skin, 0.5 * skin, 0.3, 0.01).picture()));
     CHECK_FALSE(screen_color(Footage({0.4, 0.4, 0.4}, {0.0, 0.0, 0.0}, 0.0, 0.0).picture()));
     Footage transparent(green, skin, 0.0, 0.0);
@@ -64,7 +64,7 @@ TEST_CASE("without a screen there is no colour", "[colour]") {
     CHECK_FALSE(screen_color(transparent.picture()));
 }
 
-TEST_CASE("a picture of one pixel", "[colour]") {
+TEST_CASE("the screen of a picture of one pixel is found and judged", "[colour]") {
     const std::vector<glm::vec4> one{{0.1F, 0.5F, 0.1F, 1.0F}}, grey{{0.5F, 0.5F, 0.5F, 1.0F}};
     const auto found = screen_color({one, 1});
     REQUIRE(found);
@@ -144,7 +144,7 @@ TEST_CASE("the report tells an even screen from an uneven one", "[colour]") {
     CHECK(found.share == Approx(even.share).margin(0.03));
 }
 
-TEST_CASE("levels are those of the balance", "[colour]") {
+TEST_CASE("the matte's levels are measured with the given balance", "[colour]") {
     // In a screen whose red varies from 0.01 to 0.13 the larger other channel goes up to 0.13, their mean to
     // 0.105.
     Footage varied({0.07, 0.42, 0.08}, {0.5, 0.33, 0.25}, 0.0, 0.0);
@@ -158,7 +158,7 @@ TEST_CASE("levels are those of the balance", "[colour]") {
     CHECK(report(1.0).white == Approx(1.0 - 0.08 / 0.35).margin(1e-5));
 }
 
-TEST_CASE("a soft edge is no subject", "[colour]") {
+TEST_CASE("pixels of a soft edge do not count as subject", "[colour]") {
     for (const double grey : {0.1, 0.8, 3.0}) {
         Footage soft(blue, skin, 0.0, 0.0);
         for (std::size_t i = 0; i < soft.pixels.size(); ++i) {
@@ -174,7 +174,7 @@ TEST_CASE("a soft edge is no subject", "[colour]") {
     }
 }
 
-TEST_CASE("colours beyond the gamut give numbers", "[colour]") {
+TEST_CASE("colours outside the gamut give finite results", "[colour]") {
     // Parts below 0, whose sum is 0.
     const glm::dvec3 wide{-0.5, 1.0, -0.5};
     const ScreenQuality report = judge_screen(Footage(wide, skin, 0.0, 0.0).picture(), green);
@@ -191,7 +191,7 @@ TEST_CASE("spill is measured on the subject", "[colour]") {
     CHECK(report.white > 0.8);
 }
 
-TEST_CASE("what is no screen colour is refused", "[colour]") {
+TEST_CASE("colours that cannot be a screen's are refused", "[colour]") {
     CHECK(is_screen_color(green));
     CHECK(is_screen_color(blue));
     for (const glm::dvec3& color :

@@ -65,7 +65,7 @@ TEST_CASE("a full cache drops what was used longest ago", "[cache]") {
     CHECK(maker.made == 4);
 }
 
-TEST_CASE("what is unwanted is dropped, with its bytes, and nothing else", "[cache]") {
+TEST_CASE("the cache drops the entries that it is told to drop, with their bytes, and no others", "[cache]") {
     WordCache cache(8, roomy);
     Maker maker;
     for (const char* key : {"a1", "b1", "a2", "b2", "a3"}) (void)cache.get(key, std::ref(maker));
@@ -81,7 +81,7 @@ TEST_CASE("what is unwanted is dropped, with its bytes, and nothing else", "[cac
     CHECK(maker.made == 6);
 }
 
-TEST_CASE("what was handed out outlives the cache's copy", "[cache]") {
+TEST_CASE("a value from the cache stays valid after the cache has dropped it", "[cache]") {
     WordCache cache(1, roomy);
     const auto held = cache.get("a", Maker{});
     cache.set_capacity(0);
@@ -89,7 +89,7 @@ TEST_CASE("what was handed out outlives the cache's copy", "[cache]") {
     CHECK(*held == "a!");
 }
 
-TEST_CASE("a maker that throws leaves nothing behind", "[cache]") {
+TEST_CASE("a function that throws while it makes an entry leaves no entry behind", "[cache]") {
     WordCache cache(2, roomy);
     const auto failing = [](const std::string&) -> std::shared_ptr<const std::string> { throw 1; };
     CHECK_THROWS(cache.get("a", failing));
@@ -130,7 +130,7 @@ TEST_CASE("many entries are not all weighed for each that is added", "[cache]") 
     CHECK(cache.bytes() == 8 * held);
 }
 
-TEST_CASE("a cache that finds no memory is as it was", "[cache]") {
+TEST_CASE("a cache that cannot allocate stays unchanged", "[cache]") {
     for (int allocations = 0;; ++allocations) {
         WordCache cache(1, roomy);
         (void)cache.get("a", Maker{});
@@ -151,7 +151,7 @@ TEST_CASE("a cache that finds no memory is as it was", "[cache]") {
     }
 }
 
-TEST_CASE("many threads on one cache", "[cache]") {
+TEST_CASE("many threads may use one cache", "[cache]") {
     WordCache cache(3, roomy);
     std::vector<std::thread> threads;
     std::vector<int> wrong(4, 0);

@@ -54,7 +54,8 @@ TEST_CASE("parts are not smaller than the grain, but for the last, and none is e
     }
 }
 
-TEST_CASE("one part is the caller's, and no more threads work than were asked for", "[parallel]") {
+TEST_CASE("work of one part runs in the calling thread, and no more threads work than requested",
+          "[parallel]") {
     std::mutex adding;
     std::set<std::thread::id> workers;
     const auto work = [&](std::size_t /*first*/, std::size_t /*last*/) {

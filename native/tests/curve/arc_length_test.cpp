@@ -63,7 +63,7 @@ TEST_CASE("lengths and positions of the reference curves", "[arc_length]") {
     }
 }
 
-TEST_CASE("known lengths", "[arc_length]") {
+TEST_CASE("lengths of curves with a closed form are right", "[arc_length]") {
     using Points = std::vector<glm::dvec3>;
     const auto length = [](const Points& points) { return ArcLength(Curve::bezier(points)).length(); };
     CHECK(length({{0, 0, 0}, {3, 4, 0}}) == Approx(5.0).epsilon(1e-15));
@@ -137,7 +137,7 @@ TEST_CASE("equal steps of the distance are equal chords in the limit", "[arc_len
     }
 }
 
-TEST_CASE("gaps and segments without length take no distance", "[arc_length]") {
+TEST_CASE("gaps between segments and segments of zero length add nothing to the distance", "[arc_length]") {
     const glm::dvec3 o(0.0);
     const glm::dvec3 a(1, 0, 0);
     const glm::dvec3 b(5, 0, 0);
@@ -155,7 +155,7 @@ TEST_CASE("gaps and segments without length take no distance", "[arc_length]") {
     CHECK_THROWS(path.segment_start(4));
 }
 
-TEST_CASE("distances outside the curve mean what extend says", "[arc_length]") {
+TEST_CASE("distances outside the curve are mapped as the extend mode says", "[arc_length]") {
     RandomCurves random(33);
     const ArcLength path(smooth_spline(random, 5, false));
     const double length = path.length();
@@ -188,7 +188,8 @@ TEST_CASE("distances outside the curve mean what extend says", "[arc_length]") {
         CHECK(positions[i] == position_at_length(path, distances[i], Extend::loop));
 }
 
-TEST_CASE("the distance at a parameter outside leads to the same place", "[arc_length]") {
+TEST_CASE("the distance of a parameter outside the curve gives the position of that parameter",
+          "[arc_length]") {
     RandomCurves random(34);
     const ArcLength path(smooth_spline(random, 5, false));
     for (const Extend extend : {Extend::clamp, Extend::extrapolate, Extend::loop, Extend::ping_pong}) {
@@ -222,12 +223,12 @@ TEST_CASE("a curve without length is its point at every distance", "[arc_length]
     }
 }
 
-TEST_CASE("not a number stays one", "[arc_length]") {
+TEST_CASE("a distance that is NaN gives a parameter that is NaN", "[arc_length]") {
     const ArcLength path(RandomCurves(1).bezier(3));
     CHECK(std::isnan(path.t_at_length(std::numeric_limits<double>::quiet_NaN())));
 }
 
-TEST_CASE("answers do not depend on what was asked before", "[arc_length]") {
+TEST_CASE("arc lengths do not depend on earlier questions", "[arc_length]") {
     RandomCurves random(34);
     const Curve curve = smooth_spline(random, 7, true);
     const ArcLength asked(curve);
@@ -256,7 +257,8 @@ TEST_CASE("threads that build the inverse at once agree", "[arc_length]") {
     for (const std::vector<double>& answer : answers) CHECK(answer == answers.front());
 }
 
-TEST_CASE("building takes a bounded number of evaluations and intervals", "[arc_length]") {
+TEST_CASE("building the arc-length table takes a bounded number of evaluations and intervals",
+          "[arc_length]") {
     const auto& known = reference::arc_length_cases.back();
     const ArcLength chain(Curve::chain(3, known.control_points, false));
     REQUIRE(chain.curve().segment_count() == 20);
@@ -273,7 +275,8 @@ TEST_CASE("building takes a bounded number of evaluations and intervals", "[arc_
     CHECK(line.interval_count() == 1);
 }
 
-TEST_CASE("building is bounded if the speed is mostly rounding", "[arc_length]") {
+TEST_CASE("building the arc-length table takes bounded work if the curve's speed is mostly rounding error",
+          "[arc_length]") {
     RandomCurves random(36);
     // The control points of a Chebyshev polynomial: the curve is smaller than they are by twelve digits and
     // more.
@@ -300,7 +303,7 @@ TEST_CASE("building is bounded if the speed is mostly rounding", "[arc_length]")
     }
 }
 
-TEST_CASE("positions at several distances want room for each", "[arc_length]") {
+TEST_CASE("positions at several distances refuse an output of a different size", "[arc_length]") {
     const ArcLength path(RandomCurves(1).bezier(3));
     const std::vector<double> distances(3, 0.1);
     std::vector<glm::dvec3> positions(2);

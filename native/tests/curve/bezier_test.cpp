@@ -39,7 +39,7 @@ TEST_CASE("both parts of a split curve are the curve", "[bezier]") {
     }
 }
 
-TEST_CASE("a split at a joint cuts nothing", "[bezier]") {
+TEST_CASE("a split at a joint of two segments splits neither", "[bezier]") {
     RandomCurves random(5);
     const Curve curve = smooth_spline(random, 6, true);
     const auto [before, after] = split(curve, 2.0);
@@ -59,7 +59,7 @@ TEST_CASE("lengths of the parts add up", "[bezier]") {
     }
 }
 
-TEST_CASE("elevation keeps the curve", "[bezier]") {
+TEST_CASE("degree elevation keeps the curve", "[bezier]") {
     for (const Named& sample : sample_curves()) {
         INFO(sample.name);
         for (const int times : {0, 1, 4, 16}) {

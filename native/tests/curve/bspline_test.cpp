@@ -74,7 +74,7 @@ TEST_CASE("a B-spline agrees with Cox and de Boor for every order and flag", "[b
     }
 }
 
-TEST_CASE("Blender's knots", "[bspline]") {
+TEST_CASE("a B-spline has the knots that Blender gives it", "[bspline]") {
     using Knots = std::vector<double>;
     CHECK(bspline_knots(5, {4, false, false, false}) == Knots{0, 1, 2, 3, 4, 5, 6, 7, 8});
     CHECK(bspline_knots(5, {4, false, true, false}) == Knots{0, 0, 0, 0, 1, 2, 2, 2, 2});
@@ -108,7 +108,7 @@ TEST_CASE("the segments of a B-spline join smoothly", "[bspline]") {
     CHECK(glm::distance(position(curve, 0.0), position(curve, end)) <= 1e-15);
 }
 
-TEST_CASE("what Blender shows as its control polygon becomes that polygon", "[bspline]") {
+TEST_CASE("a NURBS spline that Blender draws as its control polygon is that polygon", "[bspline]") {
     RandomCurves random(24);
     const std::vector<glm::dvec3> points = random.points(3);
     const Curve few = bspline(points, {4, false, true, false});
@@ -129,7 +129,7 @@ TEST_CASE("a poly line goes straight from point to point", "[bspline]") {
     CHECK(ArcLength(cyclic).length() == Approx(3.0 + std::sqrt(5.0)).epsilon(1e-14));
 }
 
-TEST_CASE("what makes no B-spline is refused", "[bspline]") {
+TEST_CASE("invalid points, weights and orders of a B-spline are refused", "[bspline]") {
     const std::vector<glm::dvec3> points(5, {1, 2, 3});
     CHECK_THROWS_AS(bspline(points, {1, false, false, false}), std::invalid_argument);
     CHECK_THROWS_AS(bspline(points, {7, false, false, false}), std::invalid_argument);

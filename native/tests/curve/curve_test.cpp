@@ -106,7 +106,7 @@ TEST_CASE("a derivative of another order is refused", "[curve]") {
     CHECK_THROWS_AS(derivative(curve, 0.5, 4), std::invalid_argument);
 }
 
-TEST_CASE("parameters outside the interval mean what extend says", "[curve]") {
+TEST_CASE("parameters outside the interval are mapped as the extend mode says", "[curve]") {
     RandomCurves random(2);
     const Curve curve = smooth_spline(random, 5, false);
     const glm::dvec3 start = position(curve, 0.0);
@@ -156,7 +156,7 @@ TEST_CASE("derivatives outside the interval are those of the extended position",
     }
 }
 
-TEST_CASE("clamped, everything outside is what it is at the end", "[curve]") {
+TEST_CASE("with extend mode clamp, parameters outside the interval give the values at its ends", "[curve]") {
     RandomCurves random(3);
     const Curve curve = smooth_spline(random, 5, false);
     for (const auto& [t, end] : {std::pair{-3.0, 0.0}, std::pair{4.1, 4.0}}) {
@@ -203,7 +203,8 @@ TEST_CASE("the tangent is a unit vector everywhere", "[curve]") {
     }
 }
 
-TEST_CASE("where the derivative vanishes the tangent is its limit", "[curve]") {
+TEST_CASE("the tangent at a point where the derivative vanishes is the limit of the tangents beside it",
+          "[curve]") {
     SECTION("handle on its point: towards the next one") {
         const Curve curve = Curve::bezier(Points{{0, 0, 0}, {0, 0, 0}, {3, 4, 0}, {3, 4, 0}});
         CHECK(glm::distance(tangent(curve, 0.0), {0.6, 0.8, 0.0}) <= 1e-15);
@@ -246,7 +247,7 @@ TEST_CASE("where the derivative vanishes the tangent is its limit", "[curve]") {
     }
 }
 
-TEST_CASE("what makes no curve is refused", "[curve]") {
+TEST_CASE("invalid control points and handles are refused", "[curve]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     const Points two{{0, 0, 0}, {1, 0, 0}};
@@ -275,7 +276,7 @@ TEST_CASE("the limit of the curvature holds at any size", "[curve]") {
     }
 }
 
-TEST_CASE("a curve that was moved from is still the curve", "[curve]") {
+TEST_CASE("a moved-from curve can still be evaluated", "[curve]") {
     const Curve same = RandomCurves(5).bezier(4);
     Curve curve = same;
     const Curve moved = std::move(curve);

@@ -170,7 +170,8 @@ TEST_CASE("many double pendulums on a moved pivot are the same as one by one", "
     CHECK_THROWS_AS(double_pendulums({}, fan, pivot, -1.0, together), std::invalid_argument);
 }
 
-TEST_CASE("what is kept of many double pendulums finds room", "[double_pendulum]") {
+TEST_CASE("double pendulums whose tables would not fit into the cache together are refused",
+          "[double_pendulum]") {
     std::vector<DoublePendulumState> fan(500);
     for (std::size_t i = 0; i < fan.size(); ++i)
         fan[i] = {2.0, 2.0 + 0.01 * static_cast<double>(i), 0.0, 0.0};
@@ -216,7 +217,8 @@ TEST_CASE("threads that ask for one pendulum get one answer", "[double_pendulum]
     for (const auto& states : found) CHECK(states == found[0]);
 }
 
-TEST_CASE("limits hold, and wide ones change nothing", "[double_pendulum]") {
+TEST_CASE("the limits of a double pendulum's velocity and acceleration hold, and wide limits change nothing",
+          "[double_pendulum]") {
     DoublePendulum wide;
     wide.most_acceleration = 1e6;
     CHECK(largest_difference(at(wide, high, 3.0), at({}, high, 3.0)) < 1e-6);
@@ -261,7 +263,7 @@ TEST_CASE("a double pendulum on a moved pivot solves its equations", "[double_pe
     }
 }
 
-TEST_CASE("what is no double pendulum is refused by its argument's name", "[double_pendulum]") {
+TEST_CASE("invalid settings of a double pendulum are refused by the argument's name", "[double_pendulum]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     using Catch::Matchers::StartsWith;
     CHECK_THROWS_WITH(at({0.0}, high, 1.0), StartsWith("mass1"));

@@ -52,7 +52,7 @@ TEST_CASE("sine and cosine are right to the last digits", "[gauss]") {
     }
 }
 
-TEST_CASE("all ways to make steps give the same bits", "[gauss]") {
+TEST_CASE("Gauss steps by pairs, quads and octets give the same bits", "[gauss]") {
     constexpr std::size_t count = 9;
     for (const StepKernel& kernel : step_kernels()) {
         DYNAMIC_SECTION(kernel.name) {

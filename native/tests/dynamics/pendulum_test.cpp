@@ -203,7 +203,7 @@ TEST_CASE("a pivot's accelerations are those of a spline through its positions",
     }
 }
 
-TEST_CASE("what is no pendulum is refused by its argument's name", "[pendulum]") {
+TEST_CASE("invalid settings of a pendulum are refused by the argument's name", "[pendulum]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     using Catch::Matchers::StartsWith;
     CHECK_THROWS_WITH(at({0.0, 9.81, 0.0}, {}, 1.0), StartsWith("length"));

@@ -122,7 +122,7 @@ TEST_CASE("a filter is found by its overshoot and settling time", "[second_order
     CHECK_THROWS_AS(SecondOrder::from_overshoot(0.3, 1.0, 4.0), std::invalid_argument);
 }
 
-TEST_CASE("what is no filter is refused by its argument's name", "[second_order]") {
+TEST_CASE("invalid settings of a filter are refused by the argument's name", "[second_order]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     using Catch::Matchers::StartsWith;
     CHECK_THROWS_WITH(SecondOrder(0.0, 1.0, 0.0), StartsWith("frequency"));
@@ -145,7 +145,7 @@ TEST_CASE("what is no filter is refused by its argument's name", "[second_order]
     CHECK_THROWS_WITH(SecondOrder::from_coefficients({1.0, 1.0, 1e300}), StartsWith("k3"));
 }
 
-TEST_CASE("the most extreme filters and times give numbers", "[second_order]") {
+TEST_CASE("the most extreme filters and times give finite results", "[second_order]") {
     for (const double frequency : {1e-100, 1.0, 1e100})
         for (const double damping : {0.0, 0.5, 1.0, 1e100})
             for (const double response : {-1e100, 0.0, 1e100}) {

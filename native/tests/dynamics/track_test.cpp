@@ -91,7 +91,7 @@ TEST_CASE("a track solves the equation", "[track]") {
     }
 }
 
-TEST_CASE("frames between samples change nothing", "[track]") {
+TEST_CASE("more samples of a linear input change nothing", "[track]") {
     // A broken line, and the same line with more samples, as a higher frame rate samples linear motion.
     Random random(4);
     for (const SecondOrder& filter : filters) {
@@ -167,7 +167,7 @@ TEST_CASE("an output comes to rest on its input, and lags behind a steady one", 
     }
 }
 
-TEST_CASE("a teleport starts anew", "[track]") {
+TEST_CASE("a filtered track starts anew, at rest, after a teleport", "[track]") {
     const std::array times{0.0, 1.0, 2.0, 3.0};
     const std::array inputs{0.0, 1.0, 50.0, 51.0};
     const std::array<std::size_t, 1> resets{2};
@@ -278,7 +278,7 @@ TEST_CASE("rotations know no first axis, and loop without a seam", "[track]") {
     CHECK(angle_between(teleported.evaluate(0.98), before.evaluate(0.98)) < 1e-15);
 }
 
-TEST_CASE("what is no track is refused by its argument's name", "[track]") {
+TEST_CASE("invalid samples of a track are refused by the argument's name", "[track]") {
     const SecondOrder filter(1.0, 1.0, 0.0);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     using Catch::Matchers::StartsWith;

@@ -49,7 +49,7 @@ struct Rig {
 
 }  // namespace
 
-TEST_CASE("two bones of any numbers are refused or finite", "[fuzz]") {
+TEST_CASE("two bones of arbitrary numbers are refused or give finite results", "[fuzz]") {
     for (const double share : {0.05, 0.5}) {
         Dice dice(11, share);
         std::vector<chains::TwoBone> all;
@@ -91,7 +91,7 @@ TEST_CASE("two bones of any numbers are refused or finite", "[fuzz]") {
     }
 }
 
-TEST_CASE("a target that is no number is not reached", "[fuzz]") {
+TEST_CASE("a target that is NaN counts as not reached", "[fuzz]") {
     for (int axis = 0; axis < 3; ++axis) {
         for (const double bad : {not_a_number, infinity, -infinity}) {
             glm::dvec3 target(0.5);
@@ -134,7 +134,7 @@ TEST_CASE("a target that is no number is not reached", "[fuzz]") {
         "length1"));
 }
 
-TEST_CASE("chains of any numbers are refused or finite", "[fuzz]") {
+TEST_CASE("chains of arbitrary numbers are refused or give finite results", "[fuzz]") {
     Dice dice(13, 0.06);
     for (int round = 0; round < 1500; ++round) {
         std::vector<glm::dvec3> joints = dice.places(2 + dice.below(5));
@@ -153,7 +153,7 @@ TEST_CASE("chains of any numbers are refused or finite", "[fuzz]") {
     }
 }
 
-TEST_CASE("chains with limits of any numbers are refused or finite", "[fuzz]") {
+TEST_CASE("chains with limits of arbitrary numbers are refused or give finite results", "[fuzz]") {
     Dice dice(14, 0.02);
     for (int round = 0; round < 60; ++round) {
         const std::size_t count = 1 + dice.below(3);
@@ -184,7 +184,7 @@ TEST_CASE("chains with limits of any numbers are refused or finite", "[fuzz]") {
     }
 }
 
-TEST_CASE("poses of any numbers are finite if these are", "[fuzz]") {
+TEST_CASE("poses made of finite numbers are finite", "[fuzz]") {
     Dice dice(15, 0.3);
     for (int round = 0; round < 1000; ++round) {
         const glm::dmat4 pose = dice.matrix();
@@ -255,7 +255,7 @@ TEST_CASE("a plan takes the rig that it was made for", "[fuzz]") {
     CHECK(rest.is_of(taken));
 }
 
-TEST_CASE("rigs of any numbers are solved to finite turns", "[fuzz]") {
+TEST_CASE("rigs of arbitrary numbers are solved to finite rotations", "[fuzz]") {
     for (const double share : {0.002, 0.05}) {
         Dice dice(17, share);
         for (int round = 0; round < 25; ++round) {

@@ -77,7 +77,7 @@ TEST_CASE("sine and cosine stay within 1 for every finite angle", "[fuzz]") {
     }
 }
 
-TEST_CASE("a parameter that is no number gives no place", "[fuzz]") {
+TEST_CASE("a parameter that is NaN gives a position that is NaN", "[fuzz]") {
     Dice dice(3, 0.0);
     const curve::Curve plain = plain_curve(dice);
     const curve::Curve dot = curve::Curve::chain(1, std::vector<glm::dvec3>(2, glm::dvec3(1.0)), false);
@@ -108,7 +108,7 @@ TEST_CASE("a parameter that is no number gives no place", "[fuzz]") {
     }
 }
 
-TEST_CASE("curves of any numbers are refused or finite", "[fuzz]") {
+TEST_CASE("curves of arbitrary numbers are refused or give finite results", "[fuzz]") {
     Dice dice(4, 0.25);
     for (int round = 0; round < 400; ++round) {
         const auto made = any_curve(dice);
@@ -149,7 +149,7 @@ TEST_CASE("curves of any numbers are refused or finite", "[fuzz]") {
     }
 }
 
-TEST_CASE("arc lengths and frames of any numbers are refused or finite", "[fuzz]") {
+TEST_CASE("arc lengths and frames of arbitrary numbers are refused or finite", "[fuzz]") {
     Dice dice(5, 0.12);
     for (int round = 0; round < 60; ++round) {
         const auto made = any_curve(dice);
@@ -184,7 +184,7 @@ TEST_CASE("arc lengths and frames of any numbers are refused or finite", "[fuzz]
     CHECK(is_refused([] { (void)path::Frames(std::shared_ptr<const curve::ArcLength>(), {}); }, "path"));
 }
 
-TEST_CASE("timings and followers of any numbers are refused or finite", "[fuzz]") {
+TEST_CASE("timings and followers of arbitrary numbers are refused or finite", "[fuzz]") {
     Dice dice(6, 0.2);
     Dice ordinary(7, 0.0);
     const auto frames =
@@ -235,7 +235,8 @@ TEST_CASE("timings and followers of any numbers are refused or finite", "[fuzz]"
     }
 }
 
-TEST_CASE("noise of any place is within its bounds, and none where there is no place", "[fuzz]") {
+TEST_CASE("noise is within its bounds at every finite place, and NaN at a place that is not finite",
+          "[fuzz]") {
     Dice dice(8, 0.4);
     for (int round = 0; round < 2000; ++round) {
         const glm::dvec3 place = dice.place();
@@ -262,7 +263,7 @@ TEST_CASE("noise of any place is within its bounds, and none where there is no p
     CHECK(is_refused([&] { noise::values(std::span<const glm::vec3>(spots), 3, longer); }, "out"));
 }
 
-TEST_CASE("what is moved from can still be asked: ways", "[fuzz]") {
+TEST_CASE("moved-from frames and timings can still be called", "[fuzz]") {
     Dice dice(9, 0.0);
     path::Frames frames(std::make_shared<const curve::ArcLength>(plain_curve(dice)), {});
     const path::Frames taken = std::move(frames);

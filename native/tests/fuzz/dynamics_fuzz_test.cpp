@@ -26,7 +26,7 @@ namespace {
 
 }  // namespace
 
-TEST_CASE("states that cannot all be found are not written", "[fuzz]") {
+TEST_CASE("if a state of a pendulum cannot be found, no output is written", "[fuzz]") {
     const std::vector<double> times{0.1, 0.2, 1e30};
     const DoublePendulumState untouched{7.0, 7.0, 7.0, 7.0};
     std::vector<DoublePendulumState> states(3, untouched);
@@ -42,7 +42,7 @@ TEST_CASE("states that cannot all be found are not written", "[fuzz]") {
     CHECK(found == std::vector<PendulumState>(3, at_rest));
 }
 
-TEST_CASE("pendulums of any numbers are refused or finite", "[fuzz]") {
+TEST_CASE("pendulums of arbitrary numbers are refused or give finite results", "[fuzz]") {
     Dice dice(31, 0.06);
     for (int round = 0; round < 150; ++round) {
         std::vector<double> times = dice.numbers(2, 0.0, 0.5);
@@ -76,7 +76,7 @@ TEST_CASE("pendulums of any numbers are refused or finite", "[fuzz]") {
     CHECK(is_refused([] { (void)energy({.mass1 = not_a_number}, {}); }, "mass1"));
 }
 
-TEST_CASE("filters of any numbers are refused or finite", "[fuzz]") {
+TEST_CASE("filters of arbitrary numbers are refused or give finite results", "[fuzz]") {
     Dice dice(32, 0.25);
     for (int round = 0; round < 1500; ++round) {
         std::optional<SecondOrder> filter;

@@ -60,7 +60,7 @@ struct Layered {
 
 }  // namespace
 
-TEST_CASE("an action whose range is no number plays one of its ends", "[fuzz]") {
+TEST_CASE("an action whose frame range overflows plays finite frames", "[fuzz]") {
     const Layered rig;
     for (const After after : {After::nothing, After::hold, After::repeat}) {
         for (const double speed : {1.0, -1.0, 1e300}) {
@@ -81,7 +81,7 @@ TEST_CASE("an action whose range is no number plays one of its ends", "[fuzz]") 
     }
 }
 
-TEST_CASE("frames that are no numbers are refused before anything is written", "[fuzz]") {
+TEST_CASE("frames that are NaN are refused before any output is written", "[fuzz]") {
     const Layered rig;
     std::vector<Transform> out(2);
     std::vector<Transform> base(3), result(3);
@@ -119,7 +119,7 @@ TEST_CASE("frames that are no numbers are refused before anything is written", "
     CHECK(is_refused([&] { (void)value_at(falling, true, 5.0); }, "keys"));
 }
 
-TEST_CASE("a rotation of any numbers is one", "[fuzz]") {
+TEST_CASE("a rotation made of arbitrary numbers is a unit quaternion", "[fuzz]") {
     Dice dice(21, 0.5);
     for (int round = 0; round < 3000; ++round) {
         const std::array<double, 4> numbers{dice.number(), dice.number(), dice.number(), dice.number()};
@@ -128,7 +128,7 @@ TEST_CASE("a rotation of any numbers is one", "[fuzz]") {
     }
 }
 
-TEST_CASE("layers of any numbers are refused, or leave finite bones", "[fuzz]") {
+TEST_CASE("layers of arbitrary numbers are refused, or give finite bones", "[fuzz]") {
     for (const double share : {0.01, 0.2}) {
         Dice dice(22, share);
         for (int round = 0; round < 600; ++round) {
@@ -173,7 +173,7 @@ TEST_CASE("layers of any numbers are refused, or leave finite bones", "[fuzz]") 
     }
 }
 
-TEST_CASE("masks know the sizes of what they are given", "[fuzz]") {
+TEST_CASE("masks refuse arrays of different sizes", "[fuzz]") {
     const std::vector<int> parents{-1, 0, 1};
     const std::vector<int> order = parents_first(parents);
     const std::vector<double> chosen{0.0, 1.0, 1.0};

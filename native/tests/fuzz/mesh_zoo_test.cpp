@@ -64,7 +64,7 @@ void check_reach(const mesh::Reach& reach, const ZooMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("all that is picked on a zoo of meshes is there", "[zoo]") {
+TEST_CASE("every vertex and triangle that a picker finds on a zoo of meshes exists", "[zoo]") {
     for (const ZooMesh& mesh : mesh_zoo()) {
         CAPTURE(mesh.name);
         const bool was_made = returns([&] {

@@ -35,7 +35,7 @@ TEST_CASE("a lattice that cannot be pulled stays as it was", "[fuzz]") {
     CHECK(out == before);
 }
 
-TEST_CASE("lattices of any numbers are refused or finite", "[fuzz]") {
+TEST_CASE("lattices of arbitrary numbers are refused or give finite results", "[fuzz]") {
     Dice dice(52, 0.08);
     for (int round = 0; round < 300; ++round) {
         lattice::Lattice lattice{.origin = dice.place(), .axes = glm::dmat3(dice.matrix())};
@@ -64,7 +64,7 @@ TEST_CASE("lattices of any numbers are refused or finite", "[fuzz]") {
     }
 }
 
-TEST_CASE("pulls of any numbers are refused or finite", "[fuzz]") {
+TEST_CASE("pulls of arbitrary numbers are refused or give finite results", "[fuzz]") {
     Dice dice(53, 0.06);
     for (int round = 0; round < 500; ++round) {
         const std::vector<float> curve{dice.single(), dice.single(), dice.single()};
@@ -128,7 +128,7 @@ TEST_CASE("eyes and screens of any numbers are refused, and nothing that is no n
         "values"));
 }
 
-TEST_CASE("pictures that are none are refused", "[fuzz]") {
+TEST_CASE("pictures that are empty, of a wrong size or not finite are refused", "[fuzz]") {
     const std::vector<glm::vec4> pixels(6, {0.1F, 0.8F, 0.1F, 1.0F});
     const glm::dvec3 green{0.1, 0.8, 0.1};
     CHECK(colour::screen_color({pixels, 3}));
@@ -149,7 +149,7 @@ TEST_CASE("pictures that are none are refused", "[fuzz]") {
     }
 }
 
-TEST_CASE("walkers of any numbers are refused or finite", "[fuzz]") {
+TEST_CASE("walkers of arbitrary numbers are refused or give finite results", "[fuzz]") {
     Dice dice(56, 0.004), wild(57, 0.3);
     for (int round = 0; round < 150; ++round) {
         walker::Way way;
@@ -198,7 +198,7 @@ TEST_CASE("walkers of any numbers are refused or finite", "[fuzz]") {
     }
 }
 
-TEST_CASE("what is moved from can still be asked: walkers", "[fuzz]") {
+TEST_CASE("a moved-from ground still answers, and a moved-from walker refuses", "[fuzz]") {
     walker::Way way;
     way.times = {0.0, 1.0};
     way.poses = {glm::dmat4(1.0), glm::dmat4(1.0)};

@@ -52,7 +52,7 @@ TEST_CASE("Bernstein lattices are Sederberg and Parry's formula", "[lattice]") {
     }
 }
 
-TEST_CASE("bases that pass through the points, and those that do not", "[lattice]") {
+TEST_CASE("interpolating lattice bases pass through the points, approximating ones do not", "[lattice]") {
     Lattice lattice;
     lattice.resolution = {5, 1, 1};
     lattice.axes[0] *= 4.0;
@@ -166,7 +166,7 @@ TEST_CASE("deform is the weighted sum, with the influence", "[lattice]") {
     }
 }
 
-TEST_CASE("many positions give the bits of few", "[lattice]") {
+TEST_CASE("a lattice deforms many positions to the same bits as few", "[lattice]") {
     Dice dice(6);
     Lattice lattice = dice.lattice();
     lattice.resolution = {4, 5, 3};
@@ -181,7 +181,7 @@ TEST_CASE("many positions give the bits of few", "[lattice]") {
     }
 }
 
-TEST_CASE("lattices out of their domain are refused", "[lattice]") {
+TEST_CASE("lattice settings outside their domain are refused", "[lattice]") {
     Lattice lattice;
     lattice.resolution = {0, 2, 2};
     CHECK_THROWS_AS(rest_points(lattice), std::invalid_argument);

@@ -48,7 +48,7 @@ TEST_CASE("a pulled point arrives, by the smallest change", "[lattice]") {
     }
 }
 
-TEST_CASE("several pulls at once, some of which hold", "[lattice]") {
+TEST_CASE("several points of a lattice may be pulled or held at once", "[lattice]") {
     Dice dice(8);
     for (int trial = 0; trial < 60; ++trial) {
         Lattice lattice = dice.lattice(5);
@@ -98,7 +98,8 @@ TEST_CASE("opposite pulls on one place meet in the middle", "[lattice]") {
     CHECK(glm::distance(left[0], glm::dvec3(1.0, 0.0, 0.0)) < 1e-12);
 }
 
-TEST_CASE("what cannot be reached stays bounded, and changes continuously", "[lattice]") {
+TEST_CASE("pulls that a lattice cannot reach move its points by bounded amounts that change continuously",
+          "[lattice]") {
     Lattice lattice;
     lattice.resolution = {4, 4, 4};
     const std::vector<glm::dvec3> apart{{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}};
@@ -132,7 +133,7 @@ TEST_CASE("what cannot be reached stays bounded, and changes continuously", "[la
     CHECK(size_of(out) < 1e-3);  // a vertex that the lattice does not move at all moves no point either
 }
 
-TEST_CASE("the inside follows the outside", "[lattice]") {
+TEST_CASE("vertices inside a lattice follow a pull of its surface", "[lattice]") {
     Dice dice(10);
     Lattice lattice;
     lattice.resolution = {5, 4, 3};
@@ -178,7 +179,7 @@ TEST_CASE("a thousand pulls take memory for what they move", "[lattice]") {
     }
 }
 
-TEST_CASE("more pulls than points are solved by the points", "[lattice]") {
+TEST_CASE("more pulls than lattice points are solved in the space of the points", "[lattice]") {
     Dice dice(12);
     Lattice lattice;
     lattice.resolution = {3, 2, 4};

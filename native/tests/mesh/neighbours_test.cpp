@@ -52,7 +52,7 @@ TEST_CASE("a mesh's own edges leave out the diagonals, and wires are neighbours 
     CHECK(around.fan(6).empty());
 }
 
-TEST_CASE("what has the same vertex twice is no neighbour", "[neighbours]") {
+TEST_CASE("edges and triangles that repeat a vertex add no neighbour", "[neighbours]") {
     const std::vector<glm::ivec3> triangles{{0, 0, 1}, {1, 2, 1}, {2, 2, 2}};
     const std::vector<glm::ivec2> edges{{0, 0}, {0, 1}};
     const Neighbours around(3, triangles, edges);

@@ -78,7 +78,8 @@ TEST_CASE("a hit on thin triangles finds the nearest vertex of all around", "[pi
     CHECK(beyond > 100);  // else nothing was tested
 }
 
-TEST_CASE("no hit finds what is behind it or on another sheet", "[picker]") {
+TEST_CASE("the vertex nearest to a hit is neither on the far side of a wall nor on another sheet",
+          "[picker]") {
     // The coarse front has finer sheets behind it, one facing each way.
     Mesh mesh = sheet(5);
     for (glm::vec3& p : mesh.positions) p *= 4.0f;
@@ -133,7 +134,7 @@ TEST_CASE("hidden vertices are not found if others are", "[picker]") {
     CHECK_THROWS_AS(picked(picker, 4.2, 4.1, hidden), std::invalid_argument);
 }
 
-TEST_CASE("what is nearest is no matter of how the tree was made", "[picker]") {
+TEST_CASE("the nearest vertex does not depend on how the tree was built", "[picker]") {
     std::size_t found = 0;
     for (const Mesh& mesh : troubling_meshes()) {
         if (mesh.positions.empty()) continue;

@@ -114,7 +114,7 @@ TEST_CASE("no vertex is nearer than the nearest", "[picker]") {
     }
 }
 
-TEST_CASE("within finds the vertices within the radius, each once and ascending", "[picker]") {
+TEST_CASE("Picker.within finds each vertex within the radius once, in ascending order", "[picker]") {
     Dice dice(2);
     const glm::mat3 shear(2.0f, 0.3f, 0.0f, -0.5f, 0.7f, 1.1f, 0.0f, 0.4f, -1.3f);
     const std::array metrics{glm::mat3(1.0f), glm::mat3(3, 0, 0, 0, 0.5f, 0, 0, 0, 1), shear,
@@ -145,7 +145,7 @@ TEST_CASE("within finds the vertices within the radius, each once and ascending"
     }
 }
 
-TEST_CASE("no triangle is met before the one that a ray finds", "[picker]") {
+TEST_CASE("the triangle that a ray finds is the first one that it meets", "[picker]") {
     Dice dice(3);
     for (const Mesh& mesh : meshes()) {
         INFO(mesh.name);
@@ -209,7 +209,7 @@ TEST_CASE("a ray straight at a vertex of a flat sheet meets the lowest of its tr
     }
 }
 
-TEST_CASE("a ray begins where it begins", "[picker]") {
+TEST_CASE("a ray finds nothing behind its origin", "[picker]") {
     const Mesh mesh = sphere(30, 40);
     const Picker picker = picker_of(mesh);
     const glm::dvec3 aside(0.2, 0.1, 0.0);
@@ -227,7 +227,7 @@ TEST_CASE("a ray begins where it begins", "[picker]") {
     CHECK_FALSE(flat.ray({1.3, 1.2, 1.0}, {1, 0, 0}));
 }
 
-TEST_CASE("from far away the hit is as exact as the numbers allow", "[picker]") {
+TEST_CASE("the hit of a ray from far away is exact to rounding", "[picker]") {
     const Mesh mesh = blob();
     const Picker picker = picker_of(mesh);
     Dice dice(5);
@@ -253,7 +253,7 @@ TEST_CASE("a triangle without area is never met", "[picker]") {
             CHECK_FALSE(picker.ray(glm::dvec3(at) - 4.0 * way, way));
 }
 
-TEST_CASE("of what is equally near, the lowest index is found", "[picker]") {
+TEST_CASE("of vertices or triangles at equal distances the one with the lowest index is found", "[picker]") {
     Mesh mesh = sheet(8);
     const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
     const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
@@ -275,7 +275,7 @@ TEST_CASE("of what is equally near, the lowest index is found", "[picker]") {
     }
 }
 
-TEST_CASE("after a refit the answers are those of a new tree", "[picker]") {
+TEST_CASE("a picker after a refit answers as a new picker does", "[picker]") {
     for (const Mesh& mesh : meshes()) {
         INFO(mesh.name);
         Mesh bent = mesh;
@@ -294,7 +294,7 @@ TEST_CASE("after a refit the answers are those of a new tree", "[picker]") {
     }
 }
 
-TEST_CASE("a refit of what moved is a refit of all", "[picker]") {
+TEST_CASE("a refit of the moved vertices alone equals a refit of all vertices", "[picker]") {
     for (const Mesh& mesh : meshes()) {
         if (mesh.positions.empty()) continue;
         INFO(mesh.name);
@@ -322,7 +322,8 @@ TEST_CASE("a refit of what moved is a refit of all", "[picker]") {
     }
 }
 
-TEST_CASE("a ray meets another shape of the mesh as it would after a refit", "[picker]") {
+TEST_CASE("a ray at given other positions of the vertices finds what it would find after a refit to these",
+          "[picker]") {
     for (const Mesh& mesh : meshes()) {
         if (mesh.positions.empty()) continue;
         INFO(mesh.name);
@@ -346,7 +347,7 @@ TEST_CASE("a ray meets another shape of the mesh as it would after a refit", "[p
     }
 }
 
-TEST_CASE("a vertex may lose its place and have it back", "[picker]") {
+TEST_CASE("a vertex at NaN is not found, and is found again at its next finite position", "[picker]") {
     Mesh mesh = blob();
     Picker picker = picker_of(mesh);
     const std::vector<glm::vec3> before = mesh.positions;
@@ -370,7 +371,7 @@ TEST_CASE("a vertex may lose its place and have it back", "[picker]") {
     CHECK(picker.within(glm::vec3(0.0f), 1e9f).size() == before.size());
 }
 
-TEST_CASE("the number of threads changes nothing", "[picker]") {
+TEST_CASE("picker results do not depend on the number of threads", "[picker]") {
     Mesh mesh = sphere(130, 150);
     const Picker alone = picker_of(mesh, 1);
     Picker shared = picker_of(mesh, 5);
@@ -379,7 +380,7 @@ TEST_CASE("the number of threads changes nothing", "[picker]") {
     check_same(mesh, alone, shared, 111);
 }
 
-TEST_CASE("a picker can be moved", "[picker]") {
+TEST_CASE("a picker can be moved from one variable to another", "[picker]") {
     const Mesh mesh = blob();
     Picker first = picker_of(mesh), second = std::move(first);
     CHECK(first.vertex_count() == 0);
@@ -395,7 +396,8 @@ TEST_CASE("a picker can be moved", "[picker]") {
     check_same(mesh, second, picker_of(mesh), 120);
 }
 
-TEST_CASE("what makes no sense is refused or finds nothing", "[picker]") {
+TEST_CASE("a picker refuses invalid arguments, and finds nothing for degenerate rays and points",
+          "[picker]") {
     const Mesh mesh = sheet(4);
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
                     inf = std::numeric_limits<float>::infinity();

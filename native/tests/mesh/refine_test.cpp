@@ -69,13 +69,13 @@ TEST_CASE("a refined mesh has short edges, the same surface and no gaps", "[mesh
     }
 }
 
-TEST_CASE("a refined triangle keeps its side", "[mesh]") {
+TEST_CASE("a refined triangle keeps its orientation", "[mesh]") {
     const Refined found = refine(std::vector<glm::vec3>{{0, 0, 0}, {5, 0, 0}, {0, 1, 0}},
                                  std::vector<glm::ivec3>{{0, 1, 2}}, 0.7, most);
     for (const glm::ivec3& t : found.triangles) CHECK(area(found, t).z > 0.0);
 }
 
-TEST_CASE("short edges stay", "[mesh]") {
+TEST_CASE("refining leaves edges that are short enough as they are", "[mesh]") {
     const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}};
     const std::vector<glm::ivec3> triangles{{0, 1, 2}, {2, 2, 1}};
     const Refined found = refine(positions, triangles, 1.5, most);
@@ -84,7 +84,7 @@ TEST_CASE("short edges stay", "[mesh]") {
     CHECK(refine({}, {}, 1.0, most).positions.empty());
 }
 
-TEST_CASE("refining names what is wrong", "[mesh]") {
+TEST_CASE("refining refuses invalid arguments by their names", "[mesh]") {
     const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const std::vector<glm::ivec3> triangles{{0, 1, 2}};
     CHECK_THROWS_WITH(refine(positions, triangles, 0.0, most), Catch::Contains("longest_edge"));

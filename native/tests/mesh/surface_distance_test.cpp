@@ -205,7 +205,7 @@ TEST_CASE("the way around a hole bends at its corners", "[surface]") {
     }
 }
 
-TEST_CASE("a radius leaves out what is beyond and changes nothing within", "[surface]") {
+TEST_CASE("a search radius leaves out farther vertices and changes no distance within it", "[surface]") {
     const std::vector<Surface> surfaces{icosphere(4), uv_sphere(64, 32), sheet(200, 10, 2.0f, 2.0f),
                                         sheet(40, 40, 2.0f, 2.0f, Cut::random, 1 << 20, 4)};
     for (const Surface& surface : surfaces) {
@@ -229,7 +229,7 @@ TEST_CASE("a radius leaves out what is beyond and changes nothing within", "[sur
     }
 }
 
-TEST_CASE("no way is shorter than the straight one", "[surface]") {
+TEST_CASE("no distance along a surface is shorter than the straight line", "[surface]") {
     test::Random random(8);
     Surface rough = sheet(50, 50, 2.0f, 2.0f);
     for (glm::vec3& p : rough.positions) p += random.in_cube(0.4f);
@@ -280,7 +280,7 @@ TEST_CASE("sheets near each other in space are far apart along the surface", "[s
     CHECK(reach.vertices.size() > 500);
 }
 
-TEST_CASE("what is not connected is not reached", "[surface]") {
+TEST_CASE("vertices that are not connected to the root have no distance", "[surface]") {
     Surface two = icosphere(2);
     const auto count = static_cast<int>(two.positions.size());
     const Surface one = two;
@@ -294,7 +294,7 @@ TEST_CASE("what is not connected is not reached", "[surface]") {
     CHECK(loose.distances == std::vector<float>{0.0f});
 }
 
-TEST_CASE("wires are ways", "[surface]") {
+TEST_CASE("distances run along edges without faces too", "[surface]") {
     const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 3, 0}, {4, 3, 0}};
     const std::vector<glm::ivec3> triangles{{0, 1, 2}, {0, 2, 3}};
     const std::vector<glm::ivec2> edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {3, 4}, {4, 5}};
@@ -344,7 +344,8 @@ TEST_CASE("three sheets at one edge, sheets turned inside out and doubled triang
     }
 }
 
-TEST_CASE("triangles without area, points on one place and points nowhere do no harm", "[surface]") {
+TEST_CASE("triangles without area, coincident vertices and vertices at NaN leave all other distances right",
+          "[surface]") {
     Surface surface = sheet(20, 20, 2.0f, 2.0f);
     for (int i = 0; i < 21; ++i)
         surface.positions[static_cast<std::size_t>(10 * 21 + i)] =
@@ -418,7 +419,7 @@ TEST_CASE("edges are counted along the mesh's edges", "[surface]") {
     CHECK(diagonal.distances.back() == static_cast<float>(n));
 }
 
-TEST_CASE("what makes no sense is refused", "[surface]") {
+TEST_CASE("surface distances refuse invalid arguments", "[surface]") {
     const Surface surface = icosphere(0);
     const Neighbours neighbours = neighbours_of(surface);
     const std::span<const glm::vec3> few(surface.positions.data(), 5);

@@ -71,7 +71,7 @@ TEST_CASE("all instruction sets give the bits of single values", "[noise]") {
     }
 }
 
-TEST_CASE("many values are single ones in any number and however far away", "[noise]") {
+TEST_CASE("noise of many places equals noise of single places, for any count and any distance", "[noise]") {
     test::Random random(22);
     for (const std::size_t count :
          {std::size_t{0}, std::size_t{1}, noise_block - 1, noise_block + 1, 3 * noise_block}) {

@@ -192,7 +192,7 @@ TEST_CASE("noises of different seeds, and of one seed far apart, are not alike",
     }
 }
 
-TEST_CASE("many values are the same as one by one, and places may be anywhere", "[noise]") {
+TEST_CASE("noise of many places is the same as place by place, and places may be anywhere", "[noise]") {
     test::Random random(6);
     std::vector<glm::vec3> places;
     for (int i = 0; i < 1000; ++i) places.push_back(random.in_cube(100.0F));

@@ -81,7 +81,7 @@ TEST_CASE("a train lines up behind the first, which stops at the ends", "[follow
     CHECK(angle_between(rotations[0], frames.at(length, 2.0)) < 1e-9);  // it has stood there for long
 }
 
-TEST_CASE("beyond the ends", "[follow]") {
+TEST_CASE("followers beyond the ends of a curve are where the extend mode says", "[follow]") {
     const samples::Path path = samples::s_curve();
     const double length = path->length();
     const Frames frames(path, mode(FrameMode::minimal));
@@ -119,7 +119,7 @@ TEST_CASE("the bank follows the speed of the timing", "[follow]") {
     }
 }
 
-TEST_CASE("a follower's own axes are laid on the frame", "[follow]") {
+TEST_CASE("the chosen axes of a follower point along the frame's tangent and up", "[follow]") {
     const std::vector<glm::dvec3> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
     for (const glm::dvec3& forward : axes) {
         for (const glm::dvec3& up : axes) {
@@ -268,7 +268,7 @@ TEST_CASE("a slow lag takes few steps, and goes where steps of 1/120 s go", "[fo
     }
 }
 
-TEST_CASE("a quick lag is no lag", "[follow]") {
+TEST_CASE("a lag of a very high rate has no effect", "[follow]") {
     const samples::Path path = samples::level_circle(5.0);
     const Frames frames(path, mode(FrameMode::world_up));
     const Timing timing = Timing::constant(1.0);
@@ -291,7 +291,7 @@ TEST_CASE("a curve of zero length gives its point", "[follow]") {
     }
 }
 
-TEST_CASE("follow refuses what has no meaning", "[follow]") {
+TEST_CASE("follow refuses invalid arguments", "[follow]") {
     const Frames frames(samples::s_curve(), {});
     const Timing timing = Timing::constant(1.0);
     const std::vector<double> offsets{0.0, 1.0};

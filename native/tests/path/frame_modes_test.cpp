@@ -15,7 +15,7 @@ using namespace motus::path;
 using namespace motus::path::checks;
 using std::numbers::pi;
 
-TEST_CASE("world up is level", "[frames]") {
+TEST_CASE("frames of mode world_up have a level side axis", "[frames]") {
     const samples::Path path = samples::helix(4.0, 3.0, 2.0);
     const Frames frames(path, mode(FrameMode::world_up));
     for (int i = 0; i <= 50; ++i) {
@@ -25,7 +25,7 @@ TEST_CASE("world up is level", "[frames]") {
     }
 }
 
-TEST_CASE("world up on straight and vertical lines", "[frames]") {
+TEST_CASE("frames of mode world_up are defined on straight and vertical lines", "[frames]") {
     const Frames level(samples::straight({0, 0, 0}, {0, 5, 0}), mode(FrameMode::world_up));
     CHECK(angle_between(level.at(2.0, 0.0), glm::dquat(1, 0, 0, 0)) < 1e-12);
 
@@ -41,7 +41,7 @@ TEST_CASE("world up on straight and vertical lines", "[frames]") {
     }
 }
 
-TEST_CASE("world up through a vertical loop keeps upright and never snaps", "[frames]") {
+TEST_CASE("frames of mode world_up stay upright through a vertical loop and never snap", "[frames]") {
     const samples::Path path = samples::vertical_loop(10.0);
     const Frames frames(path, mode(FrameMode::world_up));
     CHECK(up(frames.at(0.0, 0.0)).z == Approx(1.0));
@@ -120,7 +120,7 @@ TEST_CASE("a reversal turns the frame about up", "[frames]") {
     }
 }
 
-TEST_CASE("a bank is the coordinated turn", "[frames]") {
+TEST_CASE("banking on a circle is the angle of a coordinated turn", "[frames]") {
     const Frames frames(samples::level_circle(20.0), mode(FrameMode::banking));
     const double expected = std::atan(10.0 * 10.0 / (20.0 * 9.81));
     CHECK(expected * 180.0 / pi == Approx(27.0).margin(0.02));
@@ -142,7 +142,7 @@ TEST_CASE("a bank is the coordinated turn", "[frames]") {
           Approx(expected).epsilon(1e-5));
 }
 
-TEST_CASE("a bank is the definition on any smooth curve", "[frames]") {
+TEST_CASE("banking agrees with its definition on any smooth curve", "[frames]") {
     motus::test::Random random(5);
     const double v = 12.0;
     for (int round = 0; round < 20; ++round) {
@@ -195,7 +195,8 @@ TEST_CASE("curvature points inward or outward, and keeps its side through an inf
     }
 }
 
-TEST_CASE("curvature is the definition on a curve that bends everywhere", "[frames]") {
+TEST_CASE("frames of mode curvature agree with their definition on a curve that bends everywhere",
+          "[frames]") {
     const samples::Path path = samples::helix(2.0, 4.0, 2.0);
     const Frames frames(path, mode(FrameMode::curvature));
     for (int i = 0; i <= 40; ++i) {

@@ -202,7 +202,7 @@ TEST_CASE("degenerate curves have frames", "[frames]") {
     CHECK(Frames(samples::path(Curve::bezier(same)), {}).pose(0.0, 0.0).location == point);
 }
 
-TEST_CASE("the table is bounded", "[frames]") {
+TEST_CASE("the table of frames has a bounded size", "[frames]") {
     CHECK(Frames(samples::straight({0, 0, 0}, {0, 5, 0}), {}).station_count() <= 17);
     // 2 pi at 2 degrees and at least 16 a segment, halvings included.
     CHECK(Frames(samples::level_circle(5.0), {}).station_count() <= 64 * 17);
@@ -225,7 +225,7 @@ TEST_CASE("settings outside their domain throw if the mode reads them", "[frames
     CHECK_THROWS_AS(Frames(path, settings), std::invalid_argument);
 }
 
-TEST_CASE("the cache changes nothing", "[frames]") {
+TEST_CASE("frames are the same with the cache and without", "[frames]") {
     motus::test::Random random(23);
     const samples::Path path = samples::random_spline(random, 5, true);
     FrameTablesCache& cache = frame_tables_cache();

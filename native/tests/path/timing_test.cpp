@@ -79,7 +79,7 @@ TEST_CASE("ease accepts fractions that add up to 1 in decimals and in float", "[
     CHECK_THROWS_AS(ease(std::nan(""), 0.1, 0.4), std::invalid_argument);
 }
 
-TEST_CASE("an eased way may go on at its last speed, or begin again as often as it is asked to", "[timing]") {
+TEST_CASE("an eased timing goes on at its last speed, or repeats", "[timing]") {
     for (const auto& [in, out] : {std::pair{0.25, 0.25}, {0.0, 0.0}, {0.3, 0.0}, {0.0, 0.4}}) {
         CAPTURE(in, out);
         const Timing once = Timing::eased(4.0, 10.0, in, out);
@@ -130,7 +130,7 @@ TEST_CASE("constant speed holds for all times", "[timing]") {
     CHECK(timing.speed(-100.0) == -2.5);
 }
 
-TEST_CASE("pins are met, and nothing overshoots between them", "[timing]") {
+TEST_CASE("a timing by pins passes through them and does not overshoot between them", "[timing]") {
     test::Random random(7);
     const auto gap = [&random] { return random.between(0.05, 2.0); };
     for (int round = 0; round < 50; ++round) {
@@ -160,7 +160,7 @@ TEST_CASE("pins are met, and nothing overshoots between them", "[timing]") {
     }
 }
 
-TEST_CASE("pins turn back without overshoot, and few pins are defined", "[timing]") {
+TEST_CASE("a timing by pins turns back without overshoot, and is defined for one or two pins", "[timing]") {
     const std::vector<double> times{0.0, 1.0, 2.0};
     const std::vector<double> there_and_back{0.0, 4.0, 1.0};
     const Timing timing = Timing::pins(times, there_and_back);
@@ -225,7 +225,7 @@ TEST_CASE("speeds by distance hold at the distance they are given for", "[timing
     CHECK_THROWS_AS(Timing::speeds_by_distance(level, std::vector<double>{1.0, 0.0}), std::invalid_argument);
 }
 
-TEST_CASE("a way that slows down to almost nothing takes the time that it should", "[timing]") {
+TEST_CASE("a path whose speed falls to almost zero takes the time that the integral says", "[timing]") {
     // v = 1 - s down to e: the time to the end is log(1 / e).
     for (const double end : {1e-6, 1e-12, 1e-17, 1e-100}) {
         CAPTURE(end);

@@ -154,7 +154,7 @@ TEST_CASE("at the root the force is 1, and further away it never grows", "[fallo
     CHECK(force(profile, 2.0f, 1.9999999f) == Approx(0.0).margin(1e-6));
 }
 
-TEST_CASE("extreme settings give numbers", "[falloff]") {
+TEST_CASE("falloffs of extreme settings give finite forces", "[falloff]") {
     const auto is_share = [](float value) { return value >= 0.0f && value <= 1.0f; };
     for (const float radius : {1e-40f, 1e-20f, 1e20f, 3e38f}) {
         for (const Falloff falloff : all_falloffs) {
@@ -169,7 +169,7 @@ TEST_CASE("extreme settings give numbers", "[falloff]") {
     }
 }
 
-TEST_CASE("forces refuse what is outside their domain", "[falloff]") {
+TEST_CASE("forces refuse arguments outside their domain", "[falloff]") {
     std::vector<float> values(3, 0.5f);
     std::vector<float> fewer(2);
     const auto refuses = [&](const Profile& profile, float radius) {

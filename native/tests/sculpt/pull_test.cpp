@@ -32,7 +32,8 @@ const glm::mat3 stretched =
 
 }  // namespace
 
-TEST_CASE("the root goes all the way, half way out it is half", "[pull]") {
+TEST_CASE("a pull moves its root by the whole displacement, and a vertex at half the radius by half",
+          "[pull]") {
     const std::vector<glm::vec3> points{{1, 1, 1}, {2, 1, 1}, {3, 1, 1}, {1, 1, 4}, {1, 0.5f, 1}};
     Dab dab;
     dab.root = {1, 1, 1};
@@ -60,7 +61,7 @@ TEST_CASE("the original's formula, which compares the square with R", "[pull]") 
     CHECK(found[4].z == 0.0f);
 }
 
-TEST_CASE("a pull follows the rules", "[pull]") {
+TEST_CASE("pulls agree with the formula for every falloff, mirror, metric and weight", "[pull]") {
     const std::vector<glm::vec3> points = cloud(5003);  // not a multiple of any vector's length
     const std::vector<float> weights = random_weights(points.size());
     const std::vector<float> curve{0.0f, 0.8f, -0.5f, 1.0f};
@@ -106,7 +107,7 @@ TEST_CASE("a metric that turns and scales all directions alike is another radius
     }
 }
 
-TEST_CASE("constant moves all within the radius as one and nothing beyond", "[pull]") {
+TEST_CASE("falloff constant moves all vertices within the radius alike and none beyond", "[pull]") {
     const std::vector<glm::vec3> points = cloud(20000);
     Dab dab = sample_dab();
     dab.profile.falloff = Falloff::constant;
@@ -121,7 +122,7 @@ TEST_CASE("constant moves all within the radius as one and nothing beyond", "[pu
     CHECK(moved > 1000);
 }
 
-TEST_CASE("what does not move keeps its bits", "[pull]") {
+TEST_CASE("vertices that a pull does not move keep their bits", "[pull]") {
     std::vector<glm::vec3> points = cloud(1000);
     for (glm::vec3& p : points) p.x = -0.0f;  // to which adding zero gives +0
     Dab dab = sample_dab();
@@ -163,7 +164,7 @@ TEST_CASE("moved vertices stay between minimum and maximum on the axis", "[pull]
     }
 }
 
-TEST_CASE("in place is as out of place", "[pull]") {
+TEST_CASE("a pull in place equals a pull into another array", "[pull]") {
     const std::vector<glm::vec3> points = cloud(3001);
     const std::vector<float> weights = random_weights(points.size());
     for (const unsigned mirror : {0u, 1u}) {
@@ -208,7 +209,7 @@ TEST_CASE("a mirrored pull is symmetric, and not doubled where its images meet",
     }
 }
 
-TEST_CASE("images of a dab", "[pull]") {
+TEST_CASE("a mirrored dab has an image for each combination of mirror axes", "[pull]") {
     Dab dab = sample_dab();
     dab.mirror = 5;  // x, z
     const std::vector<PullImage> images = images_of(dab);
@@ -242,7 +243,7 @@ TEST_CASE("vertices that a tree finds are moved as if all were looked at", "[pul
     }
 }
 
-TEST_CASE("distances measured on another shape", "[pull]") {
+TEST_CASE("distances of a pull may be measured on another shape of the mesh", "[pull]") {
     const std::vector<glm::vec3> shape = cloud(30000), points = cloud(30000, 2);
     const std::vector<float> weights = random_weights(points.size());
     std::vector<std::uint32_t> all(points.size());
@@ -284,7 +285,7 @@ TEST_CASE("distances measured on another shape", "[pull]") {
     }
 }
 
-TEST_CASE("distances measured elsewhere", "[pull]") {
+TEST_CASE("a pull may be given distances that were measured beforehand", "[pull]") {
     const std::vector<glm::vec3> points = cloud(20000);
     const std::vector<float> weights = random_weights(points.size());
     for (const unsigned mirror : {0u, 1u, 7u}) {
@@ -316,7 +317,7 @@ TEST_CASE("distances measured elsewhere", "[pull]") {
     }
 }
 
-TEST_CASE("nothing to pull", "[pull]") {
+TEST_CASE("a pull of no vertices, or with empty reaches, changes nothing", "[pull]") {
     std::vector<glm::vec3> none;
     CHECK_NOTHROW(pull(none, sample_dab(), {}, none));
     CHECK_NOTHROW(pull_among(none, sample_dab(), {}, {}, none));
@@ -327,7 +328,7 @@ TEST_CASE("nothing to pull", "[pull]") {
     CHECK(same_bits(out, points));
 }
 
-TEST_CASE("what is refused leaves all as it was", "[pull]") {
+TEST_CASE("a refused pull writes nothing", "[pull]") {
     const std::vector<glm::vec3> good = cloud(2000);
     std::vector<std::uint32_t> all(good.size());
     std::iota(all.begin(), all.end(), 0u);
@@ -375,7 +376,7 @@ TEST_CASE("what is refused leaves all as it was", "[pull]") {
     }
 }
 
-TEST_CASE("a vertex out of reach may be anywhere", "[pull]") {
+TEST_CASE("vertices out of a pull's reach may be at NaN or infinity", "[pull]") {
     std::vector<glm::vec3> points = cloud(100);
     points[7].x = not_a_number;
     const std::vector<std::uint32_t> near{3, 40};
@@ -394,7 +395,7 @@ TEST_CASE("a vertex out of reach may be anywhere", "[pull]") {
     CHECK(found[1] == far[1]);
 }
 
-TEST_CASE("a shape that is no shape is reported", "[pull]") {
+TEST_CASE("a pull refuses a shape to measure on that has a wrong size or is not finite", "[pull]") {
     const std::vector<glm::vec3> points = cloud(100), fewer(99);
     std::vector<glm::vec3> strange = points, out(100);
     strange[40].y = std::numeric_limits<float>::quiet_NaN();
@@ -408,7 +409,7 @@ TEST_CASE("a shape that is no shape is reported", "[pull]") {
     CHECK_THROWS_AS(pull_among(points, sample_dab(), one, {}, out, fewer), std::invalid_argument);
 }
 
-TEST_CASE("a pull refuses what is outside its domain", "[pull]") {
+TEST_CASE("a pull refuses arguments outside their domain", "[pull]") {
     std::vector<glm::vec3> points = cloud(100), fewer(99);
     std::vector<float> weights(100, 1.0f);
     const auto refuses = [&](auto&& change, const char* problem) {

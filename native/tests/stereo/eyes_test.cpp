@@ -77,7 +77,7 @@ TEST_CASE("parallax is the difference of what both eyes see", "[stereo]") {
     }
 }
 
-TEST_CASE("what converges lies on the screen", "[stereo]") {
+TEST_CASE("a point at the convergence distance lies on the screen", "[stereo]") {
     Random random(4);
     for (const Mode mode : {Mode::off_axis, Mode::toe_in}) {
         const Eyes eyes = any_eyes(random, mode);
@@ -113,7 +113,7 @@ TEST_CASE("one eye sees no depth", "[stereo]") {
     CHECK(far == infinity);
 }
 
-TEST_CASE("numbers outside their domain are named", "[stereo]") {
+TEST_CASE("camera settings outside their domain are refused by their names", "[stereo]") {
     const Eyes good;
     CHECK_THROWS_AS(parallax({-1.0, 50.0, 36.0, 2.0}, 1.0), std::invalid_argument);
     CHECK_THROWS_AS(parallax({0.1, 0.0, 36.0, 2.0}, 1.0), std::invalid_argument);

@@ -15,7 +15,7 @@ TEST_CASE("eyes diverge behind 0.54 % of a cinema's screen and 10.8 % of a monit
     CHECK(divergence_limit({0.6, 0.7, 0.065}) == Approx(0.108).margin(5e-4));
 }
 
-TEST_CASE("what has no parallax seems to be on the screen", "[stereo]") {
+TEST_CASE("a point without parallax is seen on the screen", "[stereo]") {
     const Screen screen{2.0, 3.0, 0.065};
     CHECK(seen_distance(screen, 0.0) == Approx(3.0));
     CHECK(seen_distance(screen, -0.065 / 2.0) == Approx(1.5));  // the eyes' lines cross half way
@@ -56,7 +56,7 @@ TEST_CASE("roundness is the depth of a small ball by its width", "[stereo]") {
     CHECK(std::isinf(roundness(screen, {0.2, 35.0, 36.0, 4.0}, 1000.0)));
 }
 
-TEST_CASE("screens outside their domain are named", "[stereo]") {
+TEST_CASE("screen settings outside their domain are refused by their names", "[stereo]") {
     CHECK_THROWS_AS(divergence_limit({0.0, 1.0, 0.065}), std::invalid_argument);
     CHECK_THROWS_AS(seen_distance({1.0, 0.0, 0.065}, 0.0), std::invalid_argument);
     CHECK_THROWS_AS(comfortable({1.0, 1.0, 0.0}), std::invalid_argument);

@@ -23,7 +23,7 @@ glm::dmat4 ahead(double time) {
 
 }  // namespace
 
-TEST_CASE("the cadence goes with the speed, and is never below the slowest", "[trajectory]") {
+TEST_CASE("the cadence grows with the speed, and is never below the set cadence", "[trajectory]") {
     Way way = way_along(4.0, ahead);
     way.stride = 0.4;
     const BodyTrajectory fast(way);
@@ -62,7 +62,7 @@ TEST_CASE("times and phases are each other's inverse, beyond the ends too", "[tr
     CHECK(trajectory.phase(0, 8.0) - trajectory.phase(0, 7.0) == Approx(way.cadence));
 }
 
-TEST_CASE("poses are the samples', and go evenly between them", "[trajectory]") {
+TEST_CASE("the body's poses are the samples, interpolated linearly between them", "[trajectory]") {
     Random random(2);
     Way way = way_along(3.0, around);
     for (glm::dmat4& pose : way.poses) pose = pose * glm::scale(glm::dmat4(1.0), {2.0, -1.0, 0.5});
@@ -103,7 +103,7 @@ TEST_CASE("axes are at right angles whatever the pose is", "[trajectory]") {
     CHECK(BodyTrajectory(way).axes(glm::dmat4(0.0)).up == glm::dvec3(0.0, 0.0, 1.0));
 }
 
-TEST_CASE("jumps begin a stretch anew", "[trajectory]") {
+TEST_CASE("a jump of the body begins a new stretch of the walk", "[trajectory]") {
     Way way = way_along(4.0, [](double time) { return moved({time < 2.0 ? 0.0 : 30.0, 0.5 * time, 0.0}); });
     const BodyTrajectory found(way);
     REQUIRE(found.stretch_count() == 2);
@@ -126,7 +126,7 @@ TEST_CASE("jumps begin a stretch anew", "[trajectory]") {
     CHECK(BodyTrajectory(way).stretch_count() == way.times.size());
 }
 
-TEST_CASE("a way that is none is refused by the argument's name", "[trajectory]") {
+TEST_CASE("invalid times and poses of a body are refused by the argument's name", "[trajectory]") {
     const Way good = way_along(1.0, ahead);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto refused = [&](const char* name, const auto& spoil) {

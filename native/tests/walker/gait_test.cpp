@@ -106,7 +106,7 @@ TEST_CASE("legs are told by where they are, not by their order", "[gait]") {
     }
 }
 
-TEST_CASE("any number of legs has every gait", "[gait]") {
+TEST_CASE("every gait is defined for any number of legs", "[gait]") {
     Random random(6);
     for (const Gait gait : all_gaits) {
         for (const int legs : {1, 2, 3, 5, 7, 16, 256}) {
@@ -128,7 +128,7 @@ TEST_CASE("legs in one line alternate", "[gait]") {
     CHECK(swinging(pattern_of(Gait::pace, tailed, forward, up), 0.7) == std::vector{1, 3});
 }
 
-TEST_CASE("what is no set of legs is refused", "[gait]") {
+TEST_CASE("invalid sets of legs are refused", "[gait]") {
     const std::vector<glm::dvec3> none, many(most_legs + 1, glm::dvec3(0.0));
     std::vector<glm::dvec3> strange = pairs(2);
     strange[1].x = std::numeric_limits<double>::quiet_NaN();

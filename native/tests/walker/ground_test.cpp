@@ -35,7 +35,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE("rays meet what is first, of triangles and a plane", "[ground]") {
+TEST_CASE("a ray finds the first of the triangles and the plane that it meets", "[ground]") {
     const Land floor = land(2.0, 4, [](double, double) { return 0.5; });
     const Ground both(floor.positions, floor.triangles, Plane{{0.0, 0.0, 0.0}, {0.0, 0.0, -3.0}});
     const auto on_mesh = both.ray({0.3, 0.2, 2.0}, -up, infinity);
@@ -59,7 +59,7 @@ TEST_CASE("rays meet what is first, of triangles and a plane", "[ground]") {
     CHECK_FALSE(Ground({}, {}, std::nullopt).ray({0.0, 0.0, 1.0}, -up, infinity).has_value());
 }
 
-TEST_CASE("what is no ground is refused, and vertices that are nowhere are not met", "[ground]") {
+TEST_CASE("invalid ground meshes are refused, and triangles with vertices at NaN are not met", "[ground]") {
     Land floor = land(1.0, 1, [](double, double) { return 0.0; });
     CHECK_THROWS_WITH(Ground(floor.positions, std::vector<glm::ivec3>{{0, 1, 4}}, std::nullopt),
                       Catch::StartsWith("triangles"));
@@ -111,7 +111,7 @@ TEST_CASE("a ray tells whether it leaves what it meets", "[ground]") {
     CHECK(ground.ray({5.0, 0.0, -2.0}, up, infinity)->leaves);
 }
 
-TEST_CASE("below a roof a foot stands on what is below it", "[footing]") {
+TEST_CASE("below a roof a foot stands on the ground under the roof", "[footing]") {
     const Land floor = land(4.0, 8, [](double, double) { return 0.0; });
     const Land table = box({-1.0f, -1.0f, 0.3f}, {1.0f, 1.0f, 0.4f});
     const Land stone = box({0.2f, -0.3f, -0.1f}, {0.6f, 0.3f, 0.12f});
@@ -171,7 +171,7 @@ TEST_CASE("ground whose faces are turned over is no roof", "[footing]") {
     CHECK(clearing(ground, start, end, up, 1.0).rise == clearing(usual, start, end, up, 1.0).rise);
 }
 
-TEST_CASE("where the ground ends a foot finds its side", "[footing]") {
+TEST_CASE("beyond the edge of the ground a foot stands on the side of the block", "[footing]") {
     const Ground block = ground_of(box({-1.0f, -1.0f, -3.0f}, {1.0f, 1.0f, 0.0f}));
     const Search beyond{{1.3, 0.2, 0.0}, {0.5, 0.2, 0.4}, up};
     CHECK_FALSE(footing(block, beyond, {0.5, 0.6}).has_value());

@@ -57,7 +57,7 @@ TEST_CASE("rest places that are in no plane are level all the same", "[lean]") {
     CHECK(lean_of({0.1, 0.2, 0.3}, {}, rest, higher, weights).height == Approx(0.4));
 }
 
-TEST_CASE("feet that leave a slope open keep it level", "[lean]") {
+TEST_CASE("a slope that the feet leave undetermined is level", "[lean]") {
     const std::vector<double> weights{1.0, 1.0};
     const std::vector<glm::dvec3> rest{{-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
     const std::vector<glm::dvec3> feet{{-1.0, 0.0, 0.1}, {1.0, 0.0, 0.5}};
@@ -71,7 +71,7 @@ TEST_CASE("feet that leave a slope open keep it level", "[lean]") {
     CHECK(turn_of(one, {}) == glm::dquat(1.0, 0.0, 0.0, 0.0));
 }
 
-TEST_CASE("a foot counts as its weight says", "[lean]") {
+TEST_CASE("the fitted plane weighs each foot by its weight", "[lean]") {
     const std::vector<glm::dvec3> rest = eight_feet();
     std::vector<glm::dvec3> feet = rest;
     std::vector<double> weights(8, 1.0);

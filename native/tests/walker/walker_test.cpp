@@ -177,7 +177,7 @@ TEST_CASE("feet stand on the ground, and have its normal", "[walker]") {
     CHECK(walker.problems().empty());
 }
 
-TEST_CASE("any time, in any order, with any number of threads, is the same", "[walker]") {
+TEST_CASE("a walk is the same at any times in any order, with any number of threads", "[walker]") {
     const Ground ground = hilly_ground();
     WalkSettings settings;
     settings.hips.assign(8, {0.0, 0.0, 0.5});
@@ -246,7 +246,7 @@ TEST_CASE("a body walks up a wall", "[walker]") {
     }
 }
 
-TEST_CASE("after a jump all feet are there at once", "[walker]") {
+TEST_CASE("after a jump of the body all feet are at the new place at once", "[walker]") {
     const Ground ground = plane();
     const auto pose = [](double time) { return moved({time < 2.0 ? 0.0 : 30.0, 0.5 * time, 0.0}); };
     const Way way = way_along(4.0, pose);
@@ -263,7 +263,7 @@ TEST_CASE("after a jump all feet are there at once", "[walker]") {
             CHECK(glm::length(walker.foot(leg, time + 2.0).position - alone.foot(leg, time).position) < 1e-9);
 }
 
-TEST_CASE("short steps are left out if wanted", "[walker]") {
+TEST_CASE("steps shorter than the minimum step are left out", "[walker]") {
     const Ground ground = plane();
     const auto trembles = [](double time) { return moved({0.02 * std::sin(40.0 * time), 0.0, 0.0}); };
     WalkSettings settings;
@@ -273,7 +273,7 @@ TEST_CASE("short steps are left out if wanted", "[walker]") {
     for (std::size_t leg = 0; leg < 8; ++leg) CHECK(calm.steps(leg).size() == 1);
 }
 
-TEST_CASE("where there is no ground a foot is on its rest place, and that is said", "[walker]") {
+TEST_CASE("without ground a foot is on its rest place, and a problem is reported", "[walker]") {
     const Ground deep = plane(-10.0);
     const Walker walker(way_along(6.0, there), {}, &deep);
     REQUIRE(walker.problems().size() >= 8);
@@ -290,7 +290,8 @@ TEST_CASE("where there is no ground a foot is on its rest place, and that is sai
     CHECK(free.foot(3, 2.5).normal == up);
 }
 
-TEST_CASE("out of reach a foothold is looked for nearer, and said if there is none", "[walker]") {
+TEST_CASE("a foothold out of the leg's reach is replaced by a nearer one, or reported if there is none",
+          "[walker]") {
     WalkSettings settings;
     const Way way = way_along(8.0, there);
     for (const glm::dvec3& place : way.rest) settings.hips.push_back(0.3 * place + 0.4 * up);
@@ -374,7 +375,7 @@ TEST_CASE("scaled, mirrored and vanished bodies walk too", "[walker]") {
         CHECK(glm::length(walker.foot(leg, 9.0).position - grows.rest[leg]) < 1e-4);
 }
 
-TEST_CASE("one sample, and any number of legs, are a shot", "[walker]") {
+TEST_CASE("a walk can be planned from one sample and for any number of legs", "[walker]") {
     const Ground ground = plane();
     Way way = way_along(0.0, there);
     REQUIRE(way.times.size() == 1);
@@ -393,7 +394,7 @@ TEST_CASE("one sample, and any number of legs, are a shot", "[walker]") {
     }
 }
 
-TEST_CASE("too much work is refused before it is begun", "[walker]") {
+TEST_CASE("a walk with too many steps is refused before it is planned", "[walker]") {
     Way way = way_along(10.0, [](double time) { return moved({0.0, 100.0 * time, 0.0}); });
     way.jump = 1e9;
     way.stride = 1e-3;
@@ -405,7 +406,7 @@ TEST_CASE("too much work is refused before it is begun", "[walker]") {
     CHECK_THROWS_WITH(Walker(way, {}), Catch::Contains("cadence"));
 }
 
-TEST_CASE("settings that are none are refused by the argument's name", "[walker]") {
+TEST_CASE("invalid settings of a walk are refused by the argument's name", "[walker]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const Way way = way_along(1.0, there);
     const auto refused = [&](const char* name, const auto& spoil) {

@@ -395,7 +395,7 @@ TEST_CASE("iterations are limited and counted", "[chain]") {
     REQUIRE(stopped > 50);
 }
 
-TEST_CASE("the same question has the same answer, at every scale", "[chain]") {
+TEST_CASE("a chain has the same solution each time and at every scale", "[chain]") {
     Random random(14);
     for (int round = 0; round < 100; ++round) {
         const Joints joints = random_joints(random, all_shapes[round % 5], 2 + round % 12);

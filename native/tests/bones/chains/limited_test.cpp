@@ -126,7 +126,7 @@ constexpr double unlimited = JointLimits::free;
 
 }  // namespace
 
-TEST_CASE("clamping keeps what is within and repeats itself", "[limits]") {
+TEST_CASE("clamping keeps rotations within the limits, and clamping twice equals clamping once", "[limits]") {
     Random random(1);
     for (int round = 0; round < 4000; ++round) {
         JointLimits limits = random_limits(random);
@@ -309,7 +309,8 @@ TEST_CASE("a pose on its target stays as it is", "[limited_chain]") {
     }
 }
 
-TEST_CASE("every finite question has a finite answer, the same each time", "[limited_chain]") {
+TEST_CASE("a limited chain gives finite results for finite arguments, the same each time",
+          "[limited_chain]") {
     Random random(9);
     for (int round = 0; round < 400; ++round) {
         Arm arm = random_arm(random, 1 + round % 7);
@@ -387,7 +388,7 @@ TEST_CASE("limits, not lengths, keep a chain from a target at the very end of it
     CHECK(reason({two, one}, {0.9, 0.0, 0.0}) == Reason::too_near);
 }
 
-TEST_CASE("spans of a limited chain have one size", "[limited_chain]") {
+TEST_CASE("a limited chain refuses arrays of different sizes", "[limited_chain]") {
     Random random(10);
     Arm arm = random_arm(random, 3);
     std::vector<glm::dquat> rotations = arm.rotations;
@@ -400,7 +401,7 @@ TEST_CASE("spans of a limited chain have one size", "[limited_chain]") {
     REQUIRE_THROWS_AS(solve(arm, {}, rotations), std::invalid_argument);
 }
 
-TEST_CASE("joints and frames of a chain want spans of its size", "[limited_chain]") {
+TEST_CASE("joints and frames of a chain refuse arrays of a different size", "[limited_chain]") {
     Random random(11);
     const Arm arm = random_arm(random, 3);
     for (const std::size_t size : {0u, 3u, 5u}) {

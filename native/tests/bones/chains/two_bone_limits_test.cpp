@@ -84,7 +84,7 @@ TEST_CASE("a target that crosses the pole turns the elbow through the plane", "[
     }));
 }
 
-TEST_CASE("on the line the plane decides, off it the pole", "[two_bone]") {
+TEST_CASE("a pole on the line from root to target leaves the bend to the given plane", "[two_bone]") {
     TwoBone chain{.root = {0, 0, 0}, .target = {0, 1.5, 0}, .pole = {0, 4, 0}, .plane = {0, 0, 2}};
     for (const int bend : {1, -1}) {
         chain.bend = bend;
@@ -98,7 +98,8 @@ TEST_CASE("on the line the plane decides, off it the pole", "[two_bone]") {
     }
 }
 
-TEST_CASE("in the band the pole's plane turns into the given one", "[two_bone]") {
+TEST_CASE("as the pole nears the line from root to target, its plane turns into the given plane",
+          "[two_bone]") {
     const auto normal = [](double share, const glm::dvec3& plane) {
         const double sine = share * pole_band;
         return solve_two_bone({.root = {0, 0, 0},
@@ -163,7 +164,7 @@ TEST_CASE("the elbow passes the ends of the reach without a jump", "[two_bone]")
     }
 }
 
-TEST_CASE("target on the root", "[two_bone]") {
+TEST_CASE("a target on the root folds the chain towards the pole", "[two_bone]") {
     RandomTwoBones random(13);
     for (int i = 0; i < 1000; ++i) {
         TwoBone chain = random.reachable();
@@ -288,7 +289,7 @@ TEST_CASE("every finite input has a finite answer", "[two_bone]") {
     }
 }
 
-TEST_CASE("what is not finite is refused", "[two_bone]") {
+TEST_CASE("two bones with numbers that are not finite are refused", "[two_bone]") {
     const double odd[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                           -std::numeric_limits<double>::infinity()};
     for (const double value : odd) {

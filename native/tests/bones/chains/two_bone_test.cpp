@@ -85,7 +85,7 @@ TEST_CASE("random chains reach, keep their lengths and bend to the pole's side",
     }
 }
 
-TEST_CASE("without a plane the bends mirror each other", "[two_bone]") {
+TEST_CASE("without a pole the two bend directions are mirror images", "[two_bone]") {
     RandomTwoBones random(3);
     for (int i = 0; i < 2000; ++i) {
         TwoBone chain = random.reachable();
@@ -144,7 +144,7 @@ TEST_CASE("needles keep the precision of their angles", "[two_bone]") {
     CHECK(at.elbow.y == Approx(l1).epsilon(1e-15));
 }
 
-TEST_CASE("angles of triangles", "[two_bone]") {
+TEST_CASE("triangle_angle is exact for flat, tiny and huge triangles", "[two_bone]") {
     CHECK(triangle_angle(3.0, 4.0, 5.0) == Approx(0.5 * pi).epsilon(1e-15));
     CHECK(triangle_angle(1.0, 1.0, 1.0) == Approx(pi / 3.0).epsilon(1e-15));
     CHECK(triangle_angle(2.0, 1.0, 0.5) == 0.0);
@@ -158,7 +158,7 @@ TEST_CASE("angles of triangles", "[two_bone]") {
     CHECK(triangle_angle(1.0, 1.0 + 1e-12, 1.1e-12) == Approx(std::sqrt(0.21) * 1e-12).epsilon(1e-3));
 }
 
-TEST_CASE("soft reach", "[two_bone]") {
+TEST_CASE("soft_reach agrees with its formula", "[two_bone]") {
     const double reach = 2.0;
     for (const double soft : {0.01, 0.5, 2.0}) {
         CAPTURE(soft);
@@ -227,7 +227,7 @@ TEST_CASE("a soft arm slows before it is straight", "[two_bone]") {
     }
 }
 
-TEST_CASE("stretch makes up its share of what lacks", "[two_bone]") {
+TEST_CASE("stretch lengthens a chain by its share of the missing length", "[two_bone]") {
     RandomTwoBones random(5);
     for (int i = 0; i < 2000; ++i) {
         TwoBone chain = random.reachable();

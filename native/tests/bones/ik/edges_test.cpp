@@ -115,7 +115,7 @@ TEST_CASE("a chain's results do not depend on the others", "[rig_ik]") {
     }
 }
 
-TEST_CASE("guards of a chain that is off stand in the FK pose", "[rig_ik]") {
+TEST_CASE("guarded bones of a muted chain keep the FK pose", "[rig_ik]") {
     Solve solve = three_chains();
     solve.settings[0].is_on = 0.0;
     solve.run();
@@ -191,7 +191,7 @@ TEST_CASE("bones that are left out carry the chain as they are animated", "[rig_
     }
 }
 
-TEST_CASE("one bone is left whatever is left out", "[rig_ik]") {
+TEST_CASE("a chain keeps at least one bone whichever bones are left out", "[rig_ik]") {
     for (const double left_out : {4.0, 5.0, 1e300, -3.0, 0.9}) {
         Solve solve = sample(3, 5, true, 0.5);
         solve.settings[0].left_out = left_out;
@@ -257,7 +257,7 @@ TEST_CASE("a plan says which of its bones make no chain", "[rig_ik]") {
     CHECK_THROWS_AS(ik::solve(plan, {}, {}), std::invalid_argument);
 }
 
-TEST_CASE("bones are those of one plan, whatever their number", "[rig_ik]") {
+TEST_CASE("an array of bones has to fit its plan", "[rig_ik]") {
     Solve solve = three_chains();
     const Plan plan(solve.rig.parents, solve.chains, solve.guards);
     const Plan copy = plan;  // NOLINT(performance-unnecessary-copy-initialization)

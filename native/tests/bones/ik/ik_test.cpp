@@ -37,7 +37,7 @@ TEST_CASE("the tip of a rigid chain is on its target", "[rig_ik]") {
     }
 }
 
-TEST_CASE("mirrored and unevenly scaled worlds are nothing to a chain", "[rig_ik]") {
+TEST_CASE("a chain reaches its target in mirrored and unevenly scaled worlds", "[rig_ik]") {
     int reached = 0;
     for (unsigned seed = 0; seed < 20; ++seed) {
         Solve solve = sample(seed, 2 + static_cast<int>(seed % 3), seed % 2 == 0, 0.6);
@@ -55,7 +55,7 @@ TEST_CASE("mirrored and unevenly scaled worlds are nothing to a chain", "[rig_ik
     CHECK(reached > 14);
 }
 
-TEST_CASE("sheared chains: what is reported is what is measured", "[rig_ik]") {
+TEST_CASE("the residual that a sheared chain reports is the measured one", "[rig_ik]") {
     int reached = 0, all = 0;
     for (unsigned seed = 0; seed < 60; ++seed) {
         for (const InheritScale mode : modes) {
@@ -150,7 +150,7 @@ TEST_CASE("out of reach a chain is straight and says why", "[rig_ik]") {
     CHECK(solve.report[0].reason == static_cast<double>(Reason::too_near));
 }
 
-TEST_CASE("weights: nothing, everything, and slerp between", "[rig_ik]") {
+TEST_CASE("a chain's weight blends from the FK pose to the solution by slerp", "[rig_ik]") {
     for (unsigned seed = 0; seed < 10; ++seed) {
         Solve solve = sample(seed, 3, seed % 2 == 0, 0.7);
         solve.run();
@@ -312,7 +312,7 @@ double largest_step(Sweep sweep, int count, int steps) {
 
 }  // namespace
 
-TEST_CASE("nothing flips along sweeps of target, pole and FK pose", "[rig_ik]") {
+TEST_CASE("no bone flips while target, pole or FK pose sweep", "[rig_ik]") {
     for (const int count : {2, 3, 5}) {
         for (const Sweep sweep : {Sweep::target, Sweep::pole, Sweep::pole_across_line, Sweep::animation}) {
             INFO("sweep " << static_cast<int>(sweep) << ", " << count << " bones");

@@ -27,7 +27,7 @@ double distance(const glm::dquat& a, const glm::dquat& b) {
 
 }  // namespace
 
-TEST_CASE("steps and lines between keys, and beyond them", "[layers]") {
+TEST_CASE("a clip evaluates constant and linear keys, between and beyond them", "[layers]") {
     const std::array keys{key(1, 2, Interpolation::linear), key(5, 10, Interpolation::constant),
                           key(9, 4, Interpolation::linear)};
     CHECK(value_at(keys, false, 3.0) == 6.0);
@@ -97,7 +97,7 @@ TEST_CASE("rotation modes are Blender's", "[layers]") {
     CHECK(rotation_of(Rotation::quaternion, std::array{0.0, 0.0, 0.0, 0.0}) == glm::dquat(0, 1, 0, 0));
 }
 
-TEST_CASE("a clip says what its curves say, and rests otherwise", "[layers]") {
+TEST_CASE("a clip has the values of its curves, and rest values for channels without curves", "[layers]") {
     const std::array modes{Rotation::quaternion, Rotation::xyz, Rotation::axis_angle};
     const std::array keys{key(0, 0, Interpolation::linear), key(10, 1, Interpolation::linear)};
     const std::array curves{Curve{2, 3, 0, 2, false}, Curve{0, 1, 0, 2, false}, Curve{1, 5, 0, 0, false},
@@ -136,7 +136,7 @@ TEST_CASE("angles beyond half a turn go around", "[layers]") {
               is_beyond);
 }
 
-TEST_CASE("a clip refuses what cannot be", "[layers]") {
+TEST_CASE("a clip refuses invalid keys and curves", "[layers]") {
     const std::array modes{Rotation::quaternion};
     const std::array keys{key(3, 0, Interpolation::linear), key(1, 1, Interpolation::linear)};
     const auto make = [&](const Curve& curve) { return Clip(modes, std::array{curve}, keys); };

@@ -113,7 +113,7 @@ TEST_CASE("a reference is what an additive layer starts from", "[layers]") {
     CHECK(distance(found[3].rotation, base[3].rotation * glm::angleAxis(0.2, z)) < 1e-7);
 }
 
-TEST_CASE("without weight a layer leaves every bit", "[layers]") {
+TEST_CASE("a layer of weight 0 changes no bit", "[layers]") {
     Figure figure;
     figure.layer.in_armature = true;
     const std::vector<Transform> base = walking();
@@ -167,7 +167,7 @@ const glm::dvec3 y(0, 1, 0);
 
 }  // namespace
 
-TEST_CASE("two turns stay two turns at a part of the weight", "[layers]") {
+TEST_CASE("a layer that turns a bone twice turns it by its weight times two turns", "[layers]") {
     Figure figure;
     const std::vector<Transform> still(4);
     for (const Rotation mode : {Rotation::xyz, Rotation::zxy, Rotation::axis_angle}) {
@@ -189,7 +189,7 @@ TEST_CASE("two turns stay two turns at a part of the weight", "[layers]") {
     }
 }
 
-TEST_CASE("what goes around goes on from lap to lap, and backwards", "[layers]") {
+TEST_CASE("a bone that goes around in a repeated layer goes on from lap to lap, and backwards", "[layers]") {
     Figure figure;
     figure.mask = {0, 1, 1, 1};
     const std::vector<Transform> still(4);
@@ -207,7 +207,7 @@ TEST_CASE("what goes around goes on from lap to lap, and backwards", "[layers]")
     }
 }
 
-TEST_CASE("what goes around takes along what it carries in the armature", "[layers]") {
+TEST_CASE("with blending in the armature a bone that goes around takes its children along", "[layers]") {
     Figure figure;
     figure.mask = {0, 1, 1, 1};
     for (const Mode acts : {Mode::override, Mode::additive}) {
@@ -234,7 +234,7 @@ TEST_CASE("what goes around takes along what it carries in the armature", "[laye
     }
 }
 
-TEST_CASE("in the armature hips do not turn what the layer holds", "[layers]") {
+TEST_CASE("with blending in the armature hips that turn do not turn bones that the layer holds", "[layers]") {
     Figure figure;
     figure.layer.in_armature = true;
     std::vector<Transform> still(4);
@@ -250,7 +250,8 @@ TEST_CASE("in the armature hips do not turn what the layer holds", "[layers]") {
     CHECK(found[1].rotation == walking()[1].rotation);
 }
 
-TEST_CASE("in the armature a share of the way is one of the standing rotations", "[layers]") {
+TEST_CASE("with blending in the armature a part of the weight gives a part of the turn in armature space",
+          "[layers]") {
     Figure figure;
     figure.layer.in_armature = true;
     figure.layer.weight = 0.3;
@@ -265,7 +266,7 @@ TEST_CASE("in the armature a share of the way is one of the standing rotations",
                                         beneath[bone]) < 1e-7);
 }
 
-TEST_CASE("in the armature an additive layer turns by what it turns there", "[layers]") {
+TEST_CASE("with blending in the armature an additive layer adds its rotation in armature space", "[layers]") {
     Figure figure;
     figure.layer.in_armature = true;
     figure.layer.mode = Mode::additive;
@@ -280,7 +281,8 @@ TEST_CASE("in the armature an additive layer turns by what it turns there", "[la
         CHECK(distance(found[bone], said[bone] * glm::conjugate(rest[bone]) * beneath[bone]) < 1e-7);
 }
 
-TEST_CASE("bones that do not turn with their parents do not in the armature", "[layers]") {
+TEST_CASE("with blending in the armature bones without inherited rotation do not turn with their parents",
+          "[layers]") {
     Figure figure;
     figure.inherits = {1, 1, 0, 1};
     figure.layer.in_armature = true;
@@ -288,7 +290,7 @@ TEST_CASE("bones that do not turn with their parents do not in the armature", "[
     CHECK(distance(found[2].rotation, glm::angleAxis(0.5, z)) < 1e-7);
 }
 
-TEST_CASE("bones whose numbers are not finite stay", "[layers]") {
+TEST_CASE("a layer leaves bones whose numbers are not finite as they are", "[layers]") {
     Figure figure;
     std::vector<Transform> base = walking();
     base[3].location.x = std::numeric_limits<double>::quiet_NaN();
@@ -297,7 +299,7 @@ TEST_CASE("bones whose numbers are not finite stay", "[layers]") {
     CHECK(distance(found[2].rotation, glm::angleAxis(0.5, z)) < 1e-7);
 }
 
-TEST_CASE("the work allocates once, not by bone", "[layers]") {
+TEST_CASE("a stack of layers allocates once, not for each bone", "[layers]") {
     Figure figure;
     const Stack stack(figure.parents, figure.rest, figure.inherits);
     const std::vector<Layer> few(2, figure.layer), many(50, figure.layer);
@@ -310,7 +312,7 @@ TEST_CASE("the work allocates once, not by bone", "[layers]") {
     CHECK(taken(few) == taken(many));
 }
 
-TEST_CASE("a stack refuses what does not fit", "[layers]") {
+TEST_CASE("a stack of layers refuses arrays that do not fit the rig", "[layers]") {
     Figure figure;
     std::vector<Transform> base(3);
     std::vector<char> changed(3);
@@ -328,11 +330,11 @@ TEST_CASE("a stack refuses what does not fit", "[layers]") {
     CHECK_THROWS_AS(parents_first(std::array{2, -1}), std::invalid_argument);
 }
 
-TEST_CASE("parents come first", "[layers]") {
+TEST_CASE("parents_first orders bones so that parents come before their children", "[layers]") {
     CHECK(parents_first(std::array{2, -1, 1, 0}) == std::vector<int>{1, 2, 0, 3});
 }
 
-TEST_CASE("a border is soft over so many bones", "[layers]") {
+TEST_CASE("the feather of a mask spreads over the given number of bones", "[layers]") {
     //   0 - 1 - 2 - 3 - 4, and 5 with 6 on its own
     const std::array parents{-1, 0, 1, 2, 3, -1, 5};
     const std::array chosen{0.0, 1.0, 1.0, 0.5, 1.0, 1.0, 1.0};

@@ -23,7 +23,7 @@ TEST_CASE("a layer plays from its start to its end", "[layers]") {
     CHECK(moment_of(throw_at_20, 33.0).weight == 0.0);
 }
 
-TEST_CASE("without blending all of it is there from the first frame to the last", "[layers]") {
+TEST_CASE("a layer without blending has its whole weight from its first to its last frame", "[layers]") {
     Timing timing = throw_at_20;
     timing.blend_in = timing.blend_out = 0.0;
     CHECK(moment_of(timing, 20.0).weight == 1.0);
@@ -31,7 +31,7 @@ TEST_CASE("without blending all of it is there from the first frame to the last"
     CHECK(moment_of(timing, 32.001).weight == 0.0);
 }
 
-TEST_CASE("it may hold its last pose, or begin again", "[layers]") {
+TEST_CASE("a layer may hold its last pose, or repeat", "[layers]") {
     Timing timing = throw_at_20;
     timing.after = After::hold;
     CHECK(moment_of(timing, 1000.0).frame == 25.0);
@@ -43,7 +43,7 @@ TEST_CASE("it may hold its last pose, or begin again", "[layers]") {
     CHECK(moment_of(timing, 19.0).weight == 0.0);
 }
 
-TEST_CASE("a negative speed plays backwards, none stands still", "[layers]") {
+TEST_CASE("a layer of negative speed plays backwards, one of speed 0 stands still", "[layers]") {
     Timing timing = throw_at_20;
     timing.speed = -2.0;
     CHECK(moment_of(timing, 20.0).frame == 25.0);

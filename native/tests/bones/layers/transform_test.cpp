@@ -64,7 +64,7 @@ TEST_CASE("matrices are taken apart as Blender does", "[layers]") {
     CHECK(is_finite(transform_of(glm::dmat4(0.0))));
 }
 
-TEST_CASE("override goes from one to the other", "[layers]") {
+TEST_CASE("a layer that overrides goes from the pose beneath to its own pose by its weight", "[layers]") {
     const Transform base{{1, 2, 3}, glm::angleAxis(0.2, x), {1, 2, 0}};
     const Transform source{{3, 2, 1}, glm::angleAxis(1.0, x), {2, 1, 4}};
     const Transform half = overridden(base, source, 0.5, all);
@@ -80,7 +80,7 @@ TEST_CASE("override goes from one to the other", "[layers]") {
     CHECK(turned.scale == base.scale);
 }
 
-TEST_CASE("additive lays what is beyond the reference on top", "[layers]") {
+TEST_CASE("an additive layer adds its difference from the reference", "[layers]") {
     const Transform base{{1, 0, 0}, glm::angleAxis(0.5, z), {2, 2, 2}};
     const Transform reference{{0, 1, 0}, glm::angleAxis(0.1, x), {2, 1, 0}};
     const Transform source{{0, 3, 0}, glm::angleAxis(0.9, x), {3, 1, 5}};
@@ -104,7 +104,7 @@ TEST_CASE("additive lays what is beyond the reference on top", "[layers]") {
     }
 }
 
-TEST_CASE("what comes on top of a transform gives the result", "[layers]") {
+TEST_CASE("the difference of two transforms, applied to the first, gives the second", "[layers]") {
     test::Random random(4);
     for (int i = 0; i < 200; ++i) {
         const Transform base = random_transform(random);

@@ -95,7 +95,7 @@ TEST_CASE("the original's weights: the body takes 0.3 of the turn, the head the 
     CHECK(turns.reason == Reason::reached);
 }
 
-TEST_CASE("shares of what is left", "[look_at]") {
+TEST_CASE("each part of a look takes its share of the turn that the parts before have left", "[look_at]") {
     GazeSettings settings;
     settings.weight = 0.5;
     settings.body_weight = 0.4;
@@ -152,7 +152,7 @@ TEST_CASE("a level head stays level, a rolled one keeps its roll", "[look_at]") 
     }
 }
 
-TEST_CASE("no weight is exactly no turn", "[look_at]") {
+TEST_CASE("a look of weight 0 turns nothing, bit for bit", "[look_at]") {
     for (const glm::dvec3& direction : random_directions(3, 200)) {
         for (int which = 0; which < 3; ++which) {
             GazeSettings settings;

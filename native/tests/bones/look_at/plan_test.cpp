@@ -83,7 +83,7 @@ TEST_CASE("scales, shears and modes of inheritance don't keep gazes off their ta
     }
 }
 
-TEST_CASE("a figure that is built on other axes turns as the upright one does", "[rig_look_at]") {
+TEST_CASE("a rig with other forward and up axes looks as the upright one does", "[rig_look_at]") {
     // Y up and Z ahead, as in other programs: the same bones, seen in axes turned by a quarter about X.
     Figure upright(3);
     upright.input.settings.eyes_weight = 0.5;
@@ -161,7 +161,7 @@ TEST_CASE("a target at the head keeps the animated gaze", "[rig_look_at]") {
     CHECK(result.report.reason == Reason::reached);
 }
 
-TEST_CASE("limits on bones: the report says so", "[rig_look_at]") {
+TEST_CASE("a look that limits stop is reported as limited", "[rig_look_at]") {
     Figure figure(2);
     figure.input.settings.body_limit = 10 * degree;
     figure.input.settings.head_limit = 40 * degree;
@@ -175,7 +175,7 @@ TEST_CASE("limits on bones: the report says so", "[rig_look_at]") {
     CHECK(result.report.yaw == Approx(90 * degree));
 }
 
-TEST_CASE("what lacks by weights alone is no limit", "[rig_look_at]") {
+TEST_CASE("a look that falls short by its weights alone is not reported as limited", "[rig_look_at]") {
     Figure figure(2);
     figure.input.settings.weight = 0.5;
     figure.input.target = {10.0, -10.0, 1.2};
@@ -184,7 +184,7 @@ TEST_CASE("what lacks by weights alone is no limit", "[rig_look_at]") {
     CHECK(result.report.reason == Reason::reached);
 }
 
-TEST_CASE("bones between that are not told of carry the others", "[rig_look_at]") {
+TEST_CASE("bones between the spine bones of a look carry these along", "[rig_look_at]") {
     Figure figure(5);
     figure.bones.body = {2, 4};
     figure.input.target = {1.0, -0.7, 1.9};
