@@ -13,24 +13,36 @@ from path import path_cases
 BONES = look_at_cases.BONES | {"Foot.L": ("", (0.1, -0.1, 0.0), (0.1, -0.3, 0.0)), "Foot.R": ("", (-0.1, -0.1, 0.0), (-0.1, -0.3, 0.0))}
 FRAMES = (5, 14, 26.5, 40)
 KINDS = {
-    "object": ("path", "pull", "lattice", "pendulum", "snow", "drivers", "walker", "dynamics"),
+    "object": ("path", "pull", "lattice", "pendulum", "snow", "snow_cover", "drivers", "walker", "dynamics"),
     "rig": ("path", "layers", "ik", "look_at", "pendulum", "drivers", "walker", "dynamics", "dynamics own", "dynamics object"),
     "camera": ("path", "pendulum", "drivers", "dynamics", "stereo", "chroma"),
+    "scene": ("drivers", "stereo", "chroma"),
 }
-"""Kinds of owners, and the systems that each can have; dynamics in the ways in which they follow."""
-IN_ORDER = {"pull", "lattice", "walker"}
-"""Systems that are put where things stand at that moment."""
+"""Kinds of owners, and the systems that each can have; dynamics in the ways in which they follow, pendulums with their trails."""
+SEVERAL = {
+    "object": ("pull", "lattice", "snow", "drivers"),
+    "rig": ("layers", "ik", "look_at", "drivers", "dynamics"),
+    "camera": ("drivers",),
+    "scene": ("drivers",),
+}
+"""Systems of which an owner can have several entries. The second is named "<system> again", and drives something different."""
+IN_ORDER = {"pull", "lattice", "walker", "snow again"}
+"""Systems that are put where things stand at that moment, or whose objects are named in the order in which they are made."""
 BONES_OF = {"layers": "UpperArm.L,LowerArm.L", "ik": "LowerArm.L,UpperArm.L", "look_at": "Head,Neck", "walker": "Hips"}
 """Bones with dynamics, beside another system: those that it moves."""
 
 
 def pairs():
-    """(kind, first system, second one) of all that can meet."""
+    """(kind, first system, second one) of all that can meet, several entries of one system among them."""
     for kind, names in KINDS.items():
         for index, first in enumerate(names):
             for second in names[index + 1 :]:
                 if first.split()[0] != second.split()[0]:
                     yield kind, first, second
+    for kind, names in SEVERAL.items():
+        for name in names:
+            yield kind, name, f"{name} again"
+    yield "rig", "dynamics", "dynamics object"
 
 
 def build(kind):
@@ -45,6 +57,7 @@ def build(kind):
     for name, x in (("Left", 0.3), ("Right", -0.3)):
         link(name).location = (x, 0.0, 0.0)
     layer_cases.turning("Wave", layer_cases.THROWING, 1, 40)
+    layer_cases.turning("Nod", {"Neck": (0.4, 0.0, 0.1), "Head": (0.2, 0.3, 0.0)}, 1, 40)
     bpy.context.view_layer.objects.active = owner
     bpy.context.view_layer.update()
     return owner
@@ -53,24 +66,30 @@ def build(kind):
 def add(system, kind, beside=""):
     """Put a system on the owner; raises what refuses it. beside: the other system."""
     name, _, how = system.partition(" ")
-    operators, owner = bpy.ops.motus, "Owner"
+    operators, owner, is_first = bpy.ops.motus, "Owner", how != "again"
     if name == "path":
         operators.path_follow_add(object=owner, curve="Course", duration=2.0)
     elif name == "layers":
-        operators.layer_add(object=owner, action="Wave", start=1.0, after='HOLD', blend_in=8.0)
+        mask = {"action": "Wave"} if is_first else {"action": "Nod", "bones": "Neck"}
+        operators.layer_add(object=owner, start=1.0, after='HOLD', blend_in=8.0, **mask)
     elif name == "ik":
-        operators.ik_add(object=owner, bone="LowerArm.L", target="Target")
+        operators.ik_add(object=owner, bone="LowerArm.L" if is_first else "Shin.L", target="Target")
     elif name == "look_at":
-        operators.look_at_add(object=owner, bone="Head", target="Target")
+        operators.look_at_add(object=owner, bone="Head" if is_first else "Shin.L", target="Target")
     elif name == "pull":
-        operators.pin_add(object=owner, vertex=0, displacement=(0.0, 0.0, 0.4))
+        operators.pin_add(object=owner, vertex=0 if is_first else 24, displacement=(0.0, 0.0, 0.4))
     elif name == "lattice":
         operators.lattice_fit(objects=owner)
         bpy.context.object.data.points[0].co_deform.z += 0.4
     elif name == "pendulum":
-        operators.pendulum_add(object=owner, kind='SINGLE', use_pivot_motion=True)
+        operators.pendulum_add(object=owner, kind='SINGLE', use_pivot_motion=True, use_trails=True)
     elif name == "snow":
-        operators.snow_add(surface=owner, shape='SURFACE', look='POINTS', lifetime=1.0, rate=30.0, location=(0.0, 0.0, 0.0))
+        rate = 30.0 if is_first else 20.0
+        operators.snow_add(surface=owner, shape='SURFACE', look='POINTS', lifetime=1.0, rate=rate, location=(0.0, 0.0, 0.0))
+    elif name == "snow_cover":
+        operators.snow_add(look='POINTS', lifetime=4.0, rate=60.0, location=(0.0, 0.0, 2.0))
+        bpy.context.object.name = "Cloud"
+        operators.snow_cover_add(surfaces=owner, emitters="Cloud", lump=0.2, resolution=0.25)
     elif name == "stereo":
         operators.stereo_rig_add(object=owner, distance=3.0)
     elif name == "chroma":
@@ -78,14 +97,15 @@ def add(system, kind, beside=""):
         image.pixels = [0.1, 0.6, 0.1, 1.0] * 64
         operators.chroma_key_setup(clip="Screen", camera=owner, use_plane=True)
     elif name == "drivers":
-        path, index = ('pose.bones["Spine"].rotation_quaternion', 1) if kind == "rig" else ("scale", 2)
-        operators.driver_add(datablock=owner, data_path=path, index=index, function='PENDULUM')
+        of = {"datablock": bpy.context.scene.name, "collection": "scenes"} if kind == "scene" else {"datablock": owner}
+        path, *indices = _DRIVEN.get(kind, ("scale", 2, 0))
+        operators.driver_add(**of, data_path=path, index=indices[0 if is_first else 1], function='PENDULUM')
     elif name == "walker":
         more = {"feet": "Foot.L,Foot.R", "body": "Hips"} if kind == "rig" else {"feet": "Left,Right"}
         operators.walker_add(object=owner, **more)
     elif kind == "rig" and how != "object":
-        bones = BONES_OF.get(beside, "UpperArm.L,Chest")
-        operators.dynamics_add(object=owner, bones=bones, style='FLOPPY', follow='OWN' if how else 'WORLD')
+        bones = BONES_OF.get(beside, "UpperArm.L,Chest") if is_first else "Thigh.L,Shin.L"
+        operators.dynamics_add(object=owner, bones=bones, style='FLOPPY', follow='OWN' if how == "own" else 'WORLD')
     else:
         operators.dynamics_add(object=owner, style='BOUNCY')
 
@@ -108,9 +128,9 @@ def seen(frames=FRAMES):
     for frame in frames:
         go(frame)
         depsgraph = bpy.context.evaluated_depsgraph_get()
+        scene = depsgraph.scene_eval
+        found["Scene", frame] = np.array((*scene.gravity, scene.render.resolution_x, scene.render.resolution_y))
         for obj in bpy.context.scene.objects:
-            if obj.name.startswith("Pendulum Trail"):
-                continue
             evaluated = obj.evaluated_get(depsgraph)
             found[obj.name, frame] = np.array(evaluated.matrix_world)
             if obj.pose:
@@ -178,4 +198,6 @@ def _camera():
     return camera
 
 
-_OWNERS = {"object": _mesh, "rig": _rig, "camera": _camera}
+_OWNERS = {"object": _mesh, "rig": _rig, "camera": _camera, "scene": _camera}
+_DRIVEN = {"rig": ('pose.bones["Spine"].rotation_quaternion', 1, 2), "scene": ("gravity", 2, 0)}
+"""By kind the property that drivers are put on: its path, and the indices of a first and a second number."""
