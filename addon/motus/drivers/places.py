@@ -25,7 +25,7 @@ CHANNELS = [(BY_PATH, "By Path", "The property that the data path names")] + [
 
 @dataclass(frozen=True)
 class Place:
-    """One number that can be driven.
+    """A number of Blender that can be driven: a property, or one component of an array property.
 
     struct: owner of the property. name: name of the property, or ["name"] for a custom property. index: index in an array; -1 if the
     property is no array.
@@ -54,11 +54,11 @@ class Place:
 
     @property
     def value(self):
-        """Present value of the number."""
+        """Present value of the property, or of the component of an array."""
         return _at(_values(self.struct, self.name), self.index)
 
     def rest_at(self, number):
-        """Assign a value to the number."""
+        """Assign a value to the property, or to the component of an array."""
         if self.index >= 0:
             _values(self.struct, self.name)[self.index] = number
         elif self.name.startswith("["):
@@ -67,14 +67,14 @@ class Place:
             setattr(self.struct, self.name, number)
 
     def evaluated(self, depsgraph):
-        """Value of the number on the evaluated copy of its datablock; the original value if there is no evaluated copy."""
+        """Value of the property on the evaluated copy of its datablock; the original value if there is no evaluated copy."""
         try:
             return _at(self.holder.evaluated_get(depsgraph).path_resolve(self.path), self.index)
         except (ValueError, TypeError, IndexError, RuntimeError):
             return self.value
 
     def add(self, expression):
-        """Add a driver with this expression to the number, in place of the driver that it has."""
+        """Add a driver with this expression to the property, in place of the driver that the property has."""
         if self.curve:
             self.remove()
         made = self.struct.driver_add(self.name, self.index)
@@ -87,7 +87,7 @@ class Place:
         made.driver.expression = expression
 
     def remove(self):
-        """Remove the driver of the number."""
+        """Remove the driver of the property."""
         self.struct.driver_remove(self.name, self.index)
 
 

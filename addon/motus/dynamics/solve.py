@@ -268,7 +268,7 @@ class _Making:
         return source.is_known
 
     def make(self, frame):
-        """Make the filtered motions of everything that was taken in, for the sampling.Reach around a frame."""
+        """Make the filtered motions of all entries whose inputs are known, for the sampling.Reach (range of frames) around a frame."""
         most = bounds.times(sum(inputs.price_of(source) for source, _, _ in self._ready))
         self.reach = sampling.reach_of(self._scene, frame, frame, max(sampling.FEW, most))
         for source, entries, make in self._ready:

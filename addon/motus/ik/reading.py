@@ -10,7 +10,7 @@ from ..core import native, rigs
 from ..core.evaluated import copies
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from .goals import places as goal_places, stations
+from .goals import blend_targets, places as goal_places
 from .groups import PLAN
 from .reasons import MUTED
 from .wired import RigChanged, Wired
@@ -104,7 +104,7 @@ class _Source:
         self._entries = entries = list(every) if self._places is None else [every[place] for place in self._places]
         self._targets = goal_places.Others(wired.targets, [pointed(entries[row], "target") for row in wired.targets.other_rows])
         self._poles = goal_places.Others(wired.poles, [pointed(entries[row], "pole") for row in wired.poles.other_rows])
-        self._further = stations.Further(entries)
+        self._further = blend_targets.Further(entries)
         self._still_settings = self._still_bones = None
 
     def gather(self, depsgraph, rows):

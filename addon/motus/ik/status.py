@@ -9,7 +9,7 @@ from ..core.file.pointers import pointed
 from ..core.interface.ui import length
 from ..core.translations import tr
 from . import chains, reasons
-from .goals import places as goal_places, stations
+from .goals import blend_targets, places as goal_places
 from .groups import OUTPUTS
 from .setup import system
 
@@ -112,7 +112,7 @@ def _astray(context, owner, entry):
         return ""
     goals = [(pointed(now, "target"), now.target_bone), *((pointed(extra, "object"), extra.bone) for extra in now.extra_targets)]
     places = [goal_places.world_matrix(goal, bone) if goal and not deleted.is_deleted(goal) else None for goal, bone in goals]
-    missing = [number for number in stations.needed(now.target_blend, places)[0] if places[number] is None]
+    missing = [number for number in blend_targets.needed(now.target_blend, places)[0] if places[number] is None]
     return tr("Further target {number} is missing: the one before it counts instead").format(number=missing[0]) if missing else ""
 
 

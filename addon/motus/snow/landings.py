@@ -41,7 +41,7 @@ class Search:
         """Whether the memory for landing places is full: then each evaluation searches for all landing places anew, at once."""
 
     def is_for(self, snow, seconds):
-        """Whether the search is for this native Snow and this time, in seconds."""
+        """Whether the search looks for the landing places of this native Snow's flakes at this time. seconds: the time."""
         return self._snow is snow and self._seconds == seconds
 
     @property

@@ -179,7 +179,7 @@ def _is_blend_known(kind: str, number: Any) -> bool:
 
 
 class _Acting:
-    """The active action as a layer of a Stack, on top of the NLA tracks. curve: the property's F-curve in the action, or None."""
+    """The active action as the topmost layer of a Stack, above the NLA tracks. curve: the property's F-curve in the action, or None."""
 
     def __init__(self, animation: Any, curve: Any) -> None:
         self._animation, self._curve = animation, curve

@@ -60,7 +60,7 @@ class _OfCopies(keeping.OfEvaluation):
         self._changing = threading.Lock()
 
     def add(self, evaluated: Any, number: int, found: T) -> T:
-        """Keep `found` as the data of an evaluated copy, in place of the data of the copy before; returns `found`.
+        """Keep `found`, data about an evaluated copy, in place of the data about the copy before it; returns `found`.
 
         number: the number of the evaluated copy.
         """

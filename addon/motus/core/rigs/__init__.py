@@ -19,14 +19,14 @@ from .arrays import (
     still,
 )
 from .plans import fingerprint, plan, source
-from .standing import Standing, standing
+from .world_matrices import WorldMatrixReader, world_matrices
 
 __all__ = (
     "HAS_LOCAL_LOCATION",
     "INHERITS_ROTATION",
     "Arrays",
-    "Standing",
     "Still",
+    "WorldMatrixReader",
     "basis",
     "columns",
     "fingerprint",
@@ -41,6 +41,6 @@ __all__ = (
     "poses",
     "read",
     "source",
-    "standing",
     "still",
+    "world_matrices",
 )

@@ -367,7 +367,7 @@ class _Link:
 
     @functools.cached_property
     def _turning(self):
-        """Results over time of the systems that drive bones of the link: {name of a bone: Solved}."""
+        """Results over time of systems that drive bones of the object in this link of a chain of parents: {name of a bone: Solved}."""
         found = {bone.name: solved.of_bone(bone, self._scene, self._beneath) for bone in self._bones if len(bone.constraints)}
         return {name: one for name, one in found.items() if one}
 

@@ -161,7 +161,7 @@ class _TargetGrab:
     def __init__(self, context, rig, entry, bone, factor):
         self._context = context
         evaluated = rig.evaluated_get(self._depsgraph)
-        control = controls.station(entry, evaluated.motus.ik.entries[entry.name].target_blend)
+        control = controls.blend_target(entry, evaluated.motus.ik.entries[entry.name].target_blend)
         if control is None:
             raise Refused(tr("{bone} is between two targets: drag it where Blend stands on one of them").format(bone=entry.name))
         controls.check_movable(control, ("location",))

@@ -14,7 +14,7 @@ from ...core.file.pointers import pointed
 from ...core.refusals import Refused, check_no_tweak_mode
 from ...core.translations import tr
 from ..groups import goals
-from . import places as goal_places, stations
+from . import blend_targets, places as goal_places
 from .orientation import frame_of
 
 
@@ -45,7 +45,7 @@ def goal_at(entry, blend):
     if not math.isfinite(blend):
         return None
     whole = round(blend)
-    if abs(blend - whole) > stations.STANDS:
+    if abs(blend - whole) > blend_targets.STANDS:
         return None
     whole = min(whole, len(entry.extra_targets))
     if whole == 0:
@@ -54,7 +54,7 @@ def goal_at(entry, blend):
     return pointed(extra, "object"), extra.bone
 
 
-def station(entry, blend):
+def blend_target(entry, blend):
     """Control of the target at which a chain is at a value of its setting Blend; None if the value is between two targets.
 
     Raises Refused if no target is chosen there. The target may be missing: check_present() refuses a deleted object,

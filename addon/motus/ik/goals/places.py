@@ -13,7 +13,7 @@ from ...core.file import deleted
 from ...core.file.pointers import pointed
 from ...core.lazy import numpy as np
 from ..reasons import NO_TARGET, NO_TARGET_BONE, NOT_FINITE, TARGET_DELETED
-from . import stations
+from . import blend_targets
 
 
 class Others:
@@ -24,7 +24,7 @@ class Others:
         pairs = [(row, one) for row, one in zip(goals.other_rows, objects) if one is not None]
         self.missing = [row for row, one in zip(goals.other_rows, objects) if one is None]
         self.rows, self.objects = [row for row, _ in pairs], [one for _, one in pairs]
-        self._standing = rigs.Standing(self.objects)
+        self._reader = rigs.WorldMatrixReader(self.objects)
         self._bones = [(row, one, goals.other_bones[row]) for row, one in pairs if row in goals.other_bones]
 
     def take(self, found, depsgraph, gone, lost):
@@ -34,11 +34,11 @@ class Others:
         """
         if not self.rows:
             return
-        matrices = self._standing.matrices(depsgraph)
+        matrices = self._reader.matrices(depsgraph)
         if matrices is None:
             for index in deleted.which(self.objects):
                 gone(self.rows[index])
-            matrices = rigs.standing(self.objects)
+            matrices = rigs.world_matrices(self.objects)
         found[self.rows] = matrices
         for row, one, bone in self._bones:
             matrix = world_matrix(one, bone)
@@ -84,7 +84,7 @@ def blend(found, entries, further, off):
     """Replace the target of each entry whose Blend is above 0 by the further target to which Blend passes, or by a mixture of two.
 
     A missing target counts as the target before it. An entry whose first target is missing is switched off until its Blend has left
-    that target. found: world matrices (C, 16) of the targets, changed in place. further: the entries' stations.Further. off:
+    that target. found: world matrices (C, 16) of the targets, changed in place. further: the entries' blend_targets.Further. off:
     {row: reason} of entries that are switched off, changed in place. Returns whether a Blend needs a further target that is missing.
     """
     is_astray = False
@@ -111,8 +111,8 @@ def mixed(value, places):
     value: of Blend; 0 is the target, 1, 2, ... are the further targets. The matrix is None if a needed target and all targets
     before it are missing. places: world matrices of the target and the further targets, None for a missing one.
     """
-    numbers, share = stations.needed(value, places)
-    ends = [stations.nearest(number, places) for number in numbers]
+    numbers, share = blend_targets.needed(value, places)
+    ends = [blend_targets.nearest(number, places) for number in numbers]
     return None if None in ends else _between(ends[0], ends[-1], share), numbers
 
 

@@ -186,7 +186,7 @@ class _Wanted:
         self._places = {}
         self._targets, self._poles = {}, {}
         for chain, entry in zip(chosen, _entries(rig, chosen)):
-            found = controls.station(entry, evaluated[chain.name].target_blend)
+            found = controls.blend_target(entry, evaluated[chain.name].target_blend)
             found = found or self._under_way(chain)
             controls.check_present(found)
             self._add(self._targets, chain, found, ("location", "rotation"))
@@ -243,7 +243,7 @@ class _Wanted:
 
     def _record_one(self, chain, entry, goal, pole, frame):
         target = self._targets[chain.name]
-        if controls.station(self._rig.motus.ik.entries[chain.name], entry.target_blend) != target:
+        if controls.blend_target(self._rig.motus.ik.entries[chain.name], entry.target_blend) != target:
             self._under_way(chain)
         if not np.isfinite(pole).all():
             raise Refused(tr("{bone} has no pose at frame {frame} that could be matched").format(bone=chain.name, frame=as_text(frame)))

@@ -8,7 +8,7 @@ from ...core.file.pointers import pointed
 from ...core.refusals import Refused
 from ...core.translations import tr
 from .. import chains, setup
-from ..goals import controls, stations
+from ..goals import blend_targets, controls
 from ..keying import SAME_FRAME, KeyWriter
 
 LARGEST_STEP = 0.5
@@ -29,7 +29,7 @@ def present(rig, entry, frame):
     curve = curve_of(rig, entry)
     blend = curve.evaluate(frame) if curve else entry.target_blend
     blend = max(0.0, min(blend, len(entry.extra_targets)))
-    if abs(blend - round(blend)) > stations.STANDS:
+    if abs(blend - round(blend)) > blend_targets.STANDS:
         sentence = tr("{bone} passes from one target to another at frame {frame}: begin before or after that")
         raise Refused(sentence.format(bone=entry.name, frame=f"{frame:g}"))
     return round(blend)
@@ -37,7 +37,7 @@ def present(rig, entry, frame):
 
 def check_other(entry, number, goal):
     """Refuse to switch to a target, (object, bone name), at which the chain is already. number: of the chain's present target."""
-    if controls.station(entry, number) == controls.Control(*goal):
+    if controls.blend_target(entry, number) == controls.Control(*goal):
         raise Refused(tr("{bone} is at {target} already").format(bone=entry.name, target=controls.Control(*goal).label))
 
 
@@ -99,9 +99,9 @@ def take_out(rig, entry, number):
             actions.make_own(player)  # a different rig that shares the action has targets of its own
             for curve in actions.curves_of(player):
                 if curve.data_path in paths:
-                    _change(curve, lambda value: stations.without(value, number))
+                    _change(curve, lambda value: blend_targets.without(value, number))
     if entry.target_blend > number - 1.0:
-        entry.target_blend = stations.without(entry.target_blend, number)
+        entry.target_blend = blend_targets.without(entry.target_blend, number)
 
 
 def _passes(curve, number):

@@ -82,7 +82,7 @@ class Shape:
         return root, status, None if root is None else Reached(self._reaches(row, root))
 
     def forget_but(self, count):
-        """Delete reaches that have not been used for the longest time, until at most `count` plus SPARE_REACHES are left."""
+        """Delete the least recently used sets of reached vertices, until at most `count` plus SPARE_REACHES are left."""
         self._found.trim(count + SPARE_REACHES)
 
     def _reaches(self, row, root):

@@ -84,7 +84,7 @@ def hanging(rig, places):
 
 
 def _all_from(graph, nodes):
-    """Yield these nodes and all nodes that they depend on, directly or indirectly, each once."""
+    """Yield nodes of the graph, and all nodes on which they depend, directly or indirectly, each once."""
     seen, waiting = set(), list(nodes)
     while waiting:
         node = waiting.pop()
@@ -127,11 +127,11 @@ class _Graph:
                     self._entries_on.setdefault(node, []).append(place)
 
     def roots(self):
-        """Return the nodes of the owner's entries, from which the graph is searched."""
+        """Return the nodes of the entries of an owner (items in its lists of settings), from which the graph is searched."""
         return [node for node in self._entries if node[1] == self._owner]
 
     def depends_on(self, node):
-        """Return the nodes on which a node depends directly."""
+        """Return the nodes (bones, objects, geometries, entries) on which a node of the graph depends directly."""
         if node not in self._known:
             self._known[node] = list(dict.fromkeys(getattr(self, "_of_" + node[0])(*node[1:])))
         return self._known[node]
@@ -292,7 +292,7 @@ def _deforming(obj):
 
 
 def _targets(constraint):
-    """Yield the nodes that a constraint reads."""
+    """Yield the bones, objects and geometries that a constraint reads, as nodes of the graph."""
     for target in getattr(constraint, "targets", ()):
         if target.target:
             yield from _place(target.target, target.subtarget)
@@ -307,7 +307,7 @@ def _targets(constraint):
 
 
 def _read_by(driver):
-    """Yield the nodes that a driver reads."""
+    """Yield the bones and objects that a driver reads, as nodes of the graph."""
     for variable in driver.variables:
         for target in variable.targets:
             if target.id is None:
@@ -323,7 +323,7 @@ def _read_by(driver):
 
 
 def _components(graph):
-    """Return the strongly connected components of the graph, dependencies first (Tarjan's algorithm without recursion)."""
+    """Return the strongly connected components of the graph of dependencies, dependencies first (Tarjan's algorithm without recursion)."""
     places, low, on_stack, stack, found = {}, {}, set(), [], []
     for root in graph.roots():
         if root in places:

@@ -15,7 +15,7 @@ _layer_sizes = keeping.OfFile(
 )
 
 
-def standing(objects):
+def world_matrices(objects):
     """World matrices of evaluated objects, (n, 16), column by column."""
     if LENDS_MEMORY:
         matrices = (memoryview(one.matrix_world).tobytes('A') for one in objects)
@@ -23,7 +23,7 @@ def standing(objects):
     return np.array([columns(one.matrix_world) for one in objects])
 
 
-class Standing:
+class WorldMatrixReader:
     """Reads the world matrices of several evaluated objects by one foreach_get over the view layer."""
 
     def __init__(self, objects):

@@ -1,6 +1,6 @@
-"""Stations of the setting Blend: the target of a chain (station 0) and its further targets (1, 2, ...).
+"""Targets between which the setting Blend of a chain passes, by their numbers: its target (0) and its further targets (1, 2, ...).
 
-A missing station counts as the nearest existing station before it.
+A target that is missing counts as the nearest existing target before it.
 """
 
 import itertools
@@ -40,10 +40,10 @@ def _there(entries):
 
 
 def needed(blend, places):
-    """(numbers of the stations on both sides of a value of Blend, share of the way from the first of them to the second).
+    """(numbers of the targets on both sides of a value of Blend, share of the way from the first of them to the second).
 
-    places: world matrices of all stations, None for a missing one. A missing station is left out of the numbers if Blend is so
-    near to a different station that the missing one is not needed.
+    places: world matrices of all targets, None for a missing one. A missing target is left out of the numbers if Blend is so
+    near to a different target that the missing one is not needed.
     """
     blend = min(blend, len(places) - 1.0)
     first = min(int(blend), len(places) - 2)
@@ -53,13 +53,13 @@ def needed(blend, places):
 
 
 def nearest(number, places):
-    """Place of the last existing station up to a number; None if all stations up to that number are missing."""
+    """World matrix of the target of a number, or of the last existing target before it; None if all of these are missing."""
     return next((place for place in places[number::-1] if place is not None), None)
 
 
 def without(blend, number):
-    """Value of Blend after the station of a number was removed, so that the numbers of later stations have become lower by 1.
+    """Value of Blend after the target of a number was removed, so that the numbers of later targets have become lower by 1.
 
-    A Blend that had passed on towards the removed station stays at the station before it.
+    A Blend that had passed on towards the removed target stays at the target before it.
     """
     return min(blend, max(blend - 1.0, number - 1.0))
