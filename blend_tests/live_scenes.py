@@ -3,6 +3,7 @@
 import bpy
 import numpy as np
 
+import support
 from dynamics import dynamics_cases
 from ik import ik_cases
 from lattice import lattice_cases
@@ -21,8 +22,8 @@ def build():
     A follower, a train, an arm, a figure that looks, one with a layer, things with dynamics, pins, a pulled lattice, pendulums, snow, a stereo
     camera, walkers.
     """
-    target = _link("Target", place=(0.6, 0.3, 1.4))
-    _key_places(target, {1: (0.6, 0.3, 1.4), 40: (0.2, 0.7, 1.2)})
+    target = support.link("Target", location=(0.6, 0.3, 1.4))
+    support.key_places(target, {1: (0.6, 0.3, 1.4), 40: (0.2, 0.7, 1.2)})
     _paths()
     _rigs()
     _dynamics()
@@ -31,9 +32,9 @@ def build():
     _snow()
     _stereo()
     _walkers()
-    bpy.ops.motus.driver_add(datablock=_link("Swing").name, data_path="location", index=2, function='PENDULUM')
-    sprung = _link("Sprung", place=(0.0, -2.0, 0.0))
-    _key_places(sprung, {1: (0.0, -2.0, 0.0), 10: (1.0, -2.0, 0.0), 40: (0.0, -2.0, 1.0)})
+    bpy.ops.motus.driver_add(datablock=support.link("Swing").name, data_path="location", index=2, function='PENDULUM')
+    sprung = support.link("Sprung", location=(0.0, -2.0, 0.0))
+    support.key_places(sprung, {1: (0.0, -2.0, 0.0), 10: (1.0, -2.0, 0.0), 40: (0.0, -2.0, 1.0)})
     bpy.ops.motus.driver_add(datablock=sprung.name, data_path="location", index=0, function='SECOND_ORDER')
     bpy.context.view_layer.update()
 
@@ -41,9 +42,9 @@ def build():
 def _paths():
     course = path_cases.curve_data("Course")
     path_cases.add_bezier(course, path_cases.cubic_knots(path_cases.CLIMB))
-    _link("Course", course)
+    support.link("Course", course)
     for name in ("Car", "Keyed", "Driven", "Engine", "Wagon 1", "Wagon 2"):
-        _link(name)
+        support.link(name)
     bpy.ops.motus.path_follow_add(object="Car", curve="Course", duration=4.0)
     keyed = bpy.data.objects["Keyed"]
     bpy.ops.motus.path_follow_add(object="Keyed", curve="Course", timing='MANUAL')
@@ -52,15 +53,15 @@ def _paths():
         keyed.keyframe_insert("motus.path.distance_factor", frame=frame)
     bpy.ops.motus.path_follow_add(object="Driven", curve="Course", timing='MANUAL')
     _drive(bpy.data.objects["Driven"], "motus.path.distance_factor", "v", bpy.data.objects["Target"], "location.x")
-    racer = _link("Racer")
+    racer = support.link("Racer")
     bpy.ops.motus.path_follow_add(object="Racer", curve="Course", timing='SPEED')
     for frame, speed in ((1, 0.1), (20, 0.4), (40, 0.9)):
         racer.motus.path.speed = speed
         racer.keyframe_insert("motus.path.speed", frame=frame)
     bpy.ops.motus.path_train_add(objects="Engine,Wagon 1,Wagon 2", curve="Course", gap=0.7, speed=0.5)
     # What users' own drivers read of Motus: an output, and a setting.
-    _drive(_link("Gauge"), "location", "v", bpy.data.objects["Car"], '["motus_path_out"][3]', 0)
-    _drive(_link("Shadow"), "location", "v", keyed, "motus.path.distance_factor", 1)
+    _drive(support.link("Gauge"), "location", "v", bpy.data.objects["Car"], '["motus_path_out"][3]', 0)
+    _drive(support.link("Shadow"), "location", "v", keyed, "motus.path.distance_factor", 1)
 
 
 def _rigs():
@@ -81,20 +82,20 @@ def _rigs():
 def _dynamics():
     parcel = dynamics_cases.moved("Parcel")
     bpy.ops.motus.dynamics_add(object="Parcel", style='BOUNCY', channels={'LOCATION', 'ROTATION', 'SCALE'})
-    _link("Ribbon").parent = parcel
+    support.link("Ribbon").parent = parcel
     bpy.ops.motus.dynamics_add(object="Ribbon", style='FLOPPY')
     rope = dynamics_cases.rope(3)
     bpy.ops.motus.dynamics_add(object=rope.name, bones="Tail 0 0", whole_chains=True, chain_delay=0.05)
-    balloon = _link("Balloon")
+    balloon = support.link("Balloon")
     dynamics_cases.key(balloon, "scale", {1: (1.0, 1.0, 1.0), 20: (2.0, 0.5, 1.5)})
     bpy.ops.motus.dynamics_add(object="Balloon", data_path="scale", style='JELLY')
-    pendant = _link("Pendant")
+    pendant = support.link("Pendant")
     pendant.parent, pendant.parent_type, pendant.parent_bone = bpy.data.objects["Arm"], 'BONE', "Bone 1"
     bpy.ops.motus.dynamics_add(object="Pendant", style='BOUNCY')
 
 
 def _rig(name, build_bones):
-    rig = _link(name, bpy.data.armatures.new(name))
+    rig = support.link(name, bpy.data.armatures.new(name))
     bpy.context.view_layer.objects.active = rig
     bpy.ops.object.mode_set(mode='EDIT')
     build_bones(rig.data.edit_bones)
@@ -114,28 +115,15 @@ def _meshes():
     lattice.keyframe_insert("location", frame=40)
 
 
-def _key_places(obj, places):
-    for frame, place in places.items():
-        obj.location = place
-        obj.keyframe_insert("location", frame=frame)
-
-
-def _link(name, data=None, place=(0.0, 0.0, 0.0)):
-    obj = bpy.data.objects.new(name, data)
-    obj.location = place
-    bpy.context.scene.collection.objects.link(obj)
-    return obj
-
-
 def _pendulums():
-    hook = _link("Hook", place=(0.0, -5.0, 3.0))
+    hook = support.link("Hook", location=(0.0, -5.0, 3.0))
     bpy.ops.motus.pendulum_add(object=hook.name, kind='DOUBLE')
     for frame, speed in ((1, 0.5), (40, 0.8)):
         hook.motus.pendulum.speed = speed
         hook.keyframe_insert("motus.pendulum.speed", frame=frame)
-    crane = _link("Crane", place=(5.0, -5.0, 3.0))
+    crane = support.link("Crane", location=(5.0, -5.0, 3.0))
     bpy.ops.motus.pendulum_add(object=crane.name, kind='SINGLE', use_pivot_motion=True)
-    _key_places(crane, {1: (5.0, -5.0, 3.0), 20: (6.0, -5.0, 3.0), 40: (8.0, -5.0, 3.5)})
+    support.key_places(crane, {1: (5.0, -5.0, 3.0), 20: (6.0, -5.0, 3.0), 40: (8.0, -5.0, 3.5)})
     bpy.ops.motus.pendulum_add(kind='FAN', count=3, use_trails=True, location=(0.0, -8.0, 3.0))
     bpy.context.object.select_set(False)
 
@@ -150,7 +138,7 @@ def _snow():
         cloud.motus.snow.wind = wind
         cloud.keyframe_insert("motus.snow.wind", frame=frame)
     cloud.select_set(False)
-    meadow = _link("Meadow", bpy.data.meshes.new("Meadow"), (0.0, 8.0, 4.0))
+    meadow = support.link("Meadow", bpy.data.meshes.new("Meadow"), (0.0, 8.0, 4.0))
     meadow.data.from_pydata([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], [], [(0, 1, 2, 3)])
     bpy.ops.motus.snow_cover_add(surfaces=meadow.name, emitters=cloud.name, lump=0.2, resolution=0.3)
     cover = bpy.context.object
@@ -161,7 +149,7 @@ def _snow():
 
 
 def _stereo():
-    camera = _link("Eyes", bpy.data.cameras.new("Eyes"), (2.0, -20.0, 1.0))
+    camera = support.link("Eyes", bpy.data.cameras.new("Eyes"), (2.0, -20.0, 1.0))
     camera.rotation_euler.x = 1.5
     bpy.ops.motus.stereo_rig_add(object=camera.name, convergence='BUDGET')
     for frame, near in ((1, 2.0), (40, 5.0)):
@@ -173,11 +161,11 @@ def _walkers():
     land = walker_cases.grid("Land", walker_cases.waves, count=21)
     land.location = (0.0, 20.0, 0.0)
     spider = walker_cases.spider(ahead=0.0, legs=4, location=(0.0, 20.0, 0.0), ground="Land")
-    walker_cases.key_places(spider, {1: (0.0, 20.0, 0.0), 40: (0.5, 21.0, 0.1)})
+    support.key_places(spider, {1: (0.0, 20.0, 0.0), 40: (0.5, 21.0, 0.1)})
     spider.select_set(False)
     body, shell, feet = walker_cases.cross("Robot")
     bpy.ops.motus.walker_add(object=body.name, feet=walker_cases.names(feet), body=shell.name, gait='TROT')
-    walker_cases.key_places(body, {1: (9.0, 0.0, 0.0), 40: (9.0, 1.0, 0.0)})
+    support.key_places(body, {1: (9.0, 0.0, 0.0), 40: (9.0, 1.0, 0.0)})
 
 
 def _drive(obj, path, expression, source, source_path, index=-1):
@@ -195,8 +183,7 @@ def states(frames=FRAMES):
 
 
 def _state_on(frame):
-    whole = int(frame // 1)
-    bpy.context.scene.frame_set(whole, subframe=frame - whole)
+    support.go_to(frame)
     return state()
 
 

@@ -1,35 +1,21 @@
 """Things that systems drive are known at any times: shared by the tests of the systems that say where."""
 
-import math
-
 import bpy
 import numpy as np
 
 import support
+from support import evaluated
 
 
 def track(thing):
     return support.addon("core.tracks").world_track(thing, bpy.context.scene)
 
 
-def evaluated(thing):
-    """The evaluated Object or PoseBone."""
-    obj = thing.id_data.evaluated_get(bpy.context.evaluated_depsgraph_get())
-    return obj if thing == thing.id_data else obj.pose.bones[thing.name]
-
-
 def world(thing, frame):
     """World matrix of an Object or PoseBone on a frame."""
-    bpy.context.scene.frame_set(math.floor(frame), subframe=frame - math.floor(frame))
+    support.go_to(frame)
     found = evaluated(thing)
     return np.array(found.id_data.matrix_world @ found.matrix if found != found.id_data else found.matrix_world)
-
-
-def key(holder, path, rows, index=-1):
-    """Keys of a property: frame -> value."""
-    for frame, value in rows.items():
-        setattr(holder, path, value)
-        holder.keyframe_insert(path, index=index, frame=frame)
 
 
 class Solved:

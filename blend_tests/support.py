@@ -2,6 +2,7 @@
 
 import functools
 import importlib
+import math
 import os
 import shutil
 import subprocess
@@ -91,6 +92,38 @@ def forget_notifiers():
     bpy.ops.wm.open_mainfile(filepath=_empty_file()[0], load_ui=True)
 
 
+def go_to(frame):
+    """Go to a frame of the scene, sub-frames included."""
+    whole = math.floor(frame)
+    bpy.context.scene.frame_set(whole, subframe=frame - whole)
+
+
+def link(name, data=None, location=(0.0, 0.0, 0.0), parent=None):
+    """A new object in the scene."""
+    obj = bpy.data.objects.new(name, data)
+    obj.location, obj.parent = location, parent
+    bpy.context.scene.collection.objects.link(obj)
+    return obj
+
+
+def key(holder, path, rows, index=-1):
+    """Keys of a property: frame -> value."""
+    for frame, value in rows.items():
+        setattr(holder, path, value)
+        holder.keyframe_insert(path, index=index, frame=frame)
+
+
+def key_places(obj, rows):
+    """Keys of an object's location: frame -> place."""
+    key(obj, "location", rows)
+
+
+def evaluated(thing):
+    """The evaluated Object or PoseBone."""
+    obj = thing.id_data.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    return obj if thing == thing.id_data else obj.pose.bones[thing.name]
+
+
 def use_eevee(scene, engine, samples):
     """Has EEVEE render, drawn in software: without shadows, for which EEVEE (4.2 on) clears a large memory for each sample."""
     scene.render.engine = engine
@@ -117,6 +150,13 @@ class SceneTestCase(unittest.TestCase):
     def _assert_context_is_nobodys(self):
         """That nothing was read which makes a scene the owner of bpy.context for good, as some Blenders do (docs/gotchas.md)."""
         self.assertIsNone(bpy.context.id_data)
+
+    link, go_to = staticmethod(link), staticmethod(go_to)
+
+    def assertRefused(self, part, operator, **keywords):
+        """The operator refuses with a sentence in which the regular expression `part` is found."""
+        with self.assertRaisesRegex(RuntimeError, part):
+            operator(**keywords)
 
     def save(self, name="scene.blend"):
         """Saves a copy of the file into the test's folder; returns its path."""

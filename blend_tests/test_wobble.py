@@ -36,7 +36,7 @@ class WobbleTest(support.SceneTestCase):
     def places(self):
         found = []
         for frame in FRAMES:
-            bpy.context.scene.frame_set(int(frame), subframe=frame % 1.0)
+            support.go_to(frame)
             found.append(self.owner.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world.translation[:])
         return np.array(found)
 

@@ -34,7 +34,7 @@ def new_spiders(count):
         spider = walker_cases.spider(ahead=0.0, location=(0.0, 0.0, 0.0))
         bpy.ops.motus.walker_remove(object=spider.name)
         x = land.location.x = 8.0 * index
-        walker_cases.key_places(spider, {1: (x, -2.0, 0.0), FRAMES: (x, 2.0, 0.0)})
+        support.key_places(spider, {1: (x, -2.0, 0.0), FRAMES: (x, 2.0, 0.0)})
         found.append((spider, land))
     return found
 

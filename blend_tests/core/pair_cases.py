@@ -1,7 +1,5 @@
 """Owners that every two systems may meet on, how each system is put there, and all that can be seen of what they do."""
 
-import math
-
 import bpy
 import numpy as np
 
@@ -9,6 +7,7 @@ import support
 from layers import layer_cases
 from look_at import look_at_cases
 from path import path_cases
+from support import go_to, key, link
 
 BONES = look_at_cases.BONES | {"Foot.L": ("", (0.1, -0.1, 0.0), (0.1, -0.3, 0.0)), "Foot.R": ("", (-0.1, -0.1, 0.0), (-0.1, -0.3, 0.0))}
 FRAMES = (5, 14, 26.5, 40)
@@ -126,7 +125,7 @@ def seen(frames=FRAMES):
     """{(what, frame): numbers} of all that shows in the scene."""
     found = {}
     for frame in frames:
-        go(frame)
+        go_to(frame)
         depsgraph = bpy.context.evaluated_depsgraph_get()
         scene = depsgraph.scene_eval
         found["Scene", frame] = np.array((*scene.gravity, scene.render.resolution_x, scene.render.resolution_y))
@@ -158,22 +157,6 @@ def differ(first, second, tolerance=1e-4):
         or first[what].shape != second[what].shape
         or not np.allclose(first[what], second[what], rtol=0.0, atol=tolerance)
     }
-
-
-def go(frame):
-    bpy.context.scene.frame_set(math.floor(frame), subframe=frame - math.floor(frame))
-
-
-def link(name, data=None):
-    obj = bpy.data.objects.new(name, data)
-    bpy.context.scene.collection.objects.link(obj)
-    return obj
-
-
-def key(thing, path, rows):
-    for frame, value in rows.items():
-        setattr(thing, path, value)
-        thing.keyframe_insert(path, frame=frame)
 
 
 def _mesh():

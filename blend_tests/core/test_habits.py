@@ -306,7 +306,6 @@ class Panels(support.SceneTestCase):
                 with self.subTest(one.name, is_selected=is_selected):
                     self.assertEqual(buttons(), wanted)
 
-
     def test_no_two_buttons_that_add_have_the_same_label(self):
         def noted(_layout, name, text="", **_options):
             labels.append(text or _rna(name).name)

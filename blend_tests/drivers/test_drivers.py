@@ -35,7 +35,7 @@ def locations(frames):
     """x of all objects by name, on each frame."""
     found = []
     for frame in frames:
-        bpy.context.scene.frame_set(int(frame), subframe=frame % 1.0)
+        support.go_to(frame)
         depsgraph = bpy.context.evaluated_depsgraph_get()
         found.append({obj.name: obj.evaluated_get(depsgraph).matrix_world.translation.x for obj in bpy.data.objects})
     return found
@@ -53,17 +53,11 @@ def native():
 class DriverTestCase(support.SceneTestCase):
     def setUp(self):
         super().setUp()
-        self.cube = self.new_object("Cube")
+        self.cube = self.link("Cube")
         bpy.context.view_layer.objects.active = self.cube
 
-    @staticmethod
-    def new_object(name, data=None):
-        obj = bpy.data.objects.new(name, data)
-        bpy.context.scene.collection.objects.link(obj)
-        return obj
-
     def value(self, frame, path="location", index=0, obj=None):
-        bpy.context.scene.frame_set(int(frame), subframe=frame % 1.0)
+        support.go_to(frame)
         evaluated = (obj or self.cube).evaluated_get(bpy.context.evaluated_depsgraph_get())
         found = evaluated.path_resolve(path)
         return found[index] if index >= 0 else found
@@ -128,7 +122,7 @@ class Add(DriverTestCase):
     def test_each_function_on_any_property(self):
         material = bpy.data.materials.new("Paint")
         material.use_nodes = True
-        curve = self.new_object("Curve", bpy.data.curves.new("Curve", 'CURVE'))
+        curve = self.link("Curve", bpy.data.curves.new("Curve", 'CURVE'))
         self.cube["own"] = 0.0
         self.cube["own row"] = [0.0, 1.0]
         curve.modifiers.new("Wave", 'WAVE')
@@ -185,9 +179,9 @@ class Add(DriverTestCase):
     def test_removed_from_a_node_tree(self):
         lamp, paint = bpy.data.lights.new("Lamp", 'POINT'), bpy.data.materials.new("Paint")
         lamp.use_nodes = paint.use_nodes = True
-        ball = self.new_object("Ball", bpy.data.meshes.new("Ball"))
+        ball = self.link("Ball", bpy.data.meshes.new("Ball"))
         ball.data.materials.append(paint)
-        for collection, holder, obj in (("materials", paint, ball), ("lights", lamp, self.new_object("Lamp", lamp))):
+        for collection, holder, obj in (("materials", paint, ball), ("lights", lamp, self.link("Lamp", lamp))):
             with self.subTest(collection):
                 tree = holder.node_tree
                 path = next(

@@ -23,12 +23,6 @@ class IkTestCase(support.SceneTestCase):
         self.system = support.addon("ik").SYSTEM
         self.wiring = support.addon("core.wiring")
 
-    def link(self, name, data=None, location=(0.0, 0.0, 0.0)):
-        obj = bpy.data.objects.new(name, data)
-        obj.location = location
-        self.scene.collection.objects.link(obj)
-        return obj
-
     def rig(self, build, name="Rig"):
         """An armature whose bones `build(edit_bones)` makes; active, in Object Mode."""
         rig = self.link(name, bpy.data.armatures.new(name))
@@ -64,7 +58,7 @@ class IkTestCase(support.SceneTestCase):
 
     def evaluated(self, obj, frame=None):
         if frame is not None:
-            self.scene.frame_set(math.floor(frame), subframe=frame - math.floor(frame))
+            self.go_to(frame)
         bpy.context.view_layer.update()
         return obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
 
@@ -116,11 +110,6 @@ class IkTestCase(support.SceneTestCase):
         angle = matrix.to_quaternion().rotation_difference(orientation).angle
         angle = min(angle, 2.0 * math.pi - angle)
         self.assertLessEqual(math.degrees(angle), degrees)
-
-    def assertRefused(self, part, operator, **keywords):
-        """The operator refuses with a sentence that has `part` in it."""
-        with self.assertRaisesRegex(RuntimeError, part):
-            operator(**keywords)
 
 
 def add_bone(bones, name, head, tail, parent=None, connect=False, roll=0.0, **options):

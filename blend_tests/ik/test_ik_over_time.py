@@ -19,7 +19,7 @@ class IkOverTime(solved_cases.Solved, IkTestCase):
 
     def moved(self, name="Target", rows=None):
         target = self.target(name=name)
-        solved_cases.key(target, "location", rows or WAY)
+        support.key(target, "location", rows or WAY)
         return target
 
     def bone(self, name):
@@ -41,7 +41,7 @@ class IkOverTime(solved_cases.Solved, IkTestCase):
         self.moved()
         self.reach()
         shoulder = self.bone("Shoulder")
-        solved_cases.key(shoulder, "rotation_quaternion", {1: (1.0, 0.0, 0.0, 0.0), 20: (0.9, 0.1, 0.3, 0.0)})
+        support.key(shoulder, "rotation_quaternion", {1: (1.0, 0.0, 0.0, 0.0), 20: (0.9, 0.1, 0.3, 0.0)})
         cup = self.link("Cup")
         cup.parent, cup.parent_type, cup.parent_bone = self.arm_rig, 'BONE', "Hand"
         bpy.ops.motus.dynamics_add(object="Cup", follow='WORLD', style='BOUNCY')
@@ -65,18 +65,18 @@ class IkOverTime(solved_cases.Solved, IkTestCase):
         self.moved()
         self.moved("Pole", {1: (0.5, -2.0, 1.0), 60: (0.5, 2.0, 3.0)})
         entry = self.reach(pole="Pole", softness=0.1, rotation_weight=0.5, rotation_offset=(0.1, 0.2, 0.3))
-        solved_cases.key(bpy.data.objects["Target"], "rotation_euler", {1: (0.0, 0.0, 0.0), 60: (0.4, 0.0, 1.0)})
+        support.key(bpy.data.objects["Target"], "rotation_euler", {1: (0.0, 0.0, 0.0), 60: (0.4, 0.0, 1.0)})
         for frame, weight in ((1, 1.0), (40, 0.2)):  # by its name, as scripts may have it
             entry.position_weight = weight
             self.arm_rig.keyframe_insert('motus.ik.entries["Bone 1"].position_weight', frame=frame)
-        solved_cases.key(self.arm_rig.motus.ik, "influence", {1: 1.0, 100: 0.5})
-        solved_cases.key(self.bone("Shoulder"), "rotation_quaternion", {1: (1.0, 0.0, 0.0, 0.0), 60: (0.9, 0.1, 0.3, 0.0)})
+        support.key(self.arm_rig.motus.ik, "influence", {1: 1.0, 100: 0.5})
+        support.key(self.bone("Shoulder"), "rotation_quaternion", {1: (1.0, 0.0, 0.0, 0.0), 60: (0.9, 0.1, 0.3, 0.0)})
         self.assertSolved(self.bone("Bone 1"), 2e-5)
 
     def test_a_keyed_pole_angle(self):
         self.moved()
         entry = self.reach(pole=self.target(name="Pole").name)
-        solved_cases.key(entry, "pole_angle", {1: 0.0, 40: 0.5})
+        support.key(entry, "pole_angle", {1: 0.0, 40: 0.5})
         self.assertSolved(self.bone("Bone 0"))
 
     def test_stretch_and_a_long_chain_with_limits(self):
@@ -90,7 +90,7 @@ class IkOverTime(solved_cases.Solved, IkTestCase):
         self.moved("Second", {1: (0.2, 0.6, 1.2), 60: (0.6, 0.6, 0.8)})
         entry = self.reach()
         entry.extra_targets.add().object = bpy.data.objects["Second"]
-        solved_cases.key(entry, "target_blend", {1: 0.0, 60: 1.0})
+        support.key(entry, "target_blend", {1: 0.0, 60: 1.0})
         self.assertSolved(self.bone("Bone 1"), 2e-5)
 
     def test_a_target_on_a_path(self):
@@ -141,12 +141,12 @@ class IkOverTime(solved_cases.Solved, IkTestCase):
         for frame in (70, 3, 11.5):
             tail(frame)
         np.testing.assert_array_equal(tail(24), alone)
-        solved_cases.key(target, "location", {20: (0.5, 0.6, 1.3)})
+        support.key(target, "location", {20: (0.5, 0.6, 1.3)})
         moved = tail(24)
         self.assertGreater(np.abs(moved - alone).max(), 0.01)
         self.arm_rig.motus.ik.entries["Bone 1"].position_weight = 0.3
         weighted = tail(24)
         self.assertGreater(np.abs(weighted - moved).max(), 0.01)
-        solved_cases.key(self.bone("Bone 0"), "rotation_quaternion", {1: (1.0, 0.0, 0.0, 0.0), 24: (0.8, 0.0, 0.0, 0.6)})
+        support.key(self.bone("Bone 0"), "rotation_quaternion", {1: (1.0, 0.0, 0.0, 0.0), 24: (0.8, 0.0, 0.0, 0.6)})
         self.assertGreater(np.abs(tail(24) - weighted).max(), 0.01)
         self.assertSolved(self.bone("Bone 1"))

@@ -4,16 +4,11 @@ import bpy
 import numpy as np
 
 import support
+from support import link
 
 
 def shapes():
     return support.addon("lattice.shapes")
-
-
-def link(name, data):
-    obj = bpy.data.objects.new(name, data)
-    bpy.context.scene.collection.objects.link(obj)
-    return obj
 
 
 def ball(name="Ball", size=1.0, place=(0.0, 0.0, 0.0), points=300):

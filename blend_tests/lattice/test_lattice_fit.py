@@ -97,7 +97,7 @@ class FitTest(support.SceneTestCase):
         for points, sides in (([(1, 2, 3)], (1.0, 1.0, 1.0)), ([(0, 0, 0), (0, 3, 0)], (0.3, 3.0, 0.3))):
             mesh = bpy.data.meshes.new("Few")
             mesh.from_pydata(points, [], [])
-            few = cases.link("Few", mesh)
+            few = support.link("Few", mesh)
             lattice = fit(objects=few.name, margin=0.0)
             np.testing.assert_allclose(lattice.matrix_world.to_scale(), sides, rtol=1e-5)
             bpy.ops.motus.lattice_pull(object=few.name, vertex=0, displacement=(0.0, 0.0, 1.0))
@@ -137,7 +137,7 @@ class FitTest(support.SceneTestCase):
 
     def test_several_objects_share_one_lattice(self):
         balls = [cases.ball(f"Ball {index}", place=(3.0 * index, 0.0, index)) for index in range(3)]
-        camera = cases.link("Camera", bpy.data.cameras.new("Camera"))
+        camera = support.link("Camera", bpy.data.cameras.new("Camera"))
         cases.only(*balls, camera)
         lattice = fit(orientation='GLOBAL', margin=0.0)
         self.assertIsNone(lattice.parent)
@@ -223,9 +223,9 @@ class FitTest(support.SceneTestCase):
     def test_refusals(self):
         self.assert_refused("Select a mesh, a curve")
         self.assert_refused("There is no object Nobody", objects="Nobody")
-        cases.link("Camera", bpy.data.cameras.new("Camera"))
+        support.link("Camera", bpy.data.cameras.new("Camera"))
         self.assert_refused("Camera has no shape", objects="Camera")
-        cases.link("Nothing", bpy.data.meshes.new("Nothing"))
+        support.link("Nothing", bpy.data.meshes.new("Nothing"))
         self.assert_refused("Nothing has no geometry", objects="Nothing")
         cases.ball("Flat").scale.x = 0.0
         bpy.context.view_layer.update()
@@ -268,7 +268,7 @@ class FitTest(support.SceneTestCase):
             wanted.objects = ["Ball"]
         bpy.context.scene.collection.objects.link(wanted.objects[0])
         self.assert_refused("linked from another file", objects="Ball")
-        own = cases.link("Own", wanted.objects[0].data)
+        own = support.link("Own", wanted.objects[0].data)
         own.vertex_groups.clear()
         self.assert_refused("The mesh of Own is linked", objects="Own", vertex_group="Any")
         self.assertEqual(fit(objects="Own").parent, own)  # the object's own modifiers are free
@@ -365,7 +365,7 @@ class RemoveTest(support.SceneTestCase):
                 if release == "alone":
                     bpy.ops.motus.path_follow_add(object=lattice.name, curve="Course")
                 else:
-                    cases.link("Engine", None)
+                    support.link("Engine", None)
                     bpy.ops.motus.path_train_add(objects=f"Engine,{lattice.name}", curve="Course")
                 bpy.ops.motus.path_follow_remove(object=lattice.name)
                 self.assertTrue(lattice.motus.lattice.is_fitted)
@@ -375,7 +375,7 @@ class RemoveTest(support.SceneTestCase):
 
     def test_what_cannot_be_applied_is_left(self):
         twin = cases.ball("Twin")
-        cases.link("Other", twin.data)
+        support.link("Other", twin.data)
         keyed = cases.ball("Keyed")
         keyed.shape_key_add(name="Basis")
         words = cases.text("Words")

@@ -97,7 +97,7 @@ class LayerTestCase(LookAtTestCase):
         """{bone: own transform} of the figure that plays an action alone."""
         figure = bpy.data.objects.get(rig) or build_rig(name=rig)
         self.play(figure, action)
-        self.go(frame)
+        self.go_to(frame)
         return {name: self.own(name, figure) for name in BONES}
 
     def assertSameTurn(self, found, wanted, message="", tolerance=2e-6):

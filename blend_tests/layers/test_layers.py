@@ -19,7 +19,7 @@ class Masks(LayerTestCase):
         self.add(bones="UpperArm.L")
         for frame in FRAMES:
             walk, throw = self.played(self.walk, frame), self.played(self.throw, frame)
-            self.go(frame)
+            self.go_to(frame)
             for name in BONES:
                 wanted = throw if name in ARM and frame >= FIRST else walk
                 self.assertSameTurn(self.own(name), wanted[name], f"{name} {frame}")
@@ -27,7 +27,7 @@ class Masks(LayerTestCase):
     def test_without_a_mask_all_bones(self):
         self.add(mask='ALL')
         throw = self.played(self.throw, 11)
-        self.go(11)
+        self.go_to(11)
         for name in BONES:
             self.assertSameTurn(self.own(name), throw[name], name)
 
@@ -35,14 +35,14 @@ class Masks(LayerTestCase):
         entry = self.add(bones="Hips,UpperArm.L")
         entry.mask[1].weight = 0.0
         walk, throw = self.played(self.walk, 11), self.played(self.throw, 11)
-        self.go(11)
+        self.go_to(11)
         for name in BONES:
             self.assertSameTurn(self.own(name), (walk if name in ARM else throw)[name], name)
 
     def test_without_children(self):
         self.add(bones="UpperArm.L", with_children=False)
         walk, throw = self.played(self.walk, 11), self.played(self.throw, 11)
-        self.go(11)
+        self.go_to(11)
         self.assertSameTurn(self.own("UpperArm.L"), throw["UpperArm.L"])
         self.assertSameTurn(self.own("LowerArm.L"), walk["LowerArm.L"])
 
@@ -54,7 +54,7 @@ class Masks(LayerTestCase):
             self.rig.pose.bones["UpperArm.L"].bone_group = self.rig.pose.bone_groups.new(name="Arms")
         self.add(collections="Arms")
         throw = self.played(self.throw, 11)
-        self.go(11)
+        self.go_to(11)
         for name in ARM:
             self.assertSameTurn(self.own(name), throw[name], name)
         self.assertRefused("no bone collection Legs", bpy.ops.motus.layer_add, object="Rig", collections="Legs")
@@ -62,7 +62,7 @@ class Masks(LayerTestCase):
     def test_a_soft_border(self):
         self.add(bones="Chest", feather=2)
         walk, throw = self.played(self.walk, 11), self.played(self.throw, 11)
-        self.go(11)
+        self.go_to(11)
         for name, share in (("Chest", 1 / 3), ("UpperArm.L", 2 / 3), ("LowerArm.L", 1.0)):
             wanted = walk[name].to_quaternion().slerp(throw[name].to_quaternion(), share)
             self.assertSameTurn(self.own(name), wanted.to_matrix(), name)
@@ -71,10 +71,10 @@ class Masks(LayerTestCase):
         entry = self.add(bones="Chest", in_armature=True)
         self.played(self.throw, 11)
         wanted = self.pose("Chest", bpy.data.objects["Reference"])
-        self.go(11)
+        self.go_to(11)
         self.assertSameTurn(self.pose("Chest"), wanted)
         entry.in_armature = False
-        self.go(11)
+        self.go_to(11)
         with self.assertRaises(AssertionError):
             self.assertSameTurn(self.pose("Chest"), wanted)
 
@@ -83,7 +83,7 @@ class Modes(LayerTestCase):
     def test_weight(self):
         entry = self.add(bones="UpperArm.L", weight=0.25)
         walk, throw = self.played(self.walk, 11), self.played(self.throw, 11)
-        self.go(11)
+        self.go_to(11)
         wanted = walk["UpperArm.L"].to_quaternion().slerp(throw["UpperArm.L"].to_quaternion(), 0.25)
         self.assertSameTurn(self.own("UpperArm.L"), wanted.to_matrix())
         for frame, weight in ((1, 0.0), (21, 1.0)):
@@ -95,29 +95,29 @@ class Modes(LayerTestCase):
                     point.interpolation = 'LINEAR'
         for frame in (11, 6, 16):
             walk, throw = self.played(self.walk, frame), self.played(self.throw, frame)
-            self.go(frame)
+            self.go_to(frame)
             share = (frame - 1) / 20
             wanted = walk["UpperArm.L"].to_quaternion().slerp(throw["UpperArm.L"].to_quaternion(), share)
             self.assertSameTurn(self.own("UpperArm.L"), wanted.to_matrix(), frame)
 
     def test_nothing_of_a_layer_is_nothing(self):
-        self.go(11)
+        self.go_to(11)
         before = self.poses()
         entry = self.add(mask='ALL')
         for name, value, back in (("weight", 0.0, 1.0), ("is_muted", True, False)):
             setattr(entry, name, value)
-            self.go(11)
+            self.go_to(11)
             self.assertSamePoses(self.poses(), before, 2e-6)
             setattr(entry, name, back)
         self.rig.motus.layers.influence = 0.0
-        self.go(11)
+        self.go_to(11)
         self.assertSamePoses(self.poses(), before, 2e-6)
 
     def test_additive(self):
         entry = self.add(bones="UpperArm.L", mode='ADDITIVE', reference='REST', weight=0.5)
         for frame in (11, 17.5):
             walk, throw = self.played(self.walk, frame), self.played(self.throw, frame)
-            self.go(frame)
+            self.go_to(frame)
             part = Quaternion().slerp(throw["UpperArm.L"].to_quaternion(), 0.5)
             wanted = walk["UpperArm.L"].to_quaternion() @ part
             self.assertSameTurn(self.own("UpperArm.L"), wanted.to_matrix())
@@ -126,7 +126,7 @@ class Modes(LayerTestCase):
             self.played(action, frame)["UpperArm.L"].to_quaternion()
             for action, frame in ((self.walk, 20), (self.throw, 20), (self.throw, 16))
         )
-        self.go(20)
+        self.go_to(20)
         self.assertSameTurn(self.own("UpperArm.L"), (walk @ beyond.inverted() @ throw).to_matrix())
 
     def test_locations_and_scales(self):
@@ -134,12 +134,12 @@ class Modes(LayerTestCase):
         new_action("Jump", keys)
         entry = self.add(action="Jump", bones="Hips", with_children=False, weight=0.5)
         self.rig.pose.bones["Hips"].location = (1.0, 0.0, 0.0)
-        self.go(21)
+        self.go_to(21)
         self.assertSamePlace(self.own("Hips").translation, (0.5, 0.25, 0.0))
         self.assertSamePlace(self.own("Hips").to_scale(), (2.0, 1.0, 1.0))
         self.assertSameTurn(self.own("Hips"), self.played(self.walk, 21)["Hips"])
         entry.mode, entry.reference, entry.weight = 'ADDITIVE', 'FIRST', 1.0
-        self.go(21)
+        self.go_to(21)
         self.assertSamePlace(self.own("Hips").translation, (1.0, 0.5, 0.0))
         self.assertSamePlace(self.own("Hips").to_scale(), (1.5, 1.0, 1.0))
 
@@ -148,11 +148,11 @@ class Modes(LayerTestCase):
         self.add(bones="UpperArm.L")
         self.add(action="Wave", bones="LowerArm.L", mode='ADDITIVE', reference='REST')
         throw = self.played(self.throw, 21)
-        self.go(21)
+        self.go_to(21)
         wanted = throw["LowerArm.L"].to_quaternion() @ Quaternion((0, 0, 1), 1.2)
         self.assertSameTurn(self.own("LowerArm.L"), wanted.to_matrix())
         self.assertEqual(bpy.ops.motus.layer_move(object="Rig", layer="Wave"), {'FINISHED'})
-        self.go(21)
+        self.go_to(21)
         self.assertSameTurn(self.own("LowerArm.L"), throw["LowerArm.L"])
 
 
@@ -161,30 +161,30 @@ class Time(LayerTestCase):
         entry = self.add(bones="UpperArm.L", start=10.0, speed=2.0, after='REPEAT')
         for frame, of_action in ((10, 1), (14.5, 10), (19.75, 20.5), (20, 1), (24.5, 10), (44.5, 10)):
             wanted = self.played(self.throw, of_action)["UpperArm.L"]
-            self.go(frame)
+            self.go_to(frame)
             self.assertSameTurn(self.own("UpperArm.L"), wanted, frame)
         entry.after = 'HOLD'
         wanted = self.played(self.throw, 21)["UpperArm.L"]
-        self.go(100)
+        self.go_to(100)
         self.assertSameTurn(self.own("UpperArm.L"), wanted)
         entry.after = 'STOP'
         for frame in (9.5, 20.5):
             wanted = self.played(self.walk, frame)["UpperArm.L"]
-            self.go(frame)
+            self.go_to(frame)
             self.assertSameTurn(self.own("UpperArm.L"), wanted, frame)
 
     def test_a_part_of_the_action_backwards(self):
         self.add(bones="UpperArm.L", speed=-1.0, use_range=True, first_frame=5.0, last_frame=15.0)
         for frame, of_action in ((1, 15), (4, 12), (11, 5), (30, 5)):
             wanted = self.played(self.throw, of_action)["UpperArm.L"]
-            self.go(frame)
+            self.go_to(frame)
             self.assertSameTurn(self.own("UpperArm.L"), wanted, frame)
 
     def test_blending(self):
         self.add(bones="UpperArm.L", after='STOP', blend_in=8.0, blend_out=8.0)
         for frame, share in ((1, 0.0), (5, 0.5), (11, 1.0), (17, 0.5), (21, 0.0)):
             walk, throw = self.played(self.walk, frame), self.played(self.throw, frame)
-            self.go(frame)
+            self.go_to(frame)
             wanted = walk["UpperArm.L"].to_quaternion().slerp(throw["UpperArm.L"].to_quaternion(), share)
             self.assertSameTurn(self.own("UpperArm.L"), wanted.to_matrix(), frame)
 
@@ -204,7 +204,7 @@ class Time(LayerTestCase):
             curve.update()
         self.add(action="Spin", bones="Head", layer="Spin", **keywords)
         for frame in range(1, 98):
-            self.go(frame)
+            self.go_to(frame)
             yield frame, self.own("Head").to_quaternion()
 
     def assertTurns(self, angle, **keywords):
@@ -236,15 +236,15 @@ class Time(LayerTestCase):
             entry.keyframe_insert("weight", frame=frame)
         played = {}
         for frame in range(1, 41):
-            self.go(frame)
+            self.go_to(frame)
             played[frame] = self.poses()
         for frame in random.Random(1).sample(range(1, 41), 40):
-            self.go(frame)
+            self.go_to(frame)
             self.assertSamePoses(self.poses(), played[frame], 0.0)
 
     def test_an_edited_action_gives_new_poses_at_once(self):
         self.add(bones="UpperArm.L")
-        self.go(21)
+        self.go_to(21)
         before = self.own("UpperArm.L")
         for curve in self.actions.curves_for_object(self.throw):
             if "UpperArm" in curve.data_path:
@@ -277,7 +277,7 @@ class Curves(LayerTestCase):
             entry = self.add(action=kind, bones="Hips", layer="One")
             entry.use_range, entry.first_frame, entry.last_frame, entry.start = True, -5.0, 25.0, -5.0
             for frame in (-4.5, 1, 2.3, 5.99, 7, 11.2, 16, 21.5):
-                self.go(frame)
+                self.go_to(frame)
                 self.assertAlmostEqual(self.own("Hips").translation.x, curve.evaluate(frame), delta=2e-5, msg=f"{kind} {frame}")
 
     def test_modifiers(self):
@@ -287,7 +287,7 @@ class Curves(LayerTestCase):
         curve.update()
         self.add(action="Noisy", bones="Hips")
         for frame in (4, 9.5, 20):
-            self.go(frame)
+            self.go_to(frame)
             self.assertAlmostEqual(self.own("Hips").translation.z, curve.evaluate(frame), delta=2e-6)
 
     def test_rotation_modes(self):
@@ -303,7 +303,7 @@ class Curves(LayerTestCase):
             action = new_action(mode, keys)
             self.add(action=mode, bones="UpperArm.L", layer="One")
             for frame in (6, 21):
-                self.go(frame)
+                self.go_to(frame)
                 found = self.own("UpperArm.L")
                 numbers = [curve.evaluate(frame) for curve in self.actions.curves_for_object(action)]
                 posed = self.rig.pose.bones["LowerArm.L"]
@@ -317,13 +317,13 @@ class Curves(LayerTestCase):
             curve.mute = "UpperArm" in curve.data_path
         self.add(bones="UpperArm.L")
         walk = self.played(self.walk, 21)
-        self.go(21)
+        self.go_to(21)
         self.assertSameTurn(self.own("UpperArm.L"), walk["UpperArm.L"])
 
     def test_an_action_of_another_rig(self):
         new_action("Strange", {('pose.bones["Tentacle"].location', 0): [(1, 1.0)], ('pose.bones["Hips"].location', 0): [(1, 0.5)]})
         self.add(action="Strange", bones="Hips,UpperArm.L")
-        self.go(5)
+        self.go_to(5)
         self.assertSamePlace(self.own("Hips").translation, (0.5, 0.0, 0.0))
         self.assertIsNone(self.sentence())
 
@@ -337,7 +337,7 @@ class WithOthers(LayerTestCase):
         self.assertEqual(bpy.ops.motus.ik_add(object="Rig", bone="LowerArm.L", target="Grip", chain_length=2), {'FINISHED'})
         self.look(head_limit=math.pi, body_weight=0.5)
         for frame in (21, 5, 12.5):
-            self.go(frame)
+            self.go_to(frame)
             pose = self.pose("LowerArm.L")
             tip = pose.translation + self.rig.data.bones["LowerArm.L"].length * pose.to_3x3().col[1]
             self.assertSamePlace(tip, grip.location, 2e-5)
@@ -350,13 +350,13 @@ class WithOthers(LayerTestCase):
         self.rig.motus.ik.entries[0].position_weight = 0.0
         self.add(bones="UpperArm.L")  # wired later than the chain
         throw = self.played(self.throw, 21)
-        self.go(21)
+        self.go_to(21)
         for name in ARM:
             self.assertSameTurn(self.own(name), throw[name], name)
             self.assertTrue(self.rig.pose.bones[name].constraints[0].name.startswith("Motus Animation Layers"))
         bpy.ops.motus.layer_remove(object="Rig")
         walk = self.played(self.walk, 21)
-        self.go(21)
+        self.go_to(21)
         for name in ARM:
             self.assertSameTurn(self.own(name), walk[name], name)
 
@@ -365,7 +365,7 @@ class WithOthers(LayerTestCase):
         constraint.use_limit_x = constraint.use_limit_y = constraint.use_limit_z = True
         constraint.owner_space = 'LOCAL'
         self.add(bones="UpperArm.L")
-        self.go(21)
+        self.go_to(21)
         self.assertSameTurn(self.own("LowerArm.L"), Matrix())
         self.assertEqual(self.rig.pose.bones["LowerArm.L"].constraints[-1].type, 'LIMIT_ROTATION')
 
@@ -380,7 +380,7 @@ class WithOthers(LayerTestCase):
             control.keyframe_insert("location", frame=frame)
         turning("Nod", {"Neck": (0.0, 0.8, 0.0)})
         self.add(action="Nod", bones="Chest", mode='ADDITIVE', reference='REST')
-        self.go(21)
+        self.go_to(21)
         wanted = Quaternion((1.0, 0.4, 0.0, 0.0)).normalized() @ Quaternion((0, 1, 0), 0.8)
         self.assertSameTurn(self.own("Neck"), wanted.to_matrix())
 
@@ -393,7 +393,7 @@ class WithOthers(LayerTestCase):
         curve.driver.expression = "var"
         self.add(bones="UpperArm.L")
         throw = self.played(self.throw, 21)
-        self.go(21)
+        self.go_to(21)
         for name in ARM:
             self.assertSameTurn(self.own(name), throw[name])
         self.assertIsNone(self.sentence())
@@ -407,7 +407,7 @@ class WithOthers(LayerTestCase):
         curve.driver.expression = "var"
         self.assertEqual(bpy.ops.motus.refresh(object="Rig", system="layers"), {'FINISHED'})
         walk = self.played(self.walk, 21)
-        self.go(21)
+        self.go_to(21)
         self.assertSameTurn(self.own("UpperArm.L"), walk["UpperArm.L"])
         self.assertIn("leave these alone", self.sentence())
         self.assertEqual(entry.name, "Throw")
@@ -430,6 +430,6 @@ class WithOthers(LayerTestCase):
             strip.action_slot = slot
         self.add(bones="UpperArm.L")
         walk, throw = self.played(self.walk, 11), self.played(self.throw, 11)
-        self.go(11)
+        self.go_to(11)
         self.assertSameTurn(self.own("UpperArm.L"), throw["UpperArm.L"])
         self.assertSameTurn(self.own("Chest"), walk["Chest"])

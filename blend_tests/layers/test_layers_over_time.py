@@ -14,9 +14,9 @@ class OverTime(LayerTestCase):
         tracks = support.addon("core.tracks")
         wanted = []
         for time in TIMES:
-            self.go(time)
+            self.go_to(time)
             wanted.append(self.pose(name))
-        self.go(3)
+        self.go_to(3)
         track = tracks.world_track(self.evaluated().pose.bones[name], self.scene)
         self.assertEqual(track.kind.name, kind, track.sentence)
         for time, matrix, found in zip(TIMES, wanted, track.values(TIMES)):
@@ -40,7 +40,7 @@ class OverTime(LayerTestCase):
     def test_an_edited_action_changes_the_stamp(self):
         self.add(bones="Chest")
         tracks = support.addon("core.tracks")
-        self.go(3)
+        self.go_to(3)
         before = tracks.world_track(self.evaluated().pose.bones["Chest"], self.scene).stamp
         self.assertEqual(tracks.world_track(self.evaluated().pose.bones["Chest"], self.scene).stamp, before)
         for curve in self.actions.curves_for_object(self.throw):
@@ -58,8 +58,8 @@ class OverTime(LayerTestCase):
         self.assertIsNone(problem)
         played = {}
         for frame in range(1, 30):
-            self.go(frame)
+            self.go_to(frame)
             played[frame] = self.poses()
         for frame in (12, 3, 29, 20):
-            self.go(frame)
+            self.go_to(frame)
             self.assertSamePoses(self.poses(), played[frame], 0.0)

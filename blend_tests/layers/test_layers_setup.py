@@ -52,12 +52,12 @@ class Add(LayerTestCase):
             strip.channelbag(slot, ensure=True).fcurves.new(path, index=2).keyframe_points.insert(1, value)
         for slot, value in (("", 3.0), ("OBDouble", 2.0)):
             self.add(action="Shot", slot=slot, bones="Hips", layer="Shot")
-            self.go(5)
+            self.go_to(5)
             self.assertAlmostEqual(self.own("Hips").translation.z, value, delta=1e-6)
         # An action that is chosen in the panel has no slot named.
         action.slots.remove(action.slots["OBRig"])
         self.rig.motus.layers.entries["Shot"].slot = ""
-        self.go(6)
+        self.go_to(6)
         self.assertAlmostEqual(self.own("Hips").translation.z, 2.0, delta=1e-6)
 
     def test_selected_bones_are_the_mask(self):
@@ -100,14 +100,14 @@ class Add(LayerTestCase):
 class Remove(LayerTestCase):
     def test_no_trace(self):
         self.rig.pose.bones["Chest"].constraints.new('LIMIT_SCALE')
-        self.go(11)
+        self.go_to(11)
         before, poses = state(self.rig), self.poses()
         entry = self.add(mask='ALL')
         entry.keyframe_insert("weight", frame=3)
         self.add(bones="Chest")
         for _ in range(2):
             self.assertEqual(bpy.ops.motus.layer_remove(object="Rig"), {'FINISHED'})
-        self.go(11)
+        self.go_to(11)
         self.assertEqual(state(self.rig), before)
         self.assertSamePoses(self.poses(), poses, 0.0)
 
@@ -145,7 +145,7 @@ class Edits(LayerTestCase):
         self.add(bones="UpperArm.L")
         walk = self.played(self.walk, 11)
         bpy.data.actions.remove(self.throw)
-        self.go(11)
+        self.go_to(11)
         self.assertSameTurn(self.own("UpperArm.L"), walk["UpperArm.L"])
         self.assertIn("no action", self.sentence())
 
@@ -157,7 +157,7 @@ class Edits(LayerTestCase):
         bpy.context.view_layer.update()
         other.motus.layers.entries[0].weight = 0.0
         walk, throw = self.played(self.walk, 21), self.played(self.throw, 21)
-        self.go(21)
+        self.go_to(21)
         self.assertSameTurn(self.own("UpperArm.L"), throw["UpperArm.L"])
         self.assertSameTurn(self.own("UpperArm.L", other), walk["UpperArm.L"])
         self.assertNotEqual(other.motus.layers.hub, self.rig.motus.layers.hub)
@@ -165,35 +165,35 @@ class Edits(LayerTestCase):
 
     def test_saved_and_opened(self):
         self.add(bones="UpperArm.L", in_armature=True)
-        self.go(11)
+        self.go_to(11)
         before = self.poses()
         path = self.save()
         bpy.ops.wm.open_mainfile(filepath=path)
         self.rig = bpy.data.objects["Rig"]
         self.scene = bpy.context.scene
-        self.go(5)
-        self.go(11)
+        self.go_to(5)
+        self.go_to(11)
         self.assertSamePoses(self.poses(), before, 1e-6)
 
     def test_linked_and_overridden(self):
         self.add(bones="UpperArm.L")
-        self.go(11)
+        self.go_to(11)
         before = self.poses()
         path = self.save()
         self.rig = self.load(path, True, "Rig")
         self.scene = bpy.context.scene
-        self.go(5)
-        self.go(11)
+        self.go_to(5)
+        self.go_to(11)
         self.assertSamePoses(self.poses(), before, 1e-6)
         override = self.rig.override_create(remap_local_usages=True)
         bpy.context.view_layer.update()
         bpy.context.view_layer.update()
         self.rig = override
-        self.go(5)
-        self.go(11)
+        self.go_to(5)
+        self.go_to(11)
         self.assertSamePoses(self.poses(override), before, 1e-6)
         override.motus.layers.entries[0].is_muted = True
-        self.go(11)
+        self.go_to(11)
         with self.assertRaises(AssertionError):
             self.assertSamePoses(self.poses(override), before, 1e-3)
 
@@ -215,9 +215,9 @@ class Flatten(LayerTestCase):
         entry.keyframe_insert("is_muted", frame=1)
         wanted = {}
         for frame in range(1, 26):
-            self.go(frame)
+            self.go_to(frame)
             wanted[frame] = self.poses()
-        self.go(4)
+        self.go_to(4)
         own = self.rig.animation_data.action
         result = bpy.ops.motus.layers_flatten(object="Rig", frame_start=1, frame_end=25)
         self.assertEqual(result, {'FINISHED'})
@@ -227,7 +227,7 @@ class Flatten(LayerTestCase):
         self.assertIn(own.name, bpy.data.actions)
         self.assertTrue(own.use_fake_user)
         for frame in (25, 1, 13, 8):
-            self.go(frame)
+            self.go_to(frame)
             self.assertSamePoses(self.poses(), wanted[frame], 2e-6)
         paths = {curve.data_path for curve in self.actions.fcurves(self.rig)}
         self.assertNotIn('pose.bones["UpperArm.L"].scale', paths, "what does not move has no keys")
@@ -235,13 +235,13 @@ class Flatten(LayerTestCase):
 
     def test_bake_and_back(self):
         self.add(bones="UpperArm.L")
-        self.go(11)
+        self.go_to(11)
         wanted = self.poses()
         self.assertEqual(bpy.ops.motus.bake(object="Rig", frame_start=1, frame_end=21), {'FINISHED'})
-        self.go(11)
+        self.go_to(11)
         self.assertSamePoses(self.poses(), wanted, 2e-6)
         self.assertRefused("baked", bpy.ops.motus.layer_add, object="Rig", action="Throw")
         self.assertEqual(bpy.ops.motus.unbake(object="Rig"), {'FINISHED'})
-        self.go(11)
+        self.go_to(11)
         self.assertSamePoses(self.poses(), wanted, 2e-6)
         self.assertEqual(self.rig.animation_data.action, self.walk)

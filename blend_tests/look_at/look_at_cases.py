@@ -63,11 +63,6 @@ class LookAtTestCase(support.SceneTestCase):
         self.rig = build_rig()
         self.target = self.link("Target")
 
-    def link(self, name):
-        obj = bpy.data.objects.new(name, None)
-        self.scene.collection.objects.link(obj)
-        return obj
-
     def aim(self, yaw, pitch=0.0, distance=FAR, rig=None):
         """Put the target in a direction from the head at rest, in degrees, in the rig's own space."""
         rig = rig or self.rig
@@ -80,9 +75,6 @@ class LookAtTestCase(support.SceneTestCase):
         keywords.setdefault("bone", "Head")
         self.assertEqual(bpy.ops.motus.look_at_add(object=rig, **keywords), {'FINISHED'})
         return bpy.data.objects[rig].motus.look_at.entries[keywords["bone"]]
-
-    def go(self, frame):
-        self.scene.frame_set(math.floor(frame), subframe=frame - math.floor(frame))
 
     def evaluated(self, rig=None):
         return (rig or self.rig).evaluated_get(bpy.context.evaluated_depsgraph_get())
@@ -125,11 +117,6 @@ class LookAtTestCase(support.SceneTestCase):
     def sentence(self, rig=None):
         problem = self.wiring.problem(self.system, rig or self.rig, bpy.context.evaluated_depsgraph_get())
         return problem and problem.sentence
-
-    def assertRefused(self, part, operator, **keywords):
-        """The operator refuses with a sentence that has `part` in it."""
-        with self.assertRaisesRegex(RuntimeError, part):
-            operator(**keywords)
 
     def assertSamePoses(self, found, wanted, tolerance=1e-6, leave_out=()):
         """Two results of poses() are the same."""

@@ -241,10 +241,10 @@ class Time(LookAtTestCase):
             self.rig.keyframe_insert("motus.look_at.entries[0].weight", frame=frame)
         played = {}
         for frame in range(1, 62):
-            self.go(frame)
+            self.go_to(frame)
             played[frame] = self.poses()
         for frame in FRAMES + random.Random(3).sample(range(1, 62), 20):
-            self.go(frame)
+            self.go_to(frame)
             if frame in played:
                 self.assertSamePoses(self.poses(), played[frame], 0.0)
 
@@ -258,7 +258,7 @@ class Time(LookAtTestCase):
         for key in curve.keyframe_points:
             key.interpolation = 'LINEAR'
         for frame in (11, 1, 21, 6):
-            self.go(frame)
+            self.go_to(frame)
             self.assertAlmostEqual(self.yaw("Head"), 28.0 * (frame - 1) / 20.0, delta=5e-3)
 
     def test_a_driven_weight(self):
@@ -289,7 +289,7 @@ class Time(LookAtTestCase):
         curve.driver.expression = "v/2"
         bpy.context.view_layer.update()
         for frame in (11, 1, 21, 6, 17):
-            self.go(frame)
+            self.go_to(frame)
             self.assertAlmostEqual(self.yaw("Head"), 14.0 * self.target.scale.x, delta=5e-3, msg=f"frame {frame}")
 
     def test_a_driven_bone_of_the_spine_is_waited_for(self):
@@ -307,7 +307,7 @@ class Time(LookAtTestCase):
         curve.driver.expression = "v"
         bpy.ops.motus.refresh(object="Rig", system="look_at")
         for frame in (11, 1, 21, 6, 17):
-            self.go(frame)
+            self.go_to(frame)
             self.assertLess(self.off("Head"), HIT, f"frame {frame}")
 
     def test_a_moving_target_is_not_a_frame_late(self):
@@ -319,7 +319,7 @@ class Time(LookAtTestCase):
             carrier.keyframe_insert("rotation_euler", index=2, frame=frame)
         self.look()
         for frame in (20.5, 1, 41, 9, 33):
-            self.go(frame)
+            self.go_to(frame)
             self.assertLess(self.off("Head"), HIT, f"frame {frame}")
 
 

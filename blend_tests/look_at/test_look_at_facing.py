@@ -329,7 +329,7 @@ class OlderFiles(LookAtTestCase):
         data["plan"] = json.dumps(plan)
         noted["text"] = json.dumps(values)
         self.rig.motus.look_at.hub.data.update_tag()
-        self.go(2)
+        self.go_to(2)
         self.assertSamePoses(self.poses(), wanted, 0.0)
         self.assertIsNone(self.sentence())
         self.assertNotEqual(self.yaw("Eye.L"), 0.0)

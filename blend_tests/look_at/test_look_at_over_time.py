@@ -1,6 +1,7 @@
 """Heads that look at something are known at any times, for systems that need their past."""
 
 import solved_cases
+import support
 from look_at.look_at_cases import LookAtTestCase
 
 
@@ -9,7 +10,7 @@ class LookAtOverTime(solved_cases.Solved, LookAtTestCase):
 
     def setUp(self):
         super().setUp()
-        solved_cases.key(self.target, "location", {1: (2.0, -3.0, 1.5), 30: (-2.0, -2.0, 2.5), 60: (0.0, -3.0, 0.5)})
+        support.key(self.target, "location", {1: (2.0, -3.0, 1.5), 30: (-2.0, -2.0, 2.5), 60: (0.0, -3.0, 0.5)})
 
     def test_spine_head_and_eyes(self):
         self.look(body_length=3, eyes_weight=0.7)
@@ -20,9 +21,9 @@ class LookAtOverTime(solved_cases.Solved, LookAtTestCase):
 
     def test_keyed_settings(self):
         entry = self.look(body_length=2)
-        solved_cases.key(entry, "weight", {1: 0.0, 40: 1.0})
-        solved_cases.key(entry, "clamp", {1: 0.0, 40: 0.6})
-        solved_cases.key(self.rig.pose.bones["Neck"], "rotation_quaternion", {1: (1.0, 0.0, 0.0, 0.0), 50: (0.9, 0.2, 0.1, 0.3)})
+        support.key(entry, "weight", {1: 0.0, 40: 1.0})
+        support.key(entry, "clamp", {1: 0.0, 40: 0.6})
+        support.key(self.rig.pose.bones["Neck"], "rotation_quaternion", {1: (1.0, 0.0, 0.0, 0.0), 50: (0.9, 0.2, 0.1, 0.3)})
         self.assertSolved(self.rig.pose.bones["Head"])
 
     def test_without_a_target(self):

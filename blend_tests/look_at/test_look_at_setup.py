@@ -278,7 +278,7 @@ class Remove(LookAtTestCase):
             entry = self.look("Two", bone=name, weight=weight)
             entry.keyframe_insert("weight", frame=1)
         bpy.ops.motus.look_at_remove(object="Two", bone="HeadA")
-        self.go(2)
+        self.go_to(2)
         self.assertEqual([entry.weight for entry in rig.motus.look_at.entries], [0.75])
         self.assertEqual([curve.data_path for curve in self.curves(rig)], ["motus.look_at.entries[0].weight"])
 
@@ -295,7 +295,7 @@ class Remove(LookAtTestCase):
         strip = animation.nla_tracks.new().strips.new("Strip", 1, animation.action)
         animation.action = None
         bpy.ops.motus.look_at_remove(object="Two", bone="HeadA")
-        self.go(2)
+        self.go_to(2)
         self.assertEqual([entry.weight for entry in rig.motus.look_at.entries], [0.75])
         paths = [curve.data_path for curve in support.addon("core.blender.actions").curves_of(strip)]
         self.assertEqual(paths, ["motus.look_at.entries[0].weight"])
@@ -313,10 +313,10 @@ class Remove(LookAtTestCase):
         self.assertRefused("baked", bpy.ops.motus.look_at_remove, object="Rig")
         self.assertRefused("baked", bpy.ops.motus.look_at_add, object="Rig", bone="Head", weight=0.5)
         self.target.location.x -= 5.0 * FAR
-        self.go(2)
+        self.go_to(2)
         self.assertSamePoses(self.poses(), before, 1e-5)
         bpy.ops.motus.unbake(object="Rig")
-        self.go(3)
+        self.go_to(3)
         self.assertLess(sum(self.yaw(name) for name in (*BODY, "Head")), 0.0)
 
 
@@ -346,7 +346,7 @@ class Problems(LookAtTestCase):
 
     def test_a_target_taken_out_of_the_scene(self):
         self.scene.collection.objects.unlink(self.target)
-        self.go(2)
+        self.go_to(2)
         self.assertNeutral(self.before)
         self.assertEqual(self.told("reason"), self.reasons.TARGET_DELETED)
 

@@ -38,11 +38,11 @@ class WithIk(LookAtTestCase):
     def assert_all_frames(self, check):
         played = {}
         for frame in range(1, 32):
-            self.go(frame)
+            self.go_to(frame)
             check(frame)
             played[frame] = self.poses()
         for frame in FRAMES:
-            self.go(frame)
+            self.go_to(frame)
             check(frame)
             if frame in played:
                 self.assertSamePoses(self.poses(), played[frame], 2e-7)

@@ -23,11 +23,6 @@ class PathTestCase(support.SceneTestCase):
         self.system = support.addon("path").SYSTEM
         self.wiring = support.addon("core.wiring")
 
-    def link(self, name, data=None):
-        obj = bpy.data.objects.new(name, data)
-        self.scene.collection.objects.link(obj)
-        return obj
-
     def bezier(self, knots, name="Course", cyclic=False):
         """A curve through knots (left handle, point, right handle)."""
         data = curve_data(name)
@@ -55,7 +50,7 @@ class PathTestCase(support.SceneTestCase):
     def at(self, obj, frame=None):
         """Evaluated world matrix, at a frame."""
         if frame is not None:
-            self.scene.frame_set(math.floor(frame), subframe=frame - math.floor(frame))
+            self.go_to(frame)
         depsgraph = bpy.context.evaluated_depsgraph_get()
         return obj.evaluated_get(depsgraph).matrix_world.copy()
 
@@ -77,11 +72,6 @@ class PathTestCase(support.SceneTestCase):
         found = self.place(obj, frame)
         largest = max(1.0, np.abs(wanted).max())
         self.assertLessEqual(np.abs(found - wanted).max(), tolerance * largest, f"{found} instead of {wanted}")
-
-    def assertRefused(self, part, operator, **keywords):
-        """The operator refuses with a sentence that has `part` in it."""
-        with self.assertRaisesRegex(RuntimeError, part):
-            operator(**keywords)
 
 
 def curve_data(name="Course"):

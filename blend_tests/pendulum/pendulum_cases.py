@@ -14,11 +14,6 @@ def native():
     return support.addon("core.native").module
 
 
-def go_to(frame):
-    whole = math.floor(frame)
-    bpy.context.scene.frame_set(whole, subframe=frame - whole)
-
-
 def world(obj):
     """(4, 4) of the object as evaluated."""
     return np.array(obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world)
@@ -79,8 +74,3 @@ class PendulumTestCase(support.SceneTestCase):
 
     def assertPlace(self, obj, expected, tolerance=2e-6):
         np.testing.assert_allclose(place(obj), expected, atol=tolerance)
-
-    def assertRefused(self, operator, sentence, **keywords):
-        with self.assertRaises(RuntimeError) as caught:
-            operator(**keywords)
-        self.assertIn(sentence, str(caught.exception))

@@ -8,7 +8,8 @@ import bpy
 import numpy as np
 
 import support
-from pendulum.pendulum_cases import OFF_THE_FRAMES, PendulumTestCase, go_to, native, place, reach, seconds, world
+from pendulum.pendulum_cases import OFF_THE_FRAMES, PendulumTestCase, native, place, reach, seconds, world
+from support import go_to
 
 DIGEST = "37679ed8da62d73a2b661bcf96b092827149d800"
 

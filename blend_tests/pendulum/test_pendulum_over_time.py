@@ -5,7 +5,8 @@ import numpy as np
 
 import solved_cases
 import support
-from pendulum.pendulum_cases import PendulumTestCase, go_to, world
+from pendulum.pendulum_cases import PendulumTestCase, world
+from support import go_to
 
 
 class OverTime(solved_cases.Solved, PendulumTestCase):
@@ -29,14 +30,14 @@ class OverTime(solved_cases.Solved, PendulumTestCase):
     def test_keyed_time_and_influence(self):
         pivot = self.add(kind='DOUBLE')
         settings = pivot.motus.pendulum
-        solved_cases.key(settings, "is_playing", {1: True, 10: False, 20: True})
-        solved_cases.key(settings, "speed", {1: 1.0, 60: 0.5})
-        solved_cases.key(settings, "influence", {1: 0.2, 60: 1.0})
+        support.key(settings, "is_playing", {1: True, 10: False, 20: True})
+        support.key(settings, "speed", {1: 1.0, 60: 0.5})
+        support.key(settings, "influence", {1: 0.2, 60: 1.0})
         self.assertSolved(self.bobs(pivot)[1])
 
     def test_a_pivot_that_is_moved_and_felt(self):
         pivot = self.add(kind='SINGLE', angle1=0.3)
-        solved_cases.key(pivot, "location", {1: (0.0, 0.0, 0.0), 30: (2.0, 0.0, 0.0)})
+        support.key(pivot, "location", {1: (0.0, 0.0, 0.0), 30: (2.0, 0.0, 0.0)})
         self.assertSolved(self.bobs(pivot)[0])
         pivot.motus.pendulum.use_pivot_motion = True
         self.assertSolved(self.bobs(pivot)[0])

@@ -7,7 +7,8 @@ import numpy as np
 
 import support
 from path.test_path_setup import state
-from pendulum.pendulum_cases import PendulumTestCase, go_to, place, world
+from pendulum.pendulum_cases import PendulumTestCase, place, world
+from support import go_to
 
 
 class Add(PendulumTestCase):
@@ -117,22 +118,22 @@ class Add(PendulumTestCase):
             ({"take": 'ACTIVE'}, "Select the object"),
             ({"take": 'PLACED'}, "Select the bobs"),
         ):
-            self.assertRefused(add, sentence, **keywords)
+            self.assertRefused(sentence, add, **keywords)
         pivot, ball, _ = self.link("Hook"), self.link("Ball", (0.0, 1.0, -1.0)), self.link("Other")
-        self.assertRefused(add, "beside the plane", object="Hook", bobs="Ball")
-        self.assertRefused(add, "one bob or two", object="Hook", bobs="Hook")
-        self.assertRefused(add, "one bob or two", object="Hook", bobs="Ball,Ball")
+        self.assertRefused("beside the plane", add, object="Hook", bobs="Ball")
+        self.assertRefused("one bob or two", add, object="Hook", bobs="Hook")
+        self.assertRefused("one bob or two", add, object="Hook", bobs="Ball,Ball")
         for kind, bobs in (('FAN', "Ball"), ('DOUBLE', "Ball"), ('SINGLE', "Ball,Other")):
-            self.assertRefused(add, "a double one two, and a fan none", object="Hook", bobs=bobs, kind=kind)
-        self.assertRefused(add, "pivots of its own", object="Hook", kind='CHAOS')
+            self.assertRefused("a double one two, and a fan none", add, object="Hook", bobs=bobs, kind=kind)
+        self.assertRefused("pivots of its own", add, object="Hook", kind='CHAOS')
         ball.location = (0.0, 0.0, 0.0)
-        self.assertRefused(add, "lies on what", object="Hook", bobs="Ball")
+        self.assertRefused("lies on what", add, object="Hook", bobs="Ball")
         ball.parent = pivot
-        self.assertRefused(add, "has a parent", object="Hook", bobs="Ball")
+        self.assertRefused("has a parent", add, object="Hook", bobs="Ball")
         ball.parent = None
         bpy.ops.motus.pendulum_add(object="Hook")
-        self.assertRefused(add, "has a pendulum", object="Hook")
-        self.assertRefused(add, "part of a pendulum", object=self.rods(pivot)[0].name)
+        self.assertRefused("has a pendulum", add, object="Hook")
+        self.assertRefused("part of a pendulum", add, object=self.rods(pivot)[0].name)
         self.assertEqual(len([obj for obj in bpy.data.objects if obj.motus.pendulum.is_active]), 1)
 
     def test_preset(self):
@@ -183,11 +184,11 @@ class Remove(PendulumTestCase):
 
     def test_refusals(self):
         self.link("Cube")
-        self.assertRefused(bpy.ops.motus.pendulum_remove, "Nothing here", object="Cube")
-        self.assertRefused(bpy.ops.motus.pendulum_remove, "There is no object", object="Nobody")
+        self.assertRefused("Nothing here", bpy.ops.motus.pendulum_remove, object="Cube")
+        self.assertRefused("There is no object", bpy.ops.motus.pendulum_remove, object="Nobody")
         pivot = self.add(kind='SINGLE')
         bpy.ops.motus.bake(object=pivot.name, frame_start=1, frame_end=3)
-        self.assertRefused(bpy.ops.motus.pendulum_remove, "unbake it first", object=pivot.name)
+        self.assertRefused("unbake it first", bpy.ops.motus.pendulum_remove, object=pivot.name)
 
 
 class BadInput(PendulumTestCase):
@@ -328,7 +329,7 @@ class BadInput(PendulumTestCase):
         moved = place(self.bobs(pivot)[0])
         go_to(1)
         self.assertGreater(np.linalg.norm(place(self.bobs(pivot)[0]) - moved), 0.1)
-        self.assertRefused(bpy.ops.motus.pendulum_remove, "linked from another file", object=pivot.name)
+        self.assertRefused("linked from another file", bpy.ops.motus.pendulum_remove, object=pivot.name)
 
     def test_overridden_and_opened_again(self):
         collection = bpy.data.collections.new("Pendulums")

@@ -6,7 +6,8 @@ import bpy
 from mathutils import Vector
 
 import support
-from pendulum.pendulum_cases import PendulumTestCase, go_to, native, place, reach
+from pendulum.pendulum_cases import PendulumTestCase, native, place, reach
+from support import go_to
 
 
 class Clock(PendulumTestCase):
@@ -151,10 +152,10 @@ class Drag(PendulumTestCase):
         pivot = self.add(kind='DOUBLE')
         go_to(20)
         drag = bpy.ops.motus.pendulum_drag
-        self.assertRefused(drag, "pause it first", object=pivot.name, location=(0, 0, 0))
+        self.assertRefused("pause it first", drag, object=pivot.name, location=(0, 0, 0))
         bpy.ops.motus.pendulum_play()
-        self.assertRefused(drag, "location is missing", object=pivot.name)
-        self.assertRefused(drag, "has 1 pendulums", object=pivot.name, location=(0, 0, 0), number=1)
-        self.assertRefused(drag, "not a finite number", object=pivot.name, location=(math.nan, 0, 0))
+        self.assertRefused("location is missing", drag, object=pivot.name)
+        self.assertRefused("has 1 pendulums", drag, object=pivot.name, location=(0, 0, 0), number=1)
+        self.assertRefused("not a finite number", drag, object=pivot.name, location=(math.nan, 0, 0))
         self.link("Cube")
-        self.assertRefused(drag, "Nothing here is part of a pendulum", object="Cube", location=(0, 0, 0))
+        self.assertRefused("Nothing here is part of a pendulum", drag, object="Cube", location=(0, 0, 0))

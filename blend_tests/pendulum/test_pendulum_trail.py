@@ -3,7 +3,8 @@
 import bpy
 import numpy as np
 
-from pendulum.pendulum_cases import OFF_THE_FRAMES, PendulumTestCase, go_to, native, place, reach
+from pendulum.pendulum_cases import OFF_THE_FRAMES, PendulumTestCase, native, place, reach
+from support import go_to
 
 
 class Trail(PendulumTestCase):
@@ -68,7 +69,7 @@ class Trail(PendulumTestCase):
         before = {name: len(getattr(bpy.data, name)) for name in ("objects", "meshes", "materials", "node_groups")}
         pivot = self.add(kind='SINGLE', use_trails=True)
         self.assertEqual(bpy.ops.motus.pendulum_trail_remove(object=pivot.name), {'FINISHED'})
-        self.assertRefused(bpy.ops.motus.pendulum_trail_remove, "has no trails", object=pivot.name)
+        self.assertRefused("has no trails", bpy.ops.motus.pendulum_trail_remove, object=pivot.name)
         bpy.ops.motus.pendulum_trail_add(object=pivot.name)
         bpy.ops.motus.pendulum_remove(object=pivot.name)
         self.assertEqual({name: len(getattr(bpy.data, name)) for name in before}, before)
@@ -78,7 +79,7 @@ class Trail(PendulumTestCase):
         first = pivot.motus.pendulum.trail
         for keywords in ({}, {"keep_objects": True}):
             copy = self.copy_alone(pivot)
-            self.assertRefused(bpy.ops.motus.pendulum_trail_remove, "has no trails", object=copy.name)
+            self.assertRefused("has no trails", bpy.ops.motus.pendulum_trail_remove, object=copy.name)
             bpy.ops.motus.pendulum_remove(object=copy.name, **keywords)
             self.assertEqual(pivot.motus.pendulum.trail, first)
         copy = self.copy_alone(pivot)
@@ -93,7 +94,7 @@ class Trail(PendulumTestCase):
 
     def test_bad_input(self):
         pivot = self.add(kind='SINGLE', use_trails=True)
-        self.assertRefused(bpy.ops.motus.pendulum_trail_add, "seconds must be greater", object=pivot.name, seconds=0.0)
+        self.assertRefused("seconds must be greater", bpy.ops.motus.pendulum_trail_add, object=pivot.name, seconds=0.0)
         go_to(20)
         found = pivot.motus.pendulum.trail.motus.pendulum_trail
         for name in ("seconds", "thickness"):
@@ -104,4 +105,4 @@ class Trail(PendulumTestCase):
             setattr(found, name, 0.5)
         pivot.motus.pendulum.speed, pivot.motus.pendulum.damping = 1e9, 0.1
         self.assertEqual(len(self.tubes(pivot)[0]), 0)
-        self.assertRefused(bpy.ops.motus.bake, "nothing to bake", object=pivot.motus.pendulum.trail.name)
+        self.assertRefused("nothing to bake", bpy.ops.motus.bake, object=pivot.motus.pendulum.trail.name)

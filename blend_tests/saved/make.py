@@ -25,23 +25,10 @@ from look_at import look_at_cases
 from path import path_cases
 from pull.pins import pin_cases
 from saved import saved_cases
+from support import key, link
 from walker import walker_cases
 
 motus = bpy.ops.motus
-
-
-def link(name, data=None, place=(0.0, 0.0, 0.0)):
-    obj = bpy.data.objects.new(name, data)
-    obj.location = place
-    bpy.context.scene.collection.objects.link(obj)
-    return obj
-
-
-def key(thing, path, values):
-    """Keys of a property: frame -> value."""
-    for frame, value in values.items():
-        setattr(thing, path, value)
-        thing.keyframe_insert(path, frame=frame)
 
 
 def course(name="Course"):
@@ -251,10 +238,10 @@ def walker():
     spider = walker_cases.spider(ahead=0.0, legs=4, ground=land.name)
     # Nothing of the spider's skin is computed by Motus, and it is most of the file.
     bpy.data.objects.remove(bpy.data.objects["Spider Mesh"])
-    walker_cases.key_places(spider, {1: (0.0, 0.0, 0.0), 60: (0.5, 1.0, 0.1)})
+    support.key_places(spider, {1: (0.0, 0.0, 0.0), 60: (0.5, 1.0, 0.1)})
     body, shell, feet = walker_cases.cross("Robot")
     motus.walker_add(object=body.name, feet=walker_cases.names(feet), body=shell.name, gait='TROT')
-    walker_cases.key_places(body, {1: (9.0, 0.0, 0.0), 40: (9.0, 1.0, 0.0)})
+    support.key_places(body, {1: (9.0, 0.0, 0.0), 40: (9.0, 1.0, 0.0)})
 
 
 def together():

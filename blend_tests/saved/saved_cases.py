@@ -1,7 +1,6 @@
 """What saved files give: where everything is on some frames, what the artist has set, and what is wired."""
 
 import json
-import math
 from pathlib import Path
 
 import bpy
@@ -78,8 +77,7 @@ def remove(name):
 
 def numbers(frame):
     """{what: numbers} of a frame: world matrices row by row, meshes and instances in short, values that drivers and nodes have."""
-    whole_frame = math.floor(frame)
-    bpy.context.scene.frame_set(whole_frame, subframe=frame - whole_frame)
+    support.go_to(frame)
     depsgraph = bpy.context.evaluated_depsgraph_get()
     found = {}
     for obj in bpy.context.view_layer.objects:

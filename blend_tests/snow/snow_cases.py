@@ -1,7 +1,5 @@
 """Shared by the tests of snow: adding it, its flakes as evaluated, and what the library says they are."""
 
-import math
-
 import bpy
 import numpy as np
 
@@ -34,17 +32,6 @@ def wiring():
 
 def system():
     return support.addon("snow").SYSTEM
-
-
-def go_to(frame):
-    whole = math.floor(frame)
-    bpy.context.scene.frame_set(whole, subframe=frame - whole)
-
-
-def key_places(obj, keys):
-    for frame, place in keys.items():
-        obj.location = place
-        obj.keyframe_insert("location", frame=frame)
 
 
 def seconds(frame, start=1.0, fps=24.0):
@@ -115,8 +102,3 @@ class SnowTestCase(support.SceneTestCase):
         bpy.context.view_layer.update()
         problem = wiring().problem(system(), emitter, bpy.context.evaluated_depsgraph_get())
         return problem.sentence if problem else ""
-
-    def assertRefused(self, operator, sentence, **keywords):
-        with self.assertRaises(RuntimeError) as caught:
-            operator(**keywords)
-        self.assertIn(sentence, str(caught.exception))

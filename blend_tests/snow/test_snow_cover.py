@@ -5,7 +5,8 @@ import numpy as np
 
 import support
 from snow.cover_cases import COARSE, FALLING, LUMP, SQUARE, CoverTestCase, cover_system, forget_work, layer, state, volume
-from snow.snow_cases import OFF_THE_FRAMES, go_to, native, seconds
+from snow.snow_cases import OFF_THE_FRAMES, native, seconds
+from support import go_to
 
 
 class Cover(CoverTestCase):

@@ -4,7 +4,7 @@ from unittest import mock
 
 import support
 from snow.cover_cases import FALLING, CoverTestCase, layer, state
-from snow.snow_cases import go_to
+from support import go_to
 
 
 class Bounds(CoverTestCase):

@@ -7,8 +7,9 @@ import numpy as np
 
 import support
 from snow.cover_cases import FALLING, CoverTestCase, layer, state
-from snow.snow_cases import flakes, go_to
+from snow.snow_cases import flakes
 from snow.test_snow_setup import counts
+from support import go_to
 
 
 class Setup(CoverTestCase):
@@ -48,17 +49,17 @@ class Setup(CoverTestCase):
     def test_refused(self):
         add = bpy.ops.motus.snow_cover_add
         self.square()
-        self.assertRefused(add, "It does not snow in this scene", surfaces="Meadow")
+        self.assertRefused("It does not snow in this scene", add, surfaces="Meadow")
         emitter = self.add(**FALLING)
         self.mesh("Wire", [(0, 0, 0), (1, 0, 0)], [])
-        self.assertRefused(add, "Select the meshes")
-        self.assertRefused(add, "has no faces", surfaces="Wire")
-        self.assertRefused(add, "cannot lie on", surfaces=emitter.name)
-        self.assertRefused(add, "There is no object Nobody", surfaces="Nobody")
-        self.assertRefused(add, "is no emitter", surfaces="Meadow", emitters="Meadow")
-        self.assertRefused(add, "no collection", collection="Nowhere")
-        self.assertRefused(add, "not a finite number", surfaces="Meadow", lump=float("nan"))
-        self.assertRefused(bpy.ops.motus.snow_cover_remove, "no snow cover", object="Meadow")
+        self.assertRefused("Select the meshes", add)
+        self.assertRefused("has no faces", add, surfaces="Wire")
+        self.assertRefused("cannot lie on", add, surfaces=emitter.name)
+        self.assertRefused("There is no object Nobody", add, surfaces="Nobody")
+        self.assertRefused("is no emitter", add, surfaces="Meadow", emitters="Meadow")
+        self.assertRefused("no collection", add, collection="Nowhere")
+        self.assertRefused("not a finite number", add, surfaces="Meadow", lump=float("nan"))
+        self.assertRefused("no snow cover", bpy.ops.motus.snow_cover_remove, object="Meadow")
         self.assertFalse(any(obj.is_property_set("motus") and obj.motus.snow_cover.is_active for obj in bpy.data.objects))
 
     def test_sentences(self):
@@ -141,12 +142,12 @@ class Setup(CoverTestCase):
         self.assertEqual(add(object=cover.name, what='SURFACES', objects="Shelf"), {'FINISHED'})
         bpy.context.view_layer.update()
         self.assertGreater(layer(cover)[0][:, 2].max(), 0.9)
-        self.assertRefused(add, "not in the list", object=cover.name, what='SURFACES', objects="Shelf")
-        self.assertRefused(add, "no emitter", object=cover.name, what='EMITTERS', objects="Shelf")
+        self.assertRefused("not in the list", add, object=cover.name, what='SURFACES', objects="Shelf")
+        self.assertRefused("no emitter", add, object=cover.name, what='EMITTERS', objects="Shelf")
         self.assertEqual(remove(object=cover.name, what='SURFACES', index=1), {'FINISHED'})
         bpy.context.view_layer.update()
         self.assertLess(layer(cover)[0][:, 2].max(), 0.9)
-        self.assertRefused(remove, "no such object", object=cover.name, what='SURFACES', index=7)
+        self.assertRefused("no such object", remove, object=cover.name, what='SURFACES', index=7)
         self.assertEqual(remove(object=cover.name, what='EMITTERS'), {'FINISHED'})
         self.assertIn("Add an emitter", self.cover_sentence(cover))
         self.assertIsNotNone(shelf.data)
@@ -190,7 +191,7 @@ class Setup(CoverTestCase):
         wanted = state(cover)
         work = support.addon("snow.cover.work")
         work._done.clear()
-        self.assertRefused(bpy.ops.motus.snow_cover_work_out, "nothing to calculate", object=cover.name)
+        self.assertRefused("nothing to calculate", bpy.ops.motus.snow_cover_work_out, object=cover.name)
         with mock.patch.object(work, "LONG", 0.0):
             go_to(101)
             self.assertIn("press Calculate Snow", self.cover_sentence(cover))

@@ -4,7 +4,8 @@ import bpy
 import numpy as np
 
 import support
-from snow.snow_cases import MANY, OFF_THE_FRAMES, SnowTestCase, actions, flakes, go_to, hub_mesh, key_places, native, seconds, state
+from snow.snow_cases import MANY, OFF_THE_FRAMES, SnowTestCase, actions, flakes, hub_mesh, native, seconds, state
+from support import go_to, key_places
 
 SQUARE = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)]
 
@@ -102,7 +103,7 @@ class Surface(SnowTestCase):
 
     def test_what_has_no_faces(self):
         self.mesh("Wire", SQUARE, [])
-        self.assertRefused(bpy.ops.motus.snow_add, "has no faces", surface="Wire")
+        self.assertRefused("has no faces", bpy.ops.motus.snow_add, surface="Wire")
         ground = self.mesh("Ground", SQUARE, [(0, 1, 2, 3)])
         emitter = self.add(surface="Ground", **MANY)
         go_to(30)
@@ -254,9 +255,9 @@ class Camera(SnowTestCase):
         self.assertIn("lens is not known ahead", self.sentence(emitter))
 
     def test_faults_are_said(self):
-        self.assertRefused(bpy.ops.motus.snow_add, "The scene has no camera", shape='CAMERA')
+        self.assertRefused("The scene has no camera", bpy.ops.motus.snow_add, shape='CAMERA')
         bpy.context.scene.collection.objects.link(bpy.data.objects.new("Empty", None))
-        self.assertRefused(bpy.ops.motus.snow_add, "is no camera", camera="Empty")
+        self.assertRefused("is no camera", bpy.ops.motus.snow_add, camera="Empty")
         camera = self.camera()
         bpy.context.scene.camera = camera
         emitter = self.add(shape='CAMERA', **MANY)

@@ -3,7 +3,8 @@
 import bpy
 import numpy as np
 
-from snow.snow_cases import MANY, OFF_THE_FRAMES, SnowTestCase, flakes, go_to, hub_mesh, instances, native, seconds, state
+from snow.snow_cases import MANY, OFF_THE_FRAMES, SnowTestCase, flakes, hub_mesh, instances, native, seconds, state
+from support import go_to
 
 EVERYTHING = {
     "random_speed": True,

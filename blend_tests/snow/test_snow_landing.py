@@ -8,7 +8,8 @@ import bpy
 import numpy as np
 
 import support
-from snow.snow_cases import SnowTestCase, flakes, go_to, key_places, state
+from snow.snow_cases import SnowTestCase, flakes, state
+from support import go_to, key_places
 
 SQUARE = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)]
 FALLING = {"start_speed": 2.0, "lifetime": 4.0, "rate": 60.0}
@@ -123,11 +124,11 @@ class Landing(LandingCase):
         for frame in (102, 103):
             go_to(frame)
         self.assertIn("collider is gone", self.sentence(emitter))
-        self.assertRefused(bpy.ops.motus.snow_add, "is no mesh", collider=bpy.data.objects.new("Empty", None).name)
-        self.assertRefused(bpy.ops.motus.snow_add, "There is no collection", colliders="Nowhere")
-        self.assertRefused(bpy.ops.motus.snow_colliders_clear, "Nothing was recorded", object=emitter.name)
+        self.assertRefused("is no mesh", bpy.ops.motus.snow_add, collider=bpy.data.objects.new("Empty", None).name)
+        self.assertRefused("There is no collection", bpy.ops.motus.snow_add, colliders="Nowhere")
+        self.assertRefused("Nothing was recorded", bpy.ops.motus.snow_colliders_clear, object=emitter.name)
         emitter.motus.snow.collider = None
-        self.assertRefused(bpy.ops.motus.snow_colliders_record, "nothing with faces", object=emitter.name)
+        self.assertRefused("nothing with faces", bpy.ops.motus.snow_colliders_record, object=emitter.name)
 
 
 class Collection(LandingCase):
@@ -316,7 +317,7 @@ class Moving(LandingCase):
         # What was recorded stays where there is nothing to record.
         before = state(emitter)
         roof.data.clear_geometry()
-        self.assertRefused(bpy.ops.motus.snow_colliders_record, "nothing with faces", object=emitter.name)
+        self.assertRefused("nothing with faces", bpy.ops.motus.snow_colliders_record, object=emitter.name)
         bpy.context.view_layer.update()
         self.assertEqual(state(emitter), before)
 

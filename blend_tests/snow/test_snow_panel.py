@@ -4,7 +4,8 @@ import bpy
 
 import support
 from core.test_habits import Layout
-from snow.snow_cases import MANY, SnowTestCase, key_places
+from snow.snow_cases import MANY, SnowTestCase
+from support import key_places
 
 
 class Panels(SnowTestCase):

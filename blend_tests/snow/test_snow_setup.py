@@ -6,7 +6,8 @@ import bpy
 import numpy as np
 
 import support
-from snow.snow_cases import MANY, SnowTestCase, flakes, go_to, hub_mesh, instances, state
+from snow.snow_cases import MANY, SnowTestCase, flakes, hub_mesh, instances, state
+from support import go_to
 
 LISTS = ("objects", "meshes", "materials", "node_groups")
 
@@ -114,7 +115,7 @@ class Setup(SnowTestCase):
         kept = self.add()
         bpy.ops.motus.snow_remove(object=kept.name, keep_object=True)
         self.assertFalse(kept.modifiers or kept.is_property_set("motus"))
-        self.assertRefused(bpy.ops.motus.snow_remove, "Nothing here snows", object=kept.name)
+        self.assertRefused("Nothing here snows", bpy.ops.motus.snow_remove, object=kept.name)
 
     def test_the_gradient(self):
         emitter = self.add(random_color=True, **MANY)
@@ -128,7 +129,7 @@ class Setup(SnowTestCase):
         self.assertTrue((flakes(emitter)["tint"] == 1.0).all())
         bpy.ops.motus.snow_stop_remove(object=emitter.name, index=0)
         self.assertTrue((flakes(emitter)["tint"] == 1.0).all())
-        self.assertRefused(bpy.ops.motus.snow_stop_remove, "no such colour", object=emitter.name)
+        self.assertRefused("no such colour", bpy.ops.motus.snow_stop_remove, object=emitter.name)
 
     def test_saved_and_opened_it_is_the_same_and_small(self):
         emitter = self.add(preset='GENTLE', rate=100000.0)
@@ -187,7 +188,7 @@ class Setup(SnowTestCase):
 
 class BadInput(SnowTestCase):
     def test_too_many(self):
-        self.assertRefused(bpy.ops.motus.snow_add, "would need 127 GB", rate=1e9)
+        self.assertRefused("would need 127 GB", bpy.ops.motus.snow_add, rate=1e9)
         self.assertEqual(len(bpy.data.objects), 0)
         emitter = self.add(**MANY)
         go_to(30)
@@ -210,7 +211,7 @@ class BadInput(SnowTestCase):
 
     def test_what_is_no_number(self):
         for name in ("rate", "lifetime", "start_speed"):
-            self.assertRefused(bpy.ops.motus.snow_add, "not a finite number", **{name: float("nan")})
+            self.assertRefused("not a finite number", bpy.ops.motus.snow_add, **{name: float("nan")})
         emitter = self.add(**MANY)
         go_to(30)
         emitter.motus.snow.start_speed = float("nan")
@@ -259,11 +260,11 @@ class BadInput(SnowTestCase):
         self.assertEqual(len(flakes(emitter)["id"]), 258)
 
     def test_refusals(self):
-        self.assertRefused(bpy.ops.motus.snow_add, "There is no object Nobody", surface="Nobody")
-        self.assertRefused(bpy.ops.motus.snow_add, "There is no object Nobody", flake="Nobody")
-        self.assertRefused(bpy.ops.motus.snow_add, "There is no collection Nobody", flakes="Nobody")
+        self.assertRefused("There is no object Nobody", bpy.ops.motus.snow_add, surface="Nobody")
+        self.assertRefused("There is no object Nobody", bpy.ops.motus.snow_add, flake="Nobody")
+        self.assertRefused("There is no collection Nobody", bpy.ops.motus.snow_add, flakes="Nobody")
         bpy.context.scene.collection.objects.link(bpy.data.objects.new("Empty", None))
-        self.assertRefused(bpy.ops.motus.snow_add, "is no mesh", surface="Empty")
-        self.assertRefused(bpy.ops.motus.snow_preset, "Nothing here snows", object="Empty")
+        self.assertRefused("is no mesh", bpy.ops.motus.snow_add, surface="Empty")
+        self.assertRefused("Nothing here snows", bpy.ops.motus.snow_preset, object="Empty")
         emitter = self.add(**MANY)
-        self.assertRefused(bpy.ops.motus.bake, "nothing to bake", object=emitter.name)
+        self.assertRefused("nothing to bake", bpy.ops.motus.bake, object=emitter.name)

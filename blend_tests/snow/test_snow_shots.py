@@ -3,7 +3,8 @@
 import bpy
 import numpy as np
 
-from snow.snow_cases import SnowTestCase, actions, flakes, go_to, key_places, state
+from snow.snow_cases import SnowTestCase, actions, flakes, state
+from support import go_to, key_places
 
 FALLING = {"rate": 400.0, "lifetime": 2.0, "start_speed": 0.3, "closest": 1.0, "farthest": 15.0, "start_frame": -200.0}
 NOISE = 5.0 * 800.0**0.5

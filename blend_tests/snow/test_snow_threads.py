@@ -6,7 +6,7 @@ import bpy
 
 import support
 from snow.cover_cases import FALLING, CoverTestCase
-from snow.snow_cases import go_to
+from support import go_to
 
 
 class Collections(CoverTestCase):

@@ -14,11 +14,6 @@ def native():
     return support.addon("core.native").module
 
 
-def go_to(frame):
-    whole = math.floor(frame)
-    bpy.context.scene.frame_set(whole, subframe=frame - whole)
-
-
 def camera(name="Camera", place=(0.0, 0.0, 0.0)):
     """A camera of 35 mm that looks along Y."""
     data = bpy.data.cameras.new(name)

@@ -4,7 +4,8 @@ import bpy
 import numpy as np
 
 import support
-from stereo.stereo_cases import StereoTestCase, camera, go_to, native, square
+from stereo.stereo_cases import StereoTestCase, camera, native, square
+from support import go_to
 
 
 def sentences(obj):

@@ -4,7 +4,8 @@ import bpy
 import numpy as np
 
 import support
-from stereo.stereo_cases import LENS, SENSOR, StereoTestCase, camera, eyes, go_to, native, square
+from stereo.stereo_cases import LENS, SENSOR, StereoTestCase, camera, eyes, native, square
+from support import go_to
 
 STEREO = "convergence_mode", "pivot", "interocular_distance", "convergence_distance", "use_spherical_stereo"
 

@@ -15,7 +15,7 @@ class Spider(cases.WalkerTestCase):
                 spider = cases.spider(legs=count)
                 self.assertEqual(len(spider.motus.walker.legs), count)
                 self.assertEqual(len(spider.motus.ik.entries), count)
-                cases.go_to(47)
+                support.go_to(47)
                 self.assertWell(spider)
                 np.testing.assert_allclose(cases.tips(spider), cases.places(spider), atol=1e-4)
 
@@ -37,8 +37,8 @@ class Spider(cases.WalkerTestCase):
         spider = cases.spider(ground=cases.grid("Land", cases.waves).name)
         rest = np.array([tuple(leg.rest) for leg in spider.motus.walker.legs])
         for frame in range(1, 110, 9):
-            cases.go_to(frame)
-            seen = cases.evaluated(spider)
+            support.go_to(frame)
+            seen = support.evaluated(spider)
             for name, foot, place in zip(cases.foot_bones(spider), cases.places(spider), rest):
                 knee = seen.matrix_world @ seen.pose.bones[name.replace("foot", "lower")].head
                 hip = seen.matrix_world @ seen.pose.bones[name.replace("foot", "upper")].head
@@ -78,6 +78,6 @@ class Spider(cases.WalkerTestCase):
     def test_names_of_a_second_one(self):
         first, second = cases.spider(), cases.spider(location=(3.0, 0.0, 0.0))
         self.assertNotEqual(first.name, second.name)
-        cases.go_to(50)
+        support.go_to(50)
         for one in (first, second):
             self.assertWell(one)

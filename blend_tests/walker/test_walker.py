@@ -26,7 +26,7 @@ class Steps(cases.WalkerTestCase):
     def test_legs_end_on_their_feet(self):
         spider = cases.spider()
         for frame in (1, 33, 47.5, 80, 119):
-            cases.go_to(frame)
+            support.go_to(frame)
             np.testing.assert_allclose(cases.tips(spider), cases.places(spider), atol=2e-5)
 
     def test_a_frame_alone_is_the_frame_in_playback(self):
@@ -34,12 +34,12 @@ class Steps(cases.WalkerTestCase):
         frames = sorted(set(cases.OFF_THE_FRAMES))
         played = dict(zip(frames, cases.over(frames, lambda: (cases.places(spider), cases.tips(spider)))))
         for frame in cases.OFF_THE_FRAMES:
-            cases.go_to(frame)
+            support.go_to(frame)
             np.testing.assert_array_equal(np.array((cases.places(spider), cases.tips(spider))), played[frame])
         path = self.save()
         bpy.ops.wm.open_mainfile(filepath=path)
         spider = bpy.data.objects["Spider"]
-        cases.go_to(57)
+        support.go_to(57)
         np.testing.assert_array_equal(np.array((cases.places(spider), cases.tips(spider))), played[57])
 
     def test_feet_are_where_the_library_has_them(self):
@@ -51,7 +51,7 @@ class Steps(cases.WalkerTestCase):
         bpy.context.view_layer.update()
         walker = cases.plan_of(spider).walker
         for frame in (1, 20, 44.25, 71, 100):
-            cases.go_to(frame)
+            support.go_to(frame)
             np.testing.assert_allclose(cases.places(spider), walker.feet(cases.seconds(frame)), atol=cases.SINGLE)
 
     def test_settings_arrive(self):
@@ -124,31 +124,31 @@ class Steps(cases.WalkerTestCase):
         for frame, value in ((40, 1.0), (41, 0.0), (50, 0.0)):
             spider.motus.walker.influence = value
             spider.keyframe_insert("motus.walker.influence", frame=frame)
-        cases.go_to(50)
+        support.go_to(50)
         carried = own + np.array(spider.matrix_world.translation)
         np.testing.assert_allclose(cases.places(spider), carried, atol=cases.SINGLE)
-        cases.go_to(40)
+        support.go_to(40)
         walker = cases.plan_of(spider).walker
         np.testing.assert_allclose(cases.places(spider), walker.feet(cases.seconds(40)), atol=cases.SINGLE)
 
     def test_a_jump_takes_the_feet_along(self):
         spider = cases.spider()
-        cases.key_places(spider, {60: (0.0, 1.0, 0.0), 61: (30.0, 1.0, 0.0), 90: (30.0, 2.0, 0.0)})
+        support.key_places(spider, {60: (0.0, 1.0, 0.0), 61: (30.0, 1.0, 0.0), 90: (30.0, 2.0, 0.0)})
         for frame in (60, 61):
-            cases.go_to(frame)
+            support.go_to(frame)
             away = np.linalg.norm(cases.places(spider) - cases.rests(spider), axis=1)
             self.assertLess(away.max(), 0.75 * spider.motus.walker.stride)
 
     def test_frame_rates_change_nothing_in_seconds(self):
         spider = cases.spider()
-        cases.go_to(50)
+        support.go_to(50)
         before = cases.plan_of(spider).walker.steps
         self.scene.render.fps_base = 0.5
         for curve in support.addon("core.blender.actions").fcurves(spider):
             for point in curve.keyframe_points:
                 point.co.x *= 2.0
             curve.update()
-        cases.go_to(100)
+        support.go_to(100)
         after = cases.plan_of(spider).walker.steps
         np.testing.assert_array_equal(after["leg"], before["leg"])
         # The motion is read from a frame before its first key on.
@@ -173,14 +173,14 @@ class Ground(cases.WalkerTestCase):
         scenery = bpy.data.collections.new("Scenery")
         self.scene.collection.objects.unlink(land)
         scenery.objects.link(land)
-        seat = cases.link("Instance", place=(0.0, 0.0, 0.5))
+        seat = support.link("Instance", location=(0.0, 0.0, 0.5))
         seat.instance_type, seat.instance_collection = 'COLLECTION', scenery
         outer = bpy.data.collections.new("Outer")
         self.scene.collection.children.link(outer)
         self.scene.collection.objects.unlink(seat)
         outer.objects.link(seat)
         spider = cases.spider(grounds="Outer", reach_up=1.0)
-        cases.go_to(1)
+        support.go_to(1)
         found = cases.places(spider)
         np.testing.assert_allclose(found[:, 2], 0.5 + cases.waves(found[:, 0], found[:, 1]), atol=4e-3)
         self.assertWell(spider)
@@ -190,7 +190,7 @@ class Ground(cases.WalkerTestCase):
         wall.rotation_euler.y = -0.5 * math.pi  # its upper side looks along -X
         spider = cases.spider(ahead=0.0, ground="Wall", location=(0.0, 0.0, 0.0))
         spider.rotation_euler = (0.0, -0.5 * math.pi, 0.0)
-        cases.key_places(spider, {1: (0.1, 0.0, -1.0), 60: (0.1, 0.0, 1.0)})
+        support.key_places(spider, {1: (0.1, 0.0, -1.0), 60: (0.1, 0.0, 1.0)})
         found, swings = self.assertStands(spider, list(range(1, 100, 3)))
         np.testing.assert_allclose(found[swings == 0.0][:, 0], 0.0, atol=1e-5)
         self.assertGreater(np.abs(found[swings > 0.0][:, 0]).max(), 0.02)
@@ -215,18 +215,18 @@ class Ground(cases.WalkerTestCase):
     def test_the_body_rises_and_leans(self):
         land = cases.grid("Land", lambda x, y: 0.3 * y + 0.1)
         spider = cases.spider(ahead=0.0, ground=land.name, body_tilt=1.0)
-        cases.go_to(1)
+        support.go_to(1)
         body = cases.body_of(spider)
         rest = np.array(spider.data.bones["body"].matrix_local)
         forward = body[:3, 1]
         self.assertAlmostEqual(forward[2] / math.hypot(*forward[:2]), 0.3, delta=0.02)
         self.assertGreater(body[2, 3], rest[2, 3] + 0.08)
         spider.motus.walker.body_height = spider.motus.walker.body_tilt = 0.0
-        cases.go_to(1)
+        support.go_to(1)
         np.testing.assert_allclose(cases.body_of(spider), rest, atol=1e-6)
         spider.motus.walker.body_height = 1.0
         spider.motus.walker.influence = 0.0
-        cases.go_to(1)
+        support.go_to(1)
         np.testing.assert_allclose(cases.body_of(spider), rest, atol=1e-6)
 
     def test_the_body_leans_as_the_library_says(self):
@@ -238,8 +238,8 @@ class Ground(cases.WalkerTestCase):
         body.rotation_mode = 'XYZ'
         body.location, body.rotation_euler = (0.02, 0.03, -0.01), (0.1, 0.2, 0.3)
         for frame in (1, 50, 81.5):
-            cases.go_to(frame)
-            seen = cases.evaluated(spider)
+            support.go_to(frame)
+            seen = support.evaluated(spider)
             own = np.array(seen.matrix_world @ spider.data.bones["body"].matrix_local @ body.matrix_basis)
             height, turn = cases.plan_of(spider).walker.body(cases.seconds(frame))
             about = np.array(seen.matrix_world.translation)
@@ -252,11 +252,11 @@ class Ground(cases.WalkerTestCase):
     def test_edits_of_the_ground_plan_anew(self):
         land = cases.grid("Land", lambda x, y: 0.0 * x)
         spider = cases.spider(ground=land.name)
-        cases.go_to(50)
+        support.go_to(50)
         before = cases.places(spider)
         land.data.transform(Matrix.Translation((0.0, 0.0, 0.1)))
         land.data.update()
-        cases.go_to(50)
+        support.go_to(50)
         np.testing.assert_allclose(cases.places(spider)[:, 2], before[:, 2] + 0.1, atol=1e-5)
         land.location.z = 0.1
         bpy.context.view_layer.update()
@@ -270,21 +270,21 @@ class Objects(cases.WalkerTestCase):
         self.assertEqual(
             bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name, ground=land.name, gait='TROT'), {'FINISHED'}
         )
-        cases.key_places(body, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
+        support.key_places(body, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
         found, swings = self.assertStands(body, list(range(1, 100)), 0.0)
         standing = found[swings == 0.0]
         np.testing.assert_allclose(standing[:, 2], cases.waves(standing[:, 0], standing[:, 1]), atol=6e-3)
-        cases.go_to(44)
+        support.go_to(44)
         walker = cases.plan_of(body).walker
         height, turn = walker.body(cases.seconds(44))
-        about = np.array(cases.evaluated(body).matrix_world.translation)
+        about = np.array(support.evaluated(body).matrix_world.translation)
         np.testing.assert_allclose(cases.body_of(body)[:3, 3], about + height + rotation(turn) @ (0.0, 0.0, 0.5), atol=2e-6)
         self.assertWell(body)
 
     def test_a_body_that_hangs_on_something_else(self):
         body, shell, feet = cases.cross()
         bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name)
-        shell.parent = cases.link("Crane")
+        shell.parent = support.link("Crane")
         bpy.context.view_layer.update()
         self.assertIn("hangs on something else", self.sentence(body))
         self.assertFalse(shell.constraints)
@@ -297,25 +297,25 @@ class Objects(cases.WalkerTestCase):
         body, shell, feet = cases.cross()
         land = cases.grid("Land", cases.waves)
         bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name, ground=land.name)
-        cases.key_places(body, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
-        cases.key_places(shell, {1: (0.0, 0.0, 0.5), 60: (0.3, 0.0, 0.9)})
+        support.key_places(body, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
+        support.key_places(shell, {1: (0.0, 0.0, 0.5), 60: (0.3, 0.0, 0.9)})
         for frame in (60, 1, 44, 12.5, 44):
-            cases.go_to(frame)
-            seen = cases.evaluated(shell)
-            own = np.array(cases.evaluated(body).matrix_world @ Matrix.Translation(seen.location))
+            support.go_to(frame)
+            seen = support.evaluated(shell)
+            own = np.array(support.evaluated(body).matrix_world @ Matrix.Translation(seen.location))
             height, turn = cases.plan_of(body).walker.body(cases.seconds(frame))
-            about = np.array(cases.evaluated(body).matrix_world.translation)
+            about = np.array(support.evaluated(body).matrix_world.translation)
             np.testing.assert_allclose(cases.body_of(body)[:3, 3], about + height + rotation(turn) @ (own[:3, 3] - about), atol=2e-6)
 
     def test_a_deleted_foot(self):
         body, _, feet = cases.cross()
         bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet))
-        cases.key_places(body, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
+        support.key_places(body, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
         bpy.context.view_layer.update()
         bpy.data.objects.remove(feet[1])
         bpy.ops.motus.refresh(object=body.name, system="walker")
         self.assertIn("no foot any more", self.sentence(body))
-        cases.go_to(60)
+        support.go_to(60)
         left = feet[0].evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world.translation
         self.assertGreater(left.y, 1.5)
 
@@ -339,8 +339,8 @@ class Overlay(cases.WalkerTestCase):
         spider = cases.spider(ahead=0.0, ground="Wall", location=(0.0, 0.0, 0.0))
         spider.rotation_euler = (0.0, -0.5 * math.pi, 0.0)
         self.scene.motus.show_walker_rests = True
-        cases.key_places(spider, {1: (0.0, 0.0, -1.0), 60: (0.0, 0.0, 1.0)})
-        cases.go_to(30)
+        support.key_places(spider, {1: (0.0, 0.0, -1.0), 60: (0.0, 0.0, 1.0)})
+        support.go_to(30)
         rings = [batch.points for batch in self.drawn(spider) if batch.width > 1.0 or batch.colors[3] == 0.5]
         self.assertEqual(len(rings), 3)
         for points in rings:

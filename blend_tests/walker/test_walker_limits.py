@@ -25,7 +25,7 @@ class NoGround(cases.WalkerTestCase):
         self.assertTrue(np.isfinite(cases.over((1, 60, 120), lambda: cases.places(spider))).all())
 
     def test_faces_are_missing(self):
-        land = cases.link("Land", bpy.data.meshes.new("Land"))
+        land = support.link("Land", bpy.data.meshes.new("Land"))
         spider = cases.spider(ahead=0.0)
         spider.motus.walker.ground = land
         self.assertIn("has no faces", self.sentence(spider))
@@ -38,13 +38,13 @@ class NoGround(cases.WalkerTestCase):
     def test_a_deleted_ground(self):
         land = cases.grid("Land", cases.waves)
         spider = cases.spider(ground=land.name)
-        cases.go_to(2)
+        support.go_to(2)
         bpy.ops.object.select_all(action='DESELECT')
         land.select_set(True)
         bpy.context.view_layer.objects.active = land
         bpy.ops.object.delete()
         bpy.context.view_layer.update()
-        cases.go_to(3)
+        support.go_to(3)
         self.assertIn("ground is gone", self.sentence(spider))
         standing = cases.places(spider)
         np.testing.assert_allclose(standing[:, 2], 0.0, atol=1e-5)
@@ -52,10 +52,10 @@ class NoGround(cases.WalkerTestCase):
     def test_what_moves_is_left_out(self):
         land = cases.grid("Land", cases.waves)
         spider = cases.spider(ground=land.name)
-        cases.key_places(land, {1: (0.0, 0.0, 1.0), 50: (0.0, 0.0, 0.0)})
+        support.key_places(land, {1: (0.0, 0.0, 1.0), 50: (0.0, 0.0, 0.0)})
         bpy.context.view_layer.update()
         self.assertIn("may move", self.sentence(spider))
-        cases.go_to(1)
+        support.go_to(1)
         np.testing.assert_allclose(cases.places(spider)[:, 2], 0.0, atol=1e-5)
 
     def test_a_walker_is_not_its_own_ground(self):
@@ -70,7 +70,7 @@ class NoGround(cases.WalkerTestCase):
             bpy.context.view_layer.update()
         ground = support.addon("walker.ground")
         self.assertEqual(ground.objects(spider.motus.walker), [])
-        cases.go_to(50)
+        support.go_to(50)
         self.assertIn("has no faces", self.sentence(spider))
         swing = cases.plan_of(spider).walker.swing(cases.seconds(50))
         np.testing.assert_allclose(cases.places(spider)[swing == 0.0][:, 2], 0.0, atol=1e-5)
@@ -92,16 +92,16 @@ class NoGround(cases.WalkerTestCase):
         with mock.patch.object(native, "WalkerGround", wraps=native.WalkerGround) as made:
             spider = cases.spider(ground=land.name)
             for frame in (10, 40, 80):
-                cases.go_to(frame)
+                support.go_to(frame)
             spider.motus.walker.stride = 0.4
-            cases.go_to(50)
+            support.go_to(50)
             spider.motus.walker.use_plane = True
             spider.motus.walker.plane_height = -0.3
-            cases.go_to(60)
+            support.go_to(60)
         self.assertEqual(made.call_count, 1)
 
     def test_stones_on_a_still_empty_stand_still(self):
-        root, spare = cases.link("Root"), cases.link("Spare")
+        root, spare = support.link("Root"), support.link("Spare")
         stones = bpy.data.collections.new("Stones")
         self.scene.collection.children.link(stones)
         for index in range(3):
@@ -110,12 +110,12 @@ class NoGround(cases.WalkerTestCase):
             self.scene.collection.objects.unlink(stone)
             stones.objects.link(stone)
         spider = cases.spider(ahead=0.0, grounds="Stones")
-        cases.go_to(1)
+        support.go_to(1)
         self.assertWell(spider)
         np.testing.assert_allclose(cases.places(spider)[:, 2], 0.2, atol=1e-5)
         root.parent = spare
-        cases.key_places(spare, {1: (0.0, 0.0, 0.0), 50: (0.0, 0.0, 1.0)})
-        cases.go_to(2)
+        support.key_places(spare, {1: (0.0, 0.0, 0.0), 50: (0.0, 0.0, 1.0)})
+        support.go_to(2)
         self.assertIn("may move", self.sentence(spider))
 
 
@@ -135,7 +135,7 @@ class Bodies(cases.WalkerTestCase):
 
     def test_one_that_is_moved_and_then_keyed(self):
         spider = cases.spider()
-        cases.go_to(60)
+        support.go_to(60)
         spider.location = (1.0, 1.0, 0.0)
         bpy.context.view_layer.update()
         np.testing.assert_allclose(cases.places(spider), cases.rests(spider), atol=1e-5)
@@ -152,7 +152,7 @@ class Bodies(cases.WalkerTestCase):
         curve = next(one for one in support.addon("core.blender.actions").fcurves(spider) if one.data_path == "location")
         curve.keyframe_points[1].co.y = math.nan
         curve.update()
-        cases.go_to(50)
+        support.go_to(50)
         self.assertEqual(self.sentence(spider), "The body's motion is not a finite number")
 
     def test_axes_that_there_are_not(self):
@@ -193,7 +193,7 @@ class Bodies(cases.WalkerTestCase):
 
     def test_a_body_that_goes_too_far(self):
         spider = cases.spider(ahead=1e20)
-        cases.go_to(50)
+        support.go_to(50)
         self.assertIn("goes too far away", self.sentence(spider))
 
     def walked(self, scale):
@@ -201,7 +201,7 @@ class Bodies(cases.WalkerTestCase):
         support.empty_scene()
         spider = cases.spider(ahead=0.0)
         spider.scale = scale
-        cases.key_places(spider, {10: (0.0, 0.0, 0.0), 90: (0.0, 5.0 * scale[1], 0.0)})
+        support.key_places(spider, {10: (0.0, 0.0, 0.0), 90: (0.0, 5.0 * scale[1], 0.0)})
         found = cases.over((1, 33, 50, 67.5, 110), lambda: cases.places(spider))
         self.assertTrue(np.isfinite(cases.body_of(spider)).all())
         return found
@@ -221,7 +221,7 @@ class Bodies(cases.WalkerTestCase):
                 bpy.context.view_layer.update()
                 walker = cases.plan_of(spider).walker
                 for frame in (1, 50, 110):
-                    cases.go_to(frame)
+                    support.go_to(frame)
                     np.testing.assert_allclose(cases.places(spider), walker.feet(cases.seconds(frame)), atol=1e-5)
                 self.assertTrue(np.isfinite(cases.body_of(spider)).all())
 
@@ -234,7 +234,7 @@ class Bodies(cases.WalkerTestCase):
                 for frame, size in ((1, smallest), (30, 1.0)):
                     spider.scale = (size, size, size)
                     spider.keyframe_insert("scale", frame=frame)
-                cases.go_to(2)
+                support.go_to(2)
                 self.assertWell(spider)
                 steps = cases.plan_of(spider).walker.steps
                 length = np.linalg.norm(steps["end"] - steps["start"], axis=1)[steps["touch"] > cases.seconds(40)]
@@ -243,16 +243,16 @@ class Bodies(cases.WalkerTestCase):
     def test_scaled_to_nothing(self):
         spider = cases.spider()
         spider.scale = (0.0, 0.0, 0.0)
-        cases.go_to(50)
+        support.go_to(50)
         self.assertTrue(np.isfinite(cases.places(spider)).all())
 
     def test_a_mirrored_body_leans_the_same_way(self):
         land = cases.grid("Land", lambda x, y: 0.3 * y + 0.2 * x)
         spider = cases.spider(ahead=0.0, ground=land.name, body_tilt=1.0)
-        cases.go_to(1)
+        support.go_to(1)
         plain = cases.body_of(spider)
         spider.scale.x = -1.0
-        cases.go_to(1)
+        support.go_to(1)
         mirrored = cases.body_of(spider)
         np.testing.assert_allclose(mirrored[:3, 1], plain[:3, 1], atol=0.02)
         np.testing.assert_allclose(mirrored[:3, 2], plain[:3, 2], atol=0.02)
@@ -266,15 +266,15 @@ class Bodies(cases.WalkerTestCase):
 
     def test_a_motion_that_is_too_long(self):
         spider = cases.spider(ahead=0.0)
-        cases.key_places(spider, {1: (0.0, 0.0, 0.0), 60_000: (0.0, 50.0, 0.0)})
-        cases.go_to(2)
+        support.key_places(spider, {1: (0.0, 0.0, 0.0), 60_000: (0.0, 50.0, 0.0)})
+        support.go_to(2)
         self.assertIn("first 9,000 frames", self.sentence(spider))
 
     def test_settings_beyond_all_bounds(self):
         spider = cases.spider(ahead=30.0, stride=0.0, cadence=100.0)
         bpy.context.view_layer.update()
         self.assertWell(spider)
-        cases.go_to(50)  # where each frame is a jump of more than four strides
+        support.go_to(50)  # where each frame is a jump of more than four strides
         np.testing.assert_allclose(cases.places(spider), cases.rests(spider), atol=1e-3)
         spider.motus.walker.jump = 1000.0
         self.assertIn("more than 1,000,000 steps", self.sentence(spider))

@@ -17,7 +17,7 @@ class Reach(cases.WalkerTestCase):
     def setUp(self):
         super().setUp()
         self.spider = cases.spider(ahead=0.0, use_plane=True, reach_down=2.0)
-        cases.key_places(self.spider, {1: (0.0, -2.0, HIGH), LAST: (0.0, 2.0, HIGH)})
+        support.key_places(self.spider, {1: (0.0, -2.0, HIGH), LAST: (0.0, 2.0, HIGH)})
         self.settings = self.spider.motus.walker
         self.settings.body_height = 0.0
 
@@ -33,7 +33,7 @@ class Reach(cases.WalkerTestCase):
         told, seen = set(), set()
         fps = self.scene.render.fps / self.scene.render.fps_base
         for frame in range(1, LAST + 1):
-            cases.go_to(frame)
+            support.go_to(frame)
             walker = cases.plan_of(self.spider).walker
             swing = walker.swing(frame / fps)
             pose = self.spider.evaluated_get(bpy.context.evaluated_depsgraph_get()).pose.bones
@@ -79,7 +79,7 @@ class Reach(cases.WalkerTestCase):
     def test_legs_that_stretch_reach(self):
         for entry in self.spider.motus.ik.entries:
             entry.stretch = 1.0
-        cases.go_to(2)
+        support.go_to(2)
         self.assert_right(is_missed=False)
 
     def test_without_a_body_nothing_comes_down(self):

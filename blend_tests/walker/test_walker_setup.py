@@ -56,7 +56,7 @@ class Add(cases.WalkerTestCase):
         """A spider that does not walk, and the object of this name that its first leg reaches for."""
         spider = cases.spider(ahead=0.0)
         bpy.ops.motus.walker_remove(object=spider.name)
-        foot = cases.link(name, place=spider.data.bones["foot 1.L"].head_local)
+        foot = support.link(name, location=spider.data.bones["foot 1.L"].head_local)
         entry = spider.motus.ik.entries["lower 1.L"]
         entry.target, entry.target_bone = foot, ""
         return spider, foot
@@ -66,10 +66,10 @@ class Add(cases.WalkerTestCase):
         bpy.ops.motus.walker_add(object=spider.name)
         legs = {leg.foot: leg.name for leg in spider.motus.walker.legs}
         self.assertIn(foot, legs)
-        cases.key_places(spider, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
-        cases.go_to(60)
-        cases.go_to(110)
-        self.assertGreater(cases.evaluated(foot).matrix_world.translation.y, 1.5)
+        support.key_places(spider, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
+        support.go_to(60)
+        support.go_to(110)
+        self.assertGreater(support.evaluated(foot).matrix_world.translation.y, 1.5)
 
     def test_named_bones(self):
         spider = cases.spider(ahead=0.0)
@@ -112,7 +112,7 @@ class Add(cases.WalkerTestCase):
     def test_again_changes_what_is_given(self):
         spider = cases.spider(stride=0.3)
         rests = [tuple(leg.rest) for leg in spider.motus.walker.legs]
-        cases.go_to(50)
+        support.go_to(50)
         bpy.ops.motus.walker_add(object=spider.name, gait='TRIPOD')
         settings = spider.motus.walker
         self.assertEqual((settings.gait, round(settings.stride, 6)), ('TRIPOD', 0.3))
@@ -182,7 +182,7 @@ class Add(cases.WalkerTestCase):
         spider = cases.spider(ahead=0.0)
         self.assertRefused("walks itself", add, object=body.name, feet=cases.names(feet), ground=f"{spider.name} Mesh")
         self.assertRefused("no bone Tail", add, object=spider.name, feet="Tail")
-        bare = cases.link("Bare", bpy.data.armatures.new("Bare"))
+        bare = support.link("Bare", bpy.data.armatures.new("Bare"))
         self.assertRefused("no chain of Inverse Kinematics", add, object=bare.name)
         other, _, _ = cases.cross("Other")
         add(object=body.name, feet=cases.names(feet))
@@ -248,7 +248,7 @@ class Remove(cases.WalkerTestCase):
         counts = len(bpy.data.objects), len(bpy.data.meshes)
         land = cases.grid("Land", cases.waves)
         bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name, ground=land.name)
-        cases.go_to(5)
+        support.go_to(5)
         bpy.ops.motus.walker_remove(object=feet[0].name)
         bpy.context.view_layer.update()
         for obj, wanted in seen.items():
@@ -262,7 +262,7 @@ class Remove(cases.WalkerTestCase):
             with self.subTest(is_exchanged=is_exchanged):
                 support.empty_scene()
                 body, shell, feet = cases.cross()
-                other = cases.link("Other Shell", parent=body)
+                other = support.link("Other Shell", parent=body)
                 bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name)
                 if is_exchanged:
                     body.motus.walker.body = other
@@ -276,7 +276,7 @@ class Remove(cases.WalkerTestCase):
 
     def test_others_keep_their_settings(self):
         body, _, feet = cases.cross()
-        other = cases.link("Other")
+        other = support.link("Other")
         other.motus.walker.gait = 'WAVE'
         bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet))
         bpy.ops.motus.walker_remove(object=body.name)
@@ -322,7 +322,7 @@ class Edits(cases.WalkerTestCase):
             bpy.context.view_layer.update()
         other.location = (5.0, 0.0, 0.0)
         bpy.context.view_layer.update()
-        cases.go_to(60)
+        support.go_to(60)
         np.testing.assert_allclose(cases.places(other), cases.rests(other), atol=1e-5)
         self.assertGreater(cases.places(spider)[:, 1].mean(), 0.5)
         self.assertWell(spider)
@@ -340,14 +340,14 @@ class Edits(cases.WalkerTestCase):
 
     def test_appended_and_linked(self):
         spider = cases.spider()
-        cases.go_to(50)
+        support.go_to(50)
         wanted = cases.places(spider)
         path = self.save()
         for link in (False, True):
             with self.subTest(link=link):
                 found = self.load(path, link, "Spider")
                 bpy.context.view_layer.update()
-                cases.go_to(50)
+                support.go_to(50)
                 np.testing.assert_allclose(cases.places(found), wanted, atol=1e-5)
 
     def test_an_override_walks(self):
@@ -360,7 +360,7 @@ class Edits(cases.WalkerTestCase):
         local.motus.walker.gait = 'WAVE'
         for _ in range(2):
             bpy.context.view_layer.update()
-        cases.go_to(50)
+        support.go_to(50)
         walker = cases.plan_of(local).walker
         np.testing.assert_allclose(cases.places(local), walker.feet(cases.seconds(50)), atol=1e-5)
 

@@ -15,7 +15,7 @@ class Motions(cases.WalkerTestCase):
     def path(self):
         course = path_cases.curve_data("Course")
         path_cases.add_bezier(course, path_cases.cubic_knots(((0, 0, 0), (0, 1, 0), (1, 2, 0), (2, 2, 0))))
-        return cases.link("Course", course)
+        return support.link("Course", course)
 
     def test_a_path_is_followed(self):
         curve = self.path()
@@ -25,7 +25,7 @@ class Motions(cases.WalkerTestCase):
         self.assertStands(spider, list(range(1, 121, 2)), 2e-6)
         self.assertWell(spider)
         for frame in (-50, 400):  # where it rests at the beginning and at the end of the curve
-            cases.go_to(frame)
+            support.go_to(frame)
             self.assertWell(spider)
 
     def test_beyond_what_is_planned_a_body_that_goes_on_is_told(self):
@@ -33,10 +33,10 @@ class Motions(cases.WalkerTestCase):
         spider = cases.spider(ahead=0.0)
         bpy.ops.motus.path_follow_add(object=spider.name, curve=curve.name, extend='LOOP', duration=4.0)
         for frame in (400, 433):
-            cases.go_to(frame)
+            support.go_to(frame)
             self.assertIn("planned for the frames of the scene", self.sentence(spider))
         self.scene.frame_end = 500
-        cases.go_to(401)
+        support.go_to(401)
         self.assertWell(spider)
 
     def test_frames_of_a_path_in_any_order(self):
@@ -46,7 +46,7 @@ class Motions(cases.WalkerTestCase):
         frames = sorted(set(cases.OFF_THE_FRAMES))
         played = dict(zip(frames, cases.over(frames, lambda: cases.places(spider))))
         for frame in cases.OFF_THE_FRAMES:
-            cases.go_to(frame)
+            support.go_to(frame)
             np.testing.assert_array_equal(cases.places(spider), played[frame])
 
     def test_where_the_scene_begins_changes_nothing_on_a_path(self):
@@ -63,31 +63,31 @@ class Motions(cases.WalkerTestCase):
         spider = cases.spider(ahead=0.0)
         bpy.ops.motus.path_follow_add(object=spider.name, curve=curve.name, extend='LOOP', duration=4.0)
         self.scene.frame_start, self.scene.frame_end = 30_000, 30_100
-        cases.go_to(30_050)
+        support.go_to(30_050)
         self.assertWell(spider)
 
     def test_each_frame_of_a_long_motion_is_a_sample(self):
         spider = cases.spider(ahead=0.0)
         plan = support.addon("walker.plan")
-        cases.key_places(spider, {0: (0.0, 0.0, 0.0), 30_000: (0.0, 20_000.0, 0.0)})
+        support.key_places(spider, {0: (0.0, 0.0, 0.0), 30_000: (0.0, 20_000.0, 0.0)})
         for curve in support.addon("core.blender.actions").fcurves(spider):
             for key in curve.keyframe_points:
                 key.interpolation = 'LINEAR'
-        cases.go_to(5000)
+        support.go_to(5000)
         steps = cases.plan_of(spider).walker.steps
         self.assertGreater(int((steps["touch"] > steps["lift"]).sum()), 8 * plan.MOST_FRAMES)
 
     def test_a_render_plans_nothing_anew(self):
         """Its evaluated copies are others on each frame; what they are read for is the same."""
         spider = cases.spider(ground=cases.grid("Land", cases.waves).name)
-        cases.go_to(20)
+        support.go_to(20)
         native, tracks, stamps = support.addon("core.native").module, support.addon("core.tracks"), set()
         with mock.patch.object(native, "Walker", wraps=native.Walker) as made:
             for frame in (20, 21):
                 spider.animation_data.action.update_tag()
                 spider.update_tag()
-                cases.go_to(frame)
-                stamps.add(tracks.world_track(cases.evaluated(spider), self.scene).stamp)
+                support.go_to(frame)
+                stamps.add(tracks.world_track(support.evaluated(spider), self.scene).stamp)
                 self.assertNotIsInstance(cases.plan_of(spider), support.addon("core.declare").Problem)
         self.assertEqual(len(stamps), 2)
         self.assertEqual(made.call_count, 0)
@@ -95,9 +95,9 @@ class Motions(cases.WalkerTestCase):
     def test_feet_and_body_share_a_plan_for_as_long_as_an_evaluation(self):
         spider = cases.spider(ground=cases.grid("Land", cases.waves).name)
         plan = support.addon("walker.plan")
-        cases.go_to(20)
+        support.go_to(20)
         with mock.patch.object(plan, "of", wraps=plan.of) as asked:
-            cases.go_to(21)
+            support.go_to(21)
             self.assertIn(asked.call_count, (1, 2))  # two where both begin at once
         for stride in (0.2, 0.6):
             for change in (
@@ -107,14 +107,14 @@ class Motions(cases.WalkerTestCase):
                 change()
                 bpy.context.view_layer.update()
                 found = cases.places(spider), cases.body_of(spider)
-                cases.go_to(1)
-                cases.go_to(21)
+                support.go_to(1)
+                support.go_to(21)
                 for was, now in zip(found, (cases.places(spider), cases.body_of(spider))):
                     np.testing.assert_array_equal(was, now)
 
     def test_an_extent_needs_no_plan(self):
         spider = cases.spider(ground=cases.grid("Land", cases.waves).name)
-        cases.go_to(20)
+        support.go_to(20)
         native, tracks = support.addon("core.native").module, support.addon("core.tracks")
         with mock.patch.object(native, "Walker", wraps=native.Walker) as made:
             for name in ("abdomen", "foot 1.L"):
@@ -132,10 +132,10 @@ class Motions(cases.WalkerTestCase):
 
     def test_what_is_not_known_is_recorded(self):
         spider = cases.spider(ahead=0.0)
-        carrier = cases.link("Carrier")
-        cases.key_places(carrier, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
+        carrier = support.link("Carrier")
+        support.key_places(carrier, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
         spider.constraints.new('COPY_LOCATION').target = carrier
-        cases.go_to(30)
+        support.go_to(30)
         self.assertIn("record it", self.sentence(spider))
         np.testing.assert_allclose(cases.places(spider), cases.rests(spider), atol=1e-5)
         self.assertEqual(bpy.ops.motus.track_record(datablock=spider.name, frame_start=1, frame_end=120), {'FINISHED'})
@@ -144,13 +144,13 @@ class Motions(cases.WalkerTestCase):
 
     def test_what_was_recorded_and_goes_on_is_recorded_again(self):
         spider = cases.spider(ahead=0.0)
-        carrier = cases.link("Carrier")
-        cases.key_places(carrier, {1: (0.0, 0.0, 0.0), 200: (0.0, 4.0, 0.0)})
+        carrier = support.link("Carrier")
+        support.key_places(carrier, {1: (0.0, 0.0, 0.0), 200: (0.0, 4.0, 0.0)})
         spider.constraints.new('COPY_LOCATION').target = carrier
         bpy.ops.motus.track_record(datablock=spider.name, frame_start=1, frame_end=100)
-        cases.go_to(90)
+        support.go_to(90)
         self.assertWell(spider)
-        cases.go_to(150)
+        support.go_to(150)
         self.assertIn("not where it was recorded", self.sentence(spider))
         np.testing.assert_allclose(cases.places(spider), cases.rests(spider), atol=1e-5)
 
@@ -165,7 +165,7 @@ class OverTime(solved_cases.Solved, cases.WalkerTestCase):
     def test_feet_and_bodies_that_are_objects(self):
         body, shell, feet = cases.cross()
         bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name, ground=self.land.name)
-        cases.key_places(body, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
+        support.key_places(body, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
         bpy.context.view_layer.update()
         for thing in (feet[2], shell):
             self.assertSolved(thing, 2e-5)
@@ -185,9 +185,9 @@ class OverTime(solved_cases.Solved, cases.WalkerTestCase):
         found = support.addon("core.wiring").problem(support.addon("dynamics").SYSTEM, spider, bpy.context.view_layer.depsgraph)
         self.assertIsNone(found)
         frames = (30, 80, 55, 30)
-        values = cases.over(frames, lambda: np.array(cases.evaluated(spider).pose.bones["abdomen"].matrix))
+        values = cases.over(frames, lambda: np.array(support.evaluated(spider).pose.bones["abdomen"].matrix))
         np.testing.assert_array_equal(values[0], values[3])
-        cases.go_to(60)
+        support.go_to(60)
         walker = cases.plan_of(spider).walker
         np.testing.assert_allclose(cases.places(spider), walker.feet(cases.seconds(60)), atol=cases.SINGLE)
 

@@ -6,6 +6,7 @@ import bpy
 import numpy as np
 
 import support
+from support import evaluated, go_to, key_places, link
 
 OFF_THE_FRAMES = (30, 1, 57, 90, 3.25, 24.5, 5, 100, 57, 30)
 STANDS, SWINGS = 0.0, 1.0
@@ -22,23 +23,6 @@ def plan_of(owner):
     plan = support.addon("walker.plan")
     evaluated = owner.evaluated_get(bpy.context.evaluated_depsgraph_get())
     return plan.of(evaluated, bpy.context.scene, plan.read(evaluated.motus.walker))
-
-
-def go_to(frame):
-    bpy.context.scene.frame_set(math.floor(frame), subframe=frame - math.floor(frame))
-
-
-def link(name, data=None, place=(0.0, 0.0, 0.0), parent=None):
-    obj = bpy.data.objects.new(name, data)
-    obj.location, obj.parent = place, parent
-    bpy.context.scene.collection.objects.link(obj)
-    return obj
-
-
-def key_places(obj, keys):
-    for frame, place in keys.items():
-        obj.location = place
-        obj.keyframe_insert("location", frame=frame)
 
 
 def spider(ahead=2.0, last=90, **keywords):
@@ -73,9 +57,9 @@ def waves(x, y):
 def cross(name="Body", legs=4):
     """A body, an empty, with a child and feet that are objects around it; (body, child, feet)."""
     body = link(name)
-    shell = link(f"{name} Shell", place=(0.0, 0.0, 0.5), parent=body)
+    shell = link(f"{name} Shell", location=(0.0, 0.0, 0.5), parent=body)
     feet = [
-        link(f"{name} Foot {index}", place=(math.sin(turn), math.cos(turn), 0.0))
+        link(f"{name} Foot {index}", location=(math.sin(turn), math.cos(turn), 0.0))
         for index, turn in enumerate(np.arange(legs) * 2.0 * math.pi / legs + 0.5)
     ]
     bpy.context.view_layer.update()
@@ -91,10 +75,6 @@ def select(owner, others):
 
 def names(feet):
     return ",".join(foot.name for foot in feet)
-
-
-def evaluated(obj):
-    return obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
 
 
 def foot_bones(owner):
@@ -162,10 +142,6 @@ class WalkerTestCase(support.SceneTestCase):
         super().setUp()
         self.scene = bpy.context.scene
         self.scene.frame_start, self.scene.frame_end = 1, 120
-
-    def assertRefused(self, part, operator, **keywords):
-        with self.assertRaisesRegex(RuntimeError, part):
-            operator(**keywords)
 
     def sentence(self, owner):
         """What the panel says is wrong; None where all is well."""

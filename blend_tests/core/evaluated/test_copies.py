@@ -42,7 +42,7 @@ class CopiesTest(support.SceneTestCase):
     def test_kept_until_blender_copies_anew(self):
         known = copies.of(self.evaluated())
         for frame in (1, 20, 3.5):
-            bpy.context.scene.frame_set(int(frame), subframe=frame % 1.0)
+            support.go_to(frame)
             self.assertIs(copies.of(self.evaluated()), known)
         self.thing.location.x = 1.0
         self.assertIsNot(copies.of(self.evaluated()), known)

@@ -3,7 +3,8 @@
 import bpy
 
 import support
-from snow.snow_cases import SnowTestCase, go_to, state
+from snow.snow_cases import SnowTestCase, state
+from support import go_to
 
 VALUES = {"emitter_radius": 2.5, "use_steering": True, "steering_frequency": 0.75, "steering_per_flake": True}
 

@@ -70,12 +70,6 @@ class ParentsTestCase(support.SceneTestCase):
             bpy.context.scene.render.fps = 24
             yield matrix
 
-    def link(self, name, data=None, location=(0.0, 0.0, 0.0)):
-        obj = bpy.data.objects.new(name, data)
-        obj.location = location
-        bpy.context.scene.collection.objects.link(obj)
-        return obj
-
     def world(self, obj, frame=None):
         if frame is not None:
             bpy.context.scene.frame_set(frame)
@@ -274,14 +268,14 @@ class Walkers(ParentsTestCase):
             put_under(spider, Matrix.Translation((1.0, 2.0, 0.0)) @ scaled(*factors) @ Matrix.Rotation(turn, 4, 'Z'))
             outer = bpy.data.objects[f"{spider.name} Outer"]
             x, y, z = outer.location
-            walker_cases.key_places(outer, {1: (x, y, z), 40: (x, y + 1.2, z)})
+            support.key_places(outer, {1: (x, y, z), 40: (x, y + 1.2, z)})
             with self.subTest(factors=factors, turn=turn):
                 self.assert_stand(spider)
 
     def assert_stand(self, spider):
         before, stood = None, 0
         for frame in range(5, 36):
-            walker_cases.go_to(frame)
+            support.go_to(frame)
             places = walker_cases.places(spider)
             self.assertNear(walker_cases.tips(spider), places, 1e-3)
             stands = np.array(walker_cases.plan_of(spider).walker.swing(frame / 24.0)) == walker_cases.STANDS
@@ -301,7 +295,7 @@ class Snowfall(ParentsTestCase):
             bpy.ops.motus.snow_add(preset='PLAIN', location=(0.3, 0.2, 0.1), start_frame=1, emitter_radius=0.0)
             emitter = bpy.context.object
             world = put_under(emitter, matrix)
-            snow_cases.go_to(30)
+            support.go_to(30)
             found = snow_cases.flakes(emitter)
             along = np.array(world.to_3x3().col[2].normalized())
             self.assertGreater(len(found["age"]), 4)

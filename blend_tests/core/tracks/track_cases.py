@@ -1,6 +1,5 @@
 """What the tests of inputs over time share: things with random keys, and what Blender makes of them."""
 
-import math
 import random
 import time
 
@@ -23,14 +22,6 @@ class TrackTestCase(support.SceneTestCase):
         self.tracks = support.addon("core.tracks")
         self.track_panel = support.addon("core.interface.tracks.panel")
         self.random = random.Random(20)
-
-    def link(self, name, data=None):
-        made = bpy.data.objects.new(name, data)
-        self.scene.collection.objects.link(made)
-        return made
-
-    def go_to(self, frame):
-        self.scene.frame_set(math.floor(frame), subframe=frame - math.floor(frame))
 
     def evaluated(self, id_data):
         return id_data.evaluated_get(bpy.context.evaluated_depsgraph_get())

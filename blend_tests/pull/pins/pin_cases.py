@@ -83,12 +83,6 @@ def _positions(mesh):
     return found.reshape(-1, 3)
 
 
-def frame_set(frame):
-    """Goes to a frame, sub-frames included."""
-    whole = int(frame // 1)
-    bpy.context.scene.frame_set(whole, subframe=frame - whole)
-
-
 def key_strength(pin, keys):
     """Key the strength: {frame: value}, linear in between."""
     for frame, value in keys.items():

@@ -5,7 +5,8 @@ import numpy as np
 
 import support
 from pull.pins import pin_cases as cases
-from pull.pins.pin_cases import add, basis, centre, evaluated, frame_set, vertex_at
+from pull.pins.pin_cases import add, basis, centre, evaluated, vertex_at
+from support import go_to
 
 
 class ShapeTest(cases.PinsTestCase):
@@ -204,28 +205,28 @@ class TimeTest(cases.PinsTestCase):
         root = centre(grid)
         cases.key_strength(add(grid, root), {1: 0.0, 11: 1.0})
         for frame, strength in ((6, 0.5), (1, 0.0), (3.5, 0.25), (50, 1.0)):
-            frame_set(frame)
+            go_to(frame)
             self.assert_shape(grid, cases.pulled(basis(grid), root, (0.0, 0.0, strength)))
 
     def test_any_order_of_frames_bit_for_bit(self):
         grid = self.animated()
         shapes = {}
         for frame in self.FRAMES:
-            frame_set(frame)
+            go_to(frame)
             shape = evaluated(grid).copy()
             self.assert_bits(shape, shapes.setdefault(frame, shape))
         for frame in sorted(set(self.FRAMES)):
-            frame_set(frame)
+            go_to(frame)
             self.assert_bits(evaluated(grid), shapes[frame])
 
     def test_nothing_kept_gives_the_same_bits(self):
         grid = self.animated()
-        frame_set(7.25)
+        go_to(7.25)
         kept = evaluated(grid).copy()
         support.addon("pull.pins.shapes")._shapes.clear()
-        frame_set(3)
+        go_to(3)
         support.addon("pull.pins.shapes")._shapes.clear()
-        frame_set(7.25)
+        go_to(7.25)
         self.assert_bits(evaluated(grid), kept)
 
     def test_driven_strength_and_mute(self):
@@ -234,12 +235,12 @@ class TimeTest(cases.PinsTestCase):
         pin = add(grid, root)
         pin.driver_add("strength").driver.expression = "0.1 * frame"
         for frame in (4, 9, 2.5):
-            frame_set(frame)
+            go_to(frame)
             self.assertAlmostEqual(evaluated(grid)[root, 2], 0.1 * frame, places=6)
         pin.driver_add("is_muted").driver.expression = "frame > 5"
-        frame_set(9)
+        go_to(9)
         self.assert_bits(evaluated(grid), basis(grid))
-        frame_set(4)
+        go_to(4)
         self.assertAlmostEqual(evaluated(grid)[root, 2], 0.4, places=6)
 
     def test_keyed_influence(self):
@@ -253,23 +254,23 @@ class TimeTest(cases.PinsTestCase):
         for curve in support.addon("core.blender.actions").fcurves(grid):
             curve.keyframe_points[0].interpolation = 'LINEAR'
         for frame in (6, 2, 11):
-            frame_set(frame)
+            go_to(frame)
             self.assertAlmostEqual(evaluated(grid)[root, 2], (frame - 1) / 10.0, places=6)
 
     def test_still_pins_are_not_computed_on_every_frame(self):
         solver = support.addon("core.wiring.solving.namespace")
         grid = cases.new_grid()
         add(grid, centre(grid))
-        frame_set(1)
+        go_to(1)
         calls = []
         original = solver.motus_solve
         solver.motus_solve = lambda *arguments: calls.append(arguments[1]) or original(*arguments)
         self.addCleanup(setattr, solver, "motus_solve", original)
         for frame in (2, 3, 4):
-            frame_set(frame)
+            go_to(frame)
         self.assertEqual(calls, [])
         cases.key_strength(grid.motus.pull.pins[0], {1: 0.0, 11: 1.0})
-        frame_set(5)
+        go_to(5)
         self.assertIn("pull", calls)
 
     def test_rendered_as_seen(self):

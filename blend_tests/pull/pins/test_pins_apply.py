@@ -4,7 +4,8 @@ import bpy
 import numpy as np
 
 from pull.pins import pin_cases as cases
-from pull.pins.pin_cases import add, basis, centre, evaluated, frame_set, vertex_at
+from pull.pins.pin_cases import add, basis, centre, evaluated, vertex_at
+from support import go_to
 
 motus = bpy.ops.motus
 FRAMES = (1, 3, 7.5, 11, 30)
@@ -24,12 +25,12 @@ class ApplyTest(cases.PinsTestCase):
 
     def test_pins_are_applied_to_the_mesh(self):
         grid = self.pinned()
-        frame_set(6)
+        go_to(6)
         shape = evaluated(grid).copy()
         motus.pin_apply(to='MESH')
         self.assert_no_pins(grid)
         self.assert_bits(basis(grid), shape)
-        frame_set(1)
+        go_to(1)
         self.assert_bits(evaluated(grid), shape)
 
     def test_pins_are_applied_to_a_mesh_with_shape_keys(self):
@@ -39,7 +40,7 @@ class ApplyTest(cases.PinsTestCase):
         points = key.points if hasattr(key, "points") else key.data
         points.foreach_set("co", (basis(grid) + np.array((0.0, 0.4, 0.1), np.float32)).ravel())
         key.value = 0.7
-        frame_set(6)
+        go_to(6)
         shape = evaluated(grid).copy()
         motus.pin_apply(to='MESH')
         self.assert_no_pins(grid)
@@ -49,7 +50,7 @@ class ApplyTest(cases.PinsTestCase):
 
     def test_one_of_several_pins_is_applied(self):
         grid = self.pinned()
-        frame_set(11)
+        go_to(11)
         shape = evaluated(grid).copy()
         motus.pin_apply(to='MESH', index=1)
         self.assertEqual([pin.name for pin in grid.motus.pull.pins], ["Hill"])
@@ -57,7 +58,7 @@ class ApplyTest(cases.PinsTestCase):
 
     def test_pins_are_applied_to_one_shape_key(self):
         grid = self.pinned()
-        frame_set(6)
+        go_to(6)
         before, shape = basis(grid), evaluated(grid).copy()
         motus.pin_apply(to='KEY')
         self.assert_no_pins(grid)
@@ -70,14 +71,14 @@ class ApplyTest(cases.PinsTestCase):
         grid.motus.pull.influence = 0.8
         shapes = {}
         for frame in FRAMES:
-            frame_set(frame)
+            go_to(frame)
             shapes[frame] = evaluated(grid).copy()
         motus.pin_apply(to='KEYS')
         self.assert_no_pins(grid)
         blocks = grid.data.shape_keys.key_blocks
         self.assertEqual([key.name for key in blocks], ["Basis", "Hill", "Dent"])
         for frame in FRAMES:
-            frame_set(frame)
+            go_to(frame)
             self.assert_shape(grid, shapes[frame])
         self.assertEqual(blocks["Dent"].value, -0.5)
 
@@ -88,12 +89,12 @@ class ApplyTest(cases.PinsTestCase):
         pins[0].driver_add("is_muted").driver.expression = "frame > 8"
         shapes = {}
         for frame in FRAMES:
-            frame_set(frame)
+            go_to(frame)
             shapes[frame] = evaluated(grid).copy()
         motus.pin_apply(to='KEYS')
         self.assertIsNone(grid.animation_data)
         for frame in FRAMES:
-            frame_set(frame)
+            go_to(frame)
             self.assert_shape(grid, shapes[frame])
 
     def test_refusals(self):

@@ -41,7 +41,7 @@ class DragTest(cases.PinsTestCase):
 
     def test_keyed_strength_of_the_frame(self):
         cases.key_strength(self.pin, {1: 0.0, 11: 1.0})
-        cases.frame_set(6)
+        support.go_to(6)
         self.assert_goes_to((0.5, 0.5, 2.0))
 
     def test_weights_of_a_vertex_group(self):

@@ -7,7 +7,8 @@ import numpy as np
 
 import support
 from pull.pins import pin_cases as cases
-from pull.pins.pin_cases import add, basis, centre, evaluated, frame_set, vertex_at
+from pull.pins.pin_cases import add, basis, centre, evaluated, vertex_at
+from support import go_to
 
 BARE = """
 import bpy, json
@@ -26,13 +27,13 @@ class FilesTest(cases.PinsTestCase):
         add(grid, vertex_at(grid, 0.5, 0.5), (0.2, 0.0, 0.4), radius=0.4, falloff='SPHERE')
         self.shapes = {}
         for frame in (6, 11, 2.5):
-            frame_set(frame)
+            go_to(frame)
             self.shapes[frame] = evaluated(grid).copy()
         return grid
 
     def assert_same(self, obj):
         for frame in (11, 6, 2.5, 6):
-            frame_set(frame)
+            go_to(frame)
             self.assert_bits(evaluated(obj), self.shapes[frame])
 
     def test_saved_and_opened(self):
@@ -102,13 +103,13 @@ class FilesTest(cases.PinsTestCase):
         self.assertIsNone(grid.motus.pull.hub.library)
         grid.motus.pull.pins[1].strength = 0.0
         root = centre(grid)
-        frame_set(11)
+        go_to(11)
         wanted = cases.pulled(basis(grid), root, (0.0, 0.0, 1.0))
         self.assert_shape(grid, wanted)
         bpy.ops.wm.open_mainfile(filepath=self.save("over.blend"))
         grid = next(obj for obj in bpy.data.objects if obj.override_library)
-        frame_set(6)
-        frame_set(11)
+        go_to(6)
+        go_to(11)
         self.assert_shape(grid, wanted)
 
     def test_a_pin_on_a_linked_mesh(self):
@@ -138,7 +139,7 @@ class FilesTest(cases.PinsTestCase):
                 self.assert_same(copy)
                 self.assertNotEqual(copy.motus.pull.hub, grid.motus.pull.hub)
                 copy.motus.pull.pins[1].is_muted = True
-                frame_set(11)
+                go_to(11)
                 self.assertGreater(np.abs(evaluated(copy) - self.shapes[11]).max(), 0.3)
                 self.assert_bits(evaluated(grid), self.shapes[11])
 

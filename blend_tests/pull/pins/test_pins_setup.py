@@ -5,7 +5,8 @@ import numpy as np
 
 import support
 from pull.pins import pin_cases as cases
-from pull.pins.pin_cases import add, basis, centre, evaluated, frame_set, vertex_at
+from pull.pins.pin_cases import add, basis, centre, evaluated, vertex_at
+from support import go_to
 
 motus = bpy.ops.motus
 
@@ -66,7 +67,7 @@ class RemoveTest(cases.PinsTestCase):
             cases.key_strength(add(grid, root, radius=0.3), {1: 0.0, 11: 1.0 + index})
         motus.pin_move(index=0, direction='DOWN')
         motus.pin_remove(index=0)
-        frame_set(11)
+        go_to(11)
         heights = evaluated(grid)[roots, 2]
         self.assertEqual([round(float(height), 5) for height in heights], [1.0, 0.0, 3.0])
         self.assertEqual(len(support.addon("core.blender.actions").fcurves(grid)), 2)
@@ -80,7 +81,7 @@ class RemoveTest(cases.PinsTestCase):
         return grid, roots
 
     def assert_heights(self, obj, roots, *wanted):
-        frame_set(11)
+        go_to(11)
         heights = evaluated(obj)[roots, 2]
         self.assertEqual([round(float(height), 5) for height in heights], list(wanted))
 
@@ -136,7 +137,7 @@ class RemoveTest(cases.PinsTestCase):
         self.assertEqual(paths(), wanted(0, 1, 2, 0, 1))
         motus.pin_move(index=0, place=2)
         self.assertEqual(paths(), wanted(2, 0, 1, 2, 0))
-        frame_set(2)
+        go_to(2)
         self.assertAlmostEqual(other.location.x, 0.1)
         self.assertAlmostEqual(other.location.z, 0.2)
         motus.pin_remove(index=0)
@@ -144,7 +145,7 @@ class RemoveTest(cases.PinsTestCase):
         self.assertEqual([paths()[index] for index in (0, 2, 3)], wanted(1, 0, 1))
         with self.assertRaises((ValueError, KeyError)):
             grid.path_resolve(gone)
-        frame_set(3)
+        go_to(3)
         self.assertAlmostEqual(other.location.x, 0.1)
         motus.pin_remove(all=True)
         self.assertEqual(set(paths()), {gone})

@@ -5,7 +5,8 @@ import numpy as np
 
 import support
 from pull.pins import pin_cases as cases
-from pull.pins.pin_cases import add, basis, centre, evaluated, frame_set
+from pull.pins.pin_cases import add, basis, centre, evaluated
+from support import go_to
 
 motus = bpy.ops.motus
 wiring, setup, solve = (support.addon(name) for name in ("core.wiring", "pull.pins.setup", "pull.pins.solve"))
@@ -216,7 +217,7 @@ class KeptTest(StrokesTestCase):
         cases.key_strength(pin, {1: 0.0, 11: 1.0})
         shapes = {}
         for frame in (6, 1, 3.5, 50, 6, 3.5):
-            frame_set(frame)
+            go_to(frame)
             share = min((frame - 1.0) / 10.0, 1.0)
             self.assert_shape(grid, before + share * (after - before), ULP)
             shape = evaluated(grid)
@@ -235,12 +236,12 @@ class KeptTest(StrokesTestCase):
             grid, pin, before, after = self.stroked()
             if to == 'KEYS':
                 cases.key_strength(pin, {1: 0.0, 11: 1.0})
-                frame_set(11)
+                go_to(11)
             self.assertEqual(motus.pin_apply(to=to), {'FINISHED'})
             self.assert_shape(grid, after, ULP)
             self.assertEqual([name for name in grid.data.attributes.keys() if name.startswith("motus")], [])
             if to == 'KEYS':
-                frame_set(1)
+                go_to(1)
                 self.assert_shape(grid, before, ULP)
 
     def test_removed(self):

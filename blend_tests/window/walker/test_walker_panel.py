@@ -37,7 +37,7 @@ def test_a_spider_is_added_and_has_a_panel():
     look()
     spider = add()
     assert spider.select_get() and spider.motus.walker.is_active
-    cases.key_places(spider, {1: (0.0, 0.0, 0.0), 60: (0.0, 1.5, 0.0)})
+    support.key_places(spider, {1: (0.0, 0.0, 0.0), 60: (0.0, 1.5, 0.0)})
     bpy.context.scene.frame_set(30)
     drawn = yield from window_support.open_tab("Motus")
     path = yield from window_support.picture("walker_sidebar")
@@ -50,7 +50,7 @@ def test_a_setting_is_changed_while_it_plays():
     clear()
     look()
     spider = add()
-    cases.key_places(spider, {1: (0.0, 0.0, 0.0), 250: (0.0, 4.0, 0.0)})
+    support.key_places(spider, {1: (0.0, 0.0, 0.0), 250: (0.0, 4.0, 0.0)})
     bpy.context.scene.frame_end = 250
     with window_support.override():
         bpy.ops.screen.animation_play()
@@ -76,7 +76,7 @@ def test_feet_that_find_no_ground_are_told():
     land = cases.grid("Land", lambda x, y: np.where(y > 0.6, -9.0, 0.0), half=2.0, count=41)
     spider = add()
     spider.motus.walker.ground = land
-    cases.key_places(spider, {1: (0.0, 0.0, 0.0), 60: (0.0, 1.2, 0.0)})
+    support.key_places(spider, {1: (0.0, 0.0, 0.0), 60: (0.0, 1.2, 0.0)})
     bpy.context.scene.frame_set(60)
     told, shown = support.addon("walker.told"), []
     sentence = told.sentence
@@ -99,7 +99,7 @@ def test_footholds_are_drawn():
         clear()
         look()
         spider = add(color=(0.3, 0.3, 0.3, 1.0))
-        cases.key_places(spider, {1: (0.0, 0.0, 0.0), 60: (0.0, 1.5, 0.0)})
+        support.key_places(spider, {1: (0.0, 0.0, 0.0), 60: (0.0, 1.5, 0.0)})
         bpy.context.scene.frame_set(30)
         shown.show_walker_footholds = is_shown
         yield

@@ -16,6 +16,7 @@ import numpy as np
 
 import support
 from look_at import look_at_cases
+from support import link
 from walker import walker_cases
 
 FRAMES = (3.0, 20.5)
@@ -33,13 +34,6 @@ class Case(NamedTuple):
 
 
 # --- Set-ups -----------------------------------------------------------------------------------------------------
-
-
-def link(name, data=None, location=(0.0, 0.0, 0.0)):
-    obj = bpy.data.objects.new(name, data)
-    obj.location = location
-    bpy.context.scene.collection.objects.link(obj)
-    return obj
 
 
 def _course():
@@ -165,7 +159,7 @@ def evaluated():
     """Numbers that say where everything stands at FRAMES, but hidden helpers."""
     found = []
     for frame in FRAMES:
-        bpy.context.scene.frame_set(int(frame), subframe=frame % 1.0)
+        support.go_to(frame)
         depsgraph = bpy.context.evaluated_depsgraph_get()
         for obj in sorted(bpy.context.scene.collection.all_objects, key=lambda one: one.name_full):
             found.append(_numbers(obj.evaluated_get(depsgraph)))
