@@ -11,7 +11,8 @@
 namespace motus::bones {
 namespace {
 
-// Blender's thresholds, single precision: its results jump there, and so do these.
+// Blender's thresholds, in single precision: Blender's results jump at these values, and the results here
+// jump at the same ones.
 constexpr double small_cosine = 1e-4;
 constexpr double cosine_of_parallel = 1.0 - 1.1920929e-7;
 constexpr double shortest_axis = 1e-35;
@@ -26,7 +27,7 @@ glm::dvec3 transform(const glm::dmat4& matrix, const glm::dvec3& point) {
     return glm::dmat3(matrix) * point + glm::dvec3(matrix[3]);
 }
 
-/// The vector with length one and the length it had; a vector of no length becomes zero.
+/// Normalizes a vector in place and returns its former length; a vector of no length becomes zero.
 double normalize_in_place(glm::dvec3& v) {
     const double length = glm::length(v);
     v = length > shortest_axis ? v / length : glm::dvec3(0.0);
@@ -37,7 +38,8 @@ glm::dvec3 sizes(const glm::dmat3& axes) {
     return {glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])};
 }
 
-/// Sizes of the axes, evened out so that their product is the volume, which shear makes smaller.
+/// Lengths of the axes, scaled so that their product is the volume, which shear makes smaller than the
+/// product of the lengths.
 glm::dvec3 sizes_of_volume(const glm::dmat3& axes) {
     const glm::dvec3 size = sizes(axes);
     const double product = size.x * size.y * size.z;
@@ -84,7 +86,7 @@ LinearSpace still_parent(InheritScale mode, const glm::dmat3& rest, const glm::d
     }
 }
 
-/// A unit vector across the two other axes, some of which may be zero.
+/// A unit vector perpendicular to the two other axes of a matrix, some of which may be zero.
 glm::dvec3 filling(const glm::dmat3& unit, int axis) {
     const glm::dvec3& next = unit[(axis + 1) % 3];
     const glm::dvec3& last = unit[(axis + 2) % 3];
@@ -131,8 +133,8 @@ glm::dmat3 inverse_of_flat(const glm::dmat3& axes) {
     const glm::dvec3 size = sizes(axes);
     glm::dmat3 unit(0.0);
     std::array<bool, 3> is_missing{};
-    // Gram-Schmidt: axes that are there keep their directions as far as these differ; the others fill the
-    // frame.
+    // Gram-Schmidt: axes that are not zero keep their directions as far as these differ; the axes that are
+    // missing complete the frame.
     constexpr double same = 1e-7;
     for (int axis = 0; axis < 3; ++axis) {
         if (size[axis] > shortest_axis) unit[axis] = axes[axis] / size[axis];
@@ -187,7 +189,7 @@ ParentSpace parent_space(const Rest& bone, const glm::dmat4& parent_pose) {
     ParentSpace space;
     space.post_scale = linear.post_scale;
     const glm::dvec3 head = bone.has_parent ? transform(parent_pose, offset.head) : offset.head;
-    // Blender's own matrix has another origin if the bone does not inherit all: nothing reads it.
+    // Blender's own matrix has another origin if the bone does not inherit all. Nothing reads that origin.
     space.rotation_scale = affine(linear.axes, head);
     if (!bone.has_parent)
         space.location = affine(bone.local_location ? offset.turn : glm::dmat3(1.0), head);

@@ -32,7 +32,8 @@ struct OwnTurn {
     return {scaled(axes, 1.0 / scale), scale};
 }
 
-/// The turn, on top of the own one, that points the tail of a bone along `way`; none if nothing says how.
+/// The turn, on top of the bone's own rotation, that points the bone's tail along `way`; none if the
+/// direction is undefined.
 [[nodiscard]] std::optional<glm::dquat> turn_along(const ParentSpace& space, const OwnTurn& own,
                                                    const glm::dvec3& way, double weight) {
     const glm::dmat3 axes = glm::dmat3(space.rotation_scale) * own.rotation;
@@ -62,7 +63,7 @@ TailPlan::TailPlan(std::span<const int> parents, std::span<const int> bones)
         place = i;
     }
     for (const int bone : bones) {
-        // From the bone up to the topmost one that turns, or to one that is a link already.
+        // From the bone upwards to the topmost bone that turns, or to a bone that is a link already.
         std::vector<std::size_t> way;
         std::size_t needed = 0;
         for (int at = bone; at >= 0; at = parents_[static_cast<std::size_t>(at)]) {

@@ -3,7 +3,7 @@
 namespace motus::bones {
 namespace {
 
-/// A unit vector across a unit vector.
+/// Any unit vector perpendicular to a unit vector.
 glm::dvec3 some_across(const glm::dvec3& v) {
     const glm::dvec3 other = std::abs(v.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
     return glm::normalize(other - glm::dot(other, v) * v);

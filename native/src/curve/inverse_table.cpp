@@ -9,7 +9,7 @@ namespace {
 // Largest error of an interval, as a fraction of the curve's length; shorter intervals are not divided
 // further.
 constexpr double distance_tolerance = 1e-12;
-// Error of the fitted points, as a fraction of that.
+// Error of the fitted points, as a fraction of distance_tolerance.
 constexpr double node_tolerance = 0.01;
 // A stretch whose speed varies by more than this factor (towards a cusp) is divided without trying a
 // polynomial.
@@ -39,7 +39,7 @@ struct Stretch {
     return {piece, x0, x1, 0.5 * (s0 + s1), 0.5 * (s1 - s0)};
 }
 
-/// x in [low, high] at which the distance is s, by Newton's method held inside a shrinking bracket.
+/// x in [low, high] at which the distance is s, by Newton's method within a shrinking bracket.
 [[nodiscard]] double solve(const SpeedPiece& piece, double s, double low, double high, double residual) {
     constexpr int most_steps = 80;  // bisection alone would be through after 60
     double x = 0.5 * (low + high);

@@ -39,8 +39,8 @@ struct Candidate {
     double distance = std::numeric_limits<double>::infinity();
 };
 
-/// The control points of a segment counted from `point`: the distances then carry no rounding of coordinates
-/// far from the origin, behind which no part would be seen to be farther than another.
+/// Control points of a segment relative to `point`. Distances then do not contain the rounding of coordinates
+/// far from the origin, which would hide that some parts of the curve are farther than others.
 [[nodiscard]] bernstein::Points seen_from(const glm::dvec3& point, bernstein::Segment segment) {
     bernstein::Points points;
     std::transform(segment.begin(), segment.end(), points.begin(),
@@ -116,7 +116,7 @@ class Search {
         if (distance < best_.distance) best_ = {index_, t, distance};
     }
 
-    /// Looks through the part a to b, whose control points these are.
+    /// Searches the part of a segment between the parameters a and b; `part` has its control points.
     void descend(bernstein::Segment part, double a, double b, int depth) {
         ++parts_;
         // The curve and its chord are no farther apart than their control points, if the chord is written

@@ -1,5 +1,5 @@
-// Elliptic functions by the modulus k and its complement k' = sqrt(1 - k^2), both given: near k = 1 the one
-// has lost the digits of the other. Private to the library.
+// Elliptic functions of the modulus k and its complement k' = sqrt(1 - k^2). Both are given, since near k = 1
+// the complement computed from k has lost its digits. Private to the library.
 // Abramowitz, Stegun, "Handbook of Mathematical Functions" (1964), 16.4, 17.6; Carlson, "Numerical
 // computation of real or complex elliptic integrals" (1995).
 #pragma once

@@ -161,7 +161,8 @@ class GaussStages {
         constexpr double rounding = 1e-15;
         constexpr int most = 24;
         const double goal = rounding * largest + 1e-300;
-        // The next round would change by as much less as this one did than the last.
+        // The next round is expected to change the result by the same factor less than this one as this one
+        // did than the last.
         const bool has_last = rounds_ > 0;
         const bool is_small = change <= goal || (has_last && change * change <= goal * last_change_);
         const bool has_stopped = has_last && change >= last_change_ && change <= 1e3 * goal;

@@ -38,8 +38,8 @@ using MotionCache =
 
 inline constexpr std::size_t most_tables = 4096;
 inline constexpr std::size_t most_table_bytes = std::size_t{512} << 20U;
-/// Tables of motions that are asked for together find room beside others: were there too little for them,
-/// each time that is asked for would drop the tables that the next one needs.
+/// Most tables of motions that are asked for together. If these had too little room in the cache, each
+/// question would drop the tables that the next one needs.
 inline constexpr std::size_t most_tables_together = most_tables / 2;
 inline constexpr std::size_t most_bytes_together = most_table_bytes / 8 * 7;
 
@@ -63,7 +63,7 @@ template <class System>
 template <class System>
 class Motion {
   public:
-    /// settings: forwards.
+    /// settings: those of the motion forwards.
     explicit Motion(MotionSettings<System> settings) : settings_(std::move(settings)) {}
 
     /// Greatest size of the table that a time is in, with its key. Throws as at().
@@ -71,10 +71,10 @@ class Motion {
         return table(time < 0.0).bytes_until(time) + bytes_of(settings_.accelerations);
     }
 
-    /// In the motion's own unit of time.
+    /// The state at a time in the motion's own unit.
     [[nodiscard]] std::array<double, System::size> at(double time) { return table(time < 0.0).at(time); }
 
-    /// The table for times below 0, or that for others.
+    /// The table for times below 0 if `is_past`, else the one for times from 0 on.
     [[nodiscard]] const MotionTable<System>& table(bool is_past) {
         auto& found = tables_[is_past ? 1 : 0];
         if (!found) {

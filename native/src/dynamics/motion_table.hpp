@@ -19,7 +19,7 @@
 
 namespace motus::dynamics {
 
-/// In a motion's own units.
+/// Settings of an integrated motion, in the motion's own units.
 template <class System>
 struct MotionSettings {
     [[nodiscard]] friend bool operator==(const MotionSettings&, const MotionSettings&) = default;
@@ -48,7 +48,8 @@ class MotionTable {
             throw std::domain_error("angles and angular velocities must be smaller");
     }
 
-    /// At a time of the sign of the interval, below most_nodes of them.
+    /// The state at a time that has the sign of the interval, and less than most_nodes intervals away from
+    /// the start.
     [[nodiscard]] State at(double time) const {
         const Place place = place_of(time);
         grow(place.last());
@@ -92,12 +93,12 @@ class MotionTable {
         std::size_t node = 0;
         double rest = 0.0;  ///< from the node on
 
-        /// The node that the table must have: the one after the time, since
-        /// a state depends on how its whole interval was made.
+        /// The last node that the table must have: the one after the time, since a state depends on how its
+        /// whole interval was integrated.
         [[nodiscard]] std::size_t last() const { return rest == 0.0 ? node : node + 1; }
     };
 
-    /// Whether a state is of numbers, and its angles are such that their sines mean something.
+    /// Whether the numbers of a state are finite, and its angles so small that their sines have digits.
     [[nodiscard]] static bool are_within_bounds(const State& state) {
         return are_finite(state) &&
                std::ranges::all_of(std::span(state).first(System::size / 2),
@@ -142,7 +143,8 @@ class MotionTable {
     /// Why a table grows no further.
     enum class End : std::uint8_t { none, is_long, leaves_bounds };
 
-    /// The steps of one interval, and of the next ones: made by somebody else, judged here.
+    /// Growth of a table by the steps of one interval and the next ones. Others compute the steps; this class
+    /// judges them.
     class Growth {
       public:
         Growth(const MotionTable& table, std::size_t node) : table_(table), node_(node) { begin(); }

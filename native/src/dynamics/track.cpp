@@ -10,16 +10,16 @@
 namespace motus::dynamics {
 namespace {
 
-/// The state (offset, velocity) that a cycle repeats, when it makes `end` of the state zero and multiplies
-/// what else there is by the matrix of `cycle`: (1 - M) s = end.
+/// The state (offset, velocity) that a cycle reproduces, if the cycle turns a state of zero into `end`, and
+/// multiplies other states by the matrix of `cycle`: the solution of (1 - M) s = end.
 [[nodiscard]] std::array<double, 2> repeated(const Step& cycle, double offset, double velocity) {
     const double a = 1.0 - cycle.ee, b = -cycle.eu, c = -cycle.ue, d = 1.0 - cycle.uu;
     const double determinant = a * d - b * c;
     return {(d * offset - b * velocity) / determinant, (a * velocity - c * offset) / determinant};
 }
 
-/// Whether a cycle comes back to every state of the filter without an input, so that none is the one to
-/// repeat.
+/// Whether without an input a cycle reproduces every state of the filter, so that no single state is the one
+/// to repeat.
 [[nodiscard]] bool is_resonant(const Step& cycle) {
     const double determinant = (1.0 - cycle.ee) * (1.0 - cycle.uu) - cycle.eu * cycle.ue;
     constexpr double lost = 1e-12;  // the closing would have no digits left

@@ -51,8 +51,9 @@ struct Between {
     double share = 0.0;
 };
 
-/// Calls with_inner(point, opposite) for each point inside: opposite are the three pairs in line with it.
-/// If the inside follows the outside, it stands in the mean of its places between them, as in Blender.
+/// Calls with_inner(point, opposite) for each inner point of the lattice; opposite: the three pairs of outer
+/// points in line with it. If the inside follows the outside, an inner point is the mean of its three places
+/// between these, as in Blender.
 template <class WithInner>
 void for_inside(const Lattice& lattice, WithInner&& with_inner) {
     const std::array<int, 3> count = lattice.resolution;
@@ -79,7 +80,7 @@ void for_inside(const Lattice& lattice, WithInner&& with_inner) {
     }
 }
 
-/// Gives the weights of the points inside to those of the outside that they follow.
+/// Adds the weights of inner points to the outer points that they follow.
 void move_to_outside(const Lattice& lattice, WholeRow& row) {
     for_inside(lattice, [&](std::size_t point, const std::array<Between, 3>& opposite) {
         const double third = row[point] / 3.0;
@@ -91,7 +92,7 @@ void move_to_outside(const Lattice& lattice, WholeRow& row) {
     });
 }
 
-/// Lets the points inside follow.
+/// Moves each inner point to the mean of its places between outer points.
 void follow_outside(const Lattice& lattice, std::span<glm::dvec3> displacements) {
     for_inside(lattice, [&](std::size_t point, const std::array<Between, 3>& opposite) {
         glm::dvec3 sum(0.0);
@@ -103,7 +104,8 @@ void follow_outside(const Lattice& lattice, std::span<glm::dvec3> displacements)
 
 struct Rows {
     std::vector<Row> influenced;
-    /// Least square of a pull at full influence, by itself; infinity if nothing moves any.
+    /// Least square of a row at full influence; infinity if no lattice point moves any of the pulled
+    /// vertices.
     double weakest = std::numeric_limits<double>::infinity();
 };
 
@@ -251,8 +253,8 @@ std::vector<glm::dvec3> pull_lattice(const Lattice& lattice, std::span<const Par
     check_count(rows.influenced, points);
     // From here on nothing is refused.
     std::ranges::fill(out, glm::dvec3(0.0));
-    // Below `least` the inverse falls again: the solution stays bounded there, and follows the data
-    // continuously.
+    // For eigenvalues below `least` the inverse falls again, so that the solution stays bounded and is
+    // continuous in the data.
     const double least = rows.weakest / (options.max_gain * options.max_gain);
     const auto inverse = [least](double value) {
         if (!(value > 0.0)) return 0.0;

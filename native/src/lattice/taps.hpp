@@ -12,7 +12,7 @@
 
 namespace motus::lattice {
 
-/// Points along one axis that are heard at a place; several taps may name the same point.
+/// Lattice points along one axis that have a weight at a place; several taps may name the same point.
 struct Taps {
     int count = 0;
     Unfilled<int, max_resolution> point;

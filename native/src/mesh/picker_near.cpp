@@ -14,13 +14,13 @@
 namespace motus::mesh {
 namespace {
 
-/// From where to where the squared distances of what lies in each lane's box may reach.
+/// Least and greatest squared distance of anything in each lane's box.
 struct Distances {
     Lanes least;
     Lanes most;
 };
 
-/// The least square of a difference between low and high.
+/// The least square of a number between low and high.
 inline FourFloats least_square(const FourFloats& low, const FourFloats& high) noexcept {
     const FourFloats gap = larger(larger(low, -high), FourFloats{});
     return gap * gap;
@@ -30,7 +30,7 @@ inline FourFloats most_square(const FourFloats& low, const FourFloats& high) noe
     return far * far;
 }
 
-/// Measures from a point, in the positions' space.
+/// Measures distances from a point in the space of the positions.
 class Straight {
   public:
     explicit Straight(const glm::vec3& from) : from_(from) {}
@@ -61,7 +61,7 @@ class Straight {
     glm::vec3 from_;
 };
 
-/// Measures from a point, in the space that a matrix leads to.
+/// Measures distances from a point in the space into which a matrix transforms the positions.
 class Metric {
   public:
     Metric(const glm::vec3& from, const glm::mat3& metric) : from_(from), metric_(metric) {}

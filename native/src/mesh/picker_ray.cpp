@@ -1,7 +1,7 @@
 // Ray hits.
-// Triangles: Woop, Benthin, Wald, "Watertight ray/triangle intersection" (2013), in double precision: the
-// sides of a ray that two triangles find of the edge they share are the same numbers, so that it passes
-// between them nowhere.
+// Triangles: Woop, Benthin, Wald, "Watertight ray/triangle intersection" (2013), in double precision. Two
+// triangles compute the same numbers for the side of their common edge on which a ray passes, so that no ray
+// slips between them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,7 +50,7 @@ class Ray {
     }
 
   private:
-    /// Seen from the origin, the ray along the third axis.
+    /// A position relative to the origin, sheared so that the ray is the third axis.
     [[nodiscard]] glm::dvec3 sheared(const glm::dvec3& p) const {
         const glm::dvec3 d = p - origin_;
         return {d[x_] - shear_.x * d[z_], d[y_] - shear_.y * d[z_], shear_.z * d[z_]};

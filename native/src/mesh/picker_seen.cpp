@@ -1,7 +1,7 @@
-// The vertex nearest to a hit, along the surface that was hit.
+// The vertex nearest to a hit, measured along the surface that was hit.
 //
-// A walk from triangle to triangle over the edges that are nearest to the hit: no edge further away than the
-// nearest vertex so far leads to a nearer one. Who is beside an edge the tree tells, by its boxes.
+// A walk from triangle to triangle over the edges nearest to the hit: an edge farther away than the nearest
+// vertex so far does not lead to a nearer one. The boxes of the tree tell which triangles lie beside an edge.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +23,8 @@ namespace {
 /// Triangles after which the walk ends: long thin ones around a hit may be many, with all vertices far away.
 constexpr std::size_t most_triangles = 256;
 
-/// An edge as the triangle has it that the walk came over: the other one has it the other way round.
+/// An edge with its ends in the order of the triangle from which the walk comes; the triangle behind it has
+/// them in reverse order.
 struct Side {
     double square = 0.0;  ///< of its distance to the hit
     std::uint32_t a = 0, b = 0;
@@ -56,7 +57,7 @@ class Walk {
           metric_(metric),
           slack_(slack) {}
 
-    /// From the triangle with these corners.
+    /// Walks from the triangle with these corners; returns the nearest vertex.
     [[nodiscard]] std::uint32_t run(std::uint32_t triangle, std::array<std::uint32_t, 3> corners) {
         for (const std::uint32_t corner : corners) consider(corner);
         if (facing(corners[0], corners[1], corners[2]) < 0.0) std::swap(corners[1], corners[2]);
@@ -76,7 +77,8 @@ class Walk {
         return metric_ * (points_(vertex) - centre_);
     }
 
-    /// > 0 if a triangle is seen from the side from which its corners go round to one hand.
+    /// Number whose sign tells whether the corners are clockwise or counter-clockwise as the ray sees the
+    /// triangle.
     [[nodiscard]] double facing(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
         const glm::dvec3 at_a = away(a);
         return glm::dot(glm::cross(away(b) - at_a, away(c) - at_a), direction_);
@@ -111,7 +113,7 @@ class Walk {
         std::ranges::push_heap(sides_, std::greater<>());
     }
 
-    /// To the other triangles at an edge.
+    /// Walks on to the other triangles at an edge.
     void cross(const Side& side) {
         const glm::dvec3 a = points_(side.a), b = points_(side.b);
         for (glm::length_t axis = 0; axis < 3; ++axis) {
@@ -157,7 +159,7 @@ class Walk {
         }
     }
 
-    /// Onto a triangle: what is seen of it, and lies beyond it.
+    /// Walks on to a triangle, and looks at its vertices and edges beyond the side that was crossed.
     void step(std::uint32_t triangle, const Side& side, std::uint32_t tip) {
         if (std::ranges::find(visited_, triangle) != visited_.end()) return;
         const double seen = facing(side.b, side.a, tip);

@@ -35,9 +35,9 @@ struct Picker::Tree {
     PickerBoxes around_triangles;  ///< none if there are no triangles
 
     void sort_in(std::span<const glm::ivec3> triangles);
-    /// All boxes, for the points as they are.
+    /// Computes all boxes for the present points.
     void refit();
-    /// Where vertices in the box were moved.
+    /// Updates the boxes that touch a box in which vertices were moved.
     void refit_touching(const PickerBox& box);
 
     [[nodiscard]] PickerBox vertex_box(std::size_t leaf) const noexcept {

@@ -63,7 +63,8 @@ class Search {
   private:
     static constexpr float largest = std::numeric_limits<float>::max();
 
-    /// Has the memory that settling these takes brought near: waiting for it is half the time otherwise.
+    /// Prefetches the memory that settling these vertices reads: otherwise half of the time is waiting for
+    /// memory.
     void fetch(const std::vector<Due>& all) {
         for (const Due& due : all) __builtin_prefetch(neighbours_.fan(due.vertex()).data());
         for (const Due& due : all) {
@@ -100,7 +101,8 @@ class Search {
         return count > 0.0f ? sum / count : 0.0f;
     }
 
-    /// Whether a place beyond the radius has sides that long that what lies behind them may be within.
+    /// Whether a place beyond the radius has sides so long that vertices behind them may lie within the
+    /// radius.
     [[nodiscard]] bool leads_back(const SurfacePlace& from, std::uint32_t vertex) {
         const float beyond = from.distance - radius_;
         const auto is_long = [&](std::uint32_t other) {
@@ -142,7 +144,7 @@ class Search {
         improve(to, vertex, way_across({side2, far2, spoke.dot, spoke.area}, from, other));
     }
 
-    /// Tells the neighbours of `from` how far away they are from there.
+    /// Passes the distances that lead through `from` on to its neighbours.
     void settle(SurfacePlace& from, std::uint32_t vertex) {
         look_around(from, vertex);
         ++from.settled;

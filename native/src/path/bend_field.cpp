@@ -103,7 +103,7 @@ void BendField::join_stretches() {
     }
 }
 
-/// Both sides turn until they meet half-way.
+/// Turns the ends of two stretches until they meet half-way.
 void BendField::join(Stretch& left, const Place& last, Stretch& right, const Place& first,
                      Across last_to_first) {
     const Across jump = exact(first) - exact(last) * last_to_first;
@@ -162,7 +162,7 @@ void BendField::filter(double smoothing) {
         run_back(steady({behind_[0].plain + turning_[last] * closing, behind_[0].ramped}, std::conj(closing),
                         frames_->length()));
     } else {
-        // The path goes on as it begins and ends.
+        // Beyond its ends the path is continued as it begins and ends.
         const auto held = [&](std::size_t cell) {
             const double width = distances[cell + 1] - distances[cell];
             const Across bend = width > 0.0 ? turning_[cell] / width : 0.0;

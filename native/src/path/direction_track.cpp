@@ -18,12 +18,12 @@ constexpr double slope_step = 1e-3;  // of a gap: over this much beside it the s
 constexpr double most_overshoot =
     pi / 8.0;  // rad: how far an end's slope may carry the angle on into the gap
 
-/// `value` moved by a multiple of `period` to within half of it from `near`.
+/// `value` plus the multiple of `period` that brings it within half a period of `near`.
 double nearest(double value, double near, double period) {
     return near + std::remainder(value - near, period);
 }
 
-/// A way that begins with slope 1 and tends to `reach`.
+/// A function of x that begins with slope 1 and tends to `reach`.
 double saturated(double x, double reach) {
     return reach > 0.0 ? reach * -std::expm1(-x / reach) : 0.0;
 }

@@ -55,9 +55,9 @@ double limited(double roll, double limit) {
     return std::copysign(kept * (1.0 - smooth_step(4.0 * size / pi - 3.0)), roll);
 }
 
-/// Unit vector along `apparent`, the apparent gravity across the tangent in units of g. Near weightlessness
-/// it is led past 0: along `upright` if nothing is left, and if it comes out upside down (the crest of
-/// a hill taken too fast) over one side, so that the follower rolls.
+/// Unit vector along `apparent`, the apparent gravity perpendicular to the tangent, in units of g. Near
+/// weightlessness the vector is led past 0: along `upright` if nothing is left, and over one side if it comes
+/// out upside down (the crest of a hill taken too fast), so that the follower rolls.
 Across apparent_up(Across apparent, Across upright) {
     const double closeness = 1.0 - std::norm(apparent) / (weightless * weightless);
     if (closeness > 0.0) {

@@ -14,7 +14,7 @@ namespace motus::sculpt {
 /// Number of vertices per block: their intermediate values stay in the fastest cache.
 inline constexpr std::size_t pull_block = 512;
 
-/// Something of each vertex of a block.
+/// One value of type T for each vertex of a block.
 template <class T>
 using PerVertex = Unfilled<T, pull_block>;
 
@@ -29,10 +29,10 @@ struct ForceTerms {
     int last_sample = 1;
 };
 
-/// Checked: see forces().
+/// The terms of a profile that was checked: see forces().
 [[nodiscard]] ForceTerms force_terms(const Profile& profile, float radius);
 
-/// How a dab's image moves vertices.
+/// Numbers by which one mirror image of a dab moves vertices.
 struct MoveTerms {
     glm::vec3 displacement{0.0f};
     float minimum = 0.0f;
@@ -55,9 +55,9 @@ struct Shares {
 /// are x, y, z after each other, and finite.
 struct PullKernel {
     const char* name;
-    /// Whether all are finite.
+    /// Whether all numbers are finite.
     bool (*are_finite)(const float* numbers, std::size_t count);
-    /// Whether all lie in [0, 1].
+    /// Whether all weights lie in [0, 1].
     bool (*are_weights)(const float* weights, std::size_t count);
     /// Distances from `root`, or their squares, as `force` takes them. metric: distances are
     /// |metric (p - root)|; null for straight ones. False if no vertex is within reach.
@@ -67,7 +67,7 @@ struct PullKernel {
     void (*force)(const ForceTerms& terms, float* values, std::size_t count);
     /// Multiplies forces by weights.
     void (*weigh)(const float* weights, std::size_t count, float* forces);
-    /// Moves by one image.
+    /// Moves the vertices by one image of the dab.
     void (*move)(const MoveTerms& terms, const float* forces, std::size_t count, float* positions);
     /// Pulls any number of vertices by one image without limits. measured: different positions on which
     /// distances are measured, or null. weights: one for each vertex, or null.

@@ -20,8 +20,8 @@ namespace {
     return reinterpret_cast<float*>(positions);
 }
 
-/// How often as long a metric that turns and scales all directions alike makes a vector; 0 of others, and of
-/// sizes that might leave the floats.
+/// Factor by which a metric lengthens vectors, if it turns and scales all directions alike; 0 for other
+/// metrics, and for factors that might leave the range of float.
 [[nodiscard]] double uniform_scale(const glm::mat3& metric) {
     const glm::dmat3 axes(metric);
     const glm::dmat3 products = glm::transpose(axes) * axes;
@@ -39,12 +39,12 @@ namespace {
 }
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-/// Vertices of a block that another image's Reach doesn't hold.
+/// Distance of vertices of a block that are not in another image's Reach.
 constexpr float out_of_reach = infinity;
 
 }  // namespace
 
-/// Vertices from all over the mesh, next to each other.
+/// Values of vertices from all over the mesh, side by side in memory.
 struct Puller::Gathered {
     PerVertex<glm::vec3> positions;
     PerVertex<glm::vec3> measured;  ///< if that is another shape
@@ -80,7 +80,7 @@ Puller::Puller(const Dab& dab, std::size_t vertex_count, std::size_t weight_coun
     }
 }
 
-/// measured: null if that is the positions.
+/// measured: positions on which distances are measured; null if these are the moved positions.
 void Puller::check(const glm::vec3* positions, const glm::vec3* measured, const float* weights,
                    std::size_t count) const {
     const bool are_positions = kernel_.are_finite(numbers(positions), 3 * count) &&

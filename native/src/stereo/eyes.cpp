@@ -10,7 +10,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Interaxial distance times the lens's magnification: parallax is this times a difference of 1 / depth.
+/// Distance between the eyes times the magnification of the lens. Parallax is this number times a difference
+/// of two reciprocal depths.
 [[nodiscard]] double strength(const Eyes& eyes) {
     return eyes.interaxial * eyes.focal_length / eyes.sensor_width;
 }
@@ -20,7 +21,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
     return eyes.mode == Mode::parallel ? 0.0 : 1.0 / eyes.convergence;
 }
 
-/// The point as an eye sees it that stands `aside` to the right and is turned by `angle` to the left.
+/// The point in the space of an eye that stands `aside` to the right and is turned by `angle` to the left.
 [[nodiscard]] glm::dvec2 seen(const Eyes& eyes, const glm::dvec3& point, double aside, double angle) {
     const double right = point.x - aside;
     const double cosine = std::cos(angle), sine = std::sin(angle);
@@ -89,7 +90,7 @@ Range depths_within(const Eyes& eyes, const Limits& limits) {
     require(limits.far >= 0.0 && std::isfinite(limits.far), "far_parallax must be at least 0 and finite");
     if (eyes.interaxial == 0.0) return {0.0, infinity};
     if (eyes.mode == Mode::toe_in && std::isfinite(eyes.convergence)) {
-        // parallax() solved for the depth.
+        // The depth at which parallax() has a given value.
         const double half = 0.5 * eyes.interaxial;
         const double tangent = half / eyes.convergence;
         const double scale = 0.5 * eyes.sensor_width / eyes.focal_length;

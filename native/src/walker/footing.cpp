@@ -23,17 +23,17 @@ namespace {
     return ground.ray(from, direction, length_of(way));
 }
 
-/// The place above or below the hip that is level with another one.
+/// The place above or below the hip that is level with another place.
 [[nodiscard]] glm::dvec3 over_hip(const Search& search, const glm::dvec3& level) {
     return search.hip + search.up * glm::dot(level - search.hip, search.up);
 }
 
-/// Faces above a place that are looked through; below more of them no roof is found.
+/// Most faces above a place that are examined; no roof is found beyond them.
 constexpr std::size_t most_faces = 64;
 
-/// How far up from a place ground is looked for, `most` at most: less below a roof, a face that looks down on
-/// air through which one can go, with a floor below. A place may be within the ground, or within stones that
-/// are within each other.
+/// How far above a place the search for ground begins, at most `most`. Less below a roof: a face that looks
+/// down on air through which one can go, with a floor below. A place may lie within the ground, or within
+/// stones that lie within each other.
 [[nodiscard]] double room_above(const Ground& ground, const glm::dvec3& place, const glm::dvec3& up,
                                 double most) {
     struct Face {
@@ -59,7 +59,7 @@ constexpr std::size_t most_faces = 64;
         left += face.leaves ? 1 : -1;
         within = std::max(within, left);
     }
-    // Without one it is ground whose faces are turned over.
+    // Without a floor below, the face is ground whose faces are turned over.
     const auto has_floor = [&](double height) {
         return height > 0.0 || ground.ray(place + skip * up, -up, std::numeric_limits<double>::infinity());
     };
@@ -77,10 +77,10 @@ constexpr std::size_t most_faces = 64;
     return most;
 }
 
-/// Intervals of a way, between whose ends the ground is looked at.
+/// Intervals of a swing's way, at whose ends the height of the ground is looked up.
 constexpr std::size_t intervals = 8;
 
-/// The fraction of a swing at which it is so far along its way.
+/// The fraction of the swing's time at which the foot is at this share of its way.
 [[nodiscard]] constexpr double fraction_at(double way) {
     double low = 0.0, high = 1.0;
     for (int halving = 0; halving < 60; ++halving) {
@@ -112,7 +112,8 @@ class Profile {
 
     [[nodiscard]] double length() const { return length_; }
 
-    /// m, at a fraction of the way: below 0 under the line, and if there is none -length().
+    /// Height of the ground at a share of the way, m; below 0 under the line; -length() if there is no
+    /// ground.
     [[nodiscard]] double height(double share) const {
         const glm::dvec3 place = start_ + way_ * share;
         const auto from = [&](double room) {
@@ -139,7 +140,7 @@ struct Hurdle {
     double height = 0.0;
 };
 
-/// At most one a look, and two an edge.
+/// List of hurdles with room for one at each looked-up place and two at each edge.
 class Hurdles {
   public:
     void add(double fraction, double height) {
@@ -157,7 +158,7 @@ struct Look {
     double height = 0.0;
 };
 
-/// Both sides of the edge between two places of a way; none if the ground goes on evenly.
+/// The places on both sides of the edge between two places of a way; none if the ground goes on evenly.
 [[nodiscard]] std::optional<std::pair<Look, Look>> edge_between(const Profile& profile, Look low, Look high) {
     constexpr double steep = 0.25;  // of the way: what rises or falls less is not looked through
     constexpr int first_halvings = 4, halvings = 17;
@@ -165,7 +166,7 @@ struct Look {
     const double whole = step();
     if (!(whole > steep * profile.length() * (high.share - low.share))) return std::nullopt;
     for (int halving = 0; halving < halvings; ++halving) {
-        // A slope that is even has a sixteenth left by then.
+        // Of an even slope, a sixteenth of the height difference is left after these halvings.
         if (halving == first_halvings && step() < 0.5 * whole) return std::nullopt;
         const double share = 0.5 * (low.share + high.share);
         const Look middle{share, profile.height(share)};

@@ -7,26 +7,26 @@
 
 namespace motus::walker {
 
-/// From where, and in which direction, ground is looked for. World space.
+/// Origin and directions of a search for ground, in world space.
 struct Search {
     glm::dvec3 rest{0.0};  ///< where the foot would stand
     glm::dvec3 hip{0.0};   ///< a place over which there is the body
     glm::dvec3 up{0.0, 0.0, 1.0};
 };
 
-/// How far above and below a rest place, m.
+/// How far above and below a rest place ground is looked for, m.
 struct Reach {
     double up = 0.0;
     double down = 0.0;
 };
 
-/// The ground at a rest place: what is met first on a way from above the hip, level to above the rest place,
-/// so that a foot stands on a wall before it and not behind, and down to below the rest place. Below a roof,
-/// over the rest place or over the hip, all that from below the roof.
+/// The ground at a rest place: the first thing met on a way from above the hip, level to above the rest
+/// place, and down to below the rest place. So a foot stands on a wall in front of it and not behind the
+/// wall. Below a roof, over the rest place or over the hip, the way begins below the roof.
 [[nodiscard]] std::optional<Contact> footing(const Ground& ground, const Search& search, const Reach& reach);
 
-/// The ground beside a rest place under which there is none: what is met from below it, level back to below
-/// the hip, as the side of a block over whose edge the body goes.
+/// The ground beside a rest place that has no ground below: the first thing met on a way from below the rest
+/// place, level back to below the hip, such as the side of a block over whose edge the body goes.
 [[nodiscard]] std::optional<Contact> footing_around_edge(const Ground& ground, const Search& search,
                                                          const Reach& reach);
 

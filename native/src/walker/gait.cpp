@@ -11,7 +11,7 @@
 namespace motus::walker {
 namespace {
 
-/// A leg's place among the others.
+/// Position of a leg among the legs: its side and its row.
 struct Seat {
     std::size_t side = 0;  ///< 0 left, 1 right
     std::size_t row = 0;   ///< 0 is in front
@@ -53,7 +53,7 @@ struct Seats {
     return seats;
 }
 
-/// How much of a cycle a leg swings after the first one, [0, 1).
+/// Share of a cycle, [0, 1), by which a leg swings later than the first leg.
 [[nodiscard]] double delay_of(Gait gait, const Seat& seat, const Seats& seats) {
     const auto rows = static_cast<double>(seats.rows);
     const auto from_back = static_cast<double>(seats.on_side.at(seat.side) - 1 - seat.row);

@@ -7,7 +7,7 @@
 namespace motus::walker {
 namespace {
 
-/// A point as the body sees it.
+/// A point in the axes of the body.
 [[nodiscard]] glm::dvec3 seen(const glm::dvec3& point, const glm::dvec3& origin, const Axes& axes) {
     const glm::dvec3 from = point - origin;
     return {glm::dot(from, axes.side), glm::dot(from, axes.ahead), glm::dot(from, axes.up)};
@@ -37,7 +37,7 @@ template <class Point, class Weight>
         xz += w * d.x * d.z;
         yz += w * d.y * d.z;
     }
-    // Too small to be seen, but decides a slope that the points leave undetermined.
+    // Too small to be visible, but it makes a slope that the points leave undetermined 0.
     const double ridge = 1e-9 * (xx + yy);
     xx += ridge;
     yy += ridge;

@@ -8,16 +8,16 @@
 
 namespace motus::walker {
 
-/// How far the plane is above that of the rest places: at the body's origin, m, and its slopes along the
-/// axes.
+/// Height of the plane above that of the rest places at the body's origin, m, and its slopes along the axes.
 struct Lean {
     double height = 0.0;
     double side = 0.0;
     double ahead = 0.0;
 };
 
-/// The best by least squares of how far feet are above their rest places, which these count as weights say
-/// (>= 0, not all 0). All in world space. What feet without an extent across `axes` leave open is level.
+/// The plane fitted by weighted least squares to the heights of the feet above their rest places. weights: >=
+/// 0, not all 0. All in world space. A slope that feet do not determine, because they have no extent across
+/// `axes`, is 0.
 [[nodiscard]] Lean lean_of(const glm::dvec3& origin, const Axes& axes, std::span<const glm::dvec3> rest,
                            std::span<const glm::dvec3> feet, std::span<const double> weights);
 

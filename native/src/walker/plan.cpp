@@ -12,9 +12,9 @@
 namespace motus::walker {
 namespace {
 
-/// A step that is shorter than this part of the stride leads nowhere.
+/// Steps shorter than this part of the stride count as no steps.
 constexpr double no_step = 1e-5;
-/// Shorter steps, in strides, rise less than the clearance, as much as they are shorter.
+/// Steps shorter than this, in strides, rise less than the clearance, in proportion to their length.
 constexpr double full_step = 0.25;
 /// Weight of a foot half-way through its swing for the body's height and tilt; a standing foot has 1.
 constexpr double least_weight = 0.01;
@@ -64,7 +64,7 @@ Planner::Planner(const WalkSettings& settings, const BodyTrajectory& trajectory,
 
 template <class Work>
 void Planner::for_legs(const Work& work) const {
-    // Steps that are worth a thread: each takes some microseconds.
+    // Number of steps for which a further thread pays: each step takes some microseconds.
     constexpr double worth_it = 100.0;
     const std::size_t legs = hips_.size();
     const std::size_t grain = expected_steps(trajectory_) > worth_it ? 1 : legs;
@@ -96,7 +96,7 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
     constexpr double little = 0.5;
     const bool stands = before <= 0.0 || (is_slow && before < little);
     const int first = stands ? 0 : -1;
-    // The first whose stand is half over when the body rests.
+    // The first footfall whose stand is half over when the body comes to rest.
     const auto last =
         static_cast<int>(std::ceil(trajectory_.last_phase(stretch) + own - 1.0 + 0.5 * way.duty));
     Footfalls falls;

@@ -15,7 +15,7 @@ struct Plan {
     double settled = 0.0;
 };
 
-/// How the body follows its feet, of a pose of its own: as much of height and tilt as `settings` say.
+/// How a body with a pose of its own follows its feet: by the shares of height and tilt in `settings`.
 [[nodiscard]] Correction corrected(const WalkSettings& settings, const glm::dvec3& lean, const Axes& axes);
 
 /// Throws std::invalid_argument, naming the argument, if more than most_steps would be planned.
@@ -38,7 +38,7 @@ class Planner {
     /// Footfalls of a leg on one stretch; at the first one the foot is put.
     using Footfalls = std::vector<Footfall>;
 
-    /// Calls work(leg) for all legs.
+    /// Calls work(leg) for all legs, on several threads if that pays.
     template <class Work>
     void for_legs(const Work& work) const;
     [[nodiscard]] std::size_t row(std::size_t leg, std::size_t stretch) const {
@@ -46,7 +46,8 @@ class Planner {
     }
     [[nodiscard]] Footfalls footfalls(std::size_t leg, std::size_t stretch) const;
     void find_place(Footfall& fall) const;
-    /// Moves those out of reach nearer to the hip; whether there were any that could be.
+    /// Moves footholds that are out of reach nearer to the hip. Returns whether there were any that could be
+    /// moved.
     [[nodiscard]] bool move_nearer(std::size_t leg, std::size_t stretch, Footfalls& falls) const;
     [[nodiscard]] std::vector<Step> steps_of(const Footfalls& falls, bool looks_for_obstacles) const;
     [[nodiscard]] Footsteps all_steps(bool looks_for_obstacles) const;
@@ -58,15 +59,15 @@ class Planner {
     [[nodiscard]] bool has_reach(std::size_t leg) const {
         return !settings_.lengths.empty() && settings_.lengths[leg] > 0.0;
     }
-    /// A leg's hip as the body follows its feet, at a sample and at a time between two.
+    /// Position of a leg's hip when the body follows its feet, at a sample, or at a time between two samples.
     [[nodiscard]] glm::dvec3 hip_at(std::size_t leg, std::size_t sample) const;
     [[nodiscard]] glm::dvec3 hip_after(std::size_t leg, std::size_t sample, double time) const;
     [[nodiscard]] double longest_reach(std::size_t leg) const;
-    /// Whether a place is out of the hip's reach at any time within these of a stretch.
+    /// Whether a place is out of the hip's reach at any time within these times of a stretch.
     [[nodiscard]] bool is_missed(std::size_t leg, std::size_t stretch, const glm::dvec3& place, double from,
                                  double until) const;
-    /// Adds a problem for each run of samples within these times at which a place is out of the hip's reach:
-    /// what is between samples is not seen.
+    /// Adds a problem for each run of samples, within these times, at which a place is out of the hip's
+    /// reach. Times between samples are not examined.
     void add_missed(std::size_t leg, std::size_t stretch, const glm::dvec3& place, double from, double until,
                     std::vector<Problem>& found) const;
 

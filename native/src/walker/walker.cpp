@@ -64,7 +64,7 @@ Foot Walker::foot(std::size_t leg, double time) const {
         const std::size_t row = leg * trajectory_.stretch_count() + trajectory_.stretch_at(time);
         const Step& step = step_at(steps_.of(row), time);
         const double through = step.through(time);
-        // Before and after a step the position has exactly its numbers.
+        // Before and after a step the position is exactly the stored foothold.
         if (through >= 1.0) return Foot{step.end, step.end_normal, 0.0};
         const double share = step.share(through);
         const glm::dvec3 normal = step.start_normal + share * (step.end_normal - step.start_normal);

@@ -9,14 +9,14 @@ namespace {
 
 using std::numbers::pi;
 
-/// Half of the angles that the other sides are seen under from the centre, added up, when the longest side's
-/// is pi - gamma; and the derivative by gamma.
+/// Sum of half the angles under which all sides but the longest are seen from the circle's centre, if half
+/// the angle of the longest side is pi - gamma; and its derivative by gamma.
 struct Turn {
     double angle = 0.0;
     double slope = 0.0;
 };
 
-/// Angles are added as products of complex numbers: right while the sum stays below 2 pi.
+/// Adds the angles as products of complex numbers, which is right while the sum stays below 2 pi.
 Turn turn_of_others(std::span<const double> lengths, std::size_t longest, double chord, double side,
                     double gamma) {
     const double x = std::sin(gamma) / side;
@@ -38,7 +38,7 @@ Turn turn_of_others(std::span<const double> lengths, std::size_t longest, double
     return {angle < 0.0 ? angle + 2.0 * pi : angle, weights * std::cos(gamma) / side};
 }
 
-/// A guess at half_turn(): the arc that a rope of that length makes, sin(s) / s = chord / length, within 4 %.
+/// First guess for half_turn(), within 4 %: the arc of a rope of that length, sin(s) / s = chord / length.
 double rope_turn(double ratio) {
     return std::sqrt(1.0 - ratio) * (2.449 + 0.692 * (1.0 - ratio));
 }
@@ -58,7 +58,8 @@ ArcBend::ArcBend(std::span<const double> lengths, double chord) : longest_(lengt
     const bool bone_is_longest = longest_ < lengths.size();
     const double others = (bone_is_longest ? total - side + chord : total) / side;
 
-    // turn_of_others(gamma) - gamma is concave, rises from 0 and comes down through the root that is sought.
+    // turn_of_others(gamma) - gamma is concave: it rises from 0 and then falls through the root that is
+    // sought.
     const double rope = rope_turn(chord / total);
     double gamma = bone_is_longest ? pi - std::min(side / total * rope, 0.5 * pi) : rope;
     double low = 0.0;

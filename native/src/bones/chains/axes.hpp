@@ -6,7 +6,7 @@
 
 namespace motus::bones::chains {
 
-/// The part of v across the unit vector `along`.
+/// The part of v that is perpendicular to the unit vector `along`.
 [[nodiscard]] inline glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& along) {
     return v - glm::dot(v, along) * along;
 }
@@ -17,7 +17,7 @@ struct Axes {
     glm::dvec3 side{0.0, 0.0, 1.0};
     glm::dvec3 normal{1.0, 0.0, 0.0};
 
-    /// normal: unit, across the unit vector `along`.
+    /// normal: unit vector perpendicular to the unit vector `along`.
     [[nodiscard]] static Axes of(const glm::dvec3& along, const glm::dvec3& normal) {
         return {along, glm::cross(normal, along), normal};
     }
@@ -38,7 +38,8 @@ class Swing {
 
     [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& v) const {
         if (square_ < 1e-24) return 2.0 * glm::dot(normal_, v) * normal_ - v;
-        // Mirrored in the plane across `from`, then in the one across the direction half-way.
+        // The rotation is two reflections: in the plane perpendicular to `from`, and in the one perpendicular
+        // to the direction half-way.
         const glm::dvec3 mirrored = v - 2.0 * glm::dot(v, from_) * from_;
         return mirrored - 2.0 * (glm::dot(mirrored, half_) / square_) * half_;
     }

@@ -5,13 +5,15 @@
 namespace motus::bones::chains {
 namespace {
 
-/// `normal` without its part along a unit vector, at unit length. Across it already but for rounding.
+/// `normal` made perpendicular to a unit vector, at unit length. It is perpendicular already but for
+/// rounding.
 glm::dvec3 straightened(const glm::dvec3& normal, const glm::dvec3& along) {
     return glm::normalize(normal - glm::dot(normal, along) * along);
 }
 
-/// A frame (start, normal) turned by the smallest rotation that takes start to `along`: of all normals that
-/// depend on one direction alone this jumps least, at -start. No bone points there by chance of its axes.
+/// A normal that depends on the direction `along` alone: a frame (start, normal) turned by the smallest
+/// rotation from start to `along`. Any such normal jumps somewhere; this one jumps at -start alone, a
+/// direction in which bones do not point by chance of their axes.
 glm::dvec3 fixed_normal(const glm::dvec3& along) {
     constexpr glm::dvec3 start(-0.48, 0.6, -0.64);
     constexpr glm::dvec3 normal(0.8, 0.0, -0.6);
@@ -20,7 +22,8 @@ glm::dvec3 fixed_normal(const glm::dvec3& along) {
     return straightened(normal - (start + along) * (glm::dot(normal, along) / opposed), along);
 }
 
-/// normal_across() if the plane's part across the line is so small that it fades out. sine: its share.
+/// normal_across() for a plane whose part perpendicular to the line is so small that its effect fades out.
+/// sine: size of that part.
 glm::dvec3 normal_nearly_along(const glm::dvec3& along, const glm::dvec3& across, double sine) {
     const glm::dvec3 fixed = fixed_normal(along);
     if (sine < 1e-12) return fixed;  // what is left is rounding

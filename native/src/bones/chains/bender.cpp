@@ -35,8 +35,8 @@ double lay_arc(const Bones& bones, double chord, PerBone<std::complex<double>>& 
     return arc.half_turn();
 }
 
-/// The vector by whose part across each bone the bones turn, so that the tip moves by `error` and they turn
-/// least.
+/// Vector whose part perpendicular to each bone is the turn of that bone: the least turns by which the tip
+/// moves by `error`.
 glm::dvec3 least_turn(const Bones& bones, const glm::dvec3& error) {
     double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
     for (std::size_t i = 0; i < bones.count; ++i) {
@@ -49,8 +49,8 @@ glm::dvec3 least_turn(const Bones& bones, const glm::dvec3& error) {
         yz += w.y * u.z;
         zz += w.z * u.z;
     }
-    // The sum of l (1 - u u^T), l adding up to 1: 1 - xx = yy + zz keeps its digits if a chain is
-    // straight.
+    // The sum of l (1 - u u^T) over the bones, whose lengths l add up to 1. For a straight chain 1 - xx = yy
+    // + zz keeps its digits.
     const double damping = 1e-15;
     const glm::dmat3 mobility(yy + zz + damping, -xy, -xz, -xy, xx + zz + damping, -yz, -xz, -yz,
                               xx + yy + damping);
@@ -93,7 +93,7 @@ void Bender::open(double share) {
 }
 
 void Bender::bend(double pose_chord) {
-    // If one bone is longer than the others together, every pose ends in the one folded on it.
+    // If one bone is longer than all others together, every pose ends in the pose folded onto that bone.
     const double rest = chord_ - bones_.inner;
     const double way = bones_.inner > 0.0 ? (pose_chord - chord_) / (pose_chord - bones_.inner) : 0.0;
     const double away = way > 0.0 ? 1.0 - std::sqrt(rest / (rest + bones_.inner * way)) : 0.0;
@@ -147,7 +147,8 @@ bool Bender::descend(double tolerance, int last_iteration, int& iterations) {
 }
 
 bool Bender::finish(double tolerance, int max_iterations, int& iterations) {
-    // A pose that the steps do not bring there is led towards the arc, which reaches the target without any.
+    // If the Newton steps do not bring a pose to the target, the pose is led towards the arc, which reaches
+    // the target without steps.
     for (const double share : {0.0, 0.5, 1.0}) {
         if (share > 0.0) {
             for (std::size_t i = 0; i < bones_.count; ++i) blend_with_arc(i, share);

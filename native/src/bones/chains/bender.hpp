@@ -10,7 +10,7 @@
 
 namespace motus::bones::chains {
 
-/// A chain as bones from a root at the origin; the unit of length is the whole chain.
+/// A chain of bones from a root at the origin; the unit of length is the whole length of the chain.
 struct Bones {
     std::size_t count = 0;
     double inner = 0.0;              ///< nearest that the tip can come to the root
@@ -20,7 +20,7 @@ struct Bones {
     [[nodiscard]] std::span<const double> all_lengths() const { return {lengths.data(), count}; }
 };
 
-/// Where the tip is, from the root.
+/// Position of the tip, from the root.
 [[nodiscard]] glm::dvec3 tip_of(const Bones& bones);
 
 /// Room for rounding at both ends of the reach, as a share of the chain's length.

@@ -30,7 +30,8 @@ double scale_for(std::span<const glm::dvec3> joints) {
     return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1000, 1000));
 }
 
-/// Reads the bones in units of their whole length, which is returned, times `scale`; 0 if they have none.
+/// Reads the bones in units of the chain's whole length. Returns that length times `scale`; 0 if the chain
+/// has none.
 double read_bones(std::span<const glm::dvec3> joints, double scale, Bones& bones) {
     bones.count = joints.size() - 1;
     double total = 0.0;
@@ -68,7 +69,8 @@ Bulge bulge_of(const Bones& bones, const glm::dvec3& along) {
     return bulge;
 }
 
-/// Where a pose points whose tip lies on its root: across its bulge, as an arc that closes does.
+/// Direction of a pose whose tip lies on its root: perpendicular to its bulge, as it is for an arc that
+/// closes to a circle.
 glm::dvec3 direction_of_closed(const Bones& bones) {
     glm::dvec3 area(0.0), bulge(0.0), joint(0.0);
     for (std::size_t i = 0; i + 1 < bones.count; ++i) {
@@ -92,9 +94,10 @@ void face_pole(Bones& bones, const Axes& axes, const glm::dvec3& pole) {
 
     const Bulge bulge = bulge_of(bones, axes.along);
     const double size = glm::length(bulge.mean);
-    // If the joints lie on all sides, the plane of the bend says more than their mean.
+    // If joints lie on all sides of the line, the plane of the bend is a better measure than the mean of the
+    // joints.
     const double certainty = bulge.spread > on_line ? smooth_step(size / (bulge_band * bulge.spread)) : 0.0;
-    // Across once more: the smaller the bulge, the less exactly it is.
+    // Made perpendicular once more: the smaller the bulge, the larger the rounding of its direction.
     const glm::dvec3 side = certainty > 0.0 ? blended_normal(axes.side, normal_across(axes.along, bulge.mean),
                                                              axes.along, certainty)
                                             : axes.side;
@@ -109,14 +112,14 @@ void face_pole(Bones& bones, const Axes& axes, const glm::dvec3& pole) {
     }
 }
 
-/// The task of a solve, relative to the root.
+/// The target and pole of a solve, relative to the root.
 struct Task {
     glm::dvec3 along;  // towards the target; zero if it is on the root
     double distance;   // to the target, in units of the chain's length
     glm::dvec3 pole;   // towards the pole; zero without one
 };
 
-/// Straight or folded, whatever the pose.
+/// Lays all bones along a direction, straight or folded, whatever the pose is.
 void lay_along(Bones& bones, const glm::dvec3& along, bool folded) {
     std::fill_n(bones.directions.begin(), bones.count, folded ? -along : along);
     const auto lengths = bones.all_lengths();
@@ -124,13 +127,13 @@ void lay_along(Bones& bones, const glm::dvec3& along, bool folded) {
     bones.directions[static_cast<std::size_t>(longest)] = along;
 }
 
-/// Returns the number of iterations.
+/// Brings the tip to the target; returns the number of iterations.
 int bring_to_target(Bones& bones, Task task, const SolverSettings& settings) {
     const glm::dvec3 tip = tip_of(bones);
     const double pose_chord = glm::length(tip);
     const glm::dvec3 pose_along = pose_chord > closed ? tip / pose_chord : direction_of_closed(bones);
     const glm::dvec3 along = task.distance > 0.0 ? task.along : pose_along;
-    // Joints in one line would bend by the square root of a rounding error.
+    // Without this, joints in one line would bend by the square root of a rounding error.
     if (std::abs(task.distance - pose_chord) <= reach_rounding) task.distance = pose_chord;
     if (task.distance >= 1.0 - reach_rounding ||
         (bones.inner > 0.0 && task.distance <= bones.inner + reach_rounding)) {
@@ -138,7 +141,8 @@ int bring_to_target(Bones& bones, Task task, const SolverSettings& settings) {
         return 0;
     }
 
-    // Two equal bones that bend by a small angle have their mean an eighth of it off the line.
+    // For two equal bones that bend by a small angle, the mean of the joints is an eighth of the angle off
+    // the line.
     const glm::dvec3 bulge = bulge_of(bones, pose_along).mean;
     const double bend = 8.0 * glm::length(bulge);
     const bool has_plane = settings.plane != glm::dvec3(0.0);
@@ -148,7 +152,8 @@ int bring_to_target(Bones& bones, Task task, const SolverSettings& settings) {
     const glm::dvec3 spare = has_plane
                                  ? normal_across(along, settings.plane)
                                  : normal_across(along, swing(normal_across(pose_along, glm::dvec3(0.0))));
-    // Made across once more: near opposites the swing is only as exact as the sum of the two directions.
+    // Made perpendicular once more: near opposite directions the swing is only as exact as the sum of the
+    // two.
     const glm::dvec3 carried = normal_across(along, swing(pose_normal));
     const Axes axes = Axes::of(along, blended_normal(spare, carried, along, certainty));
 

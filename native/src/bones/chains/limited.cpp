@@ -19,13 +19,13 @@
 namespace motus::bones::chains {
 namespace {
 
-// Starts in a row that end no better, after which no more are tried: on the target, and on the way there for
-// chains of up to 5 bones, that get caught more easily, and for longer ones.
+// Number of starts in a row without improvement after which no more are tried: with the target reached, and
+// before that for chains of up to 5 bones, which get caught more easily, and for longer chains.
 constexpr int patience_on_target = 4;
 constexpr int patience_of_short = 12;
 constexpr int patience_of_long = 8;
 
-/// A chain's length, and where its tip can come at all.
+/// A chain's length, and the least and the greatest distance of its tip from the root.
 struct Reach {
     double length = 0.0;
     double inner = 0.0;
@@ -45,7 +45,8 @@ Reach reach_of(const Limited& chain) {
     return reach;
 }
 
-/// A number in [0, 1) that is a function of its index: the golden ratio's multiples in one dimension each.
+/// A number in [0, 1) for each index, spread evenly: multiples of the golden ratio, generalized to several
+/// dimensions.
 double spread(std::size_t start, std::size_t dimension) {
     std::uint64_t bits = (start + 1) * 0x9E3779B97F4A7C15ull + (dimension + 1) * 0xD1B54A32D192ED03ull;
     bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9ull;
@@ -54,7 +55,7 @@ double spread(std::size_t start, std::size_t dimension) {
     return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
-/// A place between two limits; half a turn and less if there are none.
+/// The value at a share of the way between two limits; an unlimited side counts as half a turn at most.
 double between(double low, double high, double share) {
     constexpr double widest = 2.0;
     return std::lerp(std::max(low, std::min(high, 0.0) - widest), std::min(high, std::max(low, 0.0) + widest),
@@ -65,7 +66,8 @@ SwingTwist clamped(const SwingTwist& angles, const JointLimits& limits) {
     return {clamp_swing(angles.swing, limits), clamp_twist(angles.twist, limits)};
 }
 
-/// Tries starts and keeps the best end. In units of the chain's length, seen from its root.
+/// Tries several starting poses and keeps the best result. Lengths in units of the chain's length, positions
+/// relative to its root.
 class Search {
   public:
     Search(const Limited& chain, const Reach& reach, const glm::dvec3& target, const SolverSettings& settings,
@@ -91,11 +93,11 @@ class Search {
         led_.tolerance = goal_.tolerance;
     }
 
-    /// Leaves the best rotations in `rotations`. Returns the iterations used.
+    /// Writes the best rotations found into `rotations`. Returns the number of iterations.
     int run(std::span<glm::dquat> rotations);
-    /// Whether the best is a minimum, as far as steps can tell.
+    /// Whether the best result is a minimum, as far as small steps can tell.
     [[nodiscard]] bool is_at_rest() const { return is_best_at_rest_; }
-    /// Whether the tip came as near to the target as lengths let it.
+    /// Whether the tip came as near to the target as the lengths of the bones allow.
     [[nodiscard]] bool is_on_target() const { return best_residual_ <= bound_ + goal_.tolerance; }
 
   private:
@@ -131,7 +133,7 @@ void Search::start_from(std::span<const glm::dquat> rotations) {
     }
 }
 
-/// Where the given pose bends, and where the pole wants it.
+/// Finds the side to which the given pose bends, and the side that the pole asks for.
 void Search::find_bend(std::span<const glm::dquat> rotations) {
     glm::dvec3 tip(0.0);
     glm::dquat frame = chain_.base;
@@ -151,7 +153,7 @@ void Search::find_bend(std::span<const glm::dquat> rotations) {
     if (led_.certainty > 0.0) led_.side = unit_vector(side);
 }
 
-/// The joints after the root.
+/// Sets the joints after the root to the middles of their limits.
 void Search::bend_to_middle() {
     const SwingTwist root = pose_.angles()[0];
     start_from_spread(0);
@@ -161,15 +163,16 @@ void Search::bend_to_middle() {
     pose_.set(angles);
 }
 
-/// Whether it comes near enough for the descent to be a matter of a few digits.
+/// Leads the given pose to the target. Returns whether it comes so near that a descent needs few steps, or
+/// whether an orientation is asked for too.
 bool Search::lead_from_pose() {
     iterations_ += lead(pose_, led_, settings_.max_iterations);
     constexpr double near = 1e-3;
     return length_of(pose_.tip() - goal_.target) <= bound_ + near || goal_.orientation;
 }
 
-/// The chain without limits solves it; each bone is then turned towards its next joint as far as its limits
-/// allow.
+/// Solves the chain without limits, then turns each bone towards its next joint of that solution as far as
+/// the bone's limits allow.
 void Search::start_from_unlimited(std::span<const glm::dquat> rotations) {
     PerJoint joints;
     joints[0] = glm::dvec3(0.0);
@@ -195,7 +198,7 @@ void Search::start_from_unlimited(std::span<const glm::dquat> rotations) {
     }
 }
 
-/// Start 0 is the middle of all limits, the others lie anywhere within them.
+/// Sets a starting pose: start 0 is the middle of all limits, all others lie anywhere within the limits.
 void Search::start_from_spread(std::size_t start) {
     for (std::size_t i = 0; i < pose_.count(); ++i) {
         const JointLimits& limits = pose_.limits(i);
@@ -211,8 +214,8 @@ void Search::descend_to_goal() {
     bool is_at_rest = false;
     if (std::isfinite(best_residual_) && !goal_.orientation) goal_.rival = best_residual_;
     if (goal_.orientation) {
-        // First position and orientation, then the orientation with falling weight, in the end the position
-        // alone.
+        // First position and orientation together, then the orientation with falling weight, at last the
+        // position alone.
         for (const double share : {0.3, 0.03}) {
             goal_.orientation_weight = share;
             iterations_ += descend(pose_, goal_, settings_.max_iterations, is_at_rest);
@@ -241,9 +244,9 @@ bool Search::is_enough() const {
            same_ >= (is_on_target() ? patience_on_target : patience_);
 }
 
-/// Leads first from the given pose, if that does not get there from the middle of the limits: of a joint
-/// that its pose bends to the side that hardly lets it. Descends from where those ended only if both fail, as
-/// a descent may change sides.
+/// Leads the chain to the target from the given pose and, if that fails, from the middle of the limits, since
+/// a pose may bend to the side that its limits hardly allow. A descent, which may change sides, is made only
+/// if both fail.
 void Search::run_leads(std::span<const glm::dquat> rotations) {
     std::array<Angles, 2> ends;
     std::size_t left = 0;
@@ -357,7 +360,8 @@ Convergence solve_limited(const Limited& chain, const glm::dvec3& target, const 
     report.iterations = search.run(rotations);
     bool is_at_rest = search.is_at_rest();
     if (orientation && !search.is_on_target()) {
-        // The way to both may end beside a target that the way to the position alone reaches.
+        // The way to position and orientation may end beside a target that the way to the position alone
+        // reaches.
         Search plain(chain, reach, target, settings, std::nullopt);
         report.iterations += plain.run({given.data(), count});
         if (plain.is_on_target()) {

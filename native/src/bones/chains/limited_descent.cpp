@@ -101,7 +101,7 @@ class Descent {
             const SwingTwist& at = pose_.angles()[i];
             const glm::dquat& socket = pose_.socket(i);
             const SwingRates rates = swing_rates(at.swing);
-            // The pull of the error on the joint, seen from its socket.
+            // The torque of the error on the joint, in the space of the joint's socket.
             const glm::dvec3 moment =
                 glm::conjugate(socket) * (glm::cross(pose_.tip() - pose_.joint(i), error_.position) +
                                           goal_.orientation_weight * error_.orientation);
@@ -121,7 +121,8 @@ class Descent {
         }
     }
 
-    /// A step of damped least squares (Gauss-Newton), solved on the side of the error.
+    /// One step of damped least squares (Gauss-Newton), solved in the space of the error. False if nothing
+    /// moves.
     bool step() {
         glm::dmat3 pp(0.0), po(0.0), oo(0.0);
         const bool is_oriented = goal_.orientation_weight > 0.0;
@@ -139,7 +140,7 @@ class Descent {
         const glm::dmat3 inverse = glm::inverse(pp);
         Error pull{inverse * error_.position, glm::dvec3(0.0)};
         if (is_oriented) {
-            // po: orientation by position; eliminated by blocks.
+            // po couples orientation and position; the equations are eliminated by blocks.
             const glm::dmat3 rest = oo - po * inverse * glm::transpose(po);
             pull.orientation = glm::inverse(rest) * (error_.orientation - po * pull.position);
             pull.position = inverse * (error_.position - glm::transpose(po) * pull.orientation);

@@ -21,12 +21,13 @@ struct Goal {
     std::optional<glm::dquat> orientation;  ///< of the last bone's frame
     double orientation_weight = 0.0;  ///< length that a radian off the orientation counts as; 0: not at all
     double tolerance = 0.0;           ///< length
-    /// Residual of an earlier descent: a descent that slows down well above it is given up; < 0: none.
+    /// Residual of an earlier descent; a descent that slows down well above it is given up. < 0: no earlier
+    /// descent.
     double rival = -1.0;
 };
 
-/// A chain at given angles: its frames and its joints, seen from the root, in a unit of length of one's
-/// choice.
+/// Frames and joints of a chain at given angles, relative to the root, in a unit of length that the caller
+/// chooses.
 class LimitedPose {
   public:
     /// The chain must outlive the pose.
@@ -36,7 +37,7 @@ class LimitedPose {
     }
 
     void set(const Angles& angles);
-    /// Moves bone by bone: bone `i` of which the ones before stand.
+    /// Sets the angles of bone `i`. The bones before it have to be set already.
     void set_bone(std::size_t i, const SwingTwist& angles);
 
     [[nodiscard]] const Angles& angles() const { return angles_; }

@@ -36,7 +36,7 @@ glm::dvec3 area_of(const LimitedPose& pose) {
     return area;
 }
 
-/// Angle between two equal bones whose ends are so far apart, as a share of their length.
+/// Angle between two equal bones whose ends are at this distance, a share of their summed length.
 double bend_at(double distance) {
     return std::sqrt(8.0 * std::max(0.0, 1.0 - distance));
 }
@@ -46,13 +46,13 @@ bool is_free(const JointLimits& limits) {
            std::isinf(limits.max.z) && limits.max.y - limits.min.y >= 6.28;
 }
 
-/// How a joint's swing changes by a turn about `axis` (in the chain's space), about.
+/// Approximate change of a joint's swing by a turn about `axis`, in the chain's space.
 glm::dvec2 swing_about(const LimitedPose& pose, std::size_t bone, const glm::dvec3& axis) {
     const glm::dvec3 seen = glm::conjugate(pose.socket(bone)) * axis;
     return {seen.x, seen.z};
 }
 
-/// How far the joints' limits let them turn about `axis`, up to a radian each.
+/// How far the joints can turn about `axis` within their limits, up to a radian for each joint; summed.
 double room_about(const LimitedPose& pose, const glm::dvec3& axis) {
     double room = 0.0;
     for (std::size_t i = 1; i < pose.count(); ++i) {
@@ -62,7 +62,7 @@ double room_about(const LimitedPose& pose, const glm::dvec3& axis) {
     return room;
 }
 
-/// The side of a hinge that leaves it the most room.
+/// The direction of swing in which a hinge has the most room within its limits.
 glm::dvec2 widest_way(const glm::dvec2& swing, const JointLimits& limits) {
     glm::dvec2 best(0.0);
     for (const glm::dvec2 way : {glm::dvec2(1.0, 0.0), {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
@@ -72,8 +72,8 @@ glm::dvec2 widest_way(const glm::dvec2& swing, const JointLimits& limits) {
     return best;
 }
 
-/// Bends a pose by `angle` in all, to the side of the normal or, if limits leave more room by far on the
-/// other, to that; hinges across the normal each as they can.
+/// Bends a pose by `angle` in all towards the side of the normal, or to the opposite side if the limits leave
+/// far more room there. Hinges that lie across the normal bend as they can.
 void bend(LimitedPose& pose, const glm::dvec3& normal, double angle) {
     constexpr double little = 0.25;  // of the other side's room
     const double room = room_about(pose, -normal);
@@ -103,7 +103,7 @@ void turn_root(LimitedPose& pose, const glm::dquat& turn) {
     pose.set(turned);
 }
 
-/// Tells when steps do not pay any more: the target is out of the limits' reach.
+/// Detects that further steps do not pay, because the target is out of the reach that the limits allow.
 class Progress {
   public:
     [[nodiscard]] bool ends_at(double miss) {
@@ -157,7 +157,7 @@ class Lead {
         return glm::distance(pose_.tip(), place) <= goal_.tolerance;
     }
 
-    /// How straight the pose is: 1 to a bend of 1 degree, 0 from 8 on.
+    /// How straight the pose is: 1 if it bends by at most 1 degree, 0 if it bends by 8 degrees or more.
     [[nodiscard]] double straightness() const {
         return 1.0 - certainty_of_bend(std::sin(std::min(bend_at(from_.length), 0.5 * std::numbers::pi)));
     }
@@ -180,14 +180,14 @@ class Lead {
         return normal_across(from_.along, area_of(pose_));
     }
 
-    /// Angle by which the bend turns about the line to the target to come to the wanted side.
+    /// Angle by which the bend has to turn about the line to the target to be on the wanted side.
     [[nodiscard]] double angle_to_side(const glm::dvec3& normal) const {
         const glm::dvec3 side = glm::cross(normal, to_);
         const glm::dvec3 wanted = blended_normal(side, *goal_.side, to_, goal_.certainty);
         return std::atan2(glm::dot(glm::cross(side, wanted), to_), glm::dot(side, wanted));
     }
 
-    /// A straight pose does not know where to bend.
+    /// Bends a straight pose a little, since such a pose shows no side to bend to.
     void start_bending() {
         const double missing = bend_at(distance_) - bend_at(from_.length);
         constexpr double most = 1.0;

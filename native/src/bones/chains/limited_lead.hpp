@@ -16,11 +16,11 @@ struct LeadGoal {
     double tolerance = 0.0;          ///< length
 };
 
-/// Leads the pose to the target: first along its own line from root to tip until that is as long as the
-/// target is away, then turned as a whole about the root, which leaves the bend as it is if the root's
-/// limits do; if they do not, the other joints follow. What comes of it is continuous in the target and
-/// the side (but for a target behind the root, or on it) wherever the steps get there. Returns the steps
-/// used, about max_steps at most.
+/// Leads the pose to the target. First the pose is bent along its own line from root to tip, until that line
+/// is as long as the target is far; then it is turned as a whole about the root, which keeps the bend if the
+/// root's limits allow the turn. If they do not, the other joints follow. The result is continuous in the
+/// target and the side wherever the target is reached, except for a target on the root or straight behind it.
+/// Returns the number of steps, about max_steps at most.
 int lead(LimitedPose& pose, const LeadGoal& goal, int max_steps);
 
 }  // namespace motus::bones::chains

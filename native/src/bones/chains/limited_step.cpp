@@ -14,7 +14,7 @@ using std::numbers::pi;
 
 constexpr double most_turned = 0.5;  // rad, of a joint in one step
 
-/// How a joint moves the tip, by a radian of each of its angles.
+/// How the tip moves by a radian of each of a joint's angles.
 struct Lever {
     glm::dvec3 x, z, twist;
 };
@@ -68,7 +68,8 @@ class Step {
     }
 
   private:
-    /// Leaves the turns by that pull in turned_, the function in value_ and its slope in slope_.
+    /// Evaluates the function of the dual problem at `pull`: the turns are left in turned_, the value in
+    /// value_, the slope in slope_.
     double evaluate(const glm::dvec3& pull) {
         value_ = damping_ * pull + idle_ * pull - error_;
         slope_ = glm::dmat3(damping_) + idle_;
@@ -110,7 +111,8 @@ class Step {
         return true;
     }
 
-    /// Replaces a swing by the same rotation the other way round, if that is allowed and shorter.
+    /// Replaces a swing by the one that gives an equal rotation the other way round, if that is allowed and
+    /// shorter.
     static void unwind(glm::dvec2& swing, const JointLimits& limits) {
         const double angle = glm::length(swing);
         if (angle <= pi) return;

@@ -6,9 +6,9 @@
 
 namespace motus::bones::chains {
 
-/// Turns the joints, least in all and all within their limits, so that the tip moves by `error` as far as a
-/// step of moderate size goes. A continuous function of the pose and the error, whichever joints stand on
-/// their limits: what lets a row of steps be continuous. False if nothing moves.
+/// Turns the joints by the least turns within their limits that move the tip by `error`, or as far towards it
+/// as a step of moderate size goes. The result is continuous in the pose and the error even if joints reach
+/// their limits, so that a series of steps is continuous too. False if nothing moves.
 bool step_towards(LimitedPose& pose, const glm::dvec3& error);
 
 /// One small step that changes the tip's distance from the root, by all joints but the root. along: unit,

@@ -33,7 +33,7 @@ glm::dvec2 nearest_on_ellipse(const glm::dvec2& p, double a, double b) {
     return {aa * p.x / (t + aa), bb * p.y / (t + bb)};
 }
 
-/// p >= 0 within half-axes that may be zero or infinite.
+/// The point p >= 0 moved into the ellipse with these half-axes, which may be zero or infinite.
 glm::dvec2 clamp_quadrant(const glm::dvec2& p, double a, double b) {
     if (a <= 0.0 || b <= 0.0 || std::isinf(a) || std::isinf(b)) return {std::min(p.x, a), std::min(p.y, b)};
     const double u = p.x / a;
@@ -41,12 +41,12 @@ glm::dvec2 clamp_quadrant(const glm::dvec2& p, double a, double b) {
     return u * u + v * v <= 1.0 ? p : nearest_on_ellipse(p, a, b);
 }
 
-/// Neither interval leaves zero out: see JointLimits.
+/// Whether the limits of the swing are an ellipse: neither interval leaves zero out (see JointLimits).
 bool has_ellipse(const JointLimits& limits) {
     return limits.min.x <= 0.0 && limits.max.x >= 0.0 && limits.min.z <= 0.0 && limits.max.z >= 0.0;
 }
 
-/// Half-axes on the side where the swing is.
+/// Half-axes of the limits on the side on which the swing lies.
 glm::dvec2 half_axes(const glm::dvec2& swing, const JointLimits& limits) {
     return {swing.x < 0.0 ? -limits.min.x : limits.max.x, swing.y < 0.0 ? -limits.min.z : limits.max.z};
 }
@@ -77,7 +77,7 @@ struct Walls {
         const double size = axes.x * axes.y * steepness;
         curvature = 1.0 / (size * size * steepness);
     }
-    /// Whether one of the limits is in the way.
+    /// Whether one of these limits stops a swing in the direction `way`.
     [[nodiscard]] bool stop(const glm::dvec2& way) const {
         for (std::size_t i = 0; i < count; ++i) {
             if (glm::dot(way, normals[i]) > 1e-9 * glm::length(way)) return true;
@@ -86,7 +86,7 @@ struct Walls {
     }
 };
 
-/// The rotation vector of the same rotation the other way round.
+/// The rotation vector of an equal rotation the other way round.
 glm::dvec2 other_way(const glm::dvec2& swing) {
     const double angle = glm::length(swing);
     return swing * ((angle - 2.0 * pi) / angle);

@@ -16,20 +16,22 @@ struct SwingTwist {
     double twist;
 };
 
-/// swing of length <= pi, twist in [-pi, pi].
+/// Swing and twist of a rotation: a swing of length <= pi, a twist in [-pi, pi].
 [[nodiscard]] SwingTwist swing_twist_of(const glm::dquat& rotation);
 [[nodiscard]] glm::dquat rotation_of(const SwingTwist& angles);
 
-/// Nearest within the limits, in these coordinates: of the angles as they are, which may lie beyond pi.
+/// The swing within the limits that is nearest to `swing`, whose angles are taken as they are, even beyond
+/// pi.
 [[nodiscard]] glm::dvec2 clamp_swing(const glm::dvec2& swing, const JointLimits& limits);
-/// How `kept` = clamp_swing(swing) moves with the swing.
+/// Derivative of `kept` = clamp_swing(swing) by the swing.
 [[nodiscard]] glm::dmat2 slope_of_clamp(const glm::dvec2& swing, const glm::dvec2& kept,
                                         const JointLimits& limits);
-/// The turn that is the same as `twist` and within the limits, or the nearest that is.
+/// The twist within the limits that is an equal turn to `twist`; if there is none, the nearest twist within
+/// the limits.
 [[nodiscard]] double clamp_twist(double twist, const JointLimits& limits);
 
-/// Ways that a swing may take towards `pull` without leaving its limits: 2 and the axes, 1 and the way along
-/// the edge it stands on, or 0.
+/// Directions in which a swing may move towards `pull` without leaving its limits: both axes, the one along
+/// the edge of the limits, or none.
 struct Ways {
     std::size_t count = 0;
     std::array<glm::dvec2, 2> directions{};
@@ -39,8 +41,7 @@ struct Ways {
 [[nodiscard]] Ways swing_ways(const glm::dvec2& swing, const JointLimits& limits, const glm::dvec2& pull);
 [[nodiscard]] bool may_twist(double twist, const JointLimits& limits, double pull);
 
-/// How a swing's angles turn the bone, in its socket: angular velocities of X and of Z, and their
-/// derivatives.
+/// Angular velocities of a bone, in its socket, by the X and the Z angle of its swing, and their derivatives.
 struct SwingRates {
     glm::dvec3 x, z;
     glm::dvec3 x_by_x, x_by_z, z_by_z;  // x_by_z the mean of both orders

@@ -34,15 +34,15 @@ struct Difference {
     }
 };
 
-/// point + offset * 2^unit. Large ones in quarters, so that a sum within the doubles has summands within
-/// them.
+/// point + offset * 2^unit. Large numbers are added in quarters, so that the terms of a sum that is a finite
+/// double are finite too.
 [[nodiscard]] glm::dvec3 moved(const glm::dvec3& point, const glm::dvec3& offset, int unit) {
     if (unit < 1000) return within_doubles(point + scaled(offset, unit));
     return within_doubles(scaled(0.25 * point + scaled(offset, unit - 2), 2));
 }
 
-/// Sizes far from 1, by solving the same chain in another unit of length: a power of two, so that nothing is
-/// rounded but what is too small beside the rest to matter.
+/// Solves a chain whose sizes are far from 1 in another unit of length, a power of two. That rounds only
+/// numbers that are too small beside the others to matter.
 void solve_far_from_one(const TwoBone& chain, TwoBoneSolution& out) {
     const Difference target(chain.root, chain.target);
     const Difference pole(chain.root, chain.pole);
@@ -74,7 +74,7 @@ void check(const TwoBone& chain) {
     require(std::isfinite(chain.stretch), "stretch: must be finite");
 }
 
-/// False of what check() refuses, and of what is too large to tell at a glance.
+/// False for arguments that check() refuses, and for numbers that are too large to decide without check().
 [[nodiscard]] bool may_be_valid(const TwoBone& chain) {
     const glm::dvec3 points = (chain.root + chain.target) + (chain.pole + chain.plane);
     const double sum = ((points.x + points.y) + (points.z + chain.softness)) +

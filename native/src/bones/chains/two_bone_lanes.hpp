@@ -16,10 +16,11 @@ namespace motus::bones::chains {
 
 inline constexpr double largest_double = std::numeric_limits<double>::max();
 
-/// The line from the root to a target that is nearly on it: if the elbow can be towards the pole, it is.
+/// The line from root to target for a target that nearly lies on the root: towards the pole, if the elbow can
+/// be there.
 [[nodiscard]] glm::dvec3 line_of_coincident(const TwoBone& chain, glm::dvec3 target, glm::dvec3 pole);
 
-/// solve_two_bone(), whatever the numbers.
+/// solve_two_bone() for one chain of any sizes.
 void solve_one(const TwoBone& chain, TwoBoneSolution& out);
 
 template <class Real>
@@ -28,7 +29,7 @@ template <class Real>
     return max(max(abs(v.x), abs(v.y)), abs(v.z));
 }
 
-/// soft_reach() of one or several.
+/// soft_reach() of one chain, or of several chains in the lanes of Real.
 template <class Real>
 [[nodiscard]] inline Real softened(Real distance, Real reach, Real softness) {
     using std::max, std::min;
@@ -39,7 +40,8 @@ template <class Real>
     const auto is_straight = distance >= reach + Real(2.0) * soft;
     const Real ends = select(is_before, distance, reach);
     if (all(is_before | is_straight)) return ends;
-    // The power multiplied out, so that little is taken from the distance rather than much from the reach.
+    // The power is multiplied out: a little is subtracted from the distance instead of a lot from the reach,
+    // which loses fewer digits.
     const Real t = min(excess / soft * third, one);
     return select(is_before | is_straight, ends, min(distance - excess * t * (one - t * third), reach));
 }
@@ -67,7 +69,7 @@ template <class Real, class Point>
             gathered<Real>(chains, [&](const TwoBone& chain) -> double { return point(chain).z; })};
 }
 
-/// TwoBone, one or several at once.
+/// Fields of TwoBone for one chain, or for several chains in the lanes of Real.
 template <class Real>
 struct Chains {
     using Vector = glm::vec<3, Real>;
@@ -82,7 +84,8 @@ struct Chains {
 
     explicit Chains(const TwoBone* chains) : given(chains) {}
 
-    /// Whether squares of all that counts, and products of two of them, neither overflow nor underflow.
+    /// Whether the squares of all relevant numbers, and the products of two squares, neither overflow nor
+    /// underflow.
     [[nodiscard]] bool are_plain() const {
         using std::max;
         const Real largest = max(largest_of(target), max(length1, length2));
@@ -91,7 +94,7 @@ struct Chains {
     }
 };
 
-/// Solves chains whose numbers are plain.
+/// Solves chains for which are_plain() is true.
 template <class Real>
 inline void solve_plain(const Chains<Real>& chains, TwoBoneSolution* out) {
     using std::abs, std::max, std::min, std::sqrt;
@@ -104,7 +107,7 @@ inline void solve_plain(const Chains<Real>& chains, TwoBoneSolution* out) {
     const Real softness = gathered<Real>(chains.given, [](const TwoBone& c) { return c.softness; });
     const Real reach = max(softened(distance, longest, softness), shortest);
 
-    // Where the tip stands, and how long the first bone is; both grow by one factor.
+    // Distance of the tip from the root, and length of the first bone; stretch multiplies both by one factor.
     Real end = reach;
     Real length1 = chains.length1;
     Real scale = one;
@@ -158,7 +161,7 @@ inline void solve_in_lanes(std::span<const TwoBone> chains, std::span<TwoBoneSol
     for (; i < chains.size(); ++i) solve_one(chains[i], out[i]);
 }
 
-/// A way to solve many chains; all give the same bits.
+/// Functions that solve many chains, for one instruction set; all sets give the same bits.
 struct TwoBoneKernel {
     const char* name;
     void (*solve)(std::span<const TwoBone> chains, std::span<TwoBoneSolution> out);

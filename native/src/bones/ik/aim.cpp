@@ -14,11 +14,10 @@
 namespace motus::bones::ik {
 namespace {
 
-/// The elbow of a chain that is almost straight in its pose, and so bends about a hinge rather than in the
-/// plane of that little bend: if the solution bends no more than the pose, it lies in the pose's plane
-/// nevertheless, so that a target at the pose's tip changes nothing; with three times the bend it is back in
-/// the plane asked for. The same point if the planes agree. elbow_of_pose: from the root, turned to the
-/// chord.
+/// The elbow of a chain that is almost straight in its pose, and therefore bends about a hinge rather than in
+/// the plane of that small bend. If the solution bends no more than the pose, the elbow lies in the pose's
+/// plane nevertheless, so that a target at the pose's tip changes nothing; with three times the bend it lies
+/// in the plane that was asked for. elbow_of_pose: relative to the root, turned to the chord.
 glm::dvec3 elbow_near_pose(const glm::dvec3& elbow, const glm::dvec3& root, const glm::dvec3& elbow_of_pose,
                            const Chord& chord) {
     const glm::dvec3& along = chord.along;
@@ -38,13 +37,13 @@ glm::dvec3 elbow_near_pose(const glm::dvec3& elbow, const glm::dvec3& root, cons
     return elbow + bend * (glm::cross(blend, along) - side);
 }
 
-/// Where the tip is to come: where softness lets it go, else the target.
+/// The place to which the tip is brought: the target, or the place that softness allows.
 glm::dvec3 end_of(const Pose& pose, const AimGoal& goal, const Chord& chord, const AimReport& report) {
     const bool is_soft = goal.softness > 0.0 && report.end < report.distance;
     return is_soft ? pose.root() + report.end * chord.along : goal.target;
 }
 
-/// Whether lengths of the bones depend on where they point.
+/// Whether the lengths of bones depend on their directions, because spaces are sheared.
 bool is_sheared(const Pose& pose, std::size_t count) {
     constexpr double alike = 1e-4;
     for (std::size_t i = 0; i < count; ++i) {
@@ -191,9 +190,8 @@ AimReport Aim::turn(Pose& pose, const AimGoal& goal) {
     const Line first = line_to_target(pose, goal, report.reach);
     Line line = first;
 
-    // Lengths that depend on the direction (sheared spaces) are those of the round before: one round is
-    // enough for a rigid chain, but for the rounding of single precision that makes every chain a little
-    // elastic. For that a nudge does.
+    // In sheared spaces lengths depend on the direction, and those of the round before are used. One round is
+    // enough for a rigid chain, apart from the rounding of single precision, for which a nudge suffices.
     constexpr int most_rounds = 50;
     constexpr double exact = 1e-11;
     double best = 0.0;

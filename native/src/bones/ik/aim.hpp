@@ -13,8 +13,7 @@
 
 namespace motus::bones::ik {
 
-/// Which way a chain points and bends. Unit vectors across each other; normal x along is the side of the
-/// bend.
+/// Direction and bend of a chain: perpendicular unit vectors; normal x along points to the side of the bend.
 struct Chord {
     glm::dvec3 along{0.0, 1.0, 0.0};
     glm::dvec3 normal{1.0, 0.0, 0.0};
@@ -25,8 +24,8 @@ struct Chord {
 /// hinge_angle about Y.
 [[nodiscard]] Chord chord_of(const Pose& pose, std::size_t count, double hinge_angle);
 
-/// A turn of the pose as a turn within the space: its axis as seen from there. Exact if the space is
-/// not sheared. to_space: the space's inverse.
+/// A turn in pose space expressed in a space: the turn about the axis as it is in that space. Exact if the
+/// space is not sheared. to_space: inverse of the space's matrix.
 [[nodiscard]] glm::dquat seen_from(const glm::dmat3& to_space, const glm::dquat& turn);
 
 struct AimGoal {
@@ -51,7 +50,7 @@ struct AimReport {
     double end = 0.0;       ///< how far from the root softness lets the tip go for that target
 };
 
-/// The work, with memory for chains of up to `longest` bones.
+/// Solver for chains of up to `longest` bones, with its memory.
 class Aim {
   public:
     explicit Aim(std::size_t longest);
@@ -71,15 +70,16 @@ class Aim {
     void find_joints(const Pose& pose, const AimGoal& goal, const Line& line, AimReport& report);
     void find_rotations(const Pose& pose, const AimGoal& goal, const Line& line, AimReport& report);
     void turn_bones(Pose& pose, std::size_t count, const Line& line);
-    /// Brings the tip to its place by the smallest turns that do, if turns so small that they add up as
-    /// vectors are enough: the error left is their square. False if they are not, the pose as it was.
+    /// Brings the tip to its place by the smallest turns, if these are so small that they add up as vectors;
+    /// the remaining error is of the order of their square. Otherwise returns false and leaves the pose as it
+    /// was.
     [[nodiscard]] bool nudge(Pose& pose, std::size_t count) const;
     void keep(const Pose& pose, std::size_t count);
     /// Brings the tip nearer to `end` from the rotations that were kept; returns how many steps it took.
     int finish(Pose& pose, const AimGoal& goal, const glm::dvec3& end, double reach);
-    /// If the tip is off `end`, starts again from the chain as it reaches, on the same side, for a nearer
-    /// place: the straight chain is not the longest one in sheared spaces, and no small turn leads from it to
-    /// the others. Whether that brought the tip nearer.
+    /// If the tip is off `end`, starts again from the chain aimed at a nearer place on the same side: in
+    /// sheared spaces the straight chain is not the longest one, and no small turn leads from it to longer
+    /// ones. Returns whether the tip came nearer.
     [[nodiscard]] bool fold(Pose& pose, const AimGoal& goal, const Line& line, const glm::dvec3& end,
                             AimReport& report);
 

@@ -8,8 +8,8 @@
 namespace motus::bones::ik {
 namespace {
 
-/// The axis that the first bone's next one bends about, as the pose carries it. A mirrored pose mirrors the
-/// bend, for which the axis has to be turned round.
+/// The axis about which the second bone bends against the first, as the pose carries it. A mirrored pose
+/// mirrors the bend, so that the axis has to be reversed.
 glm::dvec3 hinge_of(const Pose& pose, double hinge_angle) {
     const glm::dmat3& axes = pose.posed(0).axes;
     const glm::dvec3 hinge = axes * glm::dvec3(std::cos(hinge_angle), 0.0, -std::sin(hinge_angle));

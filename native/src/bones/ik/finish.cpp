@@ -15,7 +15,8 @@
 namespace motus::bones::ik {
 namespace {
 
-/// seen_from() of a small turn, which in spaces that are not scaled is the vector seen from there.
+/// seen_from() of a small turn. In spaces without scale that is the turn's vector in the coordinates of the
+/// space.
 glm::dquat small_turn_seen_from(const glm::dmat3& to_space, const glm::dvec3& half) {
     constexpr double alike = 1e-3;
     if (std::abs(glm::determinant(to_space) - 1.0) > alike)

@@ -49,7 +49,7 @@ std::optional<Task> read_task(const Input& input, const RigWorld& world, std::si
     return task;
 }
 
-/// Rows that do nothing; those in pose space stand as at rest in a rig at the origin.
+/// Writes rows that have no effect; rows in pose space are those of the rest pose of a rig at the origin.
 void write_neutral(const Plan::Chain& chain, const Output& output) {
     const auto clear = [&output](std::size_t row) {
         output.rotations[row] = no_turn;
@@ -112,8 +112,8 @@ void solve_one(const Plan& plan, const Input& input, std::size_t index, const Ri
         try {
             aim = solution.solve(chain, *task);
         } catch (const std::invalid_argument&) {
-            // Finite numbers so large that those of the chain's joints are not: the solver of chains refuses
-            // them.
+            // The numbers are finite, but so large that the positions of the joints are not, which the solver
+            // of chains refuses.
             write_neutral(chain, output);
             return;
         }

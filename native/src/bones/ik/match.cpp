@@ -1,4 +1,4 @@
-// The way back: from an FK pose to the targets and poles that it is the solution for.
+// Matching: from an FK pose to the targets and poles for which that pose is the solution.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

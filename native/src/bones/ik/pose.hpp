@@ -39,12 +39,12 @@ class Pose {
     [[nodiscard]] const glm::dvec3& root() const { return joints_[first_]; }
     [[nodiscard]] const glm::dvec3& tip() const { return joints_[first_ + size()]; }
 
-    /// The joint after bone i seen from its root, in the bone's space before its own rotation; from the space
-    /// that it stands in now.
+    /// The joint after bone i relative to the bone's root, in the bone's space before the bone's own
+    /// rotation, computed from the space that the bone has now.
     [[nodiscard]] glm::dvec3 reach_of(std::size_t i, double stretch) const;
-    /// Takes the space of bone i from the pose of the one before it.
+    /// Computes the space of bone i from the pose of the bone before it.
     void enter(std::size_t i);
-    /// Puts bone i, which has been entered, into its pose and the next joint into its place.
+    /// Poses bone i, whose space is computed (enter()), and moves the next joint to its place.
     void place(std::size_t i, const glm::dquat& rotation, double stretch);
     /// Sets rotation and stretch of a bone.
     void put(std::size_t i, const glm::dquat& rotation, double stretch) {
@@ -54,7 +54,7 @@ class Pose {
 
     /// Orientation (see frame_of) of bone i in its pose.
     [[nodiscard]] glm::dquat frame(std::size_t i) const;
-    /// Own rotation that gives bone i, which has been entered, an orientation.
+    /// Own rotation by which bone i, whose space is computed (enter()), has this orientation.
     [[nodiscard]] glm::dquat rotation_for(std::size_t i, const glm::dquat& frame) const;
 
   private:
@@ -69,7 +69,7 @@ class Pose {
 [[nodiscard]] glm::dquat frame_in(const LinearSpace& space, const glm::dquat& rotation,
                                   const glm::dvec3& scale);
 
-/// The rotation that gives it a frame.
+/// The rotation by which a bone in that space has this frame.
 [[nodiscard]] glm::dquat rotation_in(const LinearSpace& space, const glm::dquat& frame,
                                      const glm::dvec3& scale);
 

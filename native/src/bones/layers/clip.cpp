@@ -22,7 +22,8 @@ struct Piece {
     Piece(const Key& from, const Key& to) {
         glm::dvec2 right = from.place - from.right;
         glm::dvec2 left = to.place - to.left;
-        // Handles longer than the way are shortened, or there would be several values for a frame.
+        // Handles longer than the distance of the keys are shortened: with longer ones a frame would have
+        // several values.
         const double length = to.place.x - from.place.x;
         if (std::abs(right.x) > length) right *= length / std::abs(right.x);
         if (std::abs(left.x) > length) left *= length / std::abs(left.x);
@@ -38,7 +39,7 @@ struct Piece {
     }
 };
 
-/// a + b t + c t^2 + d t^3 of four control numbers.
+/// The polynomial a + b t + c t^2 + d t^3 with the Bezier control numbers given.
 struct Cubic {
     double a, b, c, d;
 
@@ -52,7 +53,8 @@ struct Cubic {
     [[nodiscard]] double slope(double t) const { return b + t * (2.0 * c + t * 3.0 * d); }
 };
 
-/// Where on [0, 1] a cubic that rises from p[0] to p[3] has a value between: Newton's method in a bracket.
+/// Parameter in [0, 1] at which a cubic that rises from p[0] to p[3] has a value: Newton's method within a
+/// bracket.
 double parameter_at(const std::array<double, 4>& p, double value) {
     const Cubic cubic(p);
     double low = 0.0, high = 1.0;
@@ -71,7 +73,8 @@ double parameter_at(const std::array<double, 4>& p, double value) {
     return t;
 }
 
-/// The parameter of the last piece, which curves of a bone most often share.
+/// Cache of the parameter of the last piece: curves of one bone most often have their keys at the same
+/// frames.
 class Parameters {
   public:
     [[nodiscard]] double find(const std::array<double, 4>& frames, double frame) {
@@ -88,8 +91,8 @@ class Parameters {
     double frame_ = 0.0, found_ = 0.0;
 };
 
-/// Beyond the first or last key. handle: of the key, towards `neighbour`, which is the key itself where there
-/// is no other.
+/// Value before the first or after the last key. handle: of the key `end`, on the side of `neighbour`, which
+/// is the key itself if there is no other key.
 double beyond(const Key& end, const Key& neighbour, const glm::dvec2& handle, double frame) {
     if (end.interpolation == Interpolation::constant) return end.place.y;
     const glm::dvec2 to = end.interpolation == Interpolation::linear ? neighbour.place : handle;
@@ -135,7 +138,7 @@ void check(std::span<const Key> keys) {
                 "keys: every number must be finite");
 }
 
-/// Of one curve.
+/// Checks that the keys of one curve rise.
 void check_rise(std::span<const Key> keys) {
     const bool rise = std::ranges::is_sorted(keys, {}, [](const Key& key) { return key.place.x; });
     require(rise, "keys: the frames of a curve must rise");

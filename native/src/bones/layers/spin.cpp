@@ -24,7 +24,7 @@ constexpr std::array<Order, 6> orders{{{0, 1, 2, false},
                                        {2, 0, 1, false},
                                        {2, 1, 0, true}}};
 
-/// Turns about the fixed axes, one after the other.
+/// Rotation by Euler angles: turns about the fixed axes, one after the other.
 glm::dquat of_euler(const Order& order, std::span<const double, 4> angles) {
     glm::dquat result = no_turn;
     for (const int axis : {order.i, order.j, order.k}) {

@@ -8,7 +8,7 @@
 
 namespace motus::bones::layers {
 
-/// The room that all layers of one call share.
+/// Memory and work that all layers of one call share.
 class Stack::Solver {
   public:
     Solver(const Stack& stack, std::size_t most, std::span<Transform> bones, std::span<char> changed)
@@ -52,7 +52,7 @@ class Stack::Solver {
         changed_[bone] = 1;
     }
 
-    /// Bone by bone, each in its own axes.
+    /// Blends a layer bone by bone, each bone in its own axes.
     void blend(const Layer& layer, std::span<const Transform> source, double weight, unsigned wanted) {
         const Clip& clip = *layer.clip;
         for (std::size_t i = 0; i < source.size(); ++i) {
@@ -72,7 +72,8 @@ class Stack::Solver {
         }
     }
 
-    /// Lets what a bone has come to that goes around follow on what is blended of where it began.
+    /// Appends the turns that a bone has gone around since its first pose to the blended first pose of the
+    /// bone.
     void spin(const Layer& layer, std::size_t i, double share, const Transform& base,
               Transform& result) const {
         const glm::dquat turn = spins_[i].turn(share);
@@ -85,14 +86,15 @@ class Stack::Solver {
             normalized_product(from_reference * turn * glm::conjugate(from_reference) * result.rotation);
     }
 
-    /// What the bone's own rotation turns on: its parent's, and how it lies on that at rest.
+    /// The rotation that the bone's own rotation is applied to: the parent's, times the bone's rest rotation
+    /// relative to the parent.
     [[nodiscard]] glm::dquat carried(std::size_t bone, const std::vector<glm::dquat>& turned) const {
         const glm::dquat& rest = stack_.from_parent_[bone];
         if (stack_.follows_[bone] == 0) return rest;
         return turned[static_cast<std::size_t>(stack_.parents_[bone])] * rest;
     }
 
-    /// The rotations alone, blended as they are in the armature.
+    /// Blends the rotations of a layer, as they are in the armature.
     void turn_in_armature(const Layer& layer, std::span<const Transform> source, double weight) {
         const Clip& clip = *layer.clip;
         const std::size_t count = stack_.size();
@@ -146,8 +148,8 @@ class Stack::Solver {
             part_of_turn(said_[bone] * glm::conjugate(said_reference_[bone]), share_[bone]) * base);
     }
 
-    /// Notes which bone goes around, of this one and those that it turns with, the nearest one. carries: what
-    /// its own rotation turns on, as the clip has it.
+    /// Notes the nearest bone that goes around among a bone and the bones with which it turns. carries: the
+    /// rotation that the bone's own rotation is applied to, in the clip's pose.
     void note_spinning(std::size_t bone, const glm::dquat& carries) {
         carries_[bone] = carries;
         next_spinning_[bone] =
@@ -155,7 +157,7 @@ class Stack::Solver {
         spinning_[bone] = spin_of_[bone] != none ? static_cast<int>(bone) : next_spinning_[bone];
     }
 
-    /// What the bones that go around turn a bone by in the armature, by a share of their way.
+    /// The rotation, in the armature, by which bones that go around turn a bone, for a share of their turns.
     [[nodiscard]] glm::dquat turned(std::size_t bone, double share) const {
         glm::dquat result = no_turn;
         for (int next = spinning_[bone]; next != none;) {

@@ -13,7 +13,7 @@ struct Played {
     double way, laps;
 };
 
-/// The same after so many frames of the action.
+/// How far an action is played, and how often it has begun again, after a number of the action's frames.
 Played played(double frames, double length, After after) {
     if (after != After::repeat || length <= 0.0 || std::isinf(length)) return {std::min(frames, length), 0.0};
     // Of numbers so large, or a length so small, that the laps cannot be counted, the first frame.
@@ -22,7 +22,7 @@ Played played(double frames, double length, After after) {
     return {std::min(std::max(0.0, rest), length), std::isfinite(laps) ? laps : 0.0};
 }
 
-/// A ramp that rises from 0 to 1 over a width; 1 without one.
+/// A ramp that rises from 0 to 1 over a width; 1 if the width is 0.
 double ramp(double way, double width) {
     return width > 0.0 ? smooth_step(way / width) : 1.0;
 }

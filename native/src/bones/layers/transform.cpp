@@ -11,7 +11,7 @@
 namespace motus::bones::layers {
 namespace {
 
-/// a on the way to b.
+/// a + share * (b - a).
 glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double weight) {
     return weight >= 1.0 ? b : a + weight * (b - a);
 }

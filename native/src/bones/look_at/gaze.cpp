@@ -32,8 +32,8 @@ double share(double weight) {
     return std::clamp(weight, 0.0, 1.0);
 }
 
-/// The angle that a step in the chart turns the gaze by, told from where it begins: off the centre the chart
-/// is too wide round about.
+/// The angle by which a step in the chart turns the gaze, judged at the start of the step: off its centre the
+/// chart stretches directions around the centre.
 double angle_near(const glm::dvec2& from, const glm::dvec2& step) {
     const double off = glm::length(from);
     if (off == 0.0) return glm::length(step);

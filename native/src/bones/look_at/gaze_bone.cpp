@@ -29,7 +29,7 @@ glm::dvec3 own_scale(const glm::dmat3& basis) {
     return sign * glm::dvec3(glm::length(basis[0]), glm::length(basis[1]), glm::length(basis[2]));
 }
 
-/// The inverse times some positive number; zero if there is none.
+/// The inverse of a matrix times some positive number; zero if there is no inverse.
 glm::dmat3 inverse_but_size(const glm::dmat3& axes) {
     const glm::dmat3 rows(glm::cross(axes[1], axes[2]), glm::cross(axes[2], axes[0]),
                           glm::cross(axes[0], axes[1]));
@@ -38,7 +38,7 @@ glm::dmat3 inverse_but_size(const glm::dmat3& axes) {
     return glm::transpose(volume < 0.0 ? -rows : rows);
 }
 
-/// The axis of a space that lies farthest from a direction.
+/// The axis of a space that is most nearly perpendicular to a direction.
 glm::dvec3 axis_across(const glm::dvec3& direction) {
     const glm::dvec3 size = glm::abs(direction);
     if (size.x <= size.y && size.x <= size.z) return {1.0, 0.0, 0.0};

@@ -24,7 +24,7 @@ double largest_part(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Direction from a place to the target; none if they are one.
+/// Direction from a place to the target; none if the two coincide.
 std::optional<glm::dvec3> towards(const glm::dvec3& place, const glm::dvec3& target) {
     const glm::dvec3 way = target - place;
     if (largest_part(way) <= same_place * (largest_part(place) + largest_part(target))) return std::nullopt;
@@ -64,7 +64,7 @@ class Plan::Solver {
     }
 
   private:
-    /// Pose of the last of the bones as they are animated; of their parent if there are none.
+    /// Pose of the last of these bones as they are animated; the pose of their parent if there are no bones.
     [[nodiscard]] glm::dmat4 carried(std::span<const Link> links, glm::dmat4 pose) const {
         for (const Link& link : links) pose = GazeBone(rig_, link.bone, pose).pose();
         return pose;
@@ -93,7 +93,7 @@ class Plan::Solver {
         return result;
     }
 
-    /// The head on the turned body.
+    /// Turns the body; returns the head as the turned body carries it.
     [[nodiscard]] GazeBone turn_body(const GazeBone& animated, const glm::dvec2& from) {
         if (entry_.turning == 0) return animated;
         const std::optional<glm::dvec3> direction = towards(animated.place(), input_.target);
@@ -129,7 +129,7 @@ class Plan::Solver {
         return true;
     }
 
-    /// Each from its own place. An eye of no size stays as it is.
+    /// Turns each eye, from its own place. An eye without size stays as it is.
     [[nodiscard]] bool turn_eyes(const GazeBone& animated_head, const GazeBone& head) {
         std::optional<double> worst;
         for (std::size_t i = 0; i < entry_.eyes.size(); ++i) {
@@ -157,7 +157,7 @@ class Plan::Solver {
         double limit = 0.0;
     };
 
-    /// Turns a bone that looks; the angle that is left.
+    /// Turns the head or an eye; returns the angle that is left to the target.
     double turn(GazeBone& bone, const Link& link, const glm::dvec3& axis, const glm::dvec3& direction,
                 const glm::dvec2& animated, const Share& share) {
         const glm::dvec2 present = chart_->place(*bone.gaze(axis));
