@@ -89,6 +89,30 @@ class Pairs(support.SceneTestCase):
         bpy.ops.motus.refresh(object="Owner", system="dynamics")
         self.assertFalse(cases.differ(cases.seen((20,)), edited, 0.0))
 
+    def test_an_object_that_waits_for_its_own_layers_is_healed_in_a_file_of_an_older_version(self):
+        """Version 2 of the wiring had the object's dynamics wait for the layers, which wait for the object: a dependency cycle."""
+        owner, _ = self.made("rig", "layers", "dynamics object")
+        wanted = cases.seen()
+        hub_of, outbox = support.addon("core.wiring.hubs.hub_lookup").hub_of, support.addon("core.wiring.hubs.outbox")
+        systems = support.addon("core.declare").registered
+
+        def variables(name):
+            curve = hub_of(systems["dynamics"], bpy.data.objects[name], "").data.animation_data.drivers[0]
+            return {variable.name: variable for variable in curve.driver.variables}, curve.driver.variables
+
+        waits = variables("Owner")[1].new()
+        waits.name = "l0"
+        waits.targets[0].id_type, waits.targets[0].id = 'MESH', hub_of(systems["layers"], owner, "").data
+        waits.targets[0].data_path = outbox.out_path(systems["layers"], outbox.STATUS)
+        for name in ("layers", "dynamics"):
+            settings = getattr(owner.motus, name)
+            settings.wired = f"2 {settings.wired.split()[1]}"
+        bpy.ops.wm.open_mainfile(filepath=self.save())
+        self.assertIn("l0", variables("Owner")[0])
+        self.go_to(2)
+        self.assertNotIn("l0", variables("Owner")[0])
+        self.assertFalse(cases.differ(cases.seen(), wanted))
+
     def test_the_panel_names_what_it_knows_by(self):
         owner, _ = self.made("rig", "dynamics own", "layers")
         source = support.addon("dynamics.panel").input_of(owner, owner.motus.dynamics.entries[0], bpy.context.scene)

@@ -17,7 +17,7 @@ from ..hubs import hub_lookup, outbox
 from ..sinks import attribute_sink, proxy_sink
 from . import sharing
 
-VERSION = 2
+VERSION = 3
 """Version of the way in which owners are wired. It is part of the signature: owners that an earlier version has wired are wired again."""
 
 
