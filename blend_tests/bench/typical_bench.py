@@ -160,7 +160,7 @@ def layer(characters):
 
 def snow(_made):
     for index in range(OWNERS):
-        bpy.ops.motus.snow_add(rate=200.0, lifetime=5.0, location=(3.0 * index, 0.0, 5.0), snow=True)
+        bpy.ops.motus.snow_add(rate=200.0, lifetime=5.0, location=(3.0 * index, 0.0, 5.0), use_steering=True)
 
 
 MIXED = "12 followers, train, 3 characters"
