@@ -13,7 +13,7 @@ FRAMES = (1, 60, 12.5, 97, 30)
 class SharedTestCase(PathTestCase):
     def setUp(self):
         super().setUp()
-        self.hub_lookup = support.addon("core.wiring.hubs.hub_lookup")
+        self.sharing = support.addon("core.wiring.hubs.sharing")
         self.line(20.0)
 
     def cars(self, count=4, **keywords):
@@ -25,7 +25,7 @@ class SharedTestCase(PathTestCase):
         return car.motus.path.hub
 
     def is_shared(self, car):
-        return self.hub_lookup.row_of(self.system, car) is not None
+        return self.sharing.has_rows(self.hub(car).data)
 
     def assertRuns(self, car, speed, offset, frames=FRAMES):
         for frame in frames:
@@ -59,7 +59,7 @@ class Sharing(SharedTestCase):
 
     def test_shared_followers_get_the_same_bits_as_alone(self):
         keywords = {"orientation": 'BANKING', "extend": 'LOOP', "lag_rate": 0.3}
-        rows = support.addon("core.wiring.attaching.sharing")
+        rows = support.addon("core.wiring.hubs.sharing")
         self.cubic(name="Bend")
         found = []
         for is_shared in (True, False):

@@ -162,7 +162,7 @@ class OfEvaluation(_Declaration):
     """
 
     lifetime = "an evaluation"
-    until = "Blender copies the datablock anew, or frees it"
+    until = "Blender makes a new evaluated copy of the datablock, or frees the copy"
 
     def __init__(self, what: str, key: str, bound: str, until: str = "") -> None:
         super().__init__(what, key, bound, until)
@@ -195,7 +195,7 @@ class WhileAnswering(OfEvaluation):
     """Declaration of values that are kept while a thread answers one question, including all questions that it leads to."""
 
     def __init__(self, what: str, key: str) -> None:
-        super().__init__(what, key, "those of one question in each thread", "the outermost question is answered")
+        super().__init__(what, key, "the answers that one question needs, in each thread", "the thread has answered its outermost question")
         self._threads: dict[int, dict[Hashable, Any]] = {}
 
     def answered(self, place: Hashable, make: Callable[[], Any]) -> Any:
@@ -281,7 +281,7 @@ class OfFile(_Declaration, Latest):
     """
 
     lifetime = "a file"
-    until = "another file is opened, or the add-on is disabled"
+    until = "a different file is opened, or the add-on is disabled"
 
     def __init__(
         self,

@@ -12,7 +12,7 @@ import bpy
 from ..core import rigs, wiring
 from ..core.declare import BonesOwn, Entry, Group, Member, Property, Transform
 from ..core.settings.entries import unwired
-from ..core.tracks import transforms
+from ..core.tracks import in_world
 from . import inputs
 
 PLAN = "plan"
@@ -46,7 +46,7 @@ class Unit(NamedTuple):
     def reads(self, owner):
         """List the evaluated transforms that the unit needs, as [(object, bone name or "")]."""
         if self.kind == 'OBJECT':
-            parent = transforms.parent_of(owner)
+            parent = in_world.parent_of(owner)
             if parent == owner.parent and not inputs.follows_parent(owner, self.entries[0]):
                 return []
             return [(owner.parent, parent.name if parent != owner.parent else "")]

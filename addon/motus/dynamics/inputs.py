@@ -14,7 +14,7 @@ from ..core.evaluated.question import answered
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.refusals import Refused
-from ..core.tracks import laid, rotations, transforms
+from ..core.tracks import in_world, laid, rotations
 from . import filters, sampling
 from .sampling import Samples
 
@@ -31,7 +31,7 @@ def follows_parent(obj, entry):
 
 def carrier(obj, scene):
     """Return the track of the world matrix of an object's parent, which is an object or a bone."""
-    return tracks.world_track(transforms.parent_of(obj), scene)
+    return tracks.world_track(in_world.parent_of(obj), scene)
 
 
 MOST_NUMBERS = 32
@@ -186,7 +186,7 @@ class WorldInput(_Input):
     @functools.cached_property
     def listed(self):
         """[(track, keywords of the operator motus.track_record)]: of the object's own transform and of its parent's world matrix."""
-        obj, parent = self._thing, transforms.parent_of(self._thing)
+        obj, parent = self._thing, in_world.parent_of(self._thing)
         names = {"datablock": obj.parent.name, "transform": 'WORLD'}
         if parent != obj.parent:
             names["bone"] = parent.name
@@ -194,12 +194,12 @@ class WorldInput(_Input):
 
     @property
     def reason(self):
-        return transforms.of_parent(self._thing)
+        return in_world.of_parent(self._thing)
 
     def samples(self, frames):
         """Return the Samples of the input at frames (n,): locations and rotations in world space, scales as keyed."""
         own, carried = (track.values(frames) for track in self.tracks)
-        space = rotations.chained(carried, transforms.parent_offset(self._thing))
+        space = rotations.chained(carried, in_world.parent_offset(self._thing))
         found = rotations.chained(space, own.matrices)
         places = found[:, :3, 3]
         return Samples(
@@ -340,7 +340,7 @@ class TailInput(_Input):
                 poses[one.name] = rotations.chained(inverse, track.values(frames))
             else:
                 above = poses[one.parent.name] if one.parent else None
-                poses[one.name] = np.broadcast_to(transforms.posed(one, track.values(frames), above), (len(frames), 4, 4))
+                poses[one.name] = np.broadcast_to(in_world.posed(one, track.values(frames), above), (len(frames), 4, 4))
         return poses[way[0].name] if way else poses[bone.name]
 
     def _is_base(self, bone):

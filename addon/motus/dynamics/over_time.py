@@ -128,7 +128,7 @@ class OverTime(_OverTime):
         if self._owner.parent is None:
             return moves
         carried = inputs.carrier(self._owner, self._scene).values(times)
-        space = rotations.chained(carried, inputs.transforms.parent_offset(self._owner))[:, :3, :3]
+        space = rotations.chained(carried, inputs.in_world.parent_offset(self._owner))[:, :3, :3]
         return rotations.chained(space, moves[:, :, None])[:, :, 0]
 
     @property
@@ -193,7 +193,7 @@ class _Tail(_OverTime):
     def reason(self):
         """The Reason why the motion at other frames cannot be computed; None if it can."""
         # Bones without dynamics between bones of the chain are read by their own channels, so constraints on them make them unknown.
-        held = next(filter(None, map(inputs.transforms.constrained, self._between)), None)
+        held = next(filter(None, map(inputs.in_world.constrained, self._between)), None)
         return held or super().reason or self._rig.reason
 
     def _channels(self):

@@ -17,7 +17,7 @@ from ..core.evaluated.question import answered
 from ..core.file import stored
 from ..core.lazy import numpy as np
 from ..core.measures import bounds, scene_time
-from ..core.tracks import own_track, transforms, world_track
+from ..core.tracks import in_world, own_track, world_track
 from . import inputs, motion, sampling
 from .groups import LOOPED, MISSING, PLAN, PROPERTIES, Unit
 
@@ -55,7 +55,9 @@ _FORM = {"fingerprint": int, "units": [(str, [str])], "properties?": [(str, lamb
 """Structure of the JSON text that groups.py stores in a group's data under PLAN."""
 
 _MADE = keeping.OfEvaluation(
-    "native motion of a group (Made)", "the group; made anew where the stamp of its inputs has changed", "one for each group"
+    "filtered motions of the entries of a group (Made)",
+    "key of the group; recomputed if the stamp of the group's inputs differs",
+    "one for each group",
 )
 
 
@@ -181,7 +183,7 @@ def _stamp(owner, copy, scene, asked):
 def _stamp_of_carrier(owner, name, scene):
     """Return a hashable value that changes whenever the motion of a carrier may. name: of a bone, "" for the rig, or inputs.PARENT."""
     if name is inputs.PARENT:
-        reason = transforms.of_parent(owner)
+        reason = in_world.of_parent(owner)
         return reason.kind if reason else _stamp_of_known(inputs.carrier(owner, scene))
     thing = owner.pose.bones[name] if name else owner
     return _stamp_of_known(world_track(thing, scene, registered["dynamics"]))
@@ -339,11 +341,11 @@ def _to_local(owner, moves, is_in_world):
     is_in_world: whether `moves` are in world space instead of the axes of the object's location channels.
     """
     parent = owner.parent
-    if parent is None or (not is_in_world and parent == transforms.parent_of(owner)):
+    if parent is None or (not is_in_world and parent == in_world.parent_of(owner)):
         return moves
     if not is_in_world:
-        bone = transforms.parent_of(owner)
-        offset = Matrix(transforms.parent_offset(owner)[0].tolist())
+        bone = in_world.parent_of(owner)
+        offset = Matrix(in_world.parent_offset(owner)[0].tolist())
         moves = (parent.matrix_world @ bone.matrix @ offset).to_3x3() @ Vector(moves)
     # Even if the parent is a bone, the constraint's axes are those of the parent object with the parent inverse.
     return (parent.matrix_world @ owner.matrix_parent_inverse).to_3x3().inverted_safe() @ Vector(moves)

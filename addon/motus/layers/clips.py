@@ -13,7 +13,9 @@ from ..core.lazy import numpy as np
 LARGEST_CACHE = 64
 """Greatest number of Clips that are cached for one evaluated action: one for each slot and each list of bones with rotation modes."""
 _CLIPS = keeping.OfEvaluation(
-    "native clips of an evaluated action", "slot, names and rotation modes of the rig's bones", f"{LARGEST_CACHE} for each evaluated action"
+    "native LayerClips of an evaluated action",
+    "slot of the action, names and rotation modes of the rig's bones",
+    f"{LARGEST_CACHE} for each evaluated action",
 )
 MODES = ('QUATERNION', 'XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX', 'AXIS_ANGLE')
 """Rotation modes of Blender; the index of a mode is its number in the native LayerClip."""

@@ -28,11 +28,13 @@ PROBLEMS = (NO_SPLINES, NO_SUCH_SPLINE, TOO_FEW_POINTS, TOO_MANY_POINTS, RATIONA
 _temporary_curve = threading.RLock()
 
 _CURVES = keeping.OfEvaluation(
-    "native curves of an evaluated curve's splines", "index of the spline", "one for each spline that is followed"
+    "native curves of the splines of an evaluated curve, in the curve's local space",
+    "index of the spline",
+    "one for each spline that is followed",
 )
 _IN_WORLD = keeping.OfEvaluation(
-    "native curves of an evaluated curve's splines, in the world",
-    "index of the spline; made anew at another world matrix",
+    "native curves of the splines of an evaluated curve, in world space",
+    "index of the spline; recomputed if the world matrix differs",
     "one for each spline that is followed",
 )
 

@@ -15,9 +15,13 @@ MOST = 1 << 24
 BYTES = 68
 """Memory of one flake, in bytes: position, velocity, rotation, colour, radius, age and number."""
 _snows = keeping.OfFile(
-    "native Snow of an emitter, with where its flakes land; or what is wrong with it", "all that the flakes' ways are made from", most=32
+    "native Snow objects of emitters, with the landing places of the flakes, or the Problem of the emitter",
+    "all values that the flakes' motion depends on",
+    most=32,
 )
-_colliders = keeping.OfFile("native SnowCollider of meshes that flakes land on", "stamps of the faces, and where they stand", most=4)
+_colliders = keeping.OfFile(
+    "native SnowColliders, made of the meshes that flakes land on", "stamps and world matrices of the meshes' faces", most=4
+)
 STEP = 1 << 16
 """The size of the scratch array for flakes' numbers is a multiple of this, so that the array is seldom made anew."""
 

@@ -24,10 +24,10 @@ SHOWN = 0.3
 """Seconds between two updates of the viewport while the search goes on."""
 
 _searches = keeping.OfFile(
-    "which flakes' landings are still looked for (Search)",
-    "name of the emitter",
+    "unfinished searches for the landing places of flakes (Search)",
+    "name of the emitter object",
     most=1024,
-    until="all landings are found, or another file is opened",
+    until="all landing places are found, or a different file is opened",
 )
 
 

@@ -9,7 +9,7 @@ COLUMNS = 32
 NARROWEST = 0.001
 """Least range of the histogram, in fractions of the image width; if all parallax is equal, one column contains all samples."""
 
-_found = keeping.OfFile("what the last check of a stereo rig has found (Result)", "name of the camera with its library", most=64)
+_found = keeping.OfFile("results of the last check of each stereo rig (Result)", "name and library of the camera", most=64)
 
 
 class Result(NamedTuple):

@@ -22,7 +22,9 @@ FEET, BODY = "feet", "body"
 PLACE, LEANING, TURN = frozenset({"location"}), frozenset({"location", "rotation"}), frozenset({"rotation"})
 
 _FORM = {"feet": [{"leg": int, "is_bone": bool}], "is_looped": bool, "lacks": int, "is_bodiless": bool, "fingerprint": int}
-_noted = keeping.OfProcess("what a walker's groups note (Noted)", "the text", most=64)
+_noted = keeping.OfProcess(
+    "parsed descriptions of the feet and the body that a walker's solver computes (Noted)", "text of the description", most=64
+)
 
 
 def entries(owner):

@@ -12,8 +12,8 @@ from ..core.evaluated.question import answered
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.tracks import rotations
+from ..core.tracks.in_world import World
 from ..core.tracks.solved import placed
-from ..core.tracks.transforms import World
 from . import leaning, legs, plan
 
 CYCLES = 2.0

@@ -4,8 +4,8 @@ from ..core import keeping, wiring
 from ..core.evaluated import copies, read_keys
 
 _WAITING = keeping.OfEvaluation(
-    "what a walker's first solver leaves for its second one: (moment, group, what was found, which keys were read)",
-    "the owner",
+    "results that the first solver of a walker hands to its second solver: (moment, group, results, keys that were read)",
+    "the walker's object",
     "one for each walker",
     until="the second solver has taken it",
 )

@@ -53,7 +53,7 @@ class _OfCopies(keeping.OfEvaluation):
     """Up to this many copies are kept without a search for copies that Blender has freed."""
 
     def __init__(self, what: str) -> None:
-        super().__init__(what, "a number that no other copy has had", "one for each evaluated copy that Blender has")
+        super().__init__(what, "unique number of the evaluated copy", "one for each evaluated copy that Blender has")
         self.known: dict[int | None, Any] = {}  # number of an evaluated copy -> data about the copy
         self._places: dict[int, tuple[Any, int]] = {}  # address of an evaluated datablock -> (datablock, number)
         self._most = self.FEW
@@ -96,9 +96,11 @@ def is_gone(datablock: Any) -> bool:
     return False
 
 
-_copies = _OfCopies("an evaluated object, armature, curve or scene: its drivers, its action, and what has been read of it")
-_found = _OfCopies("an evaluated action: what has been read of it")
-_REACH = keeping.OfEvaluation("which settings and bones an action sets", "the action", "one for each evaluated action")
+_copies = _OfCopies(
+    "for each evaluated object, armature, curve or scene: its number of drivers, its action, and the values that other declarations keep with it"
+)
+_found = _OfCopies("for each evaluated action: the values that other declarations keep with it")
+_REACH = keeping.OfEvaluation("settings and bones that an action animates (Reach)", "the evaluated action", "one for each evaluated action")
 
 
 class Reach(NamedTuple):

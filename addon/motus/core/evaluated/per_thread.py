@@ -7,7 +7,9 @@ from typing import Any
 from .. import keeping, native
 from ..lazy import numpy as np
 
-_ARRAYS = keeping.OfThread("arrays whose content is undefined, to be filled", "a name; another shape replaces the array", most=64)
+_ARRAYS = keeping.OfThread(
+    "scratch arrays, whose content is undefined", "name of the array; an array of a different shape replaces it", most=64
+)
 
 
 def keep_state() -> bool:

@@ -7,6 +7,6 @@ answers each level of such a hierarchy would take several times as long as the l
 from .. import keeping
 
 answered = keeping.WhileAnswering(
-    "what things that hang on each other answer about their motion", "the thing, and all that the answer depends on"
+    "answers about the motion of objects and bones that depend on each other", "object or bone, and all inputs of the answer"
 ).answered
 """answered(place, make): the result of make(), kept under the hashable `place` until the outermost question is answered."""

@@ -13,7 +13,9 @@ import bpy
 
 from .. import keeping
 
-_DECLARED = keeping.OfProcess("what a pointer of settings is declared for", "class of the settings, name of the pointer", most=1024)
+_DECLARED = keeping.OfProcess(
+    "object types that a pointer property of the settings accepts", "PropertyGroup class, and name of the property", most=1024
+)
 
 
 def to_object(*types: str, also: Callable[[Any, Any], bool] = lambda _settings, _obj: True, **options: Any) -> Any:

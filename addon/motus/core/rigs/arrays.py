@@ -15,7 +15,9 @@ _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE":
 INHERITS_ROTATION, HAS_LOCAL_LOCATION = 8, 16
 
 _LAID = keeping.OfEvaluation(
-    "transforms that a system lays over a rig's bones: {key: (rows, (n, 16) float32)}, see lay()", "the rig", "one for each rig"
+    "transforms that systems lay over a rig's bones: {key: (rows, (n, 16) float32)}, written by lay()",
+    "the evaluated rig",
+    "one for each rig",
 )
 
 LENDS_MEMORY = hasattr(Matrix, "__buffer__")  # mathutils.Matrix has the buffer protocol from Blender 5 on

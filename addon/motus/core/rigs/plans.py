@@ -8,8 +8,14 @@ from ..evaluated import copies
 from ..file.stored import Damaged
 from .arrays import inheritance, is_still, names_of, still
 
-_PLANS = keeping.OfThread("plans of rigs", "what was wired, fingerprint of the bones included; the rig's name and library", most=64)
-_SOURCES = keeping.OfEvaluation("what is read of a rig for its plan", "what was wired", "one for each group that is wired on a rig")
+_PLANS = keeping.OfThread(
+    "plans of rigs, the results of analyzing a rig's bones for a solver",
+    "text of everything that the plan depends on, with a checksum of the bones; name and library of the rig",
+    most=64,
+)
+_SOURCES = keeping.OfEvaluation(
+    "data of a rig that its plan is made from", "text of everything that the plan depends on", "one for each group that is wired on a rig"
+)
 
 
 def fingerprint(rig):

@@ -9,8 +9,8 @@ from .arrays import LENDS_MEMORY, columns
 LARGE_SCENE = 4  # objects in the view layer for each object that is read
 
 _layer_sizes = keeping.OfFile(
-    "how many objects a view layer had when they were last counted: for the faster of two ways to the same answer",
-    "names of scene and view layer",
+    "numbers of objects in view layers, for choosing the faster of two algorithms with equal results",
+    "names of the scene and the view layer",
     most=256,
 )
 

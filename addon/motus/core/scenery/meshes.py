@@ -12,8 +12,8 @@ MOST_BYTES = 256 << 20
 """Most bytes of faces that are kept; the least recently used are dropped."""
 
 _faces = keeping.OfFile(
-    "Faces of an evaluated mesh",
-    "number of the evaluated copy of the mesh",
+    "triangles of evaluated meshes as arrays (Faces)",
+    "unique number of the evaluated copy of the mesh",
     most_size=MOST_BYTES,
     size=lambda _, found: found.bytes if found else 0,
     unit="bytes",

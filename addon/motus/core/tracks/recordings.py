@@ -34,8 +34,8 @@ LARGEST_MEMORY = 1 << 28
 
 _FORM = (int, float, float, str, str)
 _read = keeping.OfFile(
-    "recordings, unpacked",
-    "what was recorded, and the recording's header, which no other recording has",
+    "unpacked samples of recordings",
+    "recorded datablock, and the header of the recording, which is unique",
     most_size=LARGEST_MEMORY,
     size=lambda _, found: found.samples.nbytes,
     unit="bytes",

@@ -10,10 +10,13 @@ from ..evaluated import copies
 from ..evaluated.question import answered
 from ..lazy import numpy as np
 from . import laid
-from .transforms import Own, World
+from .in_world import World
+from .transforms import Own
 
 _KEPT = keeping.OfEvaluation(
-    "what is made of a rig's keys, settings and rest pose", "its name; made anew where their stamp has changed", "one for each name"
+    "values that are derived from a rig's keys, settings and rest pose",
+    "name of the value; recomputed if the stamp of keys, settings or rest pose differs",
+    "one for each name",
 )
 
 

@@ -11,14 +11,15 @@ from ..file import stored
 from ..lazy import numpy as np
 from ..translations import tr
 from . import laid, recordings
-from .transforms import PARTS, Own, Transforms, World
+from .in_world import World
+from .transforms import PARTS, Own, Transforms
 
 LARGEST_CACHE = 8192  # values that kept() keeps: some thousand properties or bones, in a viewport and a render
 LARGEST_MEMORY = 1 << 30  # bytes of the values that kept() keeps
 
 _made = keeping.OfFile(
-    "what solvers make of tracks: native tracks, samples, plans",
-    "what it is, and the tracks' stamps",
+    "values that solvers derive from tracks, the properties and transforms at any times: native tracks, samples, plans",
+    "kind of the value, and the stamps of the tracks",
     LARGEST_CACHE,
     LARGEST_MEMORY,
     lambda _, found: _bytes(found),

@@ -7,7 +7,7 @@ gone.
 from ..declare import Problem, groups_of, of_owner
 from ..file.stored import Damaged, Newer
 from ..translations import tr
-from .hubs import hub_lookup, outbox
+from .hubs import outbox, sharing
 from .sinks import property_sink
 
 _DAMAGED_PROBLEM = Problem("The data of this system in the file is damaged: press Refresh, or set it up again")
@@ -35,17 +35,16 @@ def problem(system, owner, depsgraph):
     The status is read from the evaluated meshes of the owner's hubs. If no hub is left although the owner is set up, the result is the
     problem of damaged data. A system that declares groups also reports properties that are no longer driven.
     """
-    carried = hub_lookup.carriers_of(system, owner)
-    if not carried:
+    parts = sharing.parts(system, owner)
+    if not parts:
         is_bereft = of_owner(system, owner).is_active and groups_of(system, owner)
         return _DAMAGED_PROBLEM if is_bereft else None
-    row = hub_lookup.row_of(system, owner)
-    problems = (_problem_of(system, carrier.evaluated_get(depsgraph), key, row) for key, carrier in carried)
+    problems = (_problem_of(system, part, depsgraph) for part in parts)
     found = sorted(filter(None, problems), key=lambda one: not one.blocking)
     if found:
         return found[0]
     if system.groups is not None:
-        are_driven = of_owner(system, owner).is_baked or all(property_sink.are_driven(system, owner, carrier) for _, carrier in carried)
+        are_driven = of_owner(system, owner).is_baked or all(property_sink.are_driven(system, owner, part.mesh) for part in parts)
         return None if are_driven else _PROPERTY_PROBLEM
     return None
 
@@ -62,11 +61,9 @@ def report_problems(operator, context, system, owners):
         operator.report({'WARNING'}, tr(sentence))
 
 
-def _problem_of(system, evaluated, key, row):
+def _problem_of(system, part, depsgraph):
     try:
-        if row is None:
-            outbox.owner_of(system, evaluated)
-        status = outbox.opened(system, evaluated, key, row).slots[outbox.STATUS]
+        status = sharing.status_of(system, part, part.mesh.evaluated_get(depsgraph))
     except Newer:
         return _NEWER_PROBLEM
     except Damaged:

@@ -17,14 +17,16 @@ SPARE_REACHES = 64
 """Number of reaches that no present pin uses and that an entry keeps nevertheless, for pins that are being edited."""
 
 _shapes = keeping.OfFile(
-    "what pins reach, with the mesh as it was (Shape)",
-    "name of the mesh, whether its topology counts; compared with the mesh's content",
+    "vertices that pins reach, with the mesh for which they were found (Shape)",
+    "name of the mesh, and whether distances follow its topology; recomputed if the content of the mesh differs",
     LARGEST,
     MOST_VERTICES,
     lambda _, shape: len(shape.positions),
     "vertices",
 )
-_BUFFERS = keeping.OfThread("what is read of a mesh, to be compared", "a name; another size replaces it", most=8)
+_BUFFERS = keeping.OfThread(
+    "arrays for reading a mesh that is compared with a Shape", "name of the array; an array of a different size replaces it", most=8
+)
 
 
 class Reached:

@@ -9,7 +9,9 @@ from ...core.scenery import meshes
 MOST = 1 << 21
 """Most vertices of the layer of snow."""
 _grounds = keeping.OfFile(
-    "what snow lies on (Ground), or None", "stamps of the faces and where they stand, resolution, up, angle of repose", most=3
+    "surfaces that carry a snow cover (Ground), or None",
+    "stamps and world matrices of the faces, resolution, up direction, angle of repose",
+    most=3,
 )
 
 

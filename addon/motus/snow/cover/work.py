@@ -79,18 +79,18 @@ class Work(NamedTuple):
 
 
 _done = keeping.OfFile(
-    "how snow lies (Work), or what is wrong with it",
-    f"name of the cover's object, Plan; {KEPT} for each cover",
+    "results of the computation of snow covers (Work), or the cover's Problem",
+    f"name of the cover's object, and Plan (all inputs of the computation); {KEPT} for each cover",
     MOST_KEPT,
     MOST_FLAKES_KEPT,
     lambda place, _: sum(fall.count for fall in place[1].falls),
     "flakes",
 )
 _asked = keeping.OfFile(
-    "the Plan of a snow cover that the viewport waits for",
+    "Plans of snow covers that the viewport shows as soon as they are computed",
     "name of the cover's object",
     most=1024,
-    until="it is worked out, or another file is opened",
+    until="the cover is computed, or a different file is opened",
 )
 
 

@@ -10,10 +10,10 @@ from .. import ui
 from .operators import MOTUS_OT_track_clear, MOTUS_OT_track_record
 
 _digests = keeping.OfFile(
-    "digests of what recordings were made from",
-    "type and name of the datablock",
+    "hashes of the animation from which recordings were made",
+    "type and name of the recorded datablock",
     most=256,
-    until="the next edit, or another file is opened",
+    until="anything is edited, or a different file is opened",
 )
 
 

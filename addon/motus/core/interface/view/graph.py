@@ -12,7 +12,7 @@ LINE, AXIS, LEVEL = (0.95, 0.55, 0.20), (0.55, 0.55, 0.55), (0.40, 0.62, 0.90)
 
 _graphs = []
 """List of the preview collection with all graphs; empty until the first graph is drawn."""
-_shown = keeping.OfProcess("which graph an icon shows: a hash of its values", "the place where it is shown", most=256)
+_shown = keeping.OfProcess("hashes of the values of the graphs that icons show", "name of the icon's place in the interface", most=256)
 
 
 def icon(name, values, levels=(0.0,), marks=()):

@@ -1,24 +1,21 @@
 """Set up a system on an owner (attach), set it up again (refresh), and remove it (detach).
 
 The owner is the object whose settings the system solves. Setting up, called wiring, creates: a *hub* for each group of members, a
-hidden mesh object that Blender evaluates with the scene (hubs/hub_lookup.py); in the hub an *outbox*, an array with slots for all
-results (hubs/outbox.py); on the outbox a *solver driver* that waits for everything the solver reads (solver_driver.py); and *sinks*,
-the constraints, drivers or modifiers that bring slots of the outbox to the members (sinks/stack.py).
+hidden mesh object that Blender evaluates with the scene, and in the hub an *outbox*, an array with slots for all results
+(hubs/sharing.py); the *outlet*, a custom property of the owner that repeats the outputs in the outbox (hubs/outputs.py); on the outbox
+a *solver driver* that waits for everything the solver reads (solver_driver.py); and *sinks*, the constraints, drivers or modifiers that
+bring slots of the outbox to the members (sinks/stack.py). Several owners can share a hub; what one owner has of a hub is a *Part*.
 
 At each frame Blender then evaluates, in this order: the objects that the solver reads; the solver driver, which calls motus_solve
 (solving/namespace.py); the sinks, which wait for the outbox. motus_solve has the prepared Solver (solving/solving.py) call System.solve
 with the settings, and writes the poses into the evaluated outbox. After an edit of a plain setting, touch() is called; after an edit of
 a setting that determines what is read or driven, refresh() is called.
-
-Further terms: several owners can share a hub, of which each has one *row*. The *outlet* is a custom property of the owner that repeats
-the outputs in the outbox. A *leader* is the owner that drives a different object.
 """
 
 from ...declare import groups_of, is_owner, of_owner, systems
-from ...evaluated import copies
-from ..hubs import hub_lookup, outbox, outputs
-from ..sinks import attribute_sink, finding, geometry_sink, property_sink, stack
-from . import override_drivers, overrides, readers, renaming, sharing, signature, solver_driver, unwiring
+from ..hubs import outputs, sharing
+from ..sinks import finding, geometry_sink, property_sink, stack
+from . import overrides, readers, renaming, signature, solver_driver, unwiring, waiting
 
 
 def attach(system, owner):
@@ -33,59 +30,39 @@ def _wire(system, owner, before):
     before: result of stack.places() for the earlier wiring; things that had sinks get the new sinks at these places in their constraint
     stacks.
     """
-    followers = readers.of(system, owner)
-    unwiring.unwire(system, owner)
-    settings = of_owner(system, owner)
+    followers = _unwire(system, owner)
+    settings, groups = of_owner(system, owner), groups_of(system, owner)
     settings.is_active = True
     if settings.is_released:
         settings.is_released = False
-    solver_driver.prepare(system, owner)
-    groups = groups_of(system, owner)
-    place = sharing.join(system, owner, lambda mesh: solver_driver.reads_the_same(system, owner, mesh))
-    if place:
-        _wire_row(system, owner, groups[0], place)
-    else:
-        for group in groups:
-            _wire_group(system, owner, group)
-    readers.point(system, owner, followers)
+    waiting.set_proxy(system, settings)
+    parts = sharing.provide(system, owner, groups)
+    for group, part in zip(groups, parts):
+        outputs.create_outlet(system, owner, part)
+        solver_driver.add(system, owner, group, part)
+        stack.add(system, owner, group, part)
+    readers.point(system, owner, parts, followers)
     overrides.mark(system, owner, groups)
     stack.order(system, owner, groups, before)
-    solver_driver.call_again(system, owner)
-    if place and place.partner:
-        _wire_anew(system, place.partner)
+    for part in parts:
+        if part.partner:
+            _wire_anew(system, part.partner)
 
 
-def _wire_group(system, owner, group):
-    """Create a hub for one group of an owner, and the sinks that bring the hub's results to the group's members."""
-    hub = hub_lookup.make_hub(system, owner, group)
-    stack.prepare(system, owner, group, hub)
-    outbox.create(system, hub.data, group, attribute_sink.serves(system))
-    copies.mark(hub.data)
-    if signature.wants_outlet(system, owner):
-        outputs.create_outlet(system, owner, hub.data)
-    solver_driver.add(system, owner, group, hub)
-    stack.add(system, owner, group, hub)
-
-
-def _wire_row(system, owner, group, place):
-    """Create the sinks and the outlet of an owner that drives only itself and has a row of a shared hub.
-
-    place: result of sharing.join().
-    """
-    outputs.create_outlet(system, owner, place.hub.data)
-    if place.partner:  # the hub is new
-        solver_driver.add(system, owner, group, place.hub)
-    stack.add_constraints(system, owner, group, place.hub, place.row)
+def _unwire(system, owner):
+    """Remove the wiring of an owner; returns the users' drivers that read its outputs, which readers.point() makes read the new ones."""
+    parts = sharing.all_parts(system, owner)
+    followers = readers.of(system, owner, parts)
+    unwiring.unwire(system, owner, parts)
+    return followers
 
 
 def detach(system, owner):
     """Remove everything that attach() made on an owner; the own transforms, keys and constraints of the owner and its members stay."""
-    followers = readers.of(system, owner)
-    unwiring.unwire(system, owner)
-    readers.point(system, owner, followers)
+    readers.point(system, owner, (), _unwire(system, owner))
     if system.has_modifier:
         geometry_sink.remove(system, owner)
-    override_drivers.align(owner)
+    unwiring.release(system, owner)
     refresh_others(system, owner)
 
 
@@ -94,7 +71,8 @@ def touch(system, owner):
 
     The owner is wired again if it is a copy that uses another owner's hubs, or if the number of members has changed.
     """
-    if signature.has_strange_carriers(system, owner) or not solver_driver.call_again(system, owner):
+    parts = sharing.parts(system, owner)
+    if signature.has_strange_carriers(system, owner, parts) or not sharing.store_settings(system, owner, parts):
         refresh(system, owner)
 
 
@@ -154,7 +132,7 @@ def set_muted(system, owner, muted):
     for _, constraint in finding.sinks(system, owner):
         constraint.mute = muted
     for group in groups_of(system, owner) if system.groups is not None else ():
-        hub = hub_lookup.hub_of(system, owner, group.key)
-        if hub and hub_lookup.is_own_hub(hub, owner):
-            property_sink.remove(system, [hub.data])
-            property_sink.add(system, owner, group, hub, is_off=muted)
+        part = sharing.part_of(system, owner, group.key)
+        if part and part.is_own:
+            property_sink.remove(system, [part.mesh])
+            property_sink.add(system, owner, group, part.hub, is_off=muted)

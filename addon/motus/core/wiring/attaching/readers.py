@@ -16,9 +16,8 @@ import bpy
 
 from ...blender import drivers
 from ...declare import is_owner
-from ..hubs import hub_lookup, outbox, outputs
+from ..hubs import outbox, outputs
 from ..sinks import property_sink
-from . import sharing
 
 
 class Reader(NamedTuple):
@@ -36,16 +35,17 @@ class Reader(NamedTuple):
     output: str
 
 
-def of(system, owner):
+def of(system, owner, parts):
     """Return the Readers of all outputs that an owner's system computes, or computed when it was last wired (set up).
 
     If the owner is a copy that uses a hub of its original owner, readers of that hub belong to the original owner, except for the
-    copy's own drivers.
+    copy's own drivers. parts: Parts of the owner.
     """
-    carriers = _carriers(system, owner)
-    names = {(carrier, key): outputs.output_names(system, carrier, key) for key, carrier in carriers}
-    read = {owner, *(carrier for _, carrier in carriers)}
-    borrowed = {carrier for _, carrier in carriers if _is_borrowed(system, owner, carrier)}
+    carriers = _carriers(system, owner, parts)
+    names = {(carrier, key): outputs.output_names(system, carrier, key) for key, carrier, _ in carriers}
+    firsts = {carrier: first for _, carrier, first in carriers}
+    read = {owner, *firsts}
+    borrowed = {part.mesh for part in parts if _is_borrowed(system, owner, part)}
     slot, waiting = outbox.slot_pattern(system), re.compile(rf'\["motus_{system.name}:(.*)"\]$')
     found = []
     for holder, curve, variable, index in drivers.targets_on(read):
@@ -54,27 +54,26 @@ def of(system, owner):
         if variable.name == property_sink.VARIABLE or is_outlet or (target.id in borrowed and holder != owner):
             continue
         at, absent = slot.match(target.data_path), waiting.match(target.data_path)
-        first = 0 if target.id == owner else hub_lookup.first_slot(system, owner)
-        output = _output(names, target.id, at, first) if at else absent and bpy.utils.unescape_identifier(absent[1])
+        output = _output(names, target.id, at, firsts.get(target.id, 0)) if at else absent and bpy.utils.unescape_identifier(absent[1])
         if output is not None:
             found.append(Reader(holder, curve.data_path, curve.array_index, variable.name, index, output))
     return found
 
 
-def _carriers(system, owner):
-    """Return (key of the group, datablock) for each datablock with outputs: the owner if it has an outlet, then the meshes of its hubs."""
-    outlet = [("", owner)] if hub_lookup.has_outlet(system, owner) else []
-    return outlet + hub_lookup.carriers_of(system, owner)
+def _carriers(system, owner, parts):
+    """Return (key of the group, datablock, index of the owner's first slot) for each datablock with outputs of an owner.
+
+    These are the owner if it has an outlet, and the meshes of its hubs.
+    """
+    outlet = [("", owner, 0)] if outputs.has_outlet(system, owner) else []
+    return outlet + [(part.key, part.mesh, part.first) for part in parts]
 
 
-def _is_borrowed(system, owner, carrier):
-    """Whether a datablock with outputs (carrier) computes for a different owner of this file."""
-    if carrier == owner or carrier.library or carrier.override_library:
+def _is_borrowed(system, owner, part):
+    """Whether a hub of this file computes for a different owner of this file."""
+    if part.mesh.library or part.mesh.override_library:
         return False
-    if outbox.is_shared(system, carrier):
-        return not sharing.is_own(system, owner, carrier)
-    first = carrier.get(outbox.OWNER_KEY)
-    return isinstance(first, bpy.types.Object) and first != owner and is_owner(system, first)
+    return isinstance(part.maker, bpy.types.Object) and part.maker != owner and is_owner(system, part.maker)
 
 
 def absent_path(system, output):
@@ -93,16 +92,15 @@ def _output(names, carrier, slot, first):
     return known[place] if 0 <= place < len(known) else None
 
 
-def point(system, owner, readers):
-    """Make the drivers of these Readers read their outputs from the present data paths.
+def point(system, owner, parts, readers):
+    """Make the drivers of these Readers read their outputs from the present data paths. parts: Parts of the owner.
 
     A driver whose output is no longer computed reads a property that does not exist (see absent_path).
     """
     places = {}
-    for key, carrier in _carriers(system, owner):
-        for name in outputs.output_names(system, carrier, key):
-            path = outputs.output_path(system, name, *(() if carrier == owner and not system.groups else (owner, key)))
-            places.setdefault(name, (carrier, path))
+    for key, carrier, first in _carriers(system, owner, parts):
+        for slot, name in enumerate(outputs.output_names(system, carrier, key), first + outbox.FIRST_OUTPUT):
+            places.setdefault(name, (carrier, outbox.out_path(system, slot, key)))
     for reader in readers:
         animation = reader.user.animation_data
         curve = animation and animation.drivers.find(reader.data_path, index=reader.array_index)

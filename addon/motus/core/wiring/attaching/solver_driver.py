@@ -11,61 +11,30 @@ import bpy
 from ...blender import drivers
 from ...declare import BonesOwn, Transform, Variable, input_variables, laying_systems, of_owner
 from ...evaluated import copies
-from ..hubs import hub_lookup, outbox
+from ..hubs import hub_lookup, outbox, outputs
 from ..sinks import property_sink
-from . import sharing, signature, waiting
+from . import waiting
 
 _OF_PROPERTY = "p"
 """Prefix of the names of variables that wait for the datablocks of driven properties."""
 
 
-def add(system, owner, group, hub):
-    """Add the driver that calls the solver of a group to the outbox of a hub's mesh. hub: hub object, which several owners may share."""
-    expression, variables = _call(system, owner, group, hub)
+def add(system, owner, group, part):
+    """Add the driver that calls the solver of a group to the outbox of a hub's mesh, unless the mesh has it, since owners may share a hub.
+
+    part: Part of the owner. Marker properties make the evaluated copies of the curves that the solver reads distinguishable.
+    """
+    path, animation = outbox.out_path(system, group=group.key), part.mesh.animation_data
+    if animation and animation.drivers.find(path, index=outbox.STATUS):
+        return
+    expression, variables = _call(system, owner, group, part)
     call = f'motus_solve(self,"{_name(system, group)}",frame,depsgraph{expression})'
     if system.moves_points:
         # Blender assumes that a driver expression with a call or with `frame` in it changes with time, and then evaluates the mesh anew
         # on every frame. An expression with only a subscript is neither, so a mesh that does not change is not evaluated anew.
         call = f'motus_points[self,"{_name(system, group)}"{expression}]'
-    drivers.add(hub.data, outbox.out_path(system, group=group.key), call, variables, index=outbox.STATUS, use_self=True)
-
-
-def prepare(system, owner):
-    """Prepare an owner for being wired.
-
-    An order proxy makes Blender evaluate what the solvers read before the solvers. Marker properties make the evaluated copies of the
-    owner and of the curves that it reads distinguishable.
-    """
-    waiting.set_proxy(system, of_owner(system, owner))
-    copies.prepare(owner)
-    copies.mark(*_curves_for(system, owner))
-
-
-def call_again(system, owner):
-    """Tag an owner for evaluation, so that its solvers run again with the present settings.
-
-    Returns False if the owner has to be wired again, because the number of its members has changed or it can no longer share its hub.
-    """
-    owner.update_tag()
-    for _, hub in hub_lookup.hubs(system, owner):
-        hub.data.update_tag()
-    hub = hub_lookup.hub_of(system, owner)
-    if hub and outbox.is_shared(system, hub.data):
-        return sharing.write(system, owner)
-    if hub and system.member_data:
-        # The data is stored as an array, because reading a collection of settings item by item in every solve is slow if there are many
-        # members.
-        data = [float(value) for value in system.member_data(owner)]
-        if not outbox.has_room(hub.data, len(data)):
-            return False
-        hub.data[outbox.MEMBER_DATA_KEY] = data
-    return True
-
-
-def _curves_for(system, owner):
-    """Return the curve datablocks (Object.data) that a system reads for an owner."""
-    variables = (variable for _, variable in input_variables(system, owner))
-    return [variable.id for variable in variables if variable and variable.id_type == 'CURVE']
+    drivers.add(part.mesh, path, call, variables, index=outbox.STATUS, use_self=True)
+    copies.mark(*(variable.id for variable in variables.values() if variable.id_type == 'CURVE'))
 
 
 def marked_by(mesh):
@@ -133,15 +102,10 @@ def _name(system, group):
     return f"{system.name}.{group.key}" if group.key else system.name
 
 
-def _call(system, owner, group, hub):
+def _call(system, owner, group, part):
     """Return (text of further arguments, {name: driver variable}) for the expression that calls the solver of a group.
 
     An input that has no variable is passed as 0.
-
-    The solver reads the settings of the evaluated owner. In Blender's dependency graph, all plain properties of an object are one node,
-    which comes after the F-curves and drivers of these properties, and after the owner's outlet, which waits for the solver. So if an
-    owner has no outlet, the solver waits for one of its settings. If an owner has an outlet, its settings are not animated, and the
-    solver waits for a custom property that nothing writes. The solver of a shared hub does not read owners.
     """
     arguments, variables = [""], {}
     for index, (_, variable) in enumerate(input_variables(system, owner)):
@@ -153,22 +117,68 @@ def _call(system, owner, group, hub):
     awaited = list(dict.fromkeys(_awaited(group)))
     if group.inputs:
         awaited = [one for one in awaited if not isinstance(one, Transform)]
-        variables["waits"] = waiting.wait_for(hub, group.reads)
+        variables["waits"] = waiting.wait_for(part.hub, group.reads)
     for index, one in enumerate(awaited):
         variables[f"w{index}"] = one.variable()
     for index, one in enumerate(property_sink.waits(group)):
         variables[f"{_OF_PROPERTY}{index}"] = one
     for index, one in enumerate(_laid(system, owner, group)):
         variables[f"l{index}"] = one
-    if not outbox.is_shared(system, hub.data):
-        path = f"{of_owner(system, owner).path_from_id()}.influence"
-        way = signature.way_to_wait(owner, [group])
-        if way == "keys":
-            path = signature.wait_for_keys(system, owner)
-        elif hub_lookup.has_outlet(system, owner) or (signature.waits_apart(owner, [group]) and not way):
-            path = f'["{copies.KEY}"][0]'
-        variables["owner"] = Variable('OBJECT', owner, path)
+    if part.reads_owner:
+        variables["owner"] = Variable('OBJECT', owner, _settings_path(system, owner, group))
     return ",".join(arguments), variables
+
+
+def _settings_path(system, owner, group):
+    """Return the data path of the owner's property for which a solver waits that reads the settings of the evaluated owner.
+
+    In Blender's dependency graph, all plain properties of an object are one node, which comes after the F-curves and drivers of these
+    properties, and after the owner's outlet, which waits for the solver. So if an owner has no outlet, the solver waits for one of its
+    settings. If an owner has an outlet, its settings are not animated, and the solver waits for a custom property that nothing writes.
+    """
+    way = way_to_wait(owner, [group])
+    if way == "keys":
+        return _wait_for_keys(system, owner)
+    if outputs.has_outlet(system, owner) or (waits_apart(owner, [group]) and not way):
+        return f'["{copies.KEY}"][0]'
+    return f"{of_owner(system, owner).path_from_id()}.influence"
+
+
+def waits_apart(owner, groups):
+    """Whether the owner's solvers must not wait for the owner's plain properties, which are a single node in Blender's dependency graph.
+
+    If solvers drive some of these properties, waiting would be a dependency cycle. On a camera no solver may wait: Blender evaluates
+    the properties of a camera object after those of the camera's data, which may be driven by a solver that waits for the camera.
+    """
+    return owner.type == 'CAMERA' or any(group.properties for group in groups)
+
+
+def way_to_wait(owner, groups):
+    """Return how a solver, for which waits_apart() is true, waits for animated settings: "", "keys" or "settings".
+
+    "": there is nothing to wait for. "keys": it waits by the property of _wait_for_keys(). "settings": a driver sets a setting, so the
+    solver waits for the settings themselves.
+    """
+    if not waits_apart(owner, groups) or not copies.has_animated_settings(owner):
+        return ""
+    return "settings" if copies.has_driven_settings(owner) else "keys"
+
+
+def _wait_for_keys(system, owner):
+    """Give the owner a custom property with a driver, to wait for the owner's F-curves; returns the data path of the property.
+
+    Blender evaluates the property after the owner's keyframes, and nothing else precedes it. The settings cannot be used for this: all
+    plain properties of an object are one node in Blender's dependency graph, and sinks may drive some of these properties.
+    """
+    key = wait_key(system)
+    owner[key] = 0.0
+    drivers.copy_value(owner, f'["{key}"]')
+    return f'["{key}"]'
+
+
+def wait_key(system):
+    """Return the name of the custom property that _wait_for_keys() creates on an owner."""
+    return f"motus_{system.name}_wait"
 
 
 def _laid(system, owner, group):
@@ -181,14 +191,3 @@ def _laid(system, owner, group):
     return [
         Variable('MESH', hub.data, outbox.out_path(one, outbox.STATUS, key)) for one in beneath for key, hub in hub_lookup.hubs(one, owner)
     ]
-
-
-def reads_the_same(system, owner, mesh):
-    """Whether the driver on a hub's mesh reads the same datablocks and data paths as a driver for this owner would."""
-    wanted = [variable and (variable.id, variable.data_path) for _, variable in input_variables(system, owner)]
-    animation = mesh.animation_data
-    curve = animation and animation.drivers.find(outbox.out_path(system), index=outbox.STATUS)
-    if not curve:
-        return False
-    found = {variable.name: (variable.targets[0].id, variable.targets[0].data_path) for variable in curve.driver.variables}
-    return [found.get(f"v{index}") for index in range(len(wanted))] == wanted

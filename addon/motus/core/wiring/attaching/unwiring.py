@@ -12,55 +12,51 @@ from ...blender import drivers
 from ...declare import is_owner, of_owner, systems
 from ...declare.forgetting import drop_dead_copy
 from ...evaluated import copies
-from ..hubs import hub_lookup, outbox
+from ..hubs import outbox, sharing
 from ..sinks import finding, property_sink, proxy_sink
-from . import override_drivers, overrides, sharing, signature, solver_driver, waiting
+from . import override_drivers, overrides, solver_driver, waiting
 
 
-def unwire(system, owner):
-    """Remove the hubs, sinks, outlet and proxies of an owner, and the markers on other objects that say that they are read or driven."""
+def unwire(system, owner, parts):
+    """Remove the hubs, sinks, outlet and proxies of an owner, and the markers on different objects that say that they are read or driven.
+
+    The owner keeps its own markers, since it is usually wired again at once; release() removes them. parts: Parts of the owner,
+    including those of hubs whose hub object was deleted.
+    """
     settings = of_owner(system, owner)
     drop_dead_copy(owner)
     override_drivers.drop_stand_ins(owner)
-    finding.remove(finding.sinks(system, owner))
-    finding.remove_orphans(system, owner)
-    for other in finding.led_by(system, owner):
-        of_owner(system, other).leader = None
-        overrides.unmark(system, other)
-    _remove_hubs(system, owner)
+    meshes, held = [part.mesh for part in parts], sharing.held_meshes(parts)
+    for obj in finding.remove_all(system, owner, parts):
+        overrides.unmark(system, obj)
+    property_sink.remove(system, held)
+    for mesh in meshes:
+        if mesh not in held:
+            property_sink.remove_copies(system, owner, mesh)
     settings.hub = None
     settings.more_hubs.clear()
+    read = set().union(*map(solver_driver.marked_by, held))
+    for mesh in held:
+        sharing.leave(system, mesh)
+    _unmark(read)
     proxy_sink.release(settings)
-    wait_key = signature.wait_key(system)
-    drivers.remove_where(owner, lambda path: path.startswith((f'["{outbox.out_key(system)}', f'["{wait_key}"]')))
-    owner.pop(wait_key, None)
-    owner.pop(outbox.out_key(system), None)
-    overrides.unmark(system, owner)
     waiting.release_proxy(settings)
+    own = solver_driver.wait_key(system), outbox.out_key(system)
+    drivers.remove_where(owner, lambda path: path.startswith((f'["{own[0]}"]', f'["{own[1]}')))
+    for key in own:
+        owner.pop(key, None)
     settings.is_active = False
     settings.wired = ""
-    if not any(is_owner(one, owner) for one in systems()):
-        copies.release(owner)
     drivers.drop_empty_animation(owner)
     owner.update_tag()
 
 
-def _remove_hubs(system, owner):
-    hubs = [hub for _, hub in hub_lookup.hubs(system, owner)]
-    # A damaged file may name the same hub twice.
-    own = list(dict.fromkeys([hub.data for hub in hubs if hub_lookup.is_own_hub(hub, owner)] + hub_lookup.lost_hubs(system, owner)))
-    property_sink.remove(system, own)
-    for mesh in [hub.data for hub in hubs if hub.data not in own]:
-        property_sink.remove_copies(system, owner, mesh)
-    read = set()
-    for mesh in own:
-        read.update(solver_driver.marked_by(mesh))
-        bpy.data.meshes.remove(mesh)
-    shared = hub_lookup.hub_of(system, owner)
-    if shared and not shared.library and outbox.is_shared(system, shared.data):
-        read.update(solver_driver.marked_by(shared.data))
-        sharing.leave(system, owner)
-    _unmark(read)
+def release(system, owner):
+    """Remove the markers of an owner that was unwired and will not be wired again."""
+    overrides.unmark(system, owner)
+    if not _is_wired(owner):
+        copies.release(owner)
+    override_drivers.align(owner)
 
 
 def _unmark(datablocks):

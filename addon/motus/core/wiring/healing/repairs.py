@@ -20,9 +20,9 @@ from ...declare import has_settings, is_owner, leader_of, of_owner, registered, 
 from ...evaluated import copies, read_keys
 from ...file import deleted, former_names
 from ...measures.handedness import is_mirrored
-from ..attaching import attach, overrides, sharing, signature, waiting
+from ..attaching import attach, overrides, signature, waiting
 from ..attaching.solver_driver import waits
-from ..hubs import hub_lookup, outbox
+from ..hubs import hub_lookup, outbox, sharing
 from ..sinks import geometry_sink, property_sink, proxy_sink
 from ..sinks.finding import has_sinks, makers, release
 from . import relations, remains
@@ -171,7 +171,7 @@ def _look_at_rows(event):
     """
     for place, rows in list(noticed.rows.items()):
         name, _ = place
-        for owner_name in [row.name for row in rows if isinstance(row, sharing.Row)]:
+        for owner_name in sharing.names_in(rows):
             owner = bpy.data.objects.get((owner_name, None))
             if owner is None:  # the owner was renamed or removed: all rows are looked through
                 noticed.rows.pop(place, None)
@@ -223,12 +223,17 @@ def _part_copies(_found, _event):
     deleted.watch(dict.fromkeys(owner for _, owner in attached))
     for system, owner in attached:
         place = system.name, owner.name
-        if place in noticed.given_up or not signature.has_strange_carriers(system, owner):
+        if place in noticed.given_up or not _is_borrowing(system, owner):
             continue
         attach.refresh(system, owner)
-        if signature.has_strange_carriers(system, owner):
+        if _is_borrowing(system, owner):
             noticed.given_up.add(place)
     noticed.object_count = len(bpy.data.objects)
+
+
+def _is_borrowing(system, owner):
+    """Whether an owner is a copy that still depends on the hubs or proxies of the object from which it was copied."""
+    return signature.has_strange_carriers(system, owner, sharing.parts(system, owner))
 
 
 # --- Points and collections ----------------------------------------------------------------------------------------------------------
@@ -293,8 +298,8 @@ def _release_joined(grown, _event):
 def _discard(rig):
     """Remove a rig that is in no collection, with its hubs and order proxies, hidden helper objects that alone still use the rig."""
     for system in systems():
-        for hub in [hub for _, hub in hub_lookup.hubs(system, rig) if hub_lookup.is_own_hub(hub, rig)]:
-            bpy.data.meshes.remove(hub.data)
+        for part in [part for part in sharing.parts(system, rig) if part.is_own]:
+            bpy.data.meshes.remove(part.mesh)
         proxy_sink.release(of_owner(system, rig))
     bpy.data.objects.remove(rig)
 

@@ -30,6 +30,7 @@ from typing import NamedTuple
 import bpy
 
 from ... import keeping
+from ...blender import capabilities
 from ...declare import has_settings
 from ...file import stored
 from ...file.stored import Damaged, Newer
@@ -52,7 +53,9 @@ OTHER = "\n"
 LARGEST_CACHE = 256  # number of groups whose parsed Info is cached at a time
 
 _infos = keeping.OfProcess(
-    "what a hub's mesh notes of a group (Info), or the exception for why it says none", "its text and version", LARGEST_CACHE
+    "parsed descriptions of groups, stored on hubs' meshes (Info), or Damaged or Newer",
+    "text and version of the description",
+    LARGEST_CACHE,
 )
 
 
@@ -171,13 +174,22 @@ def has_scales(group):
     return any("scale" in member.channels for member in group.members)
 
 
-def create(system, carrier, group, uses_attribute):
+def uses_attribute(system):
+    """Whether the poses of a system's members are in an attribute of the hub's mesh, which Geometry Attribute constraints sample.
+
+    If not, they are in the outbox. The constraint needs Blender 5, and a system that neither uses a modifier nor requires equal matrices
+    in all versions of Blender (same_bits).
+    """
+    return capabilities.has_geometry_attribute_constraint() and not (system.has_modifier or system.same_bits)
+
+
+def create(system, carrier, group):
     """Give a hub's mesh (carrier) a new outbox with neutral values and slots for the members of a group.
 
-    uses_attribute: the poses go to an attribute of the mesh, so the outbox has no slots for members. If the system declares groups, a
-    description (Info) is stored beside the outbox.
+    It has no slots for members if the poses go to an attribute of the mesh. If the system declares groups, a description (Info) is stored
+    beside the outbox.
     """
-    members = 0 if uses_attribute else len(group.members)
+    members = 0 if uses_attribute(system) else len(group.members)
     slots = [float(SILENT)] + [0.0] * (pose_slot(group, members) - 1)
     if members and has_scales(group):
         slots += [1.0] * (SCALE_SIZE * members)
@@ -188,7 +200,7 @@ def create(system, carrier, group, uses_attribute):
             tuple(_noted(member.thing, carrier) for member in group.members),
             has_scales(group),
             any(member.is_relative for member in group.members),
-            uses_attribute,
+            uses_attribute(system),
             group.data,
             tuple(bone for _, bone in group.reads),
         )
@@ -234,12 +246,9 @@ def is_whole(system, mesh):
     return len(mesh.vertices) == (count if has_attribute(mesh) else 0)
 
 
-def create_shared(system, mesh, uses_attribute):
-    """Give a hub's mesh an outbox that has no rows yet, for owners that will share the hub.
-
-    uses_attribute: whether the members sample an attribute of the mesh.
-    """
-    mesh[SHARED_KEY] = [int(uses_attribute)]
+def create_shared(system, mesh):
+    """Give a hub's mesh an outbox that has no rows yet, for owners that will share the hub."""
+    mesh[SHARED_KEY] = [int(uses_attribute(system))]
     mesh[out_key(system)] = [0.0]
 
 

@@ -9,31 +9,48 @@ influence of the constraints that apply the results.
 import math
 
 from ...blender import drivers
-from ...declare import Variable
+from ...declare import OwnMatrix, Variable, input_variables
+from ...evaluated import copies
 from ...file import stored
 from ...file.stored import Damaged
-from . import hub_lookup, outbox
+from . import outbox, sharing
 
 
-def create_outlet(system, owner, mesh):
-    """Create the outlet of an owner: a custom property whose drivers copy status, weight and System.outputs from the hub's mesh.
+def wants_outlet(system, owner):
+    """Whether an owner is to have an outlet, the custom property that repeats the solver's outputs.
 
-    Scripts and users' own drivers read the outputs there. The caller must not create an outlet if any setting is animated: the solver
-    would have to wait for the settings, which Blender's dependency graph does not distinguish from the outlet.
+    An owner has no outlet if the system has no outputs, or if settings are animated: the solver would have to wait for the settings,
+    which Blender's dependency graph does not distinguish from the outlet. It also has none if the solver reads the owner's own world
+    matrix: the owner's other solvers wait for the owner's properties, and the matrix waits for those solvers, so the graph would have a
+    cycle.
     """
-    owner[outbox.out_key(system)] = [float(outbox.SILENT)] + [0.0] * (outbox.FIRST_OUTPUT + len(system.outputs) - 1)
-    if not outbox.is_shared(system, mesh):
-        # A driver for the first slot is enough: the solver reads the owner and writes the remaining slots itself.
-        _copy_slot(system, owner, mesh, outbox.STATUS)
+    return bool(system.outputs) and not copies.has_animated_settings(owner) and not _waits_for_itself(system, owner)
+
+
+def _waits_for_itself(system, owner):
+    return any(variable for declared, variable in input_variables(system, owner) if isinstance(declared, OwnMatrix))
+
+
+def create_outlet(system, owner, part):
+    """Create the outlet of an owner, if it is to have one, with drivers that copy status, weight and System.outputs from the hub's mesh.
+
+    Scripts and users' own drivers read the outputs there. part: Part of the owner.
+    """
+    if not wants_outlet(system, owner):
         return
-    first = hub_lookup.first_slot(system, owner)  # drivers that copy all of the slots take less time than one call into Python
-    for slot in range(outbox.FIRST_OUTPUT + len(system.outputs)):
-        _copy_slot(system, owner, mesh, slot, first)
+    size = outbox.FIRST_OUTPUT + len(system.outputs)
+    owner[outbox.out_key(system)] = [float(outbox.SILENT)] + [0.0] * (size - 1)
+    # If the solver reads the owner, it writes the slots behind the first one itself. If not, drivers that copy all of the slots take less
+    # time than one call into Python.
+    for slot in (outbox.STATUS,) if part.reads_owner else range(size):
+        source = Variable('MESH', part.mesh, outbox.out_path(system, part.first + slot))
+        drivers.copy_value(owner, outbox.out_path(system), source, index=slot)
 
 
-def _copy_slot(system, owner, mesh, slot, first=0):
-    source = Variable('MESH', mesh, outbox.out_path(system, first + slot))
-    drivers.copy_value(owner, outbox.out_path(system), source, index=slot)
+def has_outlet(system, owner):
+    """Whether an owner, original or evaluated, has an outlet: the custom property that repeats status, weight and outputs of its hub."""
+    found = owner.get(outbox.out_key(system)) if system.outputs else None
+    return hasattr(found, "typecode") and len(found) == outbox.FIRST_OUTPUT + len(system.outputs)
 
 
 def outlet(system, owner):
@@ -41,7 +58,7 @@ def outlet(system, owner):
 
     Returns None if the owner has no outlet.
     """
-    return stored.doubles(owner[outbox.out_key(system)]) if hub_lookup.has_outlet(system, owner) else None
+    return stored.doubles(owner[outbox.out_key(system)]) if has_outlet(system, owner) else None
 
 
 def output_names(system, carrier, group=""):
@@ -60,16 +77,17 @@ def output_path(system, name, owner=None, group=""):
     """
     if owner is None:
         return outbox.out_path(system, outbox.FIRST_OUTPUT + system.outputs.index(name), group)
-    names = output_names(system, hub_lookup.carrier_of(system, owner, group), group)
-    return outbox.out_path(system, hub_lookup.first_slot(system, owner) + outbox.FIRST_OUTPUT + names.index(name), group)
+    part = sharing.part_of(system, owner, group)
+    names = output_names(system, part and part.mesh, group)
+    return outbox.out_path(system, (part.first if part else 0) + outbox.FIRST_OUTPUT + names.index(name), group)
 
 
 def output(system, owner, name, depsgraph, group=""):
     """Return the value of an output at the last evaluation; None if the output was not evaluated or is not finite."""
-    carrier = hub_lookup.carrier_of(system, owner, group)
-    if carrier is None:
+    part = sharing.part_of(system, owner, group)
+    if part is None:
         return None
-    _, values = _told(system, carrier.evaluated_get(depsgraph), group, [name], hub_lookup.row_of(system, owner))
+    _, values = _told(system, part, depsgraph, [name])
     return values[0] if values else None
 
 
@@ -80,8 +98,8 @@ def outputs_of(system, owner, entry, names, depsgraph):
     weight is 0 only if nothing was solved.
     """
     wanted = [f"{entry}.{name}" for name in names]
-    for key, carrier in hub_lookup.carriers_of(system, owner):
-        weight, values = _told(system, carrier.evaluated_get(depsgraph), key, wanted)
+    for part in sharing.parts(system, owner):
+        weight, values = _told(system, part, depsgraph, wanted)
         # After a change of mode, Blender 5 may make a new evaluated copy of the owner without solving again: all values, including the
         # weight, are 0 for a while.
         if values and weight != 0.0:
@@ -89,10 +107,10 @@ def outputs_of(system, owner, entry, names, depsgraph):
     return None
 
 
-def _told(system, evaluated, group, names, row=None):
-    """Return (weight, values of the named outputs) of an evaluated hub's mesh; values is None if an output is missing or not finite."""
+def _told(system, part, depsgraph, names):
+    """Return (weight, values of the named outputs) of an owner's Part; values is None if an output is missing or not finite."""
     try:
-        box = outbox.opened(system, evaluated, group, row)
+        box = sharing.opened(system, part, part.mesh.evaluated_get(depsgraph))
     except Damaged:
         return 0.0, None
     known = outbox.places_of(system.outputs) if box.info is None else box.info.places

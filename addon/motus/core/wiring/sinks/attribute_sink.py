@@ -14,7 +14,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ... import native
-from ...blender import capabilities, drivers
+from ...blender import drivers
 from ...declare import Variable, groups_of, systems
 from ...evaluated.per_thread import scratch
 from ...file import stored
@@ -33,42 +33,29 @@ of the own transform.
 MOVES, STILL, RELATIVE = 0, 1, 2
 
 
-def serves(system):
-    """Whether the members of a system are driven by Geometry Attribute constraints, instead of constraints with drivers.
+def prepare(system, group, part):
+    """Give a hub's mesh one vertex and one 4x4 matrix attribute value for each member of a group, if it does not have them yet.
 
-    This needs Blender 5, and a system that neither uses a modifier nor requires equal matrices in all versions of Blender (same_bits).
+    It has to be called before the members get their Geometry Attribute constraints. part: Part of the owner in the hub.
     """
-    return capabilities.has_geometry_attribute_constraint() and not (system.has_modifier or system.same_bits)
-
-
-def prepare(system, mesh, owner, group):
-    """Give a hub's mesh one vertex and one 4x4 matrix attribute value for each member of a group.
-
-    It has to be called before the members get their Geometry Attribute constraints.
-    """
-    mesh.vertices.add(len(group.members))
-    mesh.attributes.new(ATTRIBUTE, 'FLOAT4X4', 'POINT')
-    mesh[STILL_KEY] = [_kind(system, member, owner) for member in group.members]
-    _store(mesh, *own_poses(group.members))
-
-
-def prepare_row(mesh):
-    """Add one vertex, with its matrix, to the mesh of a hub that several owners share; the first call adds the attribute."""
+    mesh, first = part.mesh, part.row
     if ATTRIBUTE not in mesh.attributes:
         mesh.attributes.new(ATTRIBUTE, 'FLOAT4X4', 'POINT')
-    mesh.vertices.add(1)
-    mesh[STILL_KEY] = [MOVES] * len(mesh.vertices)
+    before, end = list(_kinds(mesh) or [MOVES] * len(mesh.vertices)), first + len(group.members)
+    mesh.vertices.add(max(0, end - len(mesh.vertices)))
+    kinds = [_kind(system, member, part.maker) for member in group.members]
+    mesh[STILL_KEY] = before[:first] + kinds + before[end:]
+    if any(kind != MOVES for kind in kinds):
+        # Without the add-on, these matrices act: the constraints of such members have no driver on their influence.
+        _store(mesh, *own_poses(group.members))
 
 
-def add(system, group, index, hub, row=None):
+def add(system, group, index, part):
     """Add the Geometry Attribute constraint of a member, which samples the member's matrix on the hub's mesh.
 
-    index: index of the member in the group. row: index of the matrix if several owners share the hub; else None, and the index is the
-    member's.
+    index: index of the member in the group. part: Part of the owner in the hub.
     """
-    member = group.members[index]
-    first = 0 if row is None else hub_lookup.first_slot(system, member.thing)
-    place = index if row is None else row
+    member, hub, place = group.members[index], part.hub, part.row + index
     constraint = member.thing.constraints.new('GEOMETRY_ATTRIBUTE')
     constraint.name = marks.name(system)
     marks.put(constraint, hub, place)
@@ -84,7 +71,7 @@ def add(system, group, index, hub, row=None):
     if member.is_relative:
         constraint.mix_mode = 'AFTER_SPLIT'
     elif (_kinds(hub.data) or {place: MOVES})[place] == MOVES:
-        weight = Variable('MESH', hub.data, outbox.out_path(system, first + outbox.WEIGHT, group.key))
+        weight = Variable('MESH', hub.data, outbox.out_path(system, part.first + outbox.WEIGHT, group.key))
         drivers.copy_value(constraint, "influence", weight)
 
 

@@ -11,7 +11,7 @@ import bpy
 from ...blender import drivers
 from ...declare import groups_of, leader_of, of_owner
 from ...file.stored import Damaged
-from ..hubs import hub_lookup, marks, outbox
+from ..hubs import hub_lookup, marks, outbox, sharing
 from . import property_sink, proxy_sink
 
 
@@ -39,8 +39,11 @@ def _things(obj):
 
 def sinks(system, owner):
     """Return (Object or PoseBone, constraint) for each sink that an owner drives."""
-    driven = _driven_objects(system, owner)
-    carriers = {owner, *(carrier for _, carrier in hub_lookup.carriers_of(system, owner)), *hub_lookup.lost_hubs(system, owner)}
+    return _sinks(system, owner, sharing.all_parts(system, owner))
+
+
+def _sinks(system, owner, parts):
+    driven, carriers = _driven_objects(system, owner, parts), {owner, *(part.mesh for part in parts)}
     # Blender may have given overrides the sinks of their library's object again.
     overridden = [obj for obj in driven if obj.override_library]
     carriers.update(overridden)
@@ -97,7 +100,7 @@ def abandoned(system, obj):
 
     The list is empty if the owners of all its sinks exist.
     """
-    hubs = {carrier for _, _, carrier, _ in on_object(system, obj) if _is_abandoned(system, carrier)}
+    hubs = {carrier for _, _, carrier, _ in on_object(system, obj) if _is_abandoned(carrier)}
     return [
         other
         for other in bpy.data.objects
@@ -105,13 +108,8 @@ def abandoned(system, obj):
     ]
 
 
-def _is_abandoned(system, carrier):
-    return (
-        isinstance(carrier, bpy.types.Mesh)
-        and carrier.get(outbox.OWNER_KEY) is None
-        and not carrier.library
-        and not outbox.is_shared(system, carrier)
-    )
+def _is_abandoned(carrier):
+    return isinstance(carrier, bpy.types.Mesh) and sharing.is_abandoned(carrier) and not carrier.library
 
 
 def release(system, *objects):
@@ -156,7 +154,20 @@ def remove(found):
         obj.update_tag()
 
 
-def remove_orphans(system, owner):
+def remove_all(system, owner, parts):
+    """Remove the sinks of an owner, and their remains, from all objects; returns the different objects that the owner drove.
+
+    parts: Parts of the owner, including those of hubs whose hub object was deleted.
+    """
+    remove(_sinks(system, owner, parts))
+    _remove_orphans(system, owner)
+    led = _led_by(system, owner, parts)
+    for other in led:
+        of_owner(system, other).leader = None
+    return led
+
+
+def _remove_orphans(system, owner):
     """Remove remains of sinks from an owner: drivers of constraints whose bone is gone, and constraints whose hub is gone.
 
     Removing a bone in Edit Mode leaves the drivers of its constraints behind.
@@ -182,33 +193,33 @@ def _strays(system, owner):
     return [(bone, constraint) for bone in owner.pose.bones for constraint in bone.constraints if marks.is_bereft(system, constraint)]
 
 
-def led_by(system, owner):
+def _led_by(system, owner, parts):
     """Return the objects that an owner drives for this system, as stored in their settings: their leader is the owner."""
-    if _drives_itself_alone(system, owner):
+    if _drives_itself_alone(system, owner, parts):
         return []
     return [other for other in bpy.data.objects if leader_of(system, other) == owner]
 
 
-def _drives_itself_alone(system, owner):
-    """Whether all members of an owner's hubs are the owner itself or its bones."""
-    if any(_may_lead(system, mesh) for mesh in hub_lookup.hub_meshes(system, owner)):
+def _drives_itself_alone(system, owner, parts):
+    """Whether all members that are computed in an owner's Parts are the owner itself or its bones."""
+    if any(_may_lead(system, part) for part in parts):
         return False
     return system.groups is not None or has_sinks(system, owner)
 
 
-def _may_lead(system, mesh):
+def _may_lead(system, part):
     try:
-        found = outbox.opened(system, mesh, outbox.key_on_hub(system, mesh))
+        found = sharing.opened(system, part, part.mesh)
     except Damaged:
         return True
     if found.info is None:
         return found.layout.members != 1
-    return outbox.OTHER in found.info.members or property_sink.is_foreign(mesh)
+    return outbox.OTHER in found.info.members or property_sink.is_foreign(part.mesh)
 
 
-def _driven_objects(system, owner):
-    objects = {owner, *led_by(system, owner)}
-    if any(hub_lookup.is_own_hub(hub, owner) for _, hub in hub_lookup.hubs(system, owner)):
+def _driven_objects(system, owner, parts):
+    objects = {owner, *_led_by(system, owner, parts)}
+    if any(part.is_own for part in parts):
         objects.update(member.thing.id_data for group in groups_of(system, owner) for member in group.members if member.thing)
     return objects
 

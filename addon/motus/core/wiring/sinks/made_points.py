@@ -32,7 +32,7 @@ TUBE_SIDES = 8
 RADIUS = "radius"
 
 _forms = keeping.OfProcess(
-    "empty BMeshes, of which meshes are made that have their attributes", "name of the system, (name, kind) of the attributes", most=64
+    "empty BMeshes with the attributes of the points that a system makes", "name of the system, and (name, kind) of each attribute", most=64
 )
 _TYPES = {
     'FLOAT': 'FLOAT',

@@ -38,7 +38,7 @@ REST_KEY = "motus_resting"
 """Custom property of a hub's mesh whose drivers are at rest, and of the datablocks with these drivers, which are aimed at it."""
 _OF_BONE = re.compile(r'pose\.bones\["((?:[^"\\]|\\.)*)"\]')
 
-_known = keeping.OfProcess("what a hub's mesh notes of driven properties, or Damaged", "the text", most=256)
+_known = keeping.OfProcess("parsed lists of driven properties, stored on hubs' meshes (Note), or Damaged", "text of the list", most=256)
 
 
 class Note(NamedTuple):

@@ -7,50 +7,45 @@ The results come from the hub, a hidden object whose mesh carries the solver's d
 
 from ...blender import drivers
 from ...declare import of_owner
+from ..hubs import outbox
 from . import attribute_sink, finding, geometry_sink, property_sink, proxy_sink, transform_sink
 
 AIMING = {'TRACK_TO', 'DAMPED_TRACK', 'LOCKED_TRACK'}
 
 
-def prepare(system, owner, group, hub):
-    """Give a hub's mesh the attributes that the sinks of a group will read. It has to be called before sinks are added."""
-    if attribute_sink.serves(system):
-        attribute_sink.prepare(system, hub.data, owner, group)
-    elif system.has_modifier:
-        geometry_sink.prepare(system, hub.data, of_owner(system, owner))
-
-
-def add(system, owner, group, hub):
+def add(system, owner, group, part):
     """Add the sinks of a group: drivers of its properties, and the modifier of the owner or the constraints of the members.
 
-    Each driven object that is not the owner gets a pointer to the owner, its leader, in its settings.
+    Each driven object that is not the owner gets a pointer to the owner, its leader, in its settings. part: Part of the owner in the hub
+    that computes the group.
     """
-    property_sink.add(system, owner, group, hub, is_off=of_owner(system, owner).is_baked)
+    settings = of_owner(system, owner)
+    property_sink.add(system, owner, group, part.hub, is_off=settings.is_baked)
     led = [one.object for one in group.properties]
     if system.has_modifier:
-        geometry_sink.add(system, owner, hub)
+        geometry_sink.prepare(system, part.mesh, settings)
+        geometry_sink.add(system, owner, part.hub)
     else:
-        add_constraints(system, owner, group, hub)
+        _add_constraints(system, owner, group, part)
         led += [member.thing.id_data for member in group.members]
     for obj in led:
         if obj != owner:
             of_owner(system, obj).leader = owner
 
 
-def add_constraints(system, owner, group, hub, row=None):
-    """Add the constraints that drive the members of a group. row: row of the owner if several owners share the hub; else None.
-
-    The active constraint of each member stays active.
-    """
-    driven = drivers.driven_bones(owner)
+def _add_constraints(system, owner, group, part):
+    """Add the constraints that drive the members of a group. The active constraint of each member stays active."""
+    uses_attribute, driven = outbox.uses_attribute(system), drivers.driven_bones(owner)
+    if uses_attribute:
+        attribute_sink.prepare(system, group, part)
     for index, member in enumerate(group.members):
         active = member.thing.constraints.active
-        if attribute_sink.serves(system):
-            attribute_sink.add(system, group, index, hub, row)
+        if uses_attribute:
+            attribute_sink.add(system, group, index, part)
         elif proxy_sink.is_needed(system, member, driven):
-            proxy_sink.add(system, of_owner(system, owner), group, index, hub)
+            proxy_sink.add(system, of_owner(system, owner), group, index, part.hub)
         else:
-            transform_sink.add(system, group, index, hub, row)
+            transform_sink.add(system, group, index, part)
         member.thing.constraints.active = active
 
 

@@ -3,25 +3,22 @@
 A sink brings a solver's result to a member, an object or bone that the owner drives. Drivers copy the numbers from the outbox, the
 array of results on a hub's mesh, to the constraint; they need no Python. An absolute member without rotation has a Limit Location
 constraint with min = max instead: this keeps a negative scale and shear, which a Transformation constraint loses.
-
-Several owners can share a hub; its outbox then has one row for each owner.
 """
 
 from ...blender import drivers
 from ...declare import Variable
-from ..hubs import hub_lookup, marks, outbox
+from ..hubs import marks, outbox
 
 AXES = "xyz"
 LIMITS = ("min_{}", "max_{}")
 
 
-def add(system, group, index, hub, row=None):
+def add(system, group, index, part):
     """Add the constraints that drive a member of a group, with drivers that read the member's slots of the hub's outbox.
 
-    index: index of the member. row: row of the owner if several owners share the hub; else None.
+    index: index of the member. part: Part of the owner in the hub.
     """
-    member = group.members[index]
-    first = 0 if row is None else hub_lookup.first_slot(system, member.thing)
+    member, hub, first = group.members[index], part.hub, part.first
     pose, scale = first + outbox.pose_slot(group, index), first + outbox.scale_slot(group, index)
     for channel, slot in (("location", pose), ("rotation", pose + 3), ("scale", scale)):
         if channel not in member.channels:
@@ -29,7 +26,7 @@ def add(system, group, index, hub, row=None):
         is_limit = not member.is_relative and "rotation" not in member.channels and channel == "location"
         constraint, paths = _limit(member) if is_limit else _mapped(member, channel, hub)
         constraint.name = marks.name(system, channel)
-        marks.put(constraint, hub, index if row is None else row)
+        marks.put(constraint, hub, part.row + index)
         for axis, letter in enumerate(AXES):
             for path in paths:
                 _drive(constraint, path.format(letter), system, group, hub, slot + axis)

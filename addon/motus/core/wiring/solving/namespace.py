@@ -17,7 +17,7 @@ from ...file.stored import Damaged
 from ...lazy import numpy as np
 from ..healing import heal, revival
 from ..healing.watch import noticed
-from ..hubs import outbox
+from ..hubs import outbox, sharing
 from ..sinks import attribute_sink, geometry_sink, property_sink
 from . import solving
 
@@ -67,7 +67,7 @@ def _fail(error, carrier=None, name="", frame=0.0):
 
 
 def _rest(system, key, carrier, frame):
-    if outbox.SHARED_KEY not in carrier and carrier.get(outbox.OWNER_KEY) is None:
+    if sharing.is_abandoned(carrier):
         noticed.note_orphan(carrier)
     for rest in (_rest_slots, _rest_attribute):
         with suppress(Exception):

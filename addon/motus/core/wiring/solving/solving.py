@@ -19,18 +19,21 @@ from ...file import stored
 from ...file.stored import Damaged, Newer
 from ...lazy import numpy as np
 from ...measures import finite
-from ..attaching import sharing
 from ..healing.watch import noticed
-from ..hubs import outbox, outputs
+from ..hubs import outbox, outputs, sharing
 from ..sinks import attribute_sink, geometry_sink, property_sink
 
 log = logging.getLogger(__name__)
 
-_SOLVERS = keeping.OfEvaluation("solvers (Solver, RowsSolver)", "what the driver names: system and group", "one for each solver driver")
+_SOLVERS = keeping.OfEvaluation(
+    "prepared solvers of a hub's evaluated mesh (Solver, RowsSolver)",
+    "names of the system and group in the driver's expression",
+    "one for each solver driver",
+)
 _MEMOS = keeping.OfEvaluation(
-    "what systems make of settings that nothing animates (Context.kept)",
-    "system and group; name and key of Context.kept",
-    "one for each name that a system uses",
+    "values that systems derive from settings without animation (Context.kept)",
+    "name of the system, key of the group; name and key that Context.kept was called with",
+    "one for each name that the system passes to Context.kept",
 )
 
 
@@ -55,7 +58,7 @@ def solver_of(carrier, name):
     kept = _SOLVERS.on(copy)
     found = kept.get(name)
     if found is None or not found.is_current():
-        kind = RowsSolver if outbox.SHARED_KEY in carrier else Solver
+        kind = RowsSolver if sharing.has_rows(carrier) else Solver
         found = kept[name] = kind(system, key, carrier)
     return found
 

@@ -1,0 +1,457 @@
+"""Parts: what one owner has of a hub, either the whole hub, or one *row* of a hub that several owners share.
+
+A hub is a hidden object whose mesh carries a solver's driver and an array of results, the outbox. An owner is an object whose settings
+a system solves. Owners share a hub if their solvers read the same objects and their settings are not animated. Only this module tells a
+row from a whole hub: all other modules ask for the Parts of an owner. A whole hub is the Part with row 0 and slot 0.
+
+If the solver of a shared hub read the settings of the owners, it would have to wait for every owner. So each row holds, as a text in a
+custom property of the mesh, the settings that solve() reads and the owner's name; the text is written whenever the settings are edited.
+Each owner points to its hub and row. The hub points to no owner, so that appending one owner does not append the others. The outbox of
+a shared hub consists of the rows, one after the other.
+"""
+
+import json
+from contextlib import suppress
+from types import SimpleNamespace
+from typing import Any, NamedTuple
+
+import bpy
+
+from ... import keeping
+from ...declare import Setting, groups_of, input_variables, is_owner, of_owner
+from ...evaluated import copies
+from ...file import stored
+from ...file.pointers import pointed
+from ...file.stored import Damaged
+from ...lazy import numpy as np
+from ...measures.handedness import is_mirrored
+from . import hub_lookup, outbox
+
+_known = keeping.OfFile(
+    "parsed rows of hubs that several owners share (Row), or Damaged", "name of the system, and text of the row", most=4096
+)
+
+
+class Part(NamedTuple):
+    """What one owner has of one hub: the whole hub, or one row of a hub that several owners share.
+
+    key: key of the owner's group that is computed there. hub: hub object; None if it was deleted and only its mesh is left. mesh: the
+    hub's mesh. row: index of the owner's row, which is also the index of its first member; 0 in a whole hub. first: index of the owner's
+    first slot in the outbox. maker: object whose settings are computed there; different from the owner if the owner is a copy that uses
+    the hub of the first one; may be None or no object in a damaged file. is_own: whether the part computes for this owner, in a hub that
+    is neither overridden nor of a different file. reads_owner: whether the solver reads the settings of the evaluated owner; if not, it
+    reads the text that store_settings() writes. partner: different owner that has to be wired again to come into the hub too; else None.
+    """
+
+    key: str
+    hub: Any
+    mesh: Any
+    row: int
+    first: int
+    maker: Any
+    is_own: bool
+    reads_owner: bool
+    partner: Any = None
+
+
+def parts(system, owner):
+    """Return the Part of each hub that an owner points to, in the order of its groups."""
+    return [_part(system, owner, key, hub.data, hub) for key, hub in hub_lookup.hubs(system, owner)]
+
+
+def all_parts(system, owner):
+    """Return the Parts of an owner, including those of hubs whose hub object was deleted, of which only the mesh is left."""
+    lost = hub_lookup.lost_hubs(system, owner)
+    return parts(system, owner) + [_part(system, owner, outbox.key_on_hub(system, mesh), mesh, None) for mesh in lost]
+
+
+def part_of(system, owner, key=""):
+    """Return the Part in which one of an owner's groups is computed, given by the group's key; None if the hub is gone."""
+    return next((part for part in parts(system, owner) if part.key == key), None)
+
+
+def _part(system, owner, key, mesh, hub, partner=None):
+    is_whole, row, first = not outbox.is_shared(system, mesh), 0, 0
+    if is_whole:
+        maker = mesh.get(outbox.OWNER_KEY)
+    else:
+        row = of_owner(system, owner).row
+        maker = _holder(system, owner, mesh)
+        with suppress(Damaged):
+            first = row * outbox.row_layout(system, mesh).size
+    is_own = maker == owner and not mesh.override_library and mesh.library == owner.library
+    return Part(key, hub, mesh, row, first, maker, is_own, is_whole, partner)
+
+
+def opened(system, part, evaluated):
+    """Return the checked Outbox of an owner's part. evaluated: the hub's mesh, original or evaluated. Raises Damaged."""
+    return outbox.opened(system, evaluated, part.key, None if part.reads_owner else part.row)
+
+
+def status_of(system, part, evaluated):
+    """Return the status that the solver has written for an owner's part; evaluated: evaluated mesh of the hub. Raises Damaged."""
+    if part.reads_owner:
+        outbox.owner_of(system, evaluated)
+    return opened(system, part, evaluated).slots[outbox.STATUS]
+
+
+def has_rows(mesh):
+    """Whether one solver of a hub computes the rows of several owners, without reading the owners. mesh: the hub's mesh."""
+    return outbox.SHARED_KEY in mesh
+
+
+def is_abandoned(mesh):
+    """Whether the owner for which a whole hub computes is gone; False for a shared hub, which points to no owner. mesh: the hub's mesh."""
+    return not has_rows(mesh) and mesh.get(outbox.OWNER_KEY) is None
+
+
+def store_settings(system, owner, found):
+    """Store in the hubs what their solvers read there of the owner's settings, and tag all for evaluation. found: Parts of the owner.
+
+    Returns False if the owner has to be wired again, because the number of its members has changed or it can no longer share its hub.
+    """
+    owner.update_tag()
+    for part in found:
+        part.mesh.update_tag()
+    part = next((part for part in found if not part.key), None)
+    if part is None or part.mesh.library:
+        return True
+    if not part.reads_owner:
+        return _write(system, owner, part.mesh)
+    return system.member_data is None or _store_member_data(part.mesh, system.member_data(owner))
+
+
+def _store_member_data(mesh, values):
+    """Store the numbers that System.member_data returns on a hub's mesh; returns whether their number is as before.
+
+    They are stored as an array, because reading a collection of settings item by item in every solve is slow if there are many members.
+    """
+    data = [float(value) for value in values]
+    if not outbox.has_room(mesh, len(data)):
+        return False
+    mesh[outbox.MEMBER_DATA_KEY] = data
+    return True
+
+
+class Row(NamedTuple):
+    """Contents of a row: what the solver knows of one owner that shares a hub.
+
+    name: the owner's name. settings: namespace with the settings that System.shared names. inputs: values of the inputs that are
+    settings, by name. member_data: array of System.member_data, or None. memo: dictionary for Context.kept.
+    """
+
+    name: str
+    settings: Any
+    inputs: dict
+    member_data: Any
+    memo: dict
+
+
+def key(system, row):
+    """Return the name of the custom property of a shared hub's mesh that holds the text of a row, given by the row's index."""
+    return f"motus_{system.name}_row_{row}"
+
+
+def can_share(system, owner):
+    """Whether an owner may share a hub with others of the system.
+
+    It may if it drives only itself, its settings are not animated, all numbers in them are finite, and it is neither linked nor an
+    override. It must not be mirrored: solve() does not see an owner that shares a hub, and so cannot find out that it is mirrored.
+    """
+    if not system.shared or owner.library or owner.override_library or copies.has_animated_settings(owner) or is_mirrored(owner):
+        return False
+    (group,) = groups_of(system, owner)
+    return [member.thing for member in group.members] == [owner] and pack(system, owner) is not None
+
+
+def pack(system, owner):
+    """Return the text of an owner's row; None if a number in it is not finite."""
+    settings = of_owner(system, owner)
+    said = {
+        "name": owner.name,
+        "settings": _values(settings, system.shared),
+        "inputs": {one.name: one.read(0.0, settings) for one in system.inputs if isinstance(one, Setting)},
+        "member_data": None if system.member_data is None else list(map(float, system.member_data(owner))),
+    }
+    try:
+        return json.dumps(said, allow_nan=False)
+    except ValueError:
+        return None
+
+
+def _values(group, names):
+    found = {}
+    for name in names:
+        value = getattr(group, name)
+        if group.bl_rna.properties[name].type == 'COLLECTION':
+            value = [_values(item, _plain(item)) for item in value]
+        found[name] = value
+    return found
+
+
+def _plain(group):
+    return [prop.identifier for prop in group.bl_rna.properties if prop.type in _FORMS or prop.type == 'ENUM']
+
+
+def row(system, mesh, index):
+    """Return the Row with this index of a shared hub's mesh.
+
+    Returns None if no owner has the row, or the class Damaged if the text differs in form from what pack() makes.
+    """
+    return _row(system, mesh.get(key(system, index)))
+
+
+def _row(system, text):
+    if text is None:
+        return None
+    return _known.made((system.name, text), lambda: _parsed(system, text)) if isinstance(text, str) else Damaged
+
+
+def _parsed(system, text):
+    form = {
+        "name": str,
+        "settings": lambda value: _fits(system.settings.bl_rna, system.shared, value),
+        "inputs": lambda value: _fits(system.settings.bl_rna, [one.name for one in system.inputs if isinstance(one, Setting)], value),
+        "member_data": lambda value: value is None or stored.fits(value, [float]),
+    }
+    try:
+        said = stored.parse(text, form)
+    except Damaged:
+        return Damaged
+    data = said["member_data"]
+    return Row(said["name"], _namespace(said["settings"]), said["inputs"], None if data is None else np.array(data), {})
+
+
+_FORMS = {'FLOAT': float, 'INT': lambda value: type(value) is int and abs(value) <= stored.LARGEST_NUMBER, 'BOOLEAN': bool, 'STRING': str}
+
+
+def _fits(rna, names, value):
+    """Whether a parsed dictionary has exactly the named settings of a PropertyGroup, each with a value of the declared type."""
+    return (
+        isinstance(value, dict)
+        and value.keys() == set(names)
+        and all(_fits_property(rna.properties[name], one) for name, one in value.items())
+    )
+
+
+def _fits_property(prop, value):
+    if prop.type == 'ENUM':
+        return value in prop.enum_items.keys()
+    if prop.type == 'COLLECTION':
+        names = [one.identifier for one in prop.fixed_type.properties if one.type in _FORMS or one.type == 'ENUM']
+        return isinstance(value, list) and all(_fits(prop.fixed_type, names, one) for one in value)
+    return stored.fits(value, _FORMS[prop.type])
+
+
+def _namespace(values):
+    return SimpleNamespace(
+        **{name: [_namespace(one) for one in value] if isinstance(value, list) else value for name, value in values.items()}
+    )
+
+
+def names_in(rows):
+    """Return the names of the owners that have one of these Rows of a shared hub; items that are no Row are left out."""
+    return [row.name for row in rows if isinstance(row, Row)]
+
+
+def _holder(system, owner, mesh):
+    """Return the object for which the row to which an owner points was made: the owner itself, or the one from which it was copied.
+
+    It is the owner itself if the row has the owner's name or no name, or if no object of the row's name points to the row any more. The
+    last case is that of a renamed owner.
+    """
+    index = of_owner(system, owner).row
+    found = _row(system, mesh.get(key(system, index)))
+    name = found.name if isinstance(found, Row) else ""
+    other = bpy.data.objects.get((name, None)) if name else None
+    is_others = name != owner.name and other and claims(system, other, mesh) and of_owner(system, other).row == index
+    return other if is_others else owner
+
+
+def claims(system, obj, mesh):
+    """Whether an object is an owner of the system that points to a hub with this mesh."""
+    if not is_owner(system, obj):
+        return False
+    hub = pointed(of_owner(system, obj), "hub")
+    return hub is not None and hub.data == mesh
+
+
+def holders(system, mesh):
+    """Return {index of a row: local object that points to the row} for a shared hub's mesh."""
+    return {of_owner(system, obj).row: obj for obj in bpy.data.objects if not obj.library and claims(system, obj, mesh)}
+
+
+def _write(system, owner, mesh):
+    """Store an owner's settings in its row of a shared hub again; returns whether the owner may still share the hub."""
+    text = pack(system, owner)
+    if text is None or copies.has_animated_settings(owner):
+        return False
+    name = key(system, of_owner(system, owner).row)
+    if mesh.get(name) != text:
+        mesh[name] = text
+    return True
+
+
+def provide(system, owner, groups):
+    """Give an owner a part of a hub for each of its groups: a row of a shared hub if it may share one, else whole new hubs.
+
+    Returns the Parts, in the order of the groups. The hubs have outboxes with neutral values, but neither solver drivers nor sinks.
+    """
+    copies.prepare(owner)
+    shared = _join(system, owner)
+    found = [shared] if shared else [_make_whole(system, owner, group) for group in groups]
+    store_settings(system, owner, found)
+    return found
+
+
+def _make_whole(system, owner, group):
+    """Create a hub that computes one group of one owner, and store it in the owner's settings; returns the Part."""
+    hub = hub_lookup.new_hub(system.label, owner.name, group.key)
+    hub.data[outbox.OWNER_KEY] = owner
+    settings = of_owner(system, owner)
+    if group.key:
+        entry = settings.more_hubs.add()
+        entry.name, entry.object = group.key, hub
+    else:
+        settings.hub = hub
+    outbox.create(system, hub.data, group)
+    copies.mark(hub.data)
+    return _part(system, owner, group.key, hub.data, hub)
+
+
+def _join(system, owner):
+    """Give an owner a row of a shared hub; returns the Part, or None if the owner has to have hubs of its own.
+
+    If no existing hub is suitable, a new one is created, provided that a different owner (the partner) can share it.
+    """
+    if not can_share(system, owner):
+        return None
+    hub, partner = _hub_for(system, owner), None
+    if hub is None:
+        partner = _partner_for(system, owner)
+        if partner is None:
+            return None
+        hub = hub_lookup.new_hub(system.label)
+        outbox.create_shared(system, hub.data)
+        for name, target in pointers(system, owner).items():
+            hub.data[target_key(name)] = target
+        copies.mark(hub.data)
+    settings = of_owner(system, owner)
+    settings.hub, settings.row = hub, _free_row(system, hub.data)
+    return _part(system, owner, "", hub.data, hub, partner)
+
+
+def held_meshes(found):
+    """Return the meshes of those hubs that an owner with these Parts has to leave when it is unwired; each mesh once.
+
+    These are the hubs that compute for the owner, its hubs without an object, and shared hubs of this file. A damaged file may name the
+    same hub twice.
+    """
+    return list(dict.fromkeys(part.mesh for part in found if _is_held(part)))
+
+
+def _is_held(part):
+    return part.is_own or part.hub is None or not (part.reads_owner or part.mesh.library)
+
+
+def leave(system, mesh):
+    """Remove a hub that an owner has left; if it is shared, only the rows to which no owner points any more. mesh: the hub's mesh."""
+    if outbox.is_shared(system, mesh):
+        prune(system, mesh)
+    else:
+        bpy.data.meshes.remove(mesh)
+
+
+def _hub_for(system, owner):
+    """Return a shared hub object that an owner may join; None if there is none.
+
+    The hub has to be local and undamaged, and its solver has to read the same objects as a solver for this owner.
+    """
+    for mesh in bpy.data.meshes:
+        if mesh.library or mesh.override_library or not outbox.is_shared(system, mesh):
+            continue
+        named = {name: mesh.get(target_key(name)) for name in pointers(system, owner)}
+        if (
+            outbox.is_whole(system, mesh)
+            and outbox.has_attribute(mesh) == outbox.uses_attribute(system)
+            and named == pointers(system, owner)
+            and _reads_the_same(system, owner, mesh)
+        ):
+            found = holders(system, mesh)
+            if found:
+                return pointed(of_owner(system, next(iter(found.values()))), "hub")
+    return None
+
+
+def _partner_for(system, owner):
+    """Return a different owner with a hub of its own that may share one and whose solver reads the same objects; None if there is none."""
+    for mesh in bpy.data.meshes:
+        other = mesh.get(outbox.OWNER_KEY)
+        if mesh.library or not isinstance(other, bpy.types.Object) or other == owner or not claims(system, other, mesh):
+            continue
+        if _reads_the_same(system, owner, mesh) and can_share(system, other):
+            return other
+    return None
+
+
+def _reads_the_same(system, owner, mesh):
+    """Whether the driver on a hub's mesh reads the same datablocks and data paths as a driver for this owner would."""
+    wanted = [variable and (variable.id, variable.data_path) for _, variable in input_variables(system, owner)]
+    animation = mesh.animation_data
+    curve = animation and animation.drivers.find(outbox.out_path(system), index=outbox.STATUS)
+    if not curve:
+        return False
+    found = {variable.name: (variable.targets[0].id, variable.targets[0].data_path) for variable in curve.driver.variables}
+    return [found.get(f"v{index}") for index in range(len(wanted))] == wanted
+
+
+def _free_row(system, mesh):
+    """Return the index of a row of a shared hub to which no owner points; a new row is added if there is none."""
+    count, taken = outbox.row_count(system, mesh), holders(system, mesh)
+    free = next((index for index in range(count) if index not in taken), count)
+    if free == count:
+        outbox.add_row(system, mesh)
+    return free
+
+
+def tidy(system):
+    """In all shared hubs of a system, update the names of renamed owners, and remove the contents of rows that no owner points to."""
+    for mesh in [mesh for mesh in bpy.data.meshes if not mesh.library and outbox.is_shared(system, mesh)]:
+        for obj in holders(system, mesh).values():
+            if _holder(system, obj, mesh) == obj:
+                _write(system, obj, mesh)
+        prune(system, mesh)
+
+
+def prune(system, mesh):
+    """Remove the contents of the rows of a shared hub that no owner points to, and the whole hub if no owner is left."""
+    taken = holders(system, mesh)
+    for row in range(outbox.row_count(system, mesh)):
+        if row not in taken and key(system, row) in mesh:
+            del mesh[key(system, row)]
+            mesh.update_tag()
+    if not taken:
+        bpy.data.meshes.remove(mesh)
+
+
+def pointers(system, owner):
+    """Return {name of the pointer setting: object} for the pointer settings of an owner that the system's inputs read, if they are set."""
+    settings = of_owner(system, owner)
+    found = {one.of: pointed(settings, one.of) for one in system.inputs if hasattr(one, "of")}
+    return {name: target for name, target in found.items() if target}
+
+
+def targets(system, mesh):
+    """Return {name of the pointer setting: object or None} for the pointer settings that the inputs read, stored on a shared hub's mesh.
+
+    On an evaluated mesh the objects are evaluated copies. Raises Damaged if a stored value is no object.
+    """
+    found = {one.of: mesh.get(target_key(one.of)) for one in system.inputs if hasattr(one, "of")}
+    if not all(isinstance(target, (bpy.types.Object, type(None))) for target in found.values()):
+        raise Damaged("no object")
+    return found
+
+
+def target_key(name):
+    """Return the name of the custom property of a shared hub's mesh that holds the object named by a pointer setting."""
+    return f"motus_of_{name}"
