@@ -114,10 +114,10 @@ def store_settings(system, owner, found):
     for part in found:
         part.mesh.update_tag()
     part = next((part for part in found if not part.key), None)
-    if part is None or part.mesh.library:
+    if part is None:
         return True
     if not part.reads_owner:
-        return _write(system, owner, part.mesh)
+        return part.mesh.library is not None or _write(system, owner, part.mesh)
     return system.member_data is None or _store_member_data(part.mesh, system.member_data(owner))
 
 
