@@ -1,6 +1,5 @@
 """What setting up a key adds to a scene, what it refuses, and that removing it takes all back."""
 
-import os
 import unittest
 
 import bpy
@@ -8,6 +7,7 @@ import numpy as np
 
 import support
 from chroma import chroma_cases as cases
+from chroma.chroma_setup_cases import SetUpTestCase, footage, state
 
 compositor = support.addon("chroma.compositor")
 actions = support.addon("core.blender.actions")
@@ -16,67 +16,7 @@ capabilities = support.addon("core.blender.capabilities")
 nodes = support.addon("core.blender.node_groups")
 
 
-def footage(folder, color=cases.GREEN, size=(60, 40), name="footage.png"):
-    """A grey square in front of a screen."""
-    picture = np.ones((size[1], size[0], 4)) * (*color, 1.0)
-    if min(size) > 2:
-        picture[size[1] // 4 : -size[1] // 4, size[0] // 3 : -size[0] // 3, :3] = 0.4
-    return cases.written(picture, folder / name)
-
-
-def state(scene):
-    """All of a scene that a key changes."""
-    render, view, tree = scene.render, scene.view_settings, compositor.tree_of(scene)
-    if not scene.use_nodes and len(tree.nodes if tree else ()) == 2:
-        tree = None  # what Blender leaves of one that it made
-    return (
-        render.resolution_x,
-        render.resolution_y,
-        render.resolution_percentage,
-        render.pixel_aspect_x,
-        render.pixel_aspect_y,
-        scene.frame_start,
-        scene.frame_end,
-        render.fps,
-        render.fps_base,
-        view.view_transform,
-        view.look,
-        scene.use_nodes,
-        view.exposure,
-        view.gamma,
-        view.use_curve_mapping,
-        getattr(view, "use_white_balance", None),
-        len(bpy.data.masks),
-        None
-        if tree is None
-        else (
-            tree.name,
-            sorted(node.name for node in tree.nodes),
-            sorted((link.from_node.name, link.from_socket.identifier, link.to_node.name, link.to_socket.identifier) for link in tree.links),
-        ),
-        len(bpy.data.node_groups),
-        len(bpy.data.images),
-        len(bpy.data.objects),
-        len(bpy.data.materials),
-        len(bpy.data.meshes),
-        sorted(thing.name for thing in scene.objects),
-    )
-
-
-class SetUp(support.SceneTestCase):
-    def set_up(self, **keywords):
-        self.assertEqual(bpy.ops.motus.chroma_key_setup(**keywords), {'FINISHED'})
-        return compositor.key_of(bpy.context.scene)
-
-    def refused(self, sentence, **keywords):
-        before = state(bpy.context.scene)
-        with self.assertRaisesRegex(RuntimeError, sentence):
-            bpy.ops.motus.chroma_key_setup(**keywords)
-        self.assertEqual(state(bpy.context.scene), before)
-
-    def value(self, key, keyword):
-        return getattr(*settings.place(key, next(one for one in settings.OF_KEYING if one.keyword == keyword)))
-
+class SetUp(SetUpTestCase):
     def test_one_labelled_group(self):
         key = self.set_up(clip=footage(self.folder))
         self.assertEqual((key.label, key.node_tree.name), ("Chroma Key", "Chroma Key"))
@@ -161,87 +101,6 @@ class SetUp(support.SceneTestCase):
         self.assertIn("Own", bpy.data.images, "what was there before stays")
         bpy.data.movieclips.load(path).name = "Clip"
         self.set_up(clip="Clip")
-
-    def sequence(self, numbers):
-        """Names of pictures of a sequence in the test's folder."""
-        names = [f"shot_{number:03d}.png" for number in numbers]
-        for name in names:
-            footage(self.folder, name=name)
-        footage(self.folder, name="another_007.png")
-        return names
-
-    def test_a_sequence_is_chosen(self):
-        names = self.sequence(range(7, 12))
-        self.set_up(directory=str(self.folder), files=[{"name": name} for name in reversed(names)])
-        scene = bpy.context.scene
-        node = compositor.node_of(scene, "Footage")
-        self.assertEqual((node.image.source, node.image.name), ('SEQUENCE', names[0]))
-        self.assertEqual((node.frame_duration, node.frame_start, node.frame_offset), (5, 1, 6))
-        self.assertEqual((scene.frame_start, scene.frame_end), (1, 5))
-        self.assertEqual((scene.render.resolution_x, scene.render.resolution_y), (60, 40))
-
-    def test_a_still_stays_one_beside_its_sequence(self):
-        names = self.sequence(range(1, 4))
-        still = bpy.data.images.load(str(self.folder / names[0]))
-        self.set_up(directory=str(self.folder), files=[{"name": name} for name in names])
-        self.assertEqual(still.source, 'FILE')
-        bpy.ops.motus.chroma_key_remove()
-        self.assertEqual([image.name for image in bpy.data.images if image.source == 'SEQUENCE'], [])
-
-    def test_a_sequence_of_the_file_is_named(self):
-        names = self.sequence(range(7, 10))
-        bpy.data.images.load(str(self.folder / names[0])).source = 'SEQUENCE'
-        self.set_up(clip=names[0])
-        self.assertEqual(compositor.node_of(bpy.context.scene, "Footage").frame_duration, 3)
-
-    def test_files_that_make_no_sequence(self):
-        names = self.sequence(range(1, 3))
-        files = [{"name": name} for name in (*names, "another_007.png")]
-        self.refused("numbered sequence", directory=str(self.folder), files=files)
-
-    def test_numbers_in_names(self):
-        numbered = support.addon("chroma.footage")._numbered
-        for name, parts in (
-            ("shot_007.png", ("shot_", "007", ".png")),
-            ("f_0001.jp2", ("f_", "0001", ".jp2")),
-            ("12.left.exr", ("", "12", ".left.exr")),
-            ("still.jp2", None),
-            ("IMG_20240101120000.jpg", None),
-        ):
-            self.assertEqual(numbered(name), parts, name)
-
-    def test_gaps_are_told(self):
-        names = self.sequence((7, 8, 10, 13))
-        self.set_up(directory=str(self.folder), files=[{"name": name} for name in names])
-        scene = bpy.context.scene
-        self.assertEqual(scene.frame_end, 7)
-        self.assertEqual(scene.motus.chroma.gap, "shot_007.png lacks pictures 9, 11-12: frames 3, 5-6 show the ones before")
-        node = compositor.node_of(scene, "Footage")
-        for frame, picture in ((6, 10), (3, 8), (1, 7), (4, 10), (7, 13), (2, 8), (5, 10)):
-            scene.frame_set(frame)
-            self.assertEqual(frame + node.frame_offset, picture)
-        footage(self.folder, name="shot_009.png")
-        bpy.ops.motus.chroma_key_measure()
-        self.assertEqual(scene.motus.chroma.gap, "shot_007.png lacks pictures 11-12: frames 5-6 show the ones before")
-        bpy.ops.motus.chroma_key_remove()
-        self.assertFalse([action for action in bpy.data.actions if action.users])
-
-    def test_sequence_without_a_gap(self):
-        self.set_up(directory=str(self.folder), files=[{"name": name} for name in self.sequence((7, 8, 9))])
-        self.assertEqual(bpy.context.scene.motus.chroma.gap, "")
-
-    def test_ranges_are_short(self):
-        ranges = support.addon("chroma.footage")._ranges
-        self.assertEqual(ranges([1, 2, 4]), "1-2, 4")
-        self.assertEqual(ranges(range(1, 40, 2)), "1, 3, 5, 7, 9, 11, 13, 15, ...")
-
-    def test_footage_that_went_is_told(self):
-        self.set_up(clip=footage(self.folder))
-        image = compositor.node_of(bpy.context.scene, "Footage").image
-        os.remove(bpy.path.abspath(image.filepath))
-        image.reload()
-        with self.assertRaisesRegex(RuntimeError, "cannot be read as a picture"):
-            bpy.ops.motus.chroma_key_measure()
 
     def test_what_is_underneath_is_played(self):
         self.set_up(clip=footage(self.folder))
@@ -503,77 +362,6 @@ class SetUp(support.SceneTestCase):
         self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
 
     # --- the plane ---------------------------------------------------------------------------------------------------
-
-    def test_plane_fills_the_view(self):
-        scene = bpy.context.scene
-        camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-        scene.collection.objects.link(camera)
-        camera.location, camera.rotation_euler = (1.0, 2.0, 3.0), (0.5, 0.2, 1.0)
-        for kind in ('PERSP', 'ORTHO'):
-            camera.data.type = kind
-            self.set_up(clip=footage(self.folder), use_plane=True, camera="Camera", plane_distance=7.0)
-            plane = scene.motus.chroma.plane
-            bpy.context.view_layer.update()
-            from bpy_extras.object_utils import world_to_camera_view
-
-            seen = [world_to_camera_view(scene, camera, plane.matrix_world @ vertex.co) for vertex in plane.data.vertices]
-            np.testing.assert_allclose(sorted((round(p.x), round(p.y)) for p in seen), [(0, 0), (0, 1), (1, 0), (1, 1)])
-            np.testing.assert_allclose([p.z for p in seen], 7.0, rtol=1e-5)
-            np.testing.assert_allclose([(p.x - round(p.x), p.y - round(p.y)) for p in seen], 0.0, atol=1e-5)
-            self.assertTrue(plane.hide_render)
-            self.assertGreater(plane.data.polygons[0].normal.z, 0.99)
-            bpy.ops.motus.chroma_key_remove()
-
-    def test_plane_ignores_a_keyed_scale(self):
-        """As a render does, which takes the camera's axes at length 1: the plane stands where that of a camera without a scale does."""
-        scene = bpy.context.scene
-        parent, camera = bpy.data.objects.new("Crane", None), bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-        for obj in (parent, camera):
-            scene.collection.objects.link(obj)
-        camera.parent, parent.rotation_euler.z = parent, 0.7
-        camera.location, camera.rotation_euler = (1.0, 2.0, 3.0), (0.5, 0.2, 1.0)
-        self.set_up(clip=footage(self.folder), use_plane=True, camera="Camera", plane_distance=7.0)
-        plane = scene.motus.chroma.plane
-        for obj, scales in (
-            (camera, {1: (1.0, 1.0, 1.0), 9: (3.0, 0.5, 2.0), 17: (-1.0, 1.0, 4.0)}),
-            (parent, {1: (2.0,) * 3, 17: (0.25,) * 3}),
-        ):
-            for frame, scale in scales.items():
-                obj.scale = scale
-                obj.keyframe_insert("scale", frame=frame)
-        corners = np.array([vertex.co for vertex in plane.data.vertices])
-        np.testing.assert_allclose(corners[:, 2], -7.0, rtol=1e-6)
-        for frame in (17, 5, 9, 1):
-            scene.frame_set(frame)
-            seen = np.array(plane.matrix_world)
-            axes = np.array(camera.matrix_world)[:3, :3]
-            wanted = np.column_stack((axes / np.linalg.norm(axes, axis=0), camera.matrix_world.translation))
-            np.testing.assert_allclose(seen[:3], wanted, atol=2e-6)
-
-    def test_plane_has_the_key(self):
-        """Its material shows the footage, and follows the colour and the levels when the screen is measured."""
-        scene = bpy.context.scene
-        scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-        scene.collection.objects.link(scene.camera)
-        key = self.set_up(clip=footage(self.folder), use_plane=True, color=(0.1, 0.3, 0.2), black=0.5)
-        plane = scene.motus.chroma.plane
-        shown = plane.data.materials[0].node_tree.nodes
-        self.assertEqual(plane.parent, scene.camera)
-        (texture,) = [node for node in shown if node.type == 'TEX_IMAGE']
-        self.assertEqual(texture.image, compositor.node_of(scene, "Footage").image)
-        np.testing.assert_allclose(shown["Screen Color"].outputs[0].default_value[:3], (0.1, 0.3, 0.2), atol=1e-6)
-        self.assertAlmostEqual(shown["Levels"].inputs["From Min"].default_value, 0.5)
-        self.assertEqual(bpy.ops.motus.chroma_key_measure(), {'FINISHED'})
-        np.testing.assert_allclose(shown["Screen Color"].outputs[0].default_value[:3], cases.GREEN, atol=0.01)
-        for name, keyword in (("From Min", "black"), ("From Max", "white")):
-            self.assertAlmostEqual(shown["Levels"].inputs[name].default_value, self.value(key, keyword), 5)
-
-    def test_plane_that_was_deleted(self):
-        bpy.context.scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-        self.set_up(clip=footage(self.folder), use_plane=True)
-        bpy.data.objects.remove(bpy.context.scene.motus.chroma.plane)
-        self.assertEqual(bpy.ops.motus.chroma_key_measure(), {'FINISHED'})
-        self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
 
     def test_the_copy_of_a_scene_leaves_the_first_one_its_key(self):
         scene = bpy.context.scene
