@@ -1,5 +1,6 @@
 """The toy along which docs/systems.md tells how to write a system: wired, drawn, baked, removed, and in Spanish."""
 
+import dataclasses
 from pathlib import Path
 
 import bpy
@@ -12,6 +13,47 @@ from core.test_habits import drawn
 
 native = support.addon("core.native")
 FRAMES = (1, 7, 13.5, 20)
+
+
+def swell(context, amount, **_):
+    """Solver that makes the owner wider, and higher still."""
+    context.scales[0] = 1.0 + amount, 1.0, 1.0 + 2.0 * amount
+
+
+SWELLING = dataclasses.replace(wobble.SYSTEM, channels=lambda settings: frozenset({"scale"}), solve=swell, problems=())
+
+
+class ScaleTest(support.SceneTestCase):
+    """A system that declares channels, no groups, and drives scales alone."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        support.register_systems(SWELLING)
+        cls.addClassCleanup(support.unregister_systems, SWELLING)
+
+    def scale(self, owner):
+        return support.evaluated(owner).matrix_world.to_scale()[:]
+
+    def test_scales_multiply_the_own_ones_live_baked_and_opened(self):
+        owner, wiring = self.link("Buoy"), support.addon("core.wiring")
+        bpy.context.view_layer.objects.active = owner
+        support.key(owner, "scale", {1: (2.0, 1.0, 0.5), 21: (4.0, 1.0, 0.5)})
+        owner.motus.wobble.amount = 0.5
+        wiring.attach(SWELLING, owner)
+        self.go_to(21)
+        np.testing.assert_allclose(self.scale(owner), (6.0, 1.0, 1.0), atol=1e-5)
+        bpy.ops.motus.bake(frame_start=1, frame_end=21)
+        self.go_to(1)
+        np.testing.assert_allclose(self.scale(owner), (3.0, 1.0, 1.0), atol=1e-5)
+        bpy.ops.motus.unbake()
+        bpy.ops.wm.open_mainfile(filepath=self.save())
+        owner = bpy.data.objects["Buoy"]
+        for frame, wide in ((21, 6.0), (1, 3.0)):
+            self.go_to(frame)
+            np.testing.assert_allclose(self.scale(owner), (wide, 1.0, 1.0), atol=1e-5)
+        bpy.ops.motus.wobble_remove()
+        self.assertEqual((self.scale(owner), set(bpy.data.objects)), ((2.0, 1.0, 0.5), {owner}))
 
 
 class WobbleTest(support.SceneTestCase):

@@ -22,7 +22,7 @@ class Baked(support.SceneTestCase):
                     with self.subTest(panel.prefix, owner=one.name):
                         self.check(panel, owner_system, one)
         wanted = {one.name for one in system.systems() if not one.unbakeable}
-        self.assertEqual(seen, wanted)
+        self.assertEqual(seen, wanted, "a system without an owner in blend_tests/live_scenes.py")
 
     def check(self, panel, owner_system, owner):
         for cls in classes_of(panel):

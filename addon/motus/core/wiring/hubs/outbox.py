@@ -110,7 +110,7 @@ class Layout(NamedTuple):
 class Outbox(NamedTuple):
     """An outbox whose data was checked.
 
-    slots: memory of the float array. info: None if the system declares no groups, or if this is one row of a shared hub.
+    slots: memory of the float array. info: None if the system declares no groups and drives no scales, or if this is one row of a shared hub.
     """
 
     slots: memoryview
@@ -186,15 +186,15 @@ def uses_attribute(system):
 def create(system, carrier, group):
     """Give a hub's mesh (carrier) a new outbox with neutral values and slots for the members of a group.
 
-    It has no slots for members if the poses go to an attribute of the mesh. If the system declares groups, a description (Info) is stored
-    beside the outbox.
+    It has no slots for members if the poses go to an attribute of the mesh. If the system declares groups, or drives scales, a description
+    (Info) is stored beside the outbox.
     """
     members = 0 if uses_attribute(system) else len(group.members)
     slots = [float(SILENT)] + [0.0] * (pose_slot(group, members) - 1)
     if members and has_scales(group):
         slots += [1.0] * (SCALE_SIZE * members)
     carrier[out_key(system, group.key)] = slots
-    if system.groups is not None:
+    if system.groups is not None or has_scales(group):
         noted = Info(
             group.outputs,
             tuple(_noted(member.thing, carrier) for member in group.members),
@@ -339,9 +339,9 @@ def owner_of(system, carrier):
 
 
 def _info(system, carrier, group):
-    if system.groups is None:
-        return None
     name = info_key(system, group)
+    if system.groups is None and name not in carrier:
+        return None
     noted = carrier.get(name)
     read = getattr(noted, "get", None)
     said = (read("text"), read("version", VERSION)) if read else (None, VERSION)
