@@ -72,6 +72,7 @@ class Latest:
         self._most, self._most_size, self._size_of = most, most_size, size
         self._values: OrderedDict[Hashable, Any] = OrderedDict()
         self._size = 0.0
+        self._is_filling = False  # more than half full: only then the order of use matters, and to mark a key takes as long as to find it
         self._changing = threading.RLock()
         self.get = self._values.get
 
@@ -88,11 +89,8 @@ class Latest:
 
         The key is marked as the most recently used one if the cache is more than half full.
         """
-        found = self.get(key, _NOTHING)
-        if found is _NOTHING:
-            return default
-        # Below half of the limits no key is marked: no value is removed soon, and marking takes as long as finding.
-        if 2 * len(self._values) > self._most or 2 * self._size > self._most_size:
+        found = self.get(key, default)
+        if self._is_filling:
             self._use(key)
         return found
 
@@ -104,7 +102,7 @@ class Latest:
         found = self.get(key, _NOTHING)
         if found is _NOTHING:
             return self.add(key, make())
-        if 2 * len(self._values) > self._most or 2 * self._size > self._most_size:  # the condition of find(), without a call
+        if self._is_filling:
             self._use(key)
         return found
 
@@ -123,7 +121,11 @@ class Latest:
             self._values[key] = value
             self._size += self._size_of(key, value) if self._size_of else 0
             self.trim(self._most)
+            self._measure()
         return value
+
+    def _measure(self) -> None:
+        self._is_filling = 2 * len(self._values) > self._most or 2 * self._size > self._most_size
 
     def drop(self, key: Hashable) -> None:
         """Remove the value of a key from the cache, if there is one."""
@@ -131,6 +133,7 @@ class Latest:
             value = self._values.pop(key, _NOTHING)
             if value is not _NOTHING and self._size_of:
                 self._size -= self._size_of(key, value)
+            self._measure()
 
     def trim(self, most: float) -> None:
         """Remove least recently used values until at most `most` values remain and their total size is within the cache's limit.
@@ -146,6 +149,7 @@ class Latest:
         with self._changing:
             self._values.clear()
             self._size = 0.0
+            self._measure()
 
 
 class Room(dict[Any, Any]):
@@ -175,20 +179,20 @@ class OfEvaluation(_Declaration):
         """
         if copy is None:
             return {}
-        mine: Room | None = copy.found.get(self)
-        return self.within(copy.found) if mine is None else mine
+        found: dict[Any, Any] = copy.found
+        return found[self] if self in found else self.within(found)
 
     def within(self, found: dict[Any, Any]) -> Room:
         """Dictionary of this declaration's values among all values that are kept with one evaluated copy; created if missing.
 
         found: {declaration: its dictionary} of the copy.
         """
-        mine: Room | None = found.get(self)
-        if mine is None:
+        if self not in found:
             mine = Room()
             mine.declaration = self
-            return found.setdefault(self, mine)
-        return mine
+            found.setdefault(self, mine)
+        present: Room = found[self]
+        return present
 
 
 class WhileAnswering(OfEvaluation):
@@ -237,15 +241,15 @@ class OfThread(_Declaration):
     def here(self) -> Latest:
         """The cache (Latest) that this declaration has for the current thread; created if missing."""
         thread = threading.get_ident()
-        mine = _threads.get(thread)
+        try:
+            return _threads[thread][self]
+        except KeyError:
+            mine = _threads.get(thread)
         if mine is None:
             if len(_threads) >= MOST_THREADS:
                 _threads.clear()  # most caches are of ended threads; running threads create theirs again
             mine = _threads[thread] = {}
-        found = mine.get(self)
-        if found is None:
-            found = mine[self] = Latest(self._most)
-        return found
+        return mine.setdefault(self, Latest(self._most))
 
     def clear(self) -> None:
         """Remove the values of this declaration from the caches of all threads."""

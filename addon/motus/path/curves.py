@@ -75,13 +75,12 @@ def read(curve_object, splines, depsgraph, index, matrix):
     if copy is None or copy.has_animated_splines:
         return _in_world(*_read(curve_object, splines, depsgraph, index, is_deformed), matrix)  # type: ignore[call-arg]
     kept, kept_in_world = _CURVES.on(copy), _IN_WORLD.on(copy)
-    local = kept.get(index)
-    if local is None:
-        local = kept[index] = _read(curve_object, splines, depsgraph, index, is_deformed)
-    place, found = rigs.columns(matrix).tobytes(), kept_in_world.get(index)
-    if found is None or found[0] != place:
-        found = kept_in_world[index] = place, _in_world(*local, matrix)  # type: ignore[call-arg]
-    return found[1]
+    if index not in kept:
+        kept[index] = _read(curve_object, splines, depsgraph, index, is_deformed)
+    place = rigs.bytes_of(matrix)
+    if index not in kept_in_world or kept_in_world[index][0] != place:
+        kept_in_world[index] = place, _in_world(*kept[index], matrix)  # type: ignore[call-arg]
+    return kept_in_world[index][1]
 
 
 def _in_world(curve, tilt, matrix):

@@ -67,7 +67,8 @@ def is_finite(value):
 
 
 def _since_start(context, numbers):
-    return max(0.0, (context.frame - numbers["start_frame"]) / context.fps)
+    start = numbers["start_frame"]
+    return (context.frame - start) / context.fps if context.frame > start else 0.0
 
 
 def _at_frame(context, _numbers):

@@ -5,7 +5,7 @@ from ..core.declare import Deformed, Matrix, Problem, Setting, Splines
 from ..core.file import deleted
 from ..core.file.choices import chosen
 from ..core.lazy import numpy as np
-from ..core.measures.handedness import is_mirrored
+from ..core.measures.handedness import is_constant, is_mirrored
 from . import curves, members, motion
 
 NO_CURVE = Problem("Choose a curve to follow")
@@ -48,22 +48,23 @@ def solve(context, matrix, splines, deformed, **numbers):
     Returns a Problem or None; a user's error never raises an exception.
     """
     index = int(numbers["spline"])
-    path = context.common.get(index)
-    if path is None:
-        path = context.common[index] = _path(context, matrix, splines, index)
-    if isinstance(path, Problem):
+    common = context.common
+    if index not in common:
+        common[index] = _path(context, matrix, splines, index)
+    path = common[index]
+    if path.__class__ is Problem:
         return path
     length, fps = path.curve.length(), context.fps
-    key = length, fps, context.owner is not None and is_mirrored(context.owner)
+    key = length, fps, context.owner is not None and _is_owner_mirrored(context)
     still = context.kept("still", key, lambda: _still(context, numbers, length))
-    if isinstance(still, Problem):
+    if still.__class__ is Problem:
         return still
     moving, options, offsets, mirrored = still
     time = moving.clock(context, numbers) if moving.clock else moving.time
     if "tilt" in options:
         options = options | {"tilt": path.tilt}
     native.module.follow(path.curve, moving.timing, time, offsets, locations=context.locations, rotations=context.rotations, **options)
-    if len(mirrored):
+    if mirrored:
         _turn_mirrored(context.rotations, mirrored, context.settings)
     extend = 'clamp' if options["line_up"] else options["extend"]  # the first member of a train that lines up stops at the ends
     _write_outputs(context.outputs, path.curve, length, moving, time, numbers["offset"], extend)
@@ -72,15 +73,34 @@ def solve(context, matrix, splines, deformed, **numbers):
 
 def _path(context, matrix, splines, index):
     """Convert the followed curve into a curves.WorldCurve; returns a Problem if the curve cannot be followed."""
-    followed = context.target("curve")
-    if matrix is None or splines is None or followed is None or followed.type != 'CURVE':
+    if context.owner is None:  # what rows keep is of several evaluated copies
+        followed, is_deleted = _followed(context)
+    else:
+        followed, is_deleted = context.kept("followed", deleted.changes(), lambda: _followed(context))
+    if matrix is None or splines is None or followed is None:
         return NO_CURVE
-    if deleted.is_deleted(followed):
+    if is_deleted:
         return CURVE_DELETED
     try:
         return curves.read(followed, splines, context.depsgraph, index, matrix)
     except curves.Unreadable as error:
         return error.problem
+    except ReferenceError:  # the evaluated copy that was kept has been freed
+        del context.memo["followed"]
+        return _path(context, matrix, splines, index)
+
+
+def _followed(context):
+    """Return (evaluated object that is followed, or None if it is no curve, whether it was deleted)."""
+    followed = context.target("curve")
+    if followed is None or followed.type != 'CURVE':
+        return None, False
+    return followed, deleted.is_deleted(followed)
+
+
+def _is_owner_mirrored(context):
+    known = context.kept("mirrored", None, lambda: is_mirrored(context.owner) if is_constant(context.owner) else None)
+    return is_mirrored(context.owner) if known is None else known
 
 
 def _still(context, numbers, length):
@@ -166,8 +186,8 @@ def axis_name(identifier):
 
 def _write_outputs(outputs, curve, length, moving, time, offset, extend):
     gone = moving.timing.distance(time) + moving.offset + offset
-    within = _within(gone, length, extend)
-    on_curve = min(max(within, 0.0), length)
+    within = gone if 0.0 <= gone <= length else _within(gone, length, extend)
+    on_curve = within if 0.0 <= within <= length else min(max(within, 0.0), length)
     # In a loop the distance goes on rising from lap to lap, so that a wheel driven by it turns on.
     distance = gone if extend == 'loop' and length else within
     outputs[:] = (curve.t_at_length(on_curve), within / length if length else 0.0, distance, moving.timing.speed(time), length)
@@ -178,7 +198,7 @@ def _within(distance, length, extend):
 
     The result stops at an end (clamp), wraps around (loop, ping-pong), or goes on beyond the ends (extrapolate).
     """
-    if 0.0 <= distance <= length or extend == 'extrapolate' or length == 0.0:
+    if extend == 'extrapolate' or length == 0.0:
         return distance
     if extend == 'clamp':
         return min(max(distance, 0.0), length)

@@ -96,9 +96,9 @@ def solve(context, pivot, influence):
         return PIVOT_DELETED
     scene = context.depsgraph.scene
     swing = context.kept("swing", gravity_of(settings, scene), lambda: swing_of(settings, scene))
-    if isinstance(swing, Problem):
+    if swing.__class__ is Problem:
         return swing
-    if context.is_still:
+    if context.memo is not None:
         start, rate = context.kept("clock", None, lambda: clock.steady(settings))
         now = clock.Clock((context.frame - start) / context.fps * rate if context.frame > start else 0.0, rate)
     else:
@@ -114,17 +114,24 @@ def solve(context, pivot, influence):
         return unknown(now.seconds, swing.count)
     first = rows[0]
     context.outputs[:] = (first[0], first[swing.each - 1], first[swing.each], first[-1], now.seconds)
-    if len(context.member_data) == 0:
+    rods = context.member_data.tolist()
+    if not rods:
         return NO_RODS
-    numbers = [int(number) for number in context.member_data.tolist()]
-    if not swing.has_rods(numbers):
-        raise Damaged("no such rod")
+    numbers = context.kept("rods", rods, lambda: _rods(swing, rods))
     turns = [_turn(rows, number, swing, influence) for number in numbers]
-    if len(turns) == 1:  # NumPy takes longer for a list of lists
+    if not turns[1:]:  # NumPy takes longer for a list of lists
         context.rotations[0, 0], context.rotations[0, 2] = turns[0]
     else:
         context.rotations[:, 0::2] = turns
     return problem
+
+
+def _rods(swing, rods):
+    """Return the numbers of the rods as integers. Raises Damaged if the pendulum or fan has no such rods."""
+    numbers = [int(number) for number in rods]
+    if not swing.has_rods(numbers):
+        raise Damaged("no such rod")
+    return numbers
 
 
 def _turn(rows, number, swing, influence):

@@ -69,17 +69,18 @@ class Context:
 
         make: function whose result depends on nothing but the settings and `key`; an edit of the settings empties the cache.
         """
-        if self.memo is None:
+        memo = self.memo
+        if memo is None:
             return make()
-        found = self.memo.get(name)
-        if found is None or found[0] != key:
-            found = self.memo[name] = key, make()
-        return found[1]
+        if name not in memo or memo[name][0] != key:
+            memo[name] = key, make()
+        return memo[name][1]
 
     @property
     def fps(self) -> float:
         """Frame rate of the scene that is evaluated, in frames per second."""
-        found = self.common.get("fps")
-        if found is None:
-            found = self.common["fps"] = scene_time.fps(self.depsgraph.scene)
+        common = self.common
+        if "fps" not in common:
+            common["fps"] = scene_time.fps(self.depsgraph.scene)
+        found: float = common["fps"]
         return found

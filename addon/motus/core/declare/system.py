@@ -97,7 +97,7 @@ class System(Feature):
     entry_settings: tuple[Any, ...] = ()
     owner_of: Callable[..., Any] | None = None
     owner_types: frozenset[str] = frozenset()
-    former_names: Mapping[str, str] = field(default_factory=dict)
+    former_names: Mapping[str, str] = field(default_factory=dict, hash=False)
 
     @property
     def has_modifier(self) -> bool:

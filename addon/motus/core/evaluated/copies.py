@@ -138,16 +138,25 @@ class Copy:
         self._driven = _reach(animation.drivers) if self.drivers else _NOTHING
         self._action = animation and animation.action
         self._has_strips = animation is not None and bool(animation.nla_tracks)
+        self._acted: tuple[int | None, Reach] = None, _NOTHING  # number of the action's copy that was read, and what it sets
 
     @property
     def _acting(self) -> Reach:
         """What the copy's action sets, in any slot, as a Reach; with NLA tracks, possibly everything.
 
-        It is determined at each use, since after an edit of keys Blender copies the action anew, but not the datablocks that use it.
+        The action's number is compared at each use, since after an edit of keys Blender copies the action anew, but not the datablocks
+        that use it.
         """
         if self._has_strips:
             return _ANYTHING
-        return _NOTHING if self._action is None else _reach_of_action(self._action)
+        action = self._action
+        if action is None:
+            return _NOTHING
+        number = action.get(KEY)
+        if number is None or number != self._acted[0]:
+            reach = _reach_of_action(action)
+            self._acted = number_of_action(action), reach
+        return self._acted[1]
 
     @property
     def has_animated_settings(self) -> bool:
@@ -268,8 +277,9 @@ def number_of_action(action: Any) -> int | None:
     if not action.is_evaluated:  # all evaluated copies would inherit a number that is written into the original
         return None
     number = action.get(KEY)
-    if not _is_given(number):
-        number = action[KEY] = _new_number()
+    if number.__class__ is int and _first <= number <= _latest[0]:  # as _is_given() finds, without a call
+        return number
+    number = action[KEY] = _new_number()
     return number
 
 
@@ -278,8 +288,7 @@ def found_of_action(action: Any) -> dict[Any, Any]:
     number = number_of_action(action)
     if number is None:
         return {}
-    known = _found.known.get(number)
-    return _found.add(action, number, {}) if known is None else known
+    return _found.known[number] if number in _found.known else _found.add(action, number, {})
 
 
 def _mark(datablock: Any) -> memoryview[int] | None:

@@ -62,7 +62,7 @@ def which(objects: Iterable[bpy.types.Object]) -> list[int]:
 
 
 def changes() -> int:
-    """Counter that increases whenever an object is found to be deleted or restored, which changes the result of is_deleted()."""
+    """Counter that increases whenever an object is found to be deleted, restored or renamed, which changes the result of is_deleted()."""
     return _changes[0]
 
 
@@ -84,6 +84,7 @@ def look(view_layer: Any = None) -> None:
         if obj is None:
             # The object is gone from the file: a later object with this name is a different one.
             _stood.pop(name, None)
+            _changes[0] += 1
         elif not is_absent or KEY in obj:
             _stood[name] = True
         is_gone = is_absent and _stood[name]

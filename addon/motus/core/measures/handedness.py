@@ -12,6 +12,14 @@ def scale_is_mirrored(scale: Any) -> bool:
     return scale[0] * scale[1] * scale[2] < 0.0
 
 
+def is_constant(obj: bpy.types.Object) -> bool:
+    """Whether only edits of an object change what is_mirrored() returns: it has no parent, and nothing can animate its scale."""
+    animation = obj.animation_data
+    if obj.parent is not None or (animation is not None and (animation.action or animation.nla_tracks)):
+        return False
+    return animation is None or not any(driver.data_path in {"scale", "delta_scale"} for driver in animation.drivers)
+
+
 def is_mirrored(obj: bpy.types.Object | None) -> bool:
     """Whether the scale of an object together with that of its parent objects mirrors it; the scale of parent bones does not count.
 

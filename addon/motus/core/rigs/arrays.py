@@ -127,8 +127,10 @@ def poses(rig, known, rows=None):
 def basis(rig, known):
     """Own transforms of all bones, (B, 16) float32: PoseBone.matrix_basis, or the transforms that lay() has stored for some bones."""
     found = own_basis(rig, known)
-    for rows, matrices in _LAID.on(copies.of(rig)).get("laid", {}).values():
-        found[rows] = matrices
+    laid = _LAID.on(copies.of(rig))
+    if laid:
+        for rows, matrices in laid["laid"].values():
+            found[rows] = matrices
     return found
 
 
@@ -159,6 +161,11 @@ def laid_bones(rig):
 def is_laid(copy):
     """Whether lay() has stored transforms for bones of an evaluated rig. copy: the rig's Copy (core/evaluated/copies.py)."""
     return bool(_LAID.on(copy))
+
+
+def bytes_of(matrix):
+    """The bytes of a 4 x 4 mathutils.Matrix, which differ if its numbers do."""
+    return memoryview(matrix).tobytes('A') if LENDS_MEMORY else columns(matrix).tobytes()
 
 
 def columns(matrix):

@@ -25,7 +25,7 @@ def repaired():
 
         return one._replace(repair=repair)
 
-    with mock.patch.dict(repairs._AT, {moment: tuple(map(noting, table)) for moment, table in repairs._AT.items()}):
+    with mock.patch.dict(repairs.AT, {moment: tuple(map(noting, table)) for moment, table in repairs.AT.items()}):
         yield made
 
 
@@ -95,7 +95,7 @@ class RepairsTest(WiringTestCase):
         self.assertEqual(list(hub.users_collection), [])
 
     def test_every_repair_has_a_moment(self):
-        self.assertEqual({one for table in repairs._AT.values() for one in table}, set(repairs.TABLE))
+        self.assertEqual({one for table in repairs.AT.values() for one in table}, set(repairs.TABLE))
         self.assertEqual(len({one.change for one in repairs.TABLE}), len(repairs.TABLE))
 
 

@@ -24,19 +24,15 @@ def heal(moment, depsgraph=None):
     depsgraph: dependency graph that Blender has passed to the handler, or None. Exceptions are logged.
     """
     event = repairs.Event(moment, depsgraph)
-    for repair in repairs.at(moment):
+    for repair in repairs.AT[moment]:
         if noticed.in_use or not repair.needs_use:
-            _try(repair, event)
-
-
-def _try(repair, event):
-    try:
-        found = repair.sign(event)
-        if found:
-            repair.repair(found, event)
-    except Exception:
-        # An exception in a handler would be reported after every change.
-        log.exception("Motus: this could not be mended: %s", repair.change)
+            try:
+                found = repair.sign(event)
+                if found:
+                    repair.repair(found, event)
+            except Exception:
+                # An exception in a handler would be reported after every change.
+                log.exception("Motus: this could not be mended: %s", repair.change)
 
 
 def reset():

@@ -37,18 +37,18 @@ ARRIVED: undo, redo or an import has brought datablocks. SAVING: a file is about
 AFTER_EVALUATION = EDIT, FRAME
 
 
-class Event(NamedTuple):
+class Event:
     """Call of a Blender handler.
 
     moment: EDIT, FRAME, LOADED, ARRIVED, SAVING or SAVED. depsgraph: None if Blender passes none to the handler.
+    have_collections_changed: whether objects may have been linked to collections or unlinked from them in this evaluation. has_armatures:
+    whether armatures were updated in it. Both are False without a depsgraph.
     """
 
-    moment: str
-    depsgraph: Any = None
-
-    def have_collections_changed(self):
-        """Whether objects may have been linked to collections or unlinked from them in this evaluation; False without a depsgraph."""
-        return self.depsgraph is not None and deleted.have_collections_changed(self.depsgraph)
+    def __init__(self, moment, depsgraph=None):
+        self.moment, self.depsgraph = moment, depsgraph
+        self.have_collections_changed = depsgraph is not None and deleted.have_collections_changed(depsgraph)
+        self.has_armatures = depsgraph is not None and depsgraph.id_type_updated('ARMATURE')
 
     def has_updated(self, kind):
         """Whether a datablock of a type, such as 'OBJECT', was updated in this evaluation; False without a depsgraph."""
@@ -158,7 +158,7 @@ def _rest_each(meshes, _event):
 
 
 def _changed(event):
-    if event.depsgraph is not None:
+    if noticed.rows and event.depsgraph is not None:
         _look_at_rows(event)
     return noticed.changed
 
@@ -196,7 +196,7 @@ def _refresh_changed(places, _event):
 
 def _has_new_objects(event):
     # Counting the objects takes 0.1 ms for 5000 objects. New objects are in a collection, otherwise they are not evaluated.
-    may_have = event.moment == EDIT or event.depsgraph is None or noticed.object_count < 0 or event.have_collections_changed()
+    may_have = event.moment == EDIT or event.depsgraph is None or noticed.object_count < 0 or event.have_collections_changed
     return may_have and len(bpy.data.objects) != noticed.object_count
 
 
@@ -240,6 +240,8 @@ def _is_borrowing(system, owner):
 
 
 def _with_other_mesh(_event):
+    if not noticed.moved_points:
+        return []
     return [(system, owner) for system, owner in _found_at(noticed.moved_points) if geometry_sink.is_stale(system, owner)]
 
 
@@ -253,7 +255,7 @@ def _settle(places, _event):
 
 
 def _with_other_collection(event):
-    if not noticed.gathering or not event.have_collections_changed():
+    if not noticed.gathering or not event.have_collections_changed:
         return []
     return [(system, owner) for system, owner in _found_at(noticed.gathering) if waiting.is_stale(system, of_owner(system, owner))]
 
@@ -263,7 +265,7 @@ def _with_other_collection(event):
 
 def _edited_armatures(event):
     """Return the original armatures that were updated in this evaluation and are not in Edit Mode."""
-    if not event.has_updated('ARMATURE'):
+    if not event.has_armatures:
         return set()
     edited = [
         copies.original_of(update.id, bpy.data.armatures, event.depsgraph)
@@ -274,6 +276,8 @@ def _edited_armatures(event):
 
 
 def _grown_armatures(event):
+    if not event.has_armatures:
+        return set()
     return {armature for armature in _edited_armatures(event) if noticed.bone_counts.get(key(armature)) != len(armature.bones)}
 
 
@@ -326,7 +330,7 @@ def _armatures(system, owner):
 
 
 def _may_be_deleted(event):
-    return event.have_collections_changed()
+    return event.have_collections_changed
 
 
 def _always(_event):
@@ -464,9 +468,5 @@ TABLE = (
 )
 """All repairs of changes that Blender does not report to add-ons, in the order in which they are made."""
 
-_AT = {moment: tuple(one for one in TABLE if moment in one.moments) for moment in (EDIT, FRAME, LOADED, ARRIVED, SAVING, SAVED)}
-
-
-def at(moment):
-    """Return the repairs that are looked for at a moment, such as LOADED or SAVING, in the order in which they are made."""
-    return _AT[moment]
+AT = {moment: tuple(one for one in TABLE if moment in one.moments) for moment in (EDIT, FRAME, LOADED, ARRIVED, SAVING, SAVED)}
+"""The repairs that are looked for at each moment, such as LOADED or SAVING, in the order in which they are made."""

@@ -22,7 +22,7 @@ class Noticed:
     def reset(self):
         """Discard everything that was detected, because a different file is open."""
         self.in_use = False
-        """Whether any solver was called since the file was opened. Until then most kinds of repairs are not looked for."""
+        """Whether any solver was called since the file was opened; solvers set it. Until then most kinds of repairs are not looked for."""
         self.object_count = -1
         """Number of objects in the file when copies were last looked for; -1 if they have to be looked for in any case."""
         self.states = {}
@@ -45,10 +45,6 @@ class Noticed:
         """(name, name of the library or None) of the hubs' meshes whose drivers of properties are at rest."""
         self.given_up = set()
         """(name of a system, name of an owner) of the copied owners that could not get hubs of their own; this is tried only once."""
-
-    def note_use(self):
-        """Note that a solver was called. Every solver calls it."""
-        self.in_use = True
 
     def note_state(self, place, state):
         """Compare the state of an owner with the last one noted; mark the owner as changed if they differ.

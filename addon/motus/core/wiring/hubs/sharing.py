@@ -441,14 +441,20 @@ def pointers(system, owner):
     return {name: target for name, target in found.items() if target}
 
 
-def targets(system, mesh):
+def pointer_names(system):
+    """Return {name of a pointer setting: name of the custom property of a shared hub's mesh that holds the object}, for all inputs."""
+    return {one.of: target_key(one.of) for one in system.inputs if hasattr(one, "of")}
+
+
+def targets(names, mesh):
     """Return {name of the pointer setting: object or None} for the pointer settings that the inputs read, stored on a shared hub's mesh.
 
-    On an evaluated mesh the objects are evaluated copies. Raises Damaged if a stored value is no object.
+    names: result of pointer_names(). On an evaluated mesh the objects are evaluated copies. Raises Damaged if a stored value is no object.
     """
-    found = {one.of: mesh.get(target_key(one.of)) for one in system.inputs if hasattr(one, "of")}
-    if not all(isinstance(target, (bpy.types.Object, type(None))) for target in found.values()):
-        raise Damaged("no object")
+    found = {name: mesh.get(key) for name, key in names.items()}
+    for target in found.values():
+        if not isinstance(target, (bpy.types.Object, type(None))):
+            raise Damaged("no object")
     return found
 
 

@@ -32,9 +32,12 @@ def motus_solve(*arguments):
     # An exception would make Blender mark the driver as invalid until it is edited; the panel shows the status instead.
     try:
         keep_state()
-        if len(arguments) < 4 or not isinstance(arguments[2], (int, float)):
-            raise Damaged("other arguments")
-        carrier, name, frame, depsgraph, *values = arguments
+        try:
+            carrier, name, frame, depsgraph, *values = arguments
+        except ValueError:
+            raise Damaged("other arguments") from None
+        if frame.__class__ is not float and not isinstance(frame, (int, float)):
+            raise Damaged("another frame")
         return solving.solver_of(carrier, name).solve(frame, depsgraph, values)
     except Exception as error:
         return _fail(error, *arguments[:3])

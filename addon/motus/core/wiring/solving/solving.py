@@ -12,8 +12,10 @@ is applied on top of its own transform. The owner is the object whose settings a
 
 import logging
 
+import mathutils
+
 from ... import keeping, native
-from ...declare import Context, Setting, System, groups_of, of_owner, registered
+from ...declare import Context, Matrix, Setting, System, groups_of, of_owner, registered
 from ...evaluated import copies, read_keys
 from ...file import stored
 from ...file.stored import Damaged, Newer
@@ -21,7 +23,7 @@ from ...lazy import numpy as np
 from ...measures import finite
 from ..healing.watch import noticed
 from ..hubs import outbox, outputs, sharing
-from ..sinks import attribute_sink, geometry_sink, property_sink
+from ..sinks import attribute_sink, attributes, geometry_sink, property_sink
 
 log = logging.getLogger(__name__)
 
@@ -35,6 +37,9 @@ _MEMOS = keeping.OfEvaluation(
     "name of the system, key of the group; name and key that Context.kept was called with",
     "one for each name that the system passes to Context.kept",
 )
+
+_ORDINARY = 1e30
+"""If the sum of the squares of numbers is below, all of them are finite. Sums of larger or unusual numbers are looked at more closely."""
 
 
 def called(name):
@@ -51,22 +56,33 @@ def solver_of(carrier, name):
 
     Raises Damaged if there is no such system, or if the mesh has no valid outbox.
     """
+    try:
+        found = _SOLVERS.on(copies.of(carrier))[name]
+        # The outbox is looked for in the original each time, for the reason that outbox.is_in_place() states.
+        if found.is_current() and carrier.original.get(found.place).typecode:
+            return found
+    except (AttributeError, KeyError, TypeError):  # there is no solver yet, or the file has something else in a place
+        pass
+    return _new_solver(carrier, name)
+
+
+def _new_solver(carrier, name):
     system, key = called(name)
     if not outbox.is_in_place(system, carrier, key):
         raise Damaged("no outbox")
-    copy = copies.of(carrier)
-    kept = _SOLVERS.on(copy)
-    found = kept.get(name)
-    if found is None or not found.is_current():
-        kind = RowsSolver if sharing.has_rows(carrier) else Solver
-        found = kept[name] = kind(system, key, carrier)
+    kind = RowsSolver if sharing.has_rows(carrier) else Solver
+    found = _SOLVERS.on(copies.of(carrier))[name] = kind(system, key, carrier)
     return found
 
 
 class Solver:
-    """Solver of one group of a system, which computes in each evaluation. carrier: evaluated mesh with the solver's driver and results."""
+    """Solver of one group of a system, which computes in each evaluation. carrier: evaluated mesh with the solver's driver and results.
+
+    place: name of the custom property that is the outbox.
+    """
 
     def __init__(self, system, key, carrier):
+        self.place = outbox.out_key(system, key)
         found = outbox.opened(system, carrier, key)
         owner = outbox.owner_of(system, carrier)
         settings, layout = of_owner(system, owner), found.layout
@@ -75,6 +91,7 @@ class Solver:
         # Values that are derived from the settings, kept as long as the settings are not animated.
         self._memo = None if self._copy is None else _MEMOS.on(self._copy).setdefault((system.name, key), {})
         self._slots, self._box, self._layout = found.slots, np.frombuffer(found.slots), layout
+        self._outputs = self._box[outbox.FIRST_OUTPUT : layout.base]
         self._outlet = outputs.outlet(system, owner)
         self._poses = _Poses(layout.members)
         self._drives_properties = property_sink.KEY in carrier
@@ -82,6 +99,7 @@ class Solver:
         # Whether settings are animated matters only for outlets and driven properties.
         self._counts = bool(system.outputs) or self._drives_properties
         self._place = None if owner.library else (system.name, owner.name)
+        self._has_modifier = system.has_modifier
         self._reads_mesh, self._reads_several = system.reads_mesh, system.reads_several
         self._settings = [one for one in system.inputs if isinstance(one, Setting)]
         self._inputs = _inputs(system)
@@ -91,7 +109,7 @@ class Solver:
             locations=self._poses.locations,
             rotations=self._poses.rotations,
             scales=self._poses.scales,
-            outputs=self._box[outbox.FIRST_OUTPUT : layout.base],
+            outputs=self._outputs,
             member_data=_member_data(system, carrier, layout.members),
             group=key,
             data={} if found.info is None else found.info.data,
@@ -100,8 +118,8 @@ class Solver:
     def is_current(self):
         """Whether the owner still has the evaluated copy for which this solver was prepared."""
         try:
-            return self._copy is not None and copies.of(self._owner) is self._copy
-        except ReferenceError:  # the owner was removed
+            return self._copy is not None and copies.of(self._owner) is self._copy and registered[self._system.name] is self._system
+        except (KeyError, ReferenceError):  # the system was unregistered, or the owner was removed
             return False
 
     def solve(self, frame, depsgraph, values):
@@ -116,31 +134,38 @@ class Solver:
 
     def _solve(self, frame, depsgraph, values):
         system, carrier, owner, box = self._system, self._carrier, self._owner, self._slots
-        noticed.note_use()
+        noticed.in_use = True
         if native.module is None:
             self._do_nothing(frame)
             return box[outbox.STATUS]
         moves = self._copy.has_animated_settings if self._copy else copies.has_moving_settings(owner)
         context = self._context
         context.begin(frame, depsgraph, None if moves else self._memo)
-        self._poses.reset()
+        poses = self._poses
+        poses.block[:] = poses.neutral
         inputs = self._read(values)
-        room = geometry_sink.room(system, carrier, inputs, context) if system.has_modifier else None
+        room = geometry_sink.room(system, carrier, inputs, context) if self._has_modifier else None
         if self._drives_properties:
             property_sink.clear(carrier, self._box)
         problem = system.solve(context, **inputs)
-        is_finite = self._is_finite(room)
+        is_finite = room is None and poses.block.dot(poses.block) < _ORDINARY and self._outputs.dot(self._outputs) < _ORDINARY
+        if not is_finite:
+            is_finite = self._is_finite(room)
         is_blocked = not is_finite or (problem is not None and problem.blocking)
         box[outbox.STATUS] = outbox.NOT_FINITE if not is_finite else 0.0 if problem is None else system.problems.index(problem) + 1.0
-        influence = finite.share(context.settings.influence)
+        influence = context.settings.influence
+        if not 0.0 <= influence <= 1.0:
+            influence = finite.share(influence)
         if self._drives_properties:
             property_sink.blend(carrier, owner, self._box, frame, 0.0 if is_blocked else influence)
         # If any member is relative, solve() applies the influence itself, to the absolute members of the group too.
         weight = 0.0 if is_blocked else 1.0 if self._layout.is_relative else influence
         box[outbox.WEIGHT] = weight
         if is_blocked:
-            self._poses.reset()
-        if room is None:
+            poses.block[:] = poses.neutral
+        if room is None and weight == 1.0 and self._layout.has_attribute:
+            poses.store(carrier, self._layout.has_scales)
+        elif room is None:
             self._store(weight)
         else:
             room.write(weight)
@@ -204,7 +229,9 @@ class Solver:
             noticed.gathering.add(self._place)
         if not self._system.moves_points:
             drivers = copies.drivers_on(self._owner) if self._copy is None else self._copy.drivers
-            noticed.note_state(self._place, (drivers, self._counts and moves))
+            state = drivers, self._counts and moves
+            if noticed.states.get(self._place) != state:
+                noticed.note_state(self._place, state)
 
     def _do_nothing(self, frame):
         do_nothing(self._box, self._layout)
@@ -217,13 +244,15 @@ class RowsSolver:
     """Solver for a hub that several owners share, with one row of the outbox for each owner. mesh: evaluated mesh of the hub."""
 
     def __init__(self, system, _key, mesh):
+        self.place = outbox.out_key(system)
         self._system, self._mesh = system, mesh
         self._layout = layout = outbox.row_layout(system, mesh)
         slots = np.frombuffer(stored.doubles(mesh.get(outbox.out_key(system))))
         count = len(slots) // layout.size
         if count == 0 or count * layout.size != len(slots) or (layout.has_attribute and count != len(mesh.vertices)):
             raise Damaged("another number of rows")
-        self._table, self._poses = slots.reshape(count, layout.size), _Poses(count)
+        self._slots, self._table, self._poses = slots, slots.reshape(count, layout.size), _Poses(count)
+        self._pointers = sharing.pointer_names(system)
         self._inputs = _inputs(system)
         self._rows = [sharing.row(system, mesh, index) for index in range(count)]
         self._contexts = [self._context(index, row) for index, row in enumerate(self._rows)]
@@ -243,21 +272,20 @@ class RowsSolver:
             )
         return None
 
-    @staticmethod
-    def is_current():
-        """Return True: a RowsSolver reads only the hub's mesh, so it stays valid as long as the evaluated copy of the mesh exists."""
-        return True
+    def is_current(self):
+        """Whether the system is registered; the solver reads only the hub's mesh, for whose evaluated copy it was prepared."""
+        return registered.get(self._system.name) is self._system
 
     def solve(self, frame, depsgraph, values):
         """Solve all rows, and write the results into the outbox on the hub's mesh; returns the status of row 0, on which the driver is."""
         table, layout, poses = self._table, self._layout, self._poses
-        noticed.note_use()
+        noticed.in_use = True
         table[:, outbox.WEIGHT] = 0.0
         if native.module is None:
             return table[0, outbox.STATUS]
-        poses.reset()
+        poses.block[:] = poses.neutral
         inputs = _arguments(self._inputs, values, None)
-        common, targets = {}, sharing.targets(self._system, self._mesh)
+        common, targets = {}, sharing.targets(self._pointers, self._mesh)
         if self._name is not None:
             noticed.note_rows(self._system, self._name, self._rows)
         for row, context, slots in zip(self._rows, self._contexts, table):
@@ -266,8 +294,10 @@ class RowsSolver:
                 self._solve_row(context, inputs | row.inputs, slots)
             elif row is Damaged:
                 slots[outbox.STATUS] = outbox.DAMAGED
+        if not (poses.block.dot(poses.block) < _ORDINARY and self._slots.dot(self._slots) < _ORDINARY):
+            self._look_at_numbers()
         if layout.has_attribute:
-            attribute_sink.write(self._mesh, None, poses.locations, poses.rotations, None, 1.0)
+            poses.store(self._mesh, has_scales=False)
         else:
             table[:, layout.base : layout.base + 3] = poses.locations
             table[:, layout.base + 3 :] = native.module.euler_xyz(poses.rotations)
@@ -281,38 +311,58 @@ class RowsSolver:
             slots[outbox.STATUS] = status_of(error, self._mesh, system.name, None)
         else:
             slots[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
-            if not (finite.is_finite(context.locations) and finite.is_finite(context.rotations) and finite.is_finite(context.outputs)):
-                slots[outbox.STATUS] = outbox.NOT_FINITE
-                context.outputs[:] = 0.0
-            elif problem is None or not problem.blocking:
-                slots[outbox.WEIGHT] = finite.share(context.settings.influence)
+            if problem is None or not problem.blocking:
+                influence = context.settings.influence
+                slots[outbox.WEIGHT] = influence if 0.0 <= influence <= 1.0 else finite.share(influence)
                 return
-        context.locations[:] = 0.0
-        context.rotations[:] = (1.0, 0.0, 0.0, 0.0)
+        _make_neutral(context)
+
+    def _look_at_numbers(self):
+        """Make the rows neutral whose results are not finite numbers that may reach the sinks."""
+        for context, slots in zip(self._contexts, self._table):
+            if context is None or all(map(finite.is_finite, (context.locations, context.rotations, context.outputs))):
+                continue
+            if slots[outbox.STATUS] >= 0.0:
+                slots[outbox.STATUS] = outbox.NOT_FINITE
+            slots[outbox.WEIGHT] = 0.0
+            context.outputs[:] = 0.0
+            _make_neutral(context)
+
+
+def _make_neutral(context):
+    context.locations[:] = 0.0
+    context.rotations[:] = (1.0, 0.0, 0.0, 0.0)
 
 
 def _inputs(system):
-    """Return (position among the driver's arguments, input) for each input of a system that is not read from the settings."""
-    return [(index, one) for index, one in enumerate(system.inputs) if not isinstance(one, Setting)]
+    """Return (position among the driver's arguments, name, class, read) for each input of a system that is not read from the settings.
+
+    A value of this class is the input's value as it is; read(value, settings) returns the input's value for any other one.
+    """
+    declared = [(index, one) for index, one in enumerate(system.inputs) if not isinstance(one, Setting)]
+    return [(index, one.name, mathutils.Matrix if one.read is Matrix.read else None, one.read) for index, one in declared]
 
 
 def _arguments(inputs, values, settings):
     """Return {name: value} for these inputs, read from the values of the driver's variables. Raises Damaged if there are too few values."""
     if inputs and len(values) <= inputs[-1][0]:
         raise Damaged("too few arguments")
-    return {declared.name: declared.read(values[index], settings) for index, declared in inputs}
+    return {name: value if (value := values[index]).__class__ is plain else read(value, settings) for index, name, plain, read in inputs}
 
 
 class _Poses:
-    """Memory for the poses that a solver computes, in one array `block`.
+    """Memory for the poses that a solver computes, in one array `block`; `neutral` has the numbers of poses that do nothing.
 
     locations (n, 3), rotations (n, 4), quaternions, and scales (n, 3) are views of the array.
     """
 
     def __init__(self, count):
-        self.block, self._neutral = np.empty(10 * count), np.zeros(10 * count)
+        self.block, self.neutral = np.empty(10 * count), np.zeros(10 * count)
+        self._matrices = np.empty((count, 16), np.float32)
+        self._numbers = self._matrices.reshape(-1)
+        self._is_checked = False
         self.locations, self.rotations, self.scales = self._parts(self.block)
-        _, rotations, scales = self._parts(self._neutral)
+        _, rotations, scales = self._parts(self.neutral)
         rotations[:, 0] = 1.0
         scales.fill(1.0)
 
@@ -321,9 +371,15 @@ class _Poses:
         locations, rotations, scales = np.split(block, [3 * len(block) // 10, 7 * len(block) // 10])
         return locations.reshape(-1, 3), rotations.reshape(-1, 4), scales.reshape(-1, 3)
 
-    def reset(self):
-        """Set all poses to the neutral transform."""
-        self.block[:] = self._neutral
+    def store(self, carrier, has_scales):
+        """Write the poses as matrices to the attribute of an evaluated hub's mesh (carrier) that the members' constraints sample."""
+        scales = self.scales if has_scales else None
+        native.module.pack_matrices(self.locations, self.rotations, out=self._matrices, scales=scales)
+        if self._is_checked:  # the evaluated copy for which the solver was prepared has the attribute as it was
+            carrier.attributes[attribute_sink.ATTRIBUTE].data.foreach_set("value", self._numbers)
+        else:
+            attributes.write(carrier, attribute_sink.ATTRIBUTE, 'FLOAT4X4', self._matrices)
+            self._is_checked = carrier.original.library is None
 
 
 def do_nothing(box, layout):
