@@ -53,10 +53,10 @@ MADE_ANEW = {
 
 
 KEPT_ANEW = {
-    "what a walker's first solver leaves for its second one: (moment, group, what was found, which keys were read)": "once an evaluation",
-    "transforms that a system lays over a rig's bones: {key: (rows, (n, 16) float32)}, see lay()": "other ones on each frame",
-    "arrays whose content is undefined, to be filled": "another shape for each rig that a thread solves",
-    "plans of rigs": "a thread makes its own, when it solves a rig for the first time",
+    "results that the first solver of a walker hands to its second solver: (moment, group, results, keys that were read)": "once an evaluation",
+    "transforms that systems lay over a rig's bones: {key: (rows, (n, 16) float32)}, written by lay()": "other ones on each frame",
+    "scratch arrays, whose content is undefined": "another shape for each rig that a thread solves",
+    "plans of rigs, the results of analyzing a rig's bones for a solver": "a thread makes its own, when it solves a rig for the first time",
 }
 """Rows of docs/kept.md that are kept anew on each frame -> why. All other rows are counted."""
 
