@@ -126,7 +126,7 @@ def run(bench, side, is_shown):
                 if is_shown and (not bench.version or line.startswith("|")):
                     print(line, end="", flush=True)
         output, fault = _read(rows)
-    fault = fault or _fault(process.returncode, output, not bench.version)
+    fault = fault or _fault(process.returncode, output)
     if fault:
         print("".join(log[-LOG_LINES:]), end="", flush=True)
         say(f"{bench.name}: {fault}")
@@ -140,12 +140,12 @@ def _read(rows):
         return bench_rows.Output([], [], {}), str(error)
 
 
-def _fault(status, output, is_program):
+def _fault(status, output):
     if output.broken:
         return "; ".join(f"{row['row']}: {row['broken']}" for row in output.broken)
     if status:
         return f"it ended with status {status}"
-    return "" if output.rows or is_program else "it told no row"
+    return "" if output.rows else "it states no row"
 
 
 # --- Keeping ------------------------------------------------------------------------------------------------------------

@@ -52,6 +52,20 @@ with open(os.environ["MOTUS_BENCH_ROWS"], "a") as file:
 # */
 """
 
+TABLE = r"""
+#include <limits>
+
+#include "table.hpp"
+
+int main() {
+    using motus::bench::Table;
+    const Table table("T of \\ and \"", {{"each", "ns", 1}, {"error", "", 1, true}, {"faster by", "x", 1}}, 8);
+    table.row("one", {2.5, 1e-9, 3.0});
+    table.row("two", {0.001, std::numeric_limits<double>::quiet_NaN()});
+    table.row("three", {1e300, {}, 4.0});
+}
+"""
+
 
 def rows(**values):
     """One turn: rows of one table, with one measure of time each."""
@@ -71,6 +85,28 @@ class Rows(unittest.TestCase):
         found = bench_rows.read(self.written({"facts": {"blender": "5.2.0"}}, *rows(one=1.0, two=2.0), broken))
         self.assertEqual(found, (rows(one=1.0, two=2.0), [broken], {"blender": "5.2.0"}))
         self.assertEqual(bench_rows.read(Path("/no/such/file")), ([], [], {}))
+
+    def test_programs_of_the_library_state_rows_of_the_same_form(self):
+        path = self.written()
+        (path.parent / "table.cpp").write_text(TABLE, encoding="utf-8")
+        native = CI.parent / "native"
+        command = ["g++", "-std=c++20", f"-I{native / 'bench'}", f"-I{native / 'include'}", "table.cpp", "-o", "table"]
+        subprocess.run(command, cwd=path.parent, check=True)
+        environment = dict(os.environ, MOTUS_BENCH_ROWS=str(path))
+        shown = subprocess.run([path.parent / "table"], env=environment, check=True, capture_output=True, text=True).stdout
+        found = bench_rows.read(path)
+        self.assertIn(found.facts.pop("instruction_set"), ("SSE2", "SSE4", "AVX2", "AVX-512", "NEON"))
+        self.assertEqual((found.facts, found.broken), ({}, []))
+        table, units = 'T of \\ and "', {"each": "ns", "error": "", "faster by": "x"}
+        wanted = {
+            "one": {"each": 2.5, "error": 1e-9, "faster by": 3.0},
+            "two": {"each": 0.001, "error": None},
+            "three": {"each": 1e300, "faster by": 4.0},
+        }
+        for row, (name, values) in zip(found.rows, wanted.items(), strict=True):
+            measures = [{"name": measure, "unit": units[measure], "value": value} for measure, value in values.items()]
+            self.assertEqual(row, {"table": table, "row": name, "measures": measures})
+        self.assertEqual(shown.splitlines()[3].split(), ["one", "2.5", "1.0e-09", "3.0", "x"])
 
     def test_two_rows_of_one_name_are_refused(self):
         with self.assertRaisesRegex(ValueError, "T / one"):

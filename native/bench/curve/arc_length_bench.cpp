@@ -10,6 +10,7 @@
 #include "motus/curve/nearest.hpp"
 #include "random.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus;
 using namespace motus::curve;
@@ -75,10 +76,6 @@ class Bisection {
     const Curve& curve_;
 };
 
-void print_row(const char* name, double nanoseconds, double error, double reference) {
-    std::printf("  %-34s %12.1f %12.2f x %14.1e\n", name, nanoseconds, nanoseconds / reference, error);
-}
-
 [[nodiscard]] std::vector<double> random_distances(std::size_t count, double length) {
     test::Random random(1);
     std::vector<double> s(count);
@@ -112,9 +109,14 @@ void run(const std::string& name, const Curve& curve) {
     const std::vector<double> many = random_distances(100'000, std::min(path.length(), linear.length()));
     const std::vector<double> few = random_distances(20, path.length());
 
-    std::printf("%s: %zu segments of degree %d\n", name.c_str(), curve.segment_count(), curve.degree());
-    std::printf("  %-34s %12s %14s %14s\n", "t at a random distance", "each, ns", "time, linear=1",
-                "error / length");
+    const std::string of_curve = name + ", " + std::to_string(curve.segment_count()) +
+                                 " segments of degree " + std::to_string(curve.degree()) +
+                                 "; one thread, best of 7";
+    const bench::Table table("t at a random distance: " + of_curve,
+                             {{"each", "ns", 1}, {"of linear", "x"}, {"error / length", "", 1, true}});
+    const auto print_row = [&](const char* what, double nanoseconds, double error, double linear_time) {
+        table.row(what, {nanoseconds, nanoseconds / linear_time, error});
+    };
     const double reference = look_up_time(linear, many);
     print_row("linear table of 100", reference, error(linear, path, many), reference);
     print_row("bisection and quadrature", look_up_time(bisection, few), error(bisection, path, few),
@@ -130,10 +132,11 @@ void run(const std::string& name, const Curve& curve) {
     const double forward = bench::nanoseconds([&] { bench::keep(ArcLength(curve).length()); });
     const double both = bench::nanoseconds([&] { bench::keep(ArcLength(curve).interval_count()); });
     const double plain = bench::nanoseconds([&] { bench::keep(LinearTable(curve).length()); });
-    std::printf("  %-34s %12.1f ms\n", "Motus, 1 M positions", batch * 1e-6);
-    std::printf("  %-34s %12.1f us\n", "linear table, building", plain * 1e-3);
-    std::printf("  %-34s %12.1f us\n", "Motus, building for the length", forward * 1e-3);
-    std::printf("  %-34s %12.1f us\n\n", "Motus, building for t at s too", both * 1e-3);
+    const bench::Table other("Positions and tables: " + of_curve, {{"taken", "us", 1}});
+    other.row("Motus, 1 M positions", {batch * 1e-3});
+    other.row("linear table, building", {plain * 1e-3});
+    other.row("Motus, building for the length", {forward * 1e-3});
+    other.row("Motus, building for t at s too", {both * 1e-3});
 }
 
 [[nodiscard]] Curve random_spline(std::size_t count) {
@@ -153,7 +156,6 @@ void run(const std::string& name, const Curve& curve) {
 }  // namespace
 
 int main() {
-    std::printf("Look-ups by arc length; one thread, best of 7.\n\n");
     using Points = std::vector<glm::dvec3>;
     run("S curve", Curve::bezier(Points{{0, 0, 0}, {3, 0, 0}, {1, 4, 0}, {4, 4, 0}}));
     run("cusp", Curve::bezier(Points{{0, 0, 0}, {4, 4, 0}, {0, 4, 0}, {4, 0, 0}}));
@@ -169,6 +171,7 @@ int main() {
                                            {0.392699157297, 0.95593920208, 0},
                                            {0.196349533525, 1.00000000625, 0},
                                            {0, 1, 0}});
-    std::printf("nearest point of an arc, from its centre %8.1f us\n",
-                bench::nanoseconds([&] { bench::keep(nearest(arc, glm::dvec3(0.0)).distance); }) * 1e-3);
+    const double taken =
+        bench::nanoseconds([&] { bench::keep(nearest(arc, glm::dvec3(0.0)).distance); }) * 1e-3;
+    bench::Table("Nearest point", {{"taken", "us", 1}}).row("of an arc, from its centre", {taken});
 }

@@ -9,6 +9,7 @@
 #include "motus/dynamics/double_pendulum.hpp"
 #include "motus/dynamics/track.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus::dynamics;
 using motus::bench::keep;
@@ -55,6 +56,8 @@ constexpr double high = 2.0 * std::numbers::pi / 3.0;
 }
 
 void bench_double_pendulum() {
+    const motus::bench::Table table("60 s of double pendulums, one thread, best of several",
+                                    {{"taken", "ms"}, {"error of energy", "", 0, true}});
     const double range = 44.145;  // J, of the energy above hanging at rest
     double error = 0.0;
     const double whole = nanoseconds([&] {
@@ -64,13 +67,13 @@ void bench_double_pendulum() {
         double_pendulum(pendulum, start, {&seconds, 1}, {&end, 1});
         error = std::abs(energy(pendulum, end) - energy(pendulum, start)) / range;
     });
-    std::printf("  60 s of a double pendulum, energy within %.0e %12.2f ms\n", error, 1e-6 * whole);
+    table.row("one", {1e-6 * whole, error});
     for (const int steps : {60 * 1000, 60 * 10000}) {
         double plain_error = 0.0;
         const double plain =
             nanoseconds([&] { plain_error = runge_kutta(DoublePendulum{}, steps) / range; }, 3);
-        std::printf("    Runge-Kutta 4, %5d steps a second, within %.0e %8.2f ms\n", steps / 60, plain_error,
-                    1e-6 * plain);
+        table.row("one by Runge-Kutta 4, " + std::to_string(steps / 60) + " steps a second",
+                  {1e-6 * plain, plain_error});
     }
     const double known = nanoseconds([&] {
         DoublePendulumState state;
@@ -80,7 +83,6 @@ void bench_double_pendulum() {
             keep(state);
         }
     });
-    std::printf("  a state whose table is there %26.2f us\n", 1e-6 * known);
     const double fan = nanoseconds(
         [&] {
             std::vector<DoublePendulumState> starts, states(100);
@@ -90,7 +92,9 @@ void bench_double_pendulum() {
             keep(states);
         },
         3);
-    std::printf("  60 s of a fan of 100, one thread %22.1f ms\n", 1e-6 * fan);
+    table.row("a fan of 100", {1e-6 * fan});
+    const motus::bench::Table looked_up("Double pendulums looked up", {{"taken", "ns", 0}});
+    looked_up.row("a state whose table is there", {1e-3 * known});
 }
 
 void bench_single_pendulum() {
@@ -104,8 +108,9 @@ void bench_single_pendulum() {
                    }
                });
     };
-    std::printf("  a single pendulum, closed form %24.0f ns\n", cost({}));
-    std::printf("  a damped one whose table is there %21.0f ns\n", cost({1.0, 9.81, 0.1}));
+    const motus::bench::Table table("Single pendulums", {{"taken", "ns", 0}});
+    table.row("closed form", {cost({})});
+    table.row("a damped one whose table is there", {cost({1.0, 9.81, 0.1})});
 }
 
 void bench_filter() {
@@ -137,8 +142,9 @@ void bench_filter() {
         }
         keep(outputs);
     });
-    std::printf("  a million exact steps of a 3-vector %19.2f ms (semi-implicit Euler %.2f)\n", 1e-6 * exact,
-                1e-6 * plain);
+    const motus::bench::Table steps("A million steps of a 3-vector", {{"taken", "ms"}});
+    steps.row("exact", {1e-6 * exact});
+    steps.row("semi-implicit Euler", {1e-6 * plain});
     const Track track(filter, std::span(times).first(2500), std::span(inputs).first(7500), 3);
     std::array<double, 3> out{};
     const double one = nanoseconds([&] {
@@ -147,13 +153,13 @@ void bench_filter() {
             keep(out);
         }
     });
-    std::printf("  a track of 2500 samples at any time %19.0f ns\n", 1e-3 * one);
+    const motus::bench::Table tracks("Tracks", {{"taken", "ns", 0}});
+    tracks.row("of 2500 samples at any time", {1e-3 * one});
 }
 
 }  // namespace
 
 int main() {
-    std::printf("Dynamics, processor time of one thread, best of several.\n\n");
     bench_double_pendulum();
     bench_single_pendulum();
     bench_filter();

@@ -6,6 +6,7 @@
 
 #include "motus/lattice/lattice.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus;
 using namespace motus::lattice;
@@ -41,7 +42,8 @@ template <class Work>
     return result;
 }
 
-void row(const char* name, Basis basis, int resolution, std::span<const glm::vec3> positions) {
+void row(const bench::Table& table, const char* name, Basis basis, int resolution,
+         std::span<const glm::vec3> positions) {
     Lattice lattice;
     lattice.resolution.fill(resolution);
     lattice.basis.fill(basis);
@@ -61,23 +63,21 @@ void row(const char* name, Basis basis, int resolution, std::span<const glm::vec
             bench::keep(left);
         },
         50);
-    std::printf("  %-14s %3d^3 %12.1f %12.1f\n", name, resolution, deforming, pulling / 1e3);
+    table.row(name + (", " + std::to_string(resolution)) + "^3", {deforming, pulling / 1e3});
 }
 
 }  // namespace
 
 int main() {
     const std::vector<glm::vec3> positions = ball();
-    std::printf(
-        "Lattices: a million positions, all threads, ms; two pulls at once, one thread, us. Best of "
-        "several.\n\n");
-    std::printf("  %-14s %5s %12s %12s\n", "basis", "", "deform", "pull");
-    row("linear", Basis::linear, 4, positions);
-    row("cardinal", Basis::cardinal, 4, positions);
-    row("B-spline", Basis::bspline, 4, positions);
-    row("B-spline", Basis::bspline, 16, positions);
-    row("Bernstein", Basis::bernstein, 4, positions);
-    row("Bernstein", Basis::bernstein, 8, positions);
+    const bench::Table table("Lattices: a million positions, all threads; two pulls at once, one thread",
+                             {{"deform", "ms", 1}, {"pull", "us", 1}}, 30);
+    row(table, "linear", Basis::linear, 4, positions);
+    row(table, "cardinal", Basis::cardinal, 4, positions);
+    row(table, "B-spline", Basis::bspline, 4, positions);
+    row(table, "B-spline", Basis::bspline, 16, positions);
+    row(table, "Bernstein", Basis::bernstein, 4, positions);
+    row(table, "Bernstein", Basis::bernstein, 8, positions);
     Lattice large;
     large.resolution = {16, 16, 16};
     std::vector<Part> parts;
@@ -94,13 +94,14 @@ int main() {
             bench::keep(left);
         },
         1);
-    std::printf("\n  %zu pulls at once, B-spline 16^3 %21.1f ms\n", max_pulls, many);
+    const bench::Table other("Many pulls, and a box", {{"taken", "ms", 1}}, 30);
+    other.row(std::to_string(max_pulls) + " pulls at once, B-spline, 16^3", {many});
     const double fitting = milliseconds(
         [&] {
             const OrientedBox box = small_box(positions, glm::dmat3(1.0));
             bench::keep(box);
         },
         3);
-    std::printf("\n  small box around them %34.1f ms\n", fitting);
+    other.row("small box around a million", {fitting});
     return 0;
 }

@@ -12,6 +12,7 @@
 #include "motus/mesh/picker.hpp"
 #include "random.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus;
 using namespace motus::mesh;
@@ -185,10 +186,11 @@ double each(const Places& places, Work&& work, int runs = 5) {
     return bench::nanoseconds(all, runs) / 1e3 / static_cast<double>(places.size());
 }
 
-void row(const char* name, double taken, double plain = 0.0) {
-    std::printf("  %-52s %12.2f", name, taken);
-    if (plain > 0.0) std::printf(" %14.2f %11.1f x", plain, plain / taken);
-    std::printf("\n");
+void row(const bench::Table& table, const char* name, double taken, double plain = 0.0) {
+    if (plain > 0.0)
+        table.row(name, {taken, plain, plain / taken});
+    else
+        table.row(name, {taken});
 }
 
 /// Pulls what was found, as a brush would: the plain loop that a search saves from looking at all.
@@ -201,7 +203,8 @@ void dab(std::vector<glm::vec3>& positions, const Indices& vertices, const glm::
     }
 }
 
-void compare_queries(const Mesh& mesh, const Picker& picker, const PlainTree& plain) {
+void compare_queries(const bench::Table& table, const Mesh& mesh, const Picker& picker,
+                     const PlainTree& plain) {
     test::Random random(1);
     std::vector<glm::vec3> places(500);
     for (glm::vec3& p : places) {
@@ -212,7 +215,7 @@ void compare_queries(const Mesh& mesh, const Picker& picker, const PlainTree& pl
     const std::vector<glm::vec3> few(places.begin(), places.begin() + 5);
     const glm::vec3 away = glm::normalize(glm::vec3(1.0f, -2.0f, 1.5f));
     const auto pick = [&](const glm::vec3& p) { return picker.ray(p + 3.0f * away, -away); };
-    row("pick, beside the plain tree", each(places, pick),
+    row(table, "pick, beside the plain tree", each(places, pick),
         each(places, [&](const glm::vec3& p) { return plain.hit(p + 3.0f * away, -away); }));
     const auto pick_plainly = [&](const glm::vec3& p) {
         float best = infinity;
@@ -220,8 +223,8 @@ void compare_queries(const Mesh& mesh, const Picker& picker, const PlainTree& pl
             best = std::min(best, plain_hit(mesh, t, p + 3.0f * away, -away));
         return best;
     };
-    row("pick, beside all triangles", each(places, pick), each(few, pick_plainly, 2));
-    row("pick, grazing",
+    row(table, "pick, beside all triangles", each(places, pick), each(few, pick_plainly, 2));
+    row(table, "pick, grazing",
         each(places,
              [&](const glm::vec3& p) {
                  return picker.ray({-3.0, p.y, 0.04}, {1.0, 0.02, 0.0});
@@ -234,12 +237,12 @@ void compare_queries(const Mesh& mesh, const Picker& picker, const PlainTree& pl
         const auto hit = picker.ray(p + 3.0f * away, -away);
         return hit ? picker.nearest_seen(*hit, -away) : 0u;
     };
-    row("pick with the nearest vertex seen", each(places, pick_vertex));
+    row(table, "pick with the nearest vertex seen", each(places, pick_vertex));
     const auto pick_stale = [&](const glm::vec3& p) {
         const auto hit = picker.ray(p + 3.0f * away, -away, mesh.positions, 0.001f);
         return hit ? picker.nearest_seen(*hit, -away, mesh.positions, 0.001f) : 0u;
     };
-    row("the same, the tree wrong by 0.1 % of the side", each(places, pick_stale));
+    row(table, "the same, the tree wrong by 0.1 % of the side", each(places, pick_stale));
 
     const auto nearest_plainly = [&](const glm::vec3& p) {
         std::size_t best = 0;
@@ -249,10 +252,10 @@ void compare_queries(const Mesh& mesh, const Picker& picker, const PlainTree& pl
         }
         return best;
     };
-    row("nearest vertex to a point of the surface",
+    row(table, "nearest vertex to a point of the surface",
         each(places, [&](const glm::vec3& p) { return picker.nearest(p); }), each(few, nearest_plainly, 2));
     const glm::vec3 above(0.0f, 0.0f, 0.04f);
-    row("nearest vertex to a point 40 vertices above it",
+    row(table, "nearest vertex to a point 40 vertices above it",
         each(places, [&](const glm::vec3& p) { return picker.nearest(p + above); }),
         each(few, nearest_plainly, 2));
 
@@ -265,11 +268,11 @@ void compare_queries(const Mesh& mesh, const Picker& picker, const PlainTree& pl
         }
         return found;
     };
-    row("vertices within 5 % of the side",
+    row(table, "vertices within 5 % of the side",
         each(places, [&](const glm::vec3& p) { return picker.within(p, radius); }),
         each(few, within_plainly, 2));
     const glm::mat3 metric(1.0f, 0.1f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.2f);
-    row("the same by a metric",
+    row(table, "the same by a metric",
         each(places, [&](const glm::vec3& p) { return picker.within(p, radius, metric); }));
 
     std::vector<glm::vec3> positions = mesh.positions;
@@ -283,27 +286,29 @@ void compare_queries(const Mesh& mesh, const Picker& picker, const PlainTree& pl
         dab(positions, all, p, radius);
         return positions[0];
     };
-    row("a dab of that radius, the search in it", each(places, dab_by_tree), each(few, dab_on_all, 2));
+    row(table, "a dab of that radius, the search in it", each(places, dab_by_tree), each(few, dab_on_all, 2));
 }
 
 void compare(const char* name, const Mesh& mesh) {
-    std::printf("%s\n", name);
+    char title[100];
+    std::snprintf(title, sizeof title, "The picking tree, %d vertices %s; one thread but where it says two",
+                  side * side, name);
+    const bench::Table table(title, {{"Motus", "us"}, {"plain", "us"}, {"faster by", "x", 1}}, 52);
     const PlainTree plain(mesh);
     const double plain_build = clocked([&] { bench::keep(PlainTree(mesh)); }, 1);
     Picker picker(mesh.positions, mesh.triangles, 2);
     const double build = clocked([&] { bench::keep(Picker(mesh.positions, mesh.triangles, 2)); });
-    row("build, two threads; plain: one", build, plain_build);
-    row("build, one thread",
+    row(table, "build, two threads; plain: one", build, plain_build);
+    row(table, "build, one thread",
         bench::nanoseconds([&] { bench::keep(Picker(mesh.positions, mesh.triangles, 1)); }, 3) / 1e3,
         plain_build);
-    row("refit, two threads; beside a build", clocked([&] { picker.refit(mesh.positions); }), build);
+    row(table, "refit, two threads; beside a build", clocked([&] { picker.refit(mesh.positions); }), build);
     Picker alone(mesh.positions, mesh.triangles, 1);
-    row("refit, one thread", bench::nanoseconds([&] { alone.refit(mesh.positions); }) / 1e3, build);
+    row(table, "refit, one thread", bench::nanoseconds([&] { alone.refit(mesh.positions); }) / 1e3, build);
     const std::vector<std::uint32_t> moved = picker.within({0.1f, 0.1f, height(0.1f, 0.1f)}, 0.05f);
-    std::printf("  (%zu vertices within 5 %% of the side)\n", moved.size());
-    row("refit of what a dab of 5 % moved",
+    row(table, "refit of what a dab of 5 % moved",
         bench::nanoseconds([&] { picker.refit(mesh.positions, moved); }) / 1e3, build);
-    compare_queries(mesh, picker, plain);
+    compare_queries(table, mesh, picker, plain);
 
     const std::vector<glm::vec3> bent = rolled(mesh.positions);
     const Picker anew(bent, mesh.triangles);
@@ -311,10 +316,10 @@ void compare(const char* name, const Mesh& mesh) {
     std::vector<glm::dvec3> places;
     for (std::size_t i = 7; i < bent.size(); i += 1999) places.emplace_back(bent[i]);
     const glm::dvec3 away(2.0, -1.5, 1.0);
-    row("pick after rolling it up, refitted; beside a new tree",
+    row(table, "pick after rolling it up, refitted; beside a new tree",
         each(places, [&](const glm::dvec3& p) { return picker.ray(p + away, -away); }),
         each(places, [&](const glm::dvec3& p) { return anew.ray(p + away, -away); }));
-    row("vertices within 5 %, the same",
+    row(table, "vertices within 5 %, the same",
         each(places, [&](const glm::dvec3& p) { return picker.within(p, 0.05f); }),
         each(places, [&](const glm::dvec3& p) { return anew.within(p, 0.05f); }));
 }
@@ -322,13 +327,8 @@ void compare(const char* name, const Mesh& mesh) {
 }  // namespace
 
 int main() {
-    std::printf(
-        "The picking tree, %d vertices and %d triangles; times in us, of one thread but where it says "
-        "two.\n\n",
-        side * side, 2 * (side - 1) * (side - 1));
-    std::printf("  %-52s %12s %14s %13s\n", "work", "Motus, us", "plain, us", "faster by");
     const Mesh mesh = landscape();
-    compare("Vertices row by row", mesh);
-    compare("Vertices and triangles in no order", shuffled(mesh));
+    compare("row by row", mesh);
+    compare("and their triangles in no order", shuffled(mesh));
     return 0;
 }

@@ -9,6 +9,7 @@
 #include "motus/mesh/neighbours.hpp"
 #include "motus/mesh/surface_distance.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus;
 using namespace motus::mesh;
@@ -53,29 +54,32 @@ using Exact = std::function<double(std::uint32_t vertex)>;
 }
 
 template <class Work>
-void row(const char* name, const Exact& exact, const Work& work) {
+void row(const bench::Table& table, const char* name, const Exact& exact, const Work& work) {
     Reach reach;
     const double time = bench::nanoseconds([&] { reach = work(); });
-    std::printf("  %-26s %9zu %10.2f %12.0f", name, reach.vertices.size(), 1e-6 * time,
-                time / static_cast<double>(reach.vertices.size()));
-    if (exact) std::printf(" %11.3f %%", 100.0 * worst_error(reach, exact));
-    std::printf("\n");
+    const double count = static_cast<double>(reach.vertices.size());
+    table.row(name, {count, 1e-6 * time, time / count,
+                     exact ? bench::Cell(100.0 * worst_error(reach, exact)) : std::nullopt});
 }
 
 void run(const char* name, const Surface& surface, std::uint32_t root, float radius, const Exact& exact) {
     const Neighbours neighbours(surface.positions.size(), surface.triangles);
-    std::printf("%s: %zu vertices, radius %g\n", name, surface.positions.size(), static_cast<double>(radius));
-    std::printf("  %-26s %9s %10s %12s %13s\n", "", "reached", "ms", "ns a vertex", "worst error");
-    row("along the surface", exact,
+    char title[100];
+    std::snprintf(title, sizeof title, "Distances along a %s of %zu vertices, radius %g", name,
+                  surface.positions.size(), static_cast<double>(radius));
+    const bench::Table table(
+        title, {{"reached", "", 0}, {"all", "ms"}, {"a vertex", "ns", 0}, {"worst error", "%", 3}}, 26);
+    row(table, "along the surface", exact,
         [&] { return surface_reach(surface.positions, neighbours, root, radius); });
-    row("Dijkstra along edges", exact, [&] { return dijkstra(surface.positions, neighbours, root, radius); });
-    row("a tenth of the radius", exact,
+    row(table, "Dijkstra along edges", exact,
+        [&] { return dijkstra(surface.positions, neighbours, root, radius); });
+    row(table, "a tenth of the radius", exact,
         [&] { return surface_reach(surface.positions, neighbours, root, 0.1f * radius); });
-    row("edges counted", {}, [&] { return edge_reach(neighbours, root, 178); });
+    row(table, "edges counted", {}, [&] { return edge_reach(neighbours, root, 178); });
 }
 
 /// Wall time: several threads share this work.
-void build(const char* name, const Surface& surface) {
+void build(const bench::Table& table, const char* name, const Surface& surface) {
     double best = 1e9;
     for (int i = 0; i < 5; ++i) {
         const auto start = std::chrono::steady_clock::now();
@@ -84,7 +88,7 @@ void build(const char* name, const Surface& surface) {
         const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
         best = std::min(best, time.count());
     }
-    std::printf("neighbours of %s, %zu vertices: %.1f ms\n", name, surface.positions.size(), best);
+    table.row(name, {static_cast<double>(surface.positions.size()), best});
 }
 
 }  // namespace
@@ -112,6 +116,8 @@ int main() {
             glm::distance(glm::dvec3(sphere.positions[root]), glm::dvec3(sphere.positions[vertex]));
         return 2.0 * std::asin(std::min(1.0, 0.5 * chord));
     });
-    build("a sheet", regular);
-    build("a sheet in random order", mixed);
+    const bench::Table table("Neighbours of all vertices, all threads",
+                             {{"vertices", "", 0}, {"built", "ms", 1}}, 26);
+    build(table, "a sheet", regular);
+    build(table, "a sheet in random order", mixed);
 }

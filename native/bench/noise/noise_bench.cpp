@@ -12,6 +12,7 @@
 #include "motus/noise/noise.hpp"
 #include "random.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus;
 
@@ -26,7 +27,7 @@ double measure(Work&& work) {
 }
 
 template <class Place>
-void compare(const char* what, const std::vector<Place>& places) {
+void compare(const bench::Table& table, const char* what, const std::vector<Place>& places) {
     std::vector<float> found(count);
     const double many = measure([&] {
         noise::values(std::span<const Place>(places), 3, found);
@@ -41,15 +42,15 @@ void compare(const char* what, const std::vector<Place>& places) {
         }
         bench::keep(found);
     });
-    std::printf("  %-4s %8.2f ns a place; one by one %7.2f ns", what, many, single);
+    bench::Cell naive, faster;
     if constexpr (!std::is_same_v<Place, float>) {
-        const double naive = measure([&] {
+        naive = measure([&] {
             for (std::size_t i = 0; i < count; ++i) found[i] = glm::perlin(places[i]);
             bench::keep(found);
         });
-        std::printf("; glm::perlin %7.2f ns (%.1f times as long)", naive, naive / many);
+        faster = *naive / many;
     }
-    std::printf("\n");
+    table.row(what, {many, single, naive, faster});
 }
 
 }  // namespace
@@ -64,9 +65,11 @@ int main() {
         two[i] = three[i];
         one[i] = three[i].x;
     }
-    std::printf("Noise at %zu places\n", count);
-    compare("1D", one);
-    compare("2D", two);
-    compare("3D", three);
+    const bench::Table table(
+        "Noise at " + std::to_string(count) + " places; each, one thread, best of 15",
+        {{"all", "ns"}, {"one by one", "ns"}, {"glm::perlin", "ns"}, {"faster by", "x", 1}}, 8);
+    compare(table, "1D", one);
+    compare(table, "2D", two);
+    compare(table, "3D", three);
     return 0;
 }

@@ -11,6 +11,7 @@
 #include "motus/bones/pose.hpp"
 #include "motus/path/follow.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus;
 using namespace motus::bones;
@@ -64,10 +65,11 @@ class PlainFollower {
     std::vector<double> lengths_;
 };
 
-void row(const std::string& name, double nanoseconds, double plain) {
-    std::printf("  %-38s %10.1f", name.c_str(), nanoseconds / 1e3);
-    if (plain > 0.0) std::printf(" %12.1f %9.2f x", plain / 1e3, plain / nanoseconds);
-    std::printf("\n");
+void row(const bench::Table& table, const std::string& name, double nanoseconds, double plain) {
+    if (plain > 0.0)
+        table.row(name, {nanoseconds / 1e3, plain / 1e3, plain / nanoseconds});
+    else
+        table.row(name, {nanoseconds / 1e3});
 }
 
 double time_of_plain(const PlainFollower& plain, const Timing& timing, const std::vector<double>& offsets,
@@ -94,12 +96,10 @@ int main() {
     const PlainFollower plain(curve);
     const double plain_time = time_of_plain(plain, timing, offsets, poses);
 
-    std::printf(
-        "Frames and followers on a cubic spline of %zu segments; times in us, one thread, best of 7.\n",
-        curve.segment_count());
-    std::printf("Plain: each follower searches a table of chords and banks by its own derivatives.\n\n");
-    std::printf("  %-38s %10s %12s %11s\n", "work", "Motus, us", "plain, us", "faster by");
-
+    std::printf("Plain: each follower searches a table of chords and banks by its own derivatives.\n");
+    const bench::Table table("Frames and followers on a cubic spline of " +
+                                 std::to_string(curve.segment_count()) + " segments; one thread, best of 7",
+                             {{"Motus", "us", 1}, {"plain", "us", 1}, {"faster by", "x"}}, 40);
     const std::vector<std::pair<const char*, FrameMode>> modes{{"world_up", FrameMode::world_up},
                                                                {"minimal", FrameMode::minimal},
                                                                {"banking", FrameMode::banking},
@@ -108,34 +108,35 @@ int main() {
         FrameSettings settings;
         settings.mode = mode;
         const double build = bench::nanoseconds([&] { bench::keep(Frames(path, settings)); });
-        row(std::string(name) + ", its tables", build, 0.0);
+        row(table, std::string(name) + ", its tables", build, 0.0);
         const Frames frames(path, settings);
         const double taken = bench::nanoseconds([&] {
             follow(frames, timing, 7.0, offsets, {}, locations, rotations);
             bench::keep(locations);
         });
-        row(std::string(name) + ", 1000 followers", taken, mode == FrameMode::banking ? plain_time : 0.0);
+        row(table, std::string(name) + ", 1000 followers", taken,
+            mode == FrameMode::banking ? plain_time : 0.0);
     }
 
     const Frames frames(path, {});
     FollowSettings lagging;
     lagging.lag_rate = 0.01;
-    row("1 follower that lags, at 10 s", bench::nanoseconds([&] {
+    row(table, "1 follower that lags, at 10 s", bench::nanoseconds([&] {
             follow(frames, timing, 10.0, {offsets.data(), 1}, lagging, {locations.data(), 1},
                    {rotations.data(), 1});
         }),
         0.0);
     lagging.lag_rate = 1e-6;
-    row("1 follower that hardly turns, at 500 s", bench::nanoseconds([&] {
+    row(table, "1 follower that hardly turns, at 500 s", bench::nanoseconds([&] {
             follow(frames, timing, 500.0, {offsets.data(), 1}, lagging, {locations.data(), 1},
                    {rotations.data(), 1});
         }),
         0.0);
     std::vector<float> matrices(16 * follower_count);
-    row("matrices of 1000 poses", bench::nanoseconds([&] { pack_matrices(locations, rotations, matrices); }),
-        0.0);
+    row(table, "matrices of 1000 poses",
+        bench::nanoseconds([&] { pack_matrices(locations, rotations, matrices); }), 0.0);
     std::vector<glm::dvec3> angles(follower_count);
-    row("Euler angles of 1000 rotations", bench::nanoseconds([&] {
+    row(table, "Euler angles of 1000 rotations", bench::nanoseconds([&] {
             for (std::size_t i = 0; i < follower_count; ++i) angles[i] = euler_xyz(rotations[i]);
             bench::keep(angles);
         }),

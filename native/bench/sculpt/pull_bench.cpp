@@ -11,6 +11,7 @@
 #include "motus/mesh/picker.hpp"
 #include "motus/sculpt/pull.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus;
 using namespace motus::mesh;
@@ -116,8 +117,8 @@ void memory_alone(std::vector<glm::vec3>& points, float nothing) {
     });
 }
 
-void row(const char* name, double taken, double naive) {
-    std::printf("  %-46s %8.3f ms   %6.1f x\n", name, taken, naive / taken);
+void row(const bench::Table& table, const char* name, double taken, double naive) {
+    table.row(name, {taken, naive / taken});
 }
 
 }  // namespace
@@ -127,24 +128,24 @@ int main() {
     const std::vector<float> weights(vertex_count, 0.5f);
     const volatile float nothing = 0.0f;
     Turns all(2.0f);
-    std::printf(
-        "A dab in place on %zu vertices, %zu threads, best of 60; beside it against array by array.\n\n",
-        vertex_count, thread_count());
+    const bench::Table table("A dab in place on " + std::to_string(vertex_count) + " vertices, " +
+                                 std::to_string(thread_count()) + " threads, best of 60",
+                             {{"taken", "ms", 3}, {"of array by array", "x", 1}}, 46);
 
     const double naive = milliseconds([&] { array_by_array(points, all.next()); }, 10);
-    row("array by array, one thread", naive, naive);
+    row(table, "array by array, one thread", naive, naive);
     for (const float radius : {0.05f, 2.0f}) {
         Turns turns(radius);
-        row(radius < 1.0f ? "plain loop, radius 5 %" : "plain loop, all within the radius",
+        row(table, radius < 1.0f ? "plain loop, radius 5 %" : "plain loop, all within the radius",
             milliseconds([&] { plain_loop(points, turns.next()); }, 20), naive);
     }
-    row("memory alone", milliseconds([&] { memory_alone(points, nothing); }), naive);
+    row(table, "memory alone", milliseconds([&] { memory_alone(points, nothing); }), naive);
 
     for (const float radius : {0.05f, 0.2f, 0.4f, 2.0f}) {
         Turns turns(radius);
         char name[64];
         std::snprintf(name, sizeof name, "pull, smooth, radius %g", static_cast<double>(radius));
-        row(name, milliseconds([&] { pull(points, turns.next(), {}, points); }), naive);
+        row(table, name, milliseconds([&] { pull(points, turns.next(), {}, points); }), naive);
     }
     const std::vector<float> curve{0.0f, 0.1f, 0.3f, 0.4f, 0.7f, 0.8f, 0.9f, 1.0f};
     const char* const names[] = {"classic, k = 0", "smooth",   "sphere",   "root", "linear",
@@ -154,35 +155,35 @@ int main() {
         turns.dab.profile.curve = curve;
         char name[64];
         std::snprintf(name, sizeof name, "pull, %s, all within the radius", names[falloff]);
-        row(name, milliseconds([&] { pull(points, turns.next(), {}, points); }), naive);
+        row(table, name, milliseconds([&] { pull(points, turns.next(), {}, points); }), naive);
     }
     Turns power(4.0f, Falloff::classic);
     power.dab.profile.scale_factor = 0.7f;
-    row("pull, classic, k = 0.7, all within the radius",
+    row(table, "pull, classic, k = 0.7, all within the radius",
         milliseconds([&] { pull(points, power.next(), {}, points); }), naive);
-    row("pull, with weights", milliseconds([&] { pull(points, all.next(), weights, points); }), naive);
+    row(table, "pull, with weights", milliseconds([&] { pull(points, all.next(), weights, points); }), naive);
     Turns turned(2.0f);
     turned.dab.metric = glm::mat3(0.0f, 1.7f, 0.0f, -1.7f, 0.0f, 0.0f, 0.0f, 0.0f, 1.7f);
-    row("pull, turned and scaled", milliseconds([&] { pull(points, turned.next(), {}, points); }), naive);
+    row(table, "pull, turned and scaled", milliseconds([&] { pull(points, turned.next(), {}, points); }),
+        naive);
     turned.dab.metric = glm::mat3(1.0f, 0.1f, 0.0f, 0.0f, 1.3f, 0.0f, 0.2f, 0.0f, 0.8f);
-    row("pull, sheared", milliseconds([&] { pull(points, turned.next(), {}, points); }), naive);
+    row(table, "pull, sheared", milliseconds([&] { pull(points, turned.next(), {}, points); }), naive);
     Turns twice(2.0f);
     twice.dab.mirror = 1;
-    row("pull, mirrored", milliseconds([&] { pull(points, twice.next(), {}, points); }), naive);
+    row(table, "pull, mirrored", milliseconds([&] { pull(points, twice.next(), {}, points); }), naive);
     std::vector<glm::vec3> out(vertex_count);
-    row("pull, into another array", milliseconds([&] { pull(points, all.next(), {}, out); }), naive);
+    row(table, "pull, into another array", milliseconds([&] { pull(points, all.next(), {}, out); }), naive);
 
     const Picker picker(points, triangles());
     Turns near(0.05f);
     std::vector<std::uint32_t> found;
-    row("tree's search, radius 5 %",
+    row(table, "tree's search, radius 5 %",
         milliseconds([&] { found = picker.within(near.dab.root, near.dab.radius); }), naive);
-    row("pull_among, of what it found",
+    row(table, "pull_among, of what it found",
         milliseconds([&] { pull_among(points, near.next(), found, {}, points); }), naive);
-    row("both", milliseconds([&] {
+    row(table, "both", milliseconds([&] {
             pull_among(points, near.next(), picker.within(near.dab.root, near.dab.radius), {}, points);
         }),
         naive);
-    std::printf("  (%zu vertices found)\n", found.size());
     return 0;
 }

@@ -16,6 +16,7 @@
 #include "motus/snow/layer.hpp"
 #include "motus/snow/snow.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus;
 using namespace motus::snow;
@@ -47,7 +48,7 @@ template <class Work>
     return best;
 }
 
-void measure(const char* name, const SnowSettings& settings, double time) {
+void measure(const bench::Table& table, const char* name, const SnowSettings& settings, double time) {
     const Snow snow(settings);
     Buffers buffers(snow.living(time).count());
     std::array<double, 2> taken{};
@@ -57,12 +58,11 @@ void measure(const char* name, const SnowSettings& settings, double time) {
             keep(buffers);
         });
     }
-    std::printf("  %-34s %9zu flakes %8.2f ms, two threads %8.2f ms\n", name, buffers.age.size(), taken[0],
-                taken[1]);
+    table.row(name, {static_cast<double>(buffers.age.size()), taken[0], taken[1]});
 }
 
 /// What one writes down first: every flake by itself, its way by steps of 1/60 s.
-void measure_naive(const SnowSettings& settings, double time) {
+void measure_naive(const bench::Table& table, const SnowSettings& settings, double time) {
     constexpr std::size_t count = 10000;
     Buffers buffers(count);
     const double naive = bench::nanoseconds(
@@ -87,8 +87,8 @@ void measure_naive(const SnowSettings& settings, double time) {
             keep(buffers);
         },
         3);
-    std::printf("  %-34s %9d flakes %8.2f ms (of %zu)\n", "the same by steps of 1/60 s", 1000000,
-                1e-6 * naive * 1e6 / static_cast<double>(count), count);
+    // Of a hundredth of the flakes: it takes long.
+    table.row("the same by steps of 1/60 s", {1e6, 1e-6 * naive * 1e6 / static_cast<double>(count)});
     keep(time);
 }
 
@@ -109,10 +109,11 @@ void measure_naive(const SnowSettings& settings, double time) {
     return std::make_shared<const Collider>(positions, triangles);
 }
 
-void measure_landings(SnowSettings settings) {
+void measure_landings(const bench::Table& table, SnowSettings settings) {
+    const bench::Table other("Colliders and covers, one thread", {{"count", "", 0}, {"taken", "ms"}}, 34);
     constexpr int cells = 224;  // 100 352 triangles
     const double built = bench::nanoseconds([&] { keep(hills(cells)); }, 3);
-    std::printf("  %-34s %9d triangles %5.2f ms\n", "a collider is built", 2 * cells * cells, 1e-6 * built);
+    other.row("a collider is built, of triangles", {2.0 * cells * cells, 1e-6 * built});
     settings.cone_radius = 15.0;
     settings.start_speed = -4.0;
     settings.max_angle = 0.5;
@@ -129,8 +130,8 @@ void measure_landings(SnowSettings settings) {
             keep(buffers);
         },
         1);
-    std::printf("  %-34s %9d flakes %8.2f ms\n", "where flakes land is found", 1000000, 1e-6 * found);
-    measure("with a collider and the ground", settings, 100.0);
+    other.row("where flakes land is found", {1e6, 1e-6 * found});
+    measure(table, "with a collider and the ground", settings, 100.0);
     settings.rate = 2500.0;
     const Snow snow(settings);
     const CoverSettings until{.end = 40.0};
@@ -138,9 +139,8 @@ void measure_landings(SnowSettings settings) {
     const Cover cover(snow, until);
     const double made = bench::nanoseconds([&] { keep(Cover(snow, until, 1)); }, 1);
     const double asked = bench::nanoseconds([&] { cover.heights(25.0, heights, 1); });
-    std::printf("  %-34s %9d flakes %8.2f ms\n", "a cover is made", 100000, 1e-6 * made);
-    std::printf("  %-34s %9zu vertices %6.2f ms\n", "and asked for its heights", heights.size(),
-                1e-6 * asked);
+    other.row("a cover is made, of flakes", {1e5, 1e-6 * made});
+    other.row("and asked for heights of vertices", {static_cast<double>(heights.size()), 1e-6 * asked});
 }
 
 /// A layer of 263 169 vertices around a roof.
@@ -169,7 +169,9 @@ void measure_layer() {
     const Collider shelter(all, sheltering);
     const glm::dvec3 up(0.0, 0.0, 1.0);
     const double made = bench::nanoseconds([&] { keep(Layer(positions, triangles, up, &shelter, 1.5)); }, 3);
-    std::printf("  %-34s %9zu vertices %6.2f ms\n", "a layer is made", positions.size(), 1e-6 * made);
+    const bench::Table table("A layer around a roof, one thread", {{"vertices", "", 0}, {"taken", "ms"}}, 34);
+    const double count = static_cast<double>(positions.size());
+    table.row("made", {count, 1e-6 * made});
     const Layer layer(positions, triangles, up, &shelter, 1.5);
     for (const float roughness : {0.0F, 0.2F, 4.0F}) {
         std::vector<float> depths(positions.size());
@@ -179,48 +181,51 @@ void measure_layer() {
             depths[i] = is_open ? 0.1F * std::max(0.0F, 1.0F + roughness * static_cast<float>(noise)) : 0.0F;
         }
         const double shown = bench::nanoseconds([&] { keep(layer.at(depths, 0.004F, 1.2F)); });
-        std::printf("  %-25s %8.1f %9zu vertices %6.2f ms\n", "its mesh, of roughness",
-                    static_cast<double>(roughness), positions.size(), 1e-6 * shown);
+        char name[40];
+        std::snprintf(name, sizeof name, "its mesh, of roughness %.1f", static_cast<double>(roughness));
+        table.row(name, {count, 1e-6 * shown});
     }
 }
 
 }  // namespace
 
 int main() {
-    std::printf("Snow: position, size, colour and age into given buffers, best of several.\n\n");
+    const bench::Table table("Snow: position, size, colour and age into given buffers, best of several",
+                             {{"flakes", "", 0}, {"one thread", "ms"}, {"two threads", "ms"}}, 36);
     SnowSettings settings;
     settings.rate = 500000.0;
     settings.snow = true;
     settings.drag = 1.0;
     settings.wind = {2.0, 0.5, 0.0};
-    measure("steering and wind", settings, 100.0);
-    measure("the same at 5000 s", settings, 5000.0);
-    measure_naive(settings, 100.0);
+    measure(table, "steering and wind", settings, 100.0);
+    measure(table, "the same at 5000 s", settings, 5000.0);
+    measure_naive(table, settings, 100.0);
     SnowSettings gusty = settings;
     gusty.gusts = 0.5;
-    measure("with gusts", gusty, 100.0);
+    measure(table, "with gusts", gusty, 100.0);
     SnowSettings turbulent = settings;
     turbulent.turbulence = 0.5;
-    measure("with turbulence", turbulent, 100.0);
+    measure(table, "with turbulence", turbulent, 100.0);
     SnowSettings random = settings;
     random.start_color = {{0.0F, {1.0F, 1.0F, 1.0F, 1.0F}}, {1.0F, {0.5F, 0.7F, 1.0F, 1.0F}}};
     random.cone_angle = 0.5;
     random.random_speed = random.random_orientation = random.random_size = random.random_color = true;
-    measure("all random but the lifetime", random, 100.0);
+    measure(table, "all random but the lifetime", random, 100.0);
     random.random_lifetime = true;
-    measure("all random", random, 100.0);
+    measure(table, "all random", random, 100.0);
     SnowSettings apart = settings;
     apart.snow_offsets = true;
-    measure("offsets into the noise", apart, 100.0);
+    measure(table, "offsets into the noise", apart, 100.0);
     SnowSettings few = settings;
     few.rate = 50000.0;
-    measure("steering and wind", few, 100.0);
+    measure(table, "steering and wind, 50 000 a second", few, 100.0);
     few.rate = 500.0;
     few.lifetime = 10.0;
-    measure("steering and wind", few, 100.0);
-    measure_landings(settings);
+    measure(table, "steering and wind, 500 a second", few, 100.0);
+    measure_landings(table, settings);
     measure_layer();
     const double made = bench::nanoseconds([&] { keep(Snow(settings)); });
-    std::printf("  %-34s %32.3f ms\n", "made anew", 1e-6 * made);
+    const bench::Table anew("Snow made anew", {{"taken", "ms", 3}}, 34);
+    anew.row("steering and wind", {1e-6 * made});
     return 0;
 }

@@ -5,6 +5,7 @@
 
 #include "motus/walker/walker.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 #include "walker/walkers.hpp"
 
 using namespace motus::walker;
@@ -15,7 +16,8 @@ namespace {
 
 constexpr double seconds = 250.0 / 24.0;
 
-void bench_plans(const char* name, const Ground& ground, const WalkSettings& settings) {
+void bench_plans(const motus::bench::Table& table, const char* name, const Ground& ground,
+                 const WalkSettings& settings) {
     const Way way = way_along(seconds, around);
     const double planned = nanoseconds([&] { keep(Walker(way, settings, &ground, 1)); });
     const Walker walker(way, settings, &ground, 1);
@@ -27,25 +29,26 @@ void bench_plans(const char* name, const Ground& ground, const WalkSettings& set
             keep(walker.body(frame / 24.0));
         }
     });
-    std::printf("  %s: %zu steps planned %8.3f ms, a frame %8.3f us\n", name, steps, 1e-6 * planned,
-                1e-3 * frames / 250.0);
+    table.row(name, {static_cast<double>(steps), 1e-6 * planned, 1e-3 * frames / 250.0});
 }
 
 }  // namespace
 
 int main() {
-    std::printf("walker: 250 frames, eight legs, one thread\n");
+    const motus::bench::Table table("Walkers of eight legs on 250 frames, one thread",
+                                    {{"steps", "", 0}, {"planned", "ms", 3}, {"a frame", "us", 3}}, 26);
     WalkSettings plain, with_hips;
     for (const glm::dvec3& place : eight_feet())
         with_hips.hips.push_back(0.3 * place + glm::dvec3(0.0, 0.0, 0.4));
     with_hips.lengths.assign(8, 1.4);
     const Ground level = plane(), hilly = hilly_ground();
-    bench_plans("a plane", level, plain);
-    bench_plans("12,800 triangles", hilly, plain);
-    bench_plans("the same, with hips", hilly, with_hips);
+    bench_plans(table, "a plane", level, plain);
+    bench_plans(table, "12,800 triangles", hilly, plain);
+    bench_plans(table, "the same, with hips", hilly, with_hips);
     const Land large = land(8.0, 707, hills);
     const double built =
         nanoseconds([&] { keep(Ground(large.positions, large.triangles, std::nullopt, 1)); }, 3);
-    std::printf("  a ground of %zu triangles built %.0f ms\n", large.triangles.size(), 1e-6 * built);
-    bench_plans("a million triangles", ground_of(large), with_hips);
+    bench_plans(table, "a million triangles", ground_of(large), with_hips);
+    const motus::bench::Table grounds("Grounds, one thread", {{"triangles", "", 0}, {"built", "ms", 0}}, 26);
+    grounds.row("a million triangles", {static_cast<double>(large.triangles.size()), 1e-6 * built});
 }

@@ -13,6 +13,7 @@
 #include "motus/bones/chains/limited.hpp"
 #include "random.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus;
 using namespace motus::bones;
@@ -137,12 +138,11 @@ Result measure(const std::vector<Task>& tasks, const Solver& solver) {
 }
 
 void free_chains() {
-    std::printf("Chains without limits to %.0e of their length; us a chain, one thread, best of 3.\n",
-                tolerance);
-    std::printf("FABRIK and CCD: as published, until they are there or %d and %d rounds have passed.\n\n",
+    std::printf("Chains come to %.0e of their length, where that can be.\n", tolerance);
+    std::printf("FABRIK and CCD: as published, until they are there or %d and %d rounds have passed.\n",
                 most_rounds, most_rounds / 10);
-    std::printf("  %-22s %9s %7s | %9s %10s %7s %7s | %9s %10s %7s %7s\n", "bones, target at", "Motus, us",
-                "steps", "FABRIK", "faster by", "rounds", "missed", "CCD", "faster by", "rounds", "missed");
+    const bench::Table table("A chain without limits, target at a share of its length; one thread, best of 3",
+                             {{"taken", "us"}, {"of Motus", "x", 1}, {"rounds", "", 1}, {"missed", "%"}}, 36);
     const Solver motus = [](Joints& joints, const glm::dvec3& target) {
         return chains::solve(joints, target, {}).iterations;
     };
@@ -154,14 +154,16 @@ void free_chains() {
             const Result by_fabrik = measure(tasks, fabrik);
             const Result by_ccd = measure(tasks, ccd);
             char name[40];
-            std::snprintf(name, sizeof name, reach > 0.0 ? "%zu, %.3f of reach" : "%zu, within reach", bones,
+            std::snprintf(name, sizeof name, reach > 0.0 ? "%zu bones, %.3f" : "%zu bones, within", bones,
                           reach);
-            std::printf("  %-22s %9.2f %7.1f | %9.1f %8.1f x %7.0f %5.0f %% | %9.1f %8.1f x %7.0f %5.0f %%",
-                        name, own.microseconds, own.rounds, by_fabrik.microseconds,
-                        by_fabrik.microseconds / own.microseconds, by_fabrik.rounds, 100.0 * by_fabrik.missed,
-                        by_ccd.microseconds, by_ccd.microseconds / own.microseconds, by_ccd.rounds,
-                        100.0 * by_ccd.missed);
-            std::printf(own.missed > 0.0 ? "  Motus missed %.2f %%\n" : "\n", 100.0 * own.missed);
+            const auto row = [&](const char* solver, const Result& found) {
+                table.row(name + std::string(": ") + solver,
+                          {found.microseconds, found.microseconds / own.microseconds, found.rounds,
+                           100.0 * found.missed});
+            };
+            row("Motus", own);
+            row("FABRIK", by_fabrik);
+            row("CCD", by_ccd);
         }
     }
 }
@@ -190,8 +192,9 @@ double median(std::vector<double> values) {
 void kept_shapes() {
     std::printf(
         "\nTargets within reach: by how much the joint that changes most does, and how far apart the\n");
-    std::printf("joint is that stands farthest from where FABRIK has it; medians.\n\n");
-    std::printf("  %-12s %14s %14s %24s\n", "bones", "Motus, deg", "FABRIK, deg", "apart, of the length");
+    std::printf("joint is that stands farthest from where FABRIK has it; medians.\n");
+    const bench::Table table("Kept shapes",
+                             {{"Motus", "deg", 0}, {"FABRIK", "deg", 0}, {"apart, of the length", "", 2}});
     for (const std::size_t bones : {3, 5, 8, 20}) {
         std::vector<double> own, by_fabrik, apart;
         for (const Task& task : make_tasks(bones, 0.0, 1000)) {
@@ -206,25 +209,25 @@ void kept_shapes() {
                 farthest = std::max(farthest, glm::distance(ours[i], theirs[i]));
             apart.push_back(farthest);
         }
-        std::printf("  %-12zu %14.0f %14.0f %24.2f\n", bones, median(own), median(by_fabrik), median(apart));
+        table.row(std::to_string(bones) + " bones", {median(own), median(by_fabrik), median(apart)});
     }
 }
 
 /// Time of one chain: in the middle, of nine in ten, of all.
-void print_times(const char* name, std::size_t bones, std::vector<double>& times) {
+void print_times(const bench::Table& table, const char* name, std::size_t bones, std::vector<double>& times) {
     if (times.empty()) return;
     std::sort(times.begin(), times.end());
     const auto at = [&](double share) {
         return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))] / 1e3;
     };
-    std::printf("  %3zu bones, %-14s %6zu chains %9.1f %9.1f %9.1f\n", bones, name, times.size(), at(0.5),
-                at(0.9), at(1.0));
+    table.row(std::to_string(bones) + " bones, " + name,
+              {static_cast<double>(times.size()), at(0.5), at(0.9), at(1.0)});
 }
 
 void limited_chains() {
-    std::printf(
-        "\nChains with limits (hinges, ball joints), targets within 1.1 of their length; us a chain.\n\n");
-    std::printf("  %-43s %9s %9s %9s\n", "", "median", "90 %", "longest");
+    const bench::Table table(
+        "A chain with limits (hinges, ball joints), targets within 1.1 of its length",
+        {{"chains", "", 0}, {"median", "us", 1}, {"90 %", "us", 1}, {"longest", "us", 1}});
     for (const std::size_t bones : {2, 3, 5, 10, 40}) {
         Random random(11);
         std::vector<double> reached, kept_away;
@@ -249,8 +252,8 @@ void limited_chains() {
                 3);
             (report.reason == Reason::reached ? reached : kept_away).push_back(time);
         }
-        print_times("reached", bones, reached);
-        print_times("out of reach", bones, kept_away);
+        print_times(table, "reached", bones, reached);
+        print_times(table, "out of reach", bones, kept_away);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "motus/bones/chains/two_bone.hpp"
 #include "random.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus;
 using namespace motus::bones;
@@ -90,7 +91,7 @@ double one_by_one(const std::vector<TwoBone>& chains, std::vector<TwoBoneSolutio
     });
 }
 
-void compare(const char* name, const std::vector<TwoBone>& chains) {
+void compare(const bench::Table& table, const char* name, const std::vector<TwoBone>& chains) {
     std::vector<TwoBoneSolution> out(chains.size());
     const double batch = nanoseconds_each([&] {
         solve_two_bones(chains, out);
@@ -98,45 +99,50 @@ void compare(const char* name, const std::vector<TwoBone>& chains) {
     });
     const double single = one_by_one(chains, out, &solve_two_bone);
     const double plain = one_by_one(chains, out, &solve_plainly);
-    std::printf("  %-34s %9.1f %12.1f %11.1f %8.2f x\n", name, batch, single, plain, plain / batch);
+    table.row(name, {batch, single, plain, plain / batch});
 }
 
-void compare_precision(const char* name, double nearest, double farthest) {
+void compare_precision(const bench::Table& table, const char* name, double nearest, double farthest) {
     const std::vector<TwoBone> chains = random_chains(200000, nearest, farthest);
-    std::printf("  %-34s %9.1e %12.1e %11.1e %10.1e\n", name,
-                largest(chains, &solve_two_bone, relative_residual),
-                largest(chains, &solve_plainly, relative_residual), largest(chains, &solve_two_bone, misfit),
-                largest(chains, &solve_plainly, misfit));
+    table.row(name, {largest(chains, &solve_two_bone, relative_residual),
+                     largest(chains, &solve_plainly, relative_residual),
+                     largest(chains, &solve_two_bone, misfit), largest(chains, &solve_plainly, misfit)});
 }
 
 }  // namespace
 
 int main() {
-    std::printf("Two bones; ns a solve of %zu, one thread, best of 101.\n", chain_count);
     std::printf(
         "Plain: acos, a cross product for the plane, a quaternion for the elbow; no soft reach, no "
-        "stretch.\n\n");
-    std::printf("  %-34s %9s %12s %11s %10s\n", "targets", "all", "one by one", "plain", "faster by");
-    compare("within reach", random_chains(chain_count, 0.0, 1.0));
-    compare("out of reach", random_chains(chain_count, 1.01, 2.0));
-    compare("half of them within reach", random_chains(chain_count, 0.0, 2.0));
+        "stretch.\n");
+    const bench::Table times(
+        "A solve of " + std::to_string(chain_count) + " of two bones, one thread, best of 101",
+        {{"all", "ns", 1}, {"one by one", "ns", 1}, {"plain", "ns", 1}, {"faster by", "x"}}, 34);
+    compare(times, "within reach", random_chains(chain_count, 0.0, 1.0));
+    compare(times, "out of reach", random_chains(chain_count, 1.01, 2.0));
+    compare(times, "half of them within reach", random_chains(chain_count, 0.0, 2.0));
     std::vector<TwoBone> soft = random_chains(chain_count, 0.5, 1.5);
     for (TwoBone& chain : soft) {
         chain.softness = 0.2 * (chain.length1 + chain.length2);
         chain.stretch = 0.5;
     }
-    compare("soft, and half stretched", soft);
+    compare(times, "soft, and half stretched", soft);
     std::vector<TwoBone> in_band = random_chains(chain_count, 0.0, 1.0);
     for (TwoBone& chain : in_band) chain.pole = chain.target + 0.05 * (chain.pole - chain.target);
-    compare("pole near the line, with a plane", in_band);
+    compare(times, "pole near the line, with a plane", in_band);
 
     std::printf(
         "\nOf 200000 random chains within reach, as fractions of the chain's length: the largest residual, "
         "and how far\nthe end of two bones of the right lengths, laid along the solution, is from the "
-        "target.\n\n");
-    std::printf("  %-34s %9s %12s %11s %10s\n", "targets", "residual", "plain", "end is off", "plain");
-    compare_precision("anywhere within reach", 0.0, 1.0);
-    compare_precision("the last millionth before straight", 1.0 - 1e-6, 1.0);
-    compare_precision("the first millionth after folded", 0.0, 1e-6);
+        "target.\n");
+    const bench::Table errors("Exactness of two bones",
+                              {{"residual", "", 1, true},
+                               {"residual, plain", "", 1, true},
+                               {"end is off", "", 1, true},
+                               {"end is off, plain", "", 1, true}},
+                              36);
+    compare_precision(errors, "anywhere within reach", 0.0, 1.0);
+    compare_precision(errors, "the last millionth before straight", 1.0 - 1e-6, 1.0);
+    compare_precision(errors, "the first millionth after folded", 0.0, 1e-6);
     return 0;
 }

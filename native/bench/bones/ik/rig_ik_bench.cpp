@@ -9,6 +9,7 @@
 
 #include "motus/bones/ik/ik.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus;
 using namespace motus::bones;
@@ -66,8 +67,8 @@ struct Crowd {
     }
 };
 
-void run(const char* name, int length, const ChainSettings& settings, bool has_pole,
-         bool has_limits = false) {
+void run(const bench::Table& table, const char* name, int length, const ChainSettings& settings,
+         bool has_pole, bool has_limits = false) {
     Crowd crowd(length);
     crowd.settings.assign(chain_count, settings);
     if (!has_pole) crowd.poles.assign(chain_count, glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
@@ -86,13 +87,14 @@ void run(const char* name, int length, const ChainSettings& settings, bool has_p
     const double time = bench::nanoseconds(solve, 50);
     const double whole = bench::nanoseconds(read_and_solve, 50);
     bench::keep(rotations);
-    std::printf("%-44s %8.2f %8.2f\n", name, 1e-3 * time / chain_count, 1e-3 * whole / chain_count);
+    table.row(name, {1e-3 * time / chain_count, 1e-3 * whole / chain_count});
 }
 
 }  // namespace
 
 int main() {
-    std::printf("%-44s %8s %8s\n", "us a chain", "solve", "+ read");
+    const bench::Table table("A chain of a rig of " + std::to_string(chain_count) + " chains, one thread",
+                             {{"solve", "us"}, {"read and solve", "us"}});
     ChainSettings plain;
     ChainSettings turned = plain;
     turned.rotation_weight = 1.0;
@@ -101,11 +103,11 @@ int main() {
     soft.stretch = 1.0;
     ChainSettings limited = plain;
     limited.use_limits = 1.0;
-    run("two bones", 2, plain, false);
-    run("two bones, pole", 2, plain, true);
-    run("two bones, pole, orientation", 2, turned, true);
-    run("two bones, pole, orientation, soft, stretch", 2, soft, true);
-    run("ten bones", 10, plain, false);
-    run("two bones, limits", 2, limited, false, true);
+    run(table, "two bones", 2, plain, false);
+    run(table, "two bones, pole", 2, plain, true);
+    run(table, "two bones, pole, orientation", 2, turned, true);
+    run(table, "two bones, pole, orientation, soft, stretch", 2, soft, true);
+    run(table, "ten bones", 10, plain, false);
+    run(table, "two bones, limits", 2, limited, false, true);
     return 0;
 }

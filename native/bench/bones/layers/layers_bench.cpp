@@ -7,6 +7,7 @@
 #include "motus/bones/layers/stack.hpp"
 #include "random.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus;
 using namespace motus::bones;
@@ -52,7 +53,7 @@ Clip make_clip() {
     return {modes, curves, keys};
 }
 
-void row(const char* name, const Rig& rig, std::size_t count, const Layer& layer) {
+void row(const bench::Table& table, const char* name, const Rig& rig, std::size_t count, const Layer& layer) {
     const Stack stack(rig.parents, rig.rest, rig.inherits);
     const std::vector<Layer> layers(count, layer);
     std::vector<Transform> result(bone_count);
@@ -63,8 +64,7 @@ void row(const char* name, const Rig& rig, std::size_t count, const Layer& layer
             bench::keep(result);
         },
         100);
-    std::printf("  %-38s %10.1f %10.1f\n", name, taken / 1e3,
-                taken / static_cast<double>(bone_count * count));
+    table.row(name, {taken / 1e3, taken / static_cast<double>(bone_count * count)});
 }
 
 }  // namespace
@@ -76,14 +76,14 @@ int main() {
     layer.clip = &clip;
     layer.mask = rig.mask;
     layer.timing = {1.0, 0.0, 88.0, 1.0, After::repeat, 0.0, 0.0};
-    std::printf("Layers: us a frame of %d bones, ns a bone and layer; one thread, best of 100.\n\n",
-                bone_count);
-    row("8 layers, override", rig, 8, layer);
-    row("3 layers, override", rig, 3, layer);
+    const bench::Table table("Layers of " + std::to_string(bone_count) + " bones, one thread, best of 100",
+                             {{"a frame", "us", 1}, {"a bone and layer", "ns", 1}});
+    row(table, "8 layers, override", rig, 8, layer);
+    row(table, "3 layers, override", rig, 3, layer);
     layer.mode = Mode::additive;
-    row("8 layers, additive", rig, 8, layer);
+    row(table, "8 layers, additive", rig, 8, layer);
     layer.mode = Mode::override;
     layer.in_armature = true;
-    row("8 layers, in the armature", rig, 8, layer);
+    row(table, "8 layers, in the armature", rig, 8, layer);
     return 0;
 }

@@ -10,6 +10,7 @@
 
 #include "motus/bones/look_at/plan.hpp"
 #include "stopwatch.hpp"
+#include "table.hpp"
 
 using namespace motus;
 using namespace motus::bones;
@@ -67,7 +68,7 @@ struct Crowd {
     }
 };
 
-void row(const char* name, int spine_bones, bool eyes) {
+void row(const bench::Table& table, const char* name, int spine_bones, bool eyes) {
     const Crowd crowd(spine_bones, eyes);
     const Plan plan(crowd.parents, crowd.bones);
     const RigView rig{crowd.parents, crowd.matrices, crowd.matrices, crowd.basis, {}, crowd.inheritance};
@@ -79,16 +80,18 @@ void row(const char* name, int spine_bones, bool eyes) {
             bench::keep(rotations);
         },
         100);
-    std::printf("  %-38s %10.2f\n", name, taken / 1e3 / head_count);
+    table.row(name, {taken / 1e3 / head_count});
 }
 
 }  // namespace
 
 int main() {
-    std::printf("Look-at: us a head, %d heads of one rig, one thread, best of 100.\n\n", head_count);
-    row("head", 0, false);
-    row("3 spine bones, head", 3, false);
-    row("3 spine bones, head, 2 eyes", 3, true);
-    row("10 spine bones, head, 2 eyes", 10, true);
+    const bench::Table table(
+        "Look-at, " + std::to_string(head_count) + " heads of one rig, one thread, best of 100",
+        {{"a head", "us"}});
+    row(table, "head", 0, false);
+    row(table, "3 spine bones, head", 3, false);
+    row(table, "3 spine bones, head, 2 eyes", 3, true);
+    row(table, "10 spine bones, head, 2 eyes", 10, true);
     return 0;
 }

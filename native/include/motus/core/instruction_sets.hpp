@@ -31,6 +31,18 @@ namespace motus {
 #endif
 }
 
+/// The name of the widest of Highway's targets that the processor has.
+[[nodiscard]] inline const char* instruction_set() {
+#if defined(__x86_64__)
+    static constexpr const char* names[] = {"SSE2", "SSE4", "AVX2", "AVX-512"};
+    return names[runnable_targets() - 1];
+#elif defined(__aarch64__)
+    return "NEON";
+#else
+    return "that of all processors of this kind";
+#endif
+}
+
 }  // namespace motus
 
 /// The functions of this name in each target's namespace, with commas between, for a source that
