@@ -3,6 +3,7 @@
 // blend_tests/bench/table.py has too.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -66,9 +67,9 @@ class Table {
     }
 
     [[nodiscard]] static std::string number(double value, int digits, bool is_scientific) {
-        char text[400];  // no double is longer without a power of ten
-        std::snprintf(text, sizeof text, is_scientific ? "%.*e" : "%.*f", digits, value);
-        return text;
+        std::array<char, 400> text{};  // no double is longer without a power of ten
+        std::snprintf(text.data(), text.size(), is_scientific ? "%.*e" : "%.*f", digits, value);
+        return text.data();
     }
 
     [[nodiscard]] static std::string shown(const Column& column, const Cell& cell) {

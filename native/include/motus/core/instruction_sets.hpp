@@ -1,6 +1,7 @@
 // Which instruction sets this processor has, of those that inner loops are compiled for. For the topics of
 // the library alone.
 #pragma once
+#include <array>
 #include <cstddef>
 
 namespace motus {
@@ -34,7 +35,7 @@ namespace motus {
 /// The name of the widest of Highway's targets that the processor has.
 [[nodiscard]] inline const char* instruction_set() {
 #if defined(__x86_64__)
-    static constexpr const char* names[] = {"SSE2", "SSE4", "AVX2", "AVX-512"};
+    static constexpr std::array names{"SSE2", "SSE4", "AVX2", "AVX-512"};
     return names[runnable_targets() - 1];
 #elif defined(__aarch64__)
     return "NEON";
