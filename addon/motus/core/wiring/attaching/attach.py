@@ -31,11 +31,12 @@ def _wire(system, owner, before):
     stacks.
     """
     followers = _unwire(system, owner)
-    settings, groups = of_owner(system, owner), groups_of(system, owner)
+    settings = of_owner(system, owner)
     settings.is_active = True
     if settings.is_released:
         settings.is_released = False
     waiting.set_proxy(system, settings)
+    groups = groups_of(system, owner)  # after the owner counts as one: what it moves is no ground of a walker, for example
     parts = sharing.provide(system, owner, groups)
     for group, part in zip(groups, parts):
         outputs.create_outlet(system, owner, part)
