@@ -42,14 +42,16 @@ class FormerNames(SnowTestCase):
         self.assertEqual(set(former().values()) & set(stored(obj).keys()), set())
 
     def test_a_file_that_is_opened(self):
-        age(self.emitter)
+        bpy.ops.wm.open_mainfile(filepath=self.save("new.blend"))
+        is_dirty = bpy.data.is_dirty  # of any file that was just opened: in Blender 4.3 without a window it is true
+        age(bpy.data.objects["Snow"])
         path = self.save("old.blend")
         bpy.ops.wm.open_mainfile(filepath=path)
         emitter = bpy.data.objects["Snow"]
         self.assert_present(emitter)
         go_to(40)
         self.assertEqual(state(emitter), self.wanted)
-        self.assertFalse(bpy.data.is_dirty)
+        self.assertEqual(bpy.data.is_dirty, is_dirty)
 
     def test_an_emitter_that_is_appended_or_linked(self):
         age(self.emitter)
