@@ -45,7 +45,7 @@ class _Declaration:
 
     @classmethod
     def declarations(cls) -> list[Any]:
-        """List of all declarations that have the lifetime of this class."""
+        """List of all declarations of this class, such as OfFile: all whose values are removed by the same event."""
         return [one for one in declared if one.lifetime == cls.lifetime]
 
     def clear(self) -> None:
@@ -183,9 +183,9 @@ class OfEvaluation(_Declaration):
         return found[self] if self in found else self.within(found)
 
     def within(self, found: dict[Any, Any]) -> Room:
-        """Dictionary of this declaration's values among all values that are kept with one evaluated copy; created if missing.
+        """Return this declaration's dictionary in `found`; created if missing.
 
-        found: {declaration: its dictionary} of the copy.
+        found: {declaration: dictionary} of one evaluated copy, with which all the values are removed.
         """
         if self not in found:
             mine = Room()
@@ -196,16 +196,19 @@ class OfEvaluation(_Declaration):
 
 
 class WhileAnswering(OfEvaluation):
-    """Declaration of values that are kept while a thread answers one question, including all questions that it leads to."""
+    """Declaration of values that are kept while a thread answers one question, such as where an object is over time.
+
+    Answering leads to further questions on the same thread, which share the values; these are removed with the outermost answer.
+    """
 
     def __init__(self, what: str, key: str) -> None:
         super().__init__(what, key, "the answers that one question needs, in each thread", "the thread has answered its outermost question")
         self._threads: dict[int, dict[Hashable, Any]] = {}
 
     def answered(self, place: Hashable, make: Callable[[], Any]) -> Any:
-        """Return make(), which is called once for each `place` until the thread's outermost question is answered.
+        """Return the value kept under the key `place`; if there is none, return make() and keep it.
 
-        The returned value must not be changed.
+        The value is kept until the thread's outermost question is answered, see the class. It must not be changed.
         """
         thread = threading.get_ident()
         found = self._threads.get(thread)

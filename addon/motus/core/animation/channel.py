@@ -146,7 +146,7 @@ class Channel:
 
 
 def number(id_data: Any, data_path: str, index: int = -1) -> Number:
-    """The Number at a data path. Raises Refused if there is no number property of this datablock.
+    """The Number (a number property, or one element of an array property) at a data path. Raises Refused if the datablock has none there.
 
     index: index of an array's element; -1 for a property that is no array.
     """

@@ -45,7 +45,7 @@ def _curve(strip: Any, data_path: str, index: int) -> Any:
 
 
 def read(player: Any) -> Any:
-    """F-curves of a player (AnimData, NLA strip or None), as actions.curves_of() returns them, noted as read by the solver at work."""
+    """F-curves of an AnimData, an NLA strip or None, as actions.curves_of() returns them; records that the solver at work has read them."""
     if read_keys.is_noting() and player and player.action:
         read_keys.number_of(player.action)
     return actions.curves_of(player)
@@ -113,7 +113,10 @@ def together(stamps: Iterable[Any]) -> tuple[Any, ...] | None:
 
 
 def stamp_of_action(player: Any) -> tuple[int, int] | None:
-    """Stamp of the action and slot that an evaluated player (AnimData or NLA strip) plays; None for an original, or without an action."""
+    """Hashable value that changes with the action and slot that an evaluated AnimData or NLA strip plays, and with the action's keys.
+
+    None for an original datablock, or without an action.
+    """
     action = player.action
     number = action and read_keys.number_of(action)
     # action_slot_handle exists since actions have slots (Blender 4.4).

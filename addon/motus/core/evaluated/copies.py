@@ -292,7 +292,7 @@ def found_of_action(action: Any) -> dict[Any, Any]:
 
 
 def _mark(datablock: Any) -> memoryview[int] | None:
-    """Memory of the custom property (KEY) with the number of an evaluated copy; None if it is missing or of a different form."""
+    """View of the memory of the custom property (KEY) that holds an evaluated copy's number; None if it is missing or of a different form."""
     try:
         return stored.whole_numbers(datablock.get(KEY), 1)
     except stored.Damaged:

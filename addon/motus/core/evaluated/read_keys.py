@@ -112,7 +112,7 @@ def number_of(action: Any) -> int | None:
 
 
 def is_noting() -> bool:
-    """Whether a solver or driver whose reads of actions are recorded runs in any thread. If not, nobody has to call number_of()."""
+    """Whether a solver or driver that has its reads of actions recorded is running, in any thread. If not, nobody has to call number_of()."""
     return bool(_at_work)
 
 

@@ -60,7 +60,10 @@ def has_marks():
 
 
 def has_new_marks():
-    """Whether any mark differs from its last known value, because a library was reloaded or an edit undone."""
+    """Whether any mark (custom property that stands on an override for its wiring) has another value than before.
+
+    A mark gets one when a library is reloaded or an edit undone.
+    """
     for (key, name), digest in _known.items():
         obj = bpy.data.objects.get((name, None))
         if obj and obj.get(key) != digest:

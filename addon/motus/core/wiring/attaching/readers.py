@@ -63,7 +63,7 @@ def of(system, owner, parts):
 def _carriers(system, owner, parts):
     """Return (key of the group, datablock, index of the owner's first slot) for each datablock with outputs of an owner.
 
-    These are the owner if it has an outlet, and the meshes of its hubs.
+    These are the meshes of its hubs, and the owner itself if it has an outlet, a custom property that repeats the outputs.
     """
     outlet = [("", owner, 0)] if outputs.has_outlet(system, owner) else []
     return outlet + [(part.key, part.mesh, part.first) for part in parts]

@@ -22,7 +22,7 @@ _OF_PROPERTY = "p"
 def add(system, owner, group, part):
     """Add the driver that calls the solver of a group to the outbox of a hub's mesh, unless the mesh has it, since owners may share a hub.
 
-    part: Part of the owner. Marker properties make the evaluated copies of the curves that the solver reads distinguishable.
+    part: Part of the owner. Each curve object that the solver reads gets a custom property by which its evaluated copies are told apart.
     """
     path, animation = outbox.out_path(system, group=group.key), part.mesh.animation_data
     if animation and animation.drivers.find(path, index=outbox.STATUS):
@@ -145,10 +145,11 @@ def _settings_path(system, owner, group):
 
 
 def waits_apart(owner, groups):
-    """Whether the owner's solvers must not wait for the owner's plain properties, which are a single node in Blender's dependency graph.
+    """Whether the owner's solvers may wait for single inputs only, and not for the one node that stands for all properties of the owner.
 
-    If solvers drive some of these properties, waiting would be a dependency cycle. On a camera no solver may wait: Blender evaluates
-    the properties of a camera object after those of the camera's data, which may be driven by a solver that waits for the camera.
+    That node belongs to Blender's dependency graph. If solvers drive some of the properties, waiting for it would be a dependency cycle. On
+    a camera no solver may wait: Blender evaluates the properties of a camera object after those of the camera's data, which may be driven
+    by a solver that waits for the camera.
     """
     return owner.type == 'CAMERA' or any(group.properties for group in groups)
 

@@ -52,7 +52,7 @@ def unwire(system, owner, parts):
 
 
 def release(system, owner):
-    """Remove the markers of an owner that was unwired and will not be wired again."""
+    """Remove the custom properties that tell evaluated copies and overrides apart, from an owner that will not be wired again."""
     overrides.unmark(system, owner)
     if not _is_wired(owner):
         copies.release(owner)

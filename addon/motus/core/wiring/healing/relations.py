@@ -22,7 +22,10 @@ def look():
 
 
 def have_changed(depsgraph):
-    """Whether the relations of any object that the depsgraph reports as updated differ from its known ones, which are then replaced."""
+    """Whether an object that the depsgraph reports as updated has other relations than when they were last read; stores the new ones.
+
+    Relations are the object's parent, constraints and drivers.
+    """
     changed = False
     for update in depsgraph.updates:
         is_object = update.is_updated_transform and isinstance(update.id, bpy.types.Object)
@@ -35,7 +38,7 @@ def have_changed(depsgraph):
 
 
 def forget():
-    """Forget the relations of all objects."""
+    """Forget the stored relations (parents, constraints and drivers) of all objects."""
     _known.clear()
 
 

@@ -51,9 +51,9 @@ def _deleted_owners():
 
 
 def _unneeded(owners):
-    """Return all objects to be removed: of these deleted owners, what they drive or point to, and all helpers, those without outside users.
+    """Return the objects to remove: deleted owners, objects that they drive or point to, and helpers, if only such objects use them.
 
-    An outside user is anything apart from the returned objects that uses an object. Objects with a fake user are left out.
+    owners: the deleted owners. Objects with a fake user are left out.
     """
     found = _reached(owners | {obj for obj in bpy.data.objects if helpers.is_helper(obj) and not obj.library})
     while True:

@@ -123,7 +123,8 @@ def _own_poses_of(mesh, members):
 def own_poses(members):
     """Return locations (n, 3), quaternions (n, 4) and scales (n, 3) for matrices that leave members at their own transforms.
 
-    Relative members get neutral poses. Absolute members get their own transforms, which matter only for members that stand still.
+    A member to whose own transform the result is added (is_relative) gets a neutral pose. A member whose transform the result replaces
+    gets its own transform, which matters only if the member stands still.
     """
     count = len(members)
     locations, rotations, scales = np.zeros((count, 3)), np.zeros((count, 4)), np.ones((count, 3))

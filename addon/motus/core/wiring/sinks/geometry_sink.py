@@ -51,7 +51,7 @@ def modifier(system, owner):
 
 
 def points_place(system, owner):
-    """Return the index of the system's modifier among the owner's modifiers; None if there is none."""
+    """Return the index, in the owner's modifier stack, of the modifier by which the system makes or moves points; None if there is none."""
     return next((index for index, one in enumerate(owner.modifiers) if _is_sink(system, one)), None)
 
 

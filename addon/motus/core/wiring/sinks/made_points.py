@@ -214,7 +214,10 @@ def _made_as(kind):
 
 
 def _found_as(mesh, name, kind):
-    """Return the kind of an attribute on a hub's mesh: 'EULER' for 'QUATERNION' if an older version of Blender has saved the file."""
+    """Return the kind that an attribute declared as `kind` really has on a hub's mesh.
+
+    It is the same kind, but 'EULER' for 'QUATERNION' if an older version of Blender has saved the file.
+    """
     return 'EULER' if kind == 'QUATERNION' and mesh.attributes[name].data_type == _TYPES['EULER'] else kind
 
 

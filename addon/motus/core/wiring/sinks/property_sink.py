@@ -346,7 +346,10 @@ def _parsed(text):
 
 
 def _notes(mesh):
-    """Return the Notes of the properties that a hub's mesh drives. Raises Damaged if their text differs in form from what add() makes."""
+    """Return a Note (which property is driven, and its own value) for each property that a hub's mesh drives, from the text on the mesh.
+
+    Raises Damaged if the text does not have the form in which add() writes it.
+    """
     text = mesh.get(KEY)
     if text is None:
         return ()

@@ -318,7 +318,7 @@ class RowsSolver:
         _make_neutral(context)
 
     def _look_at_numbers(self):
-        """Make the rows neutral whose results are not finite numbers that may reach the sinks."""
+        """Check the results: a row with a number that sinks must not get, such as NaN or infinity, is made neutral, and its status says so."""
         for context, slots in zip(self._contexts, self._table):
             if context is None or all(map(finite.is_finite, (context.locations, context.rotations, context.outputs))):
                 continue
