@@ -22,18 +22,18 @@ class Sheet:
         self._frame.label = label
 
     def input(self, name):
-        """Socket of the group's input `name`, on the Group Input node of the present frame."""
+        """Socket of the group's input `name`, on the Group Input node in the node frame (labelled box) that was begun last."""
         if self._inputs is None:
             self._inputs = self.node("NodeGroupInput")
             self._count += 2  # the input node is higher than most nodes
         return self._inputs.outputs[name]
 
     def output(self):
-        """Add the Group Output node to the present frame; returns the node."""
+        """Add the Group Output node to the node frame that was begun last; returns the node."""
         return self.node("NodeGroupOutput")
 
     def finish(self):
-        """Hide the unused sockets of the Group Input node in the last frame; called after the last node."""
+        """Hide the unused sockets of the Group Input node in the last node frame; called after the last node was added."""
         self._tidy()
 
     def node(self, kind, label="", name="", **settings):

@@ -198,7 +198,7 @@ def kind_of(settings):
 
 
 def _of_a_kind(settings):
-    """Names of the settings that a preset sets: without those that are left unchanged for the emitter's shape and look."""
+    """Names of the settings that a preset sets on such an emitter: it keeps its shape if that names a mesh or camera, and its look if chosen."""
     left_alone = LEFT_ALONE | ({"shape"} if settings.shape in {'SURFACE', 'CAMERA'} else set())
     left_alone |= {"look", "flake_width"} if settings.look in CHOSEN else set()
     return [name for name in KEYWORDS if name not in left_alone]

@@ -61,7 +61,10 @@ def _cuts(moved, view, first, last):
 
 
 def _share_seen(before, after, view):
-    """Shares (n,) of the views after n moments that were also seen before. before, after: world matrices (n, 4, 4) of the camera."""
+    """For each of n moments, the share (0 to 1) of the camera's view just after it that was in view just before it.
+
+    before, after: world matrices (n, 4, 4) of the camera.
+    """
     places, slopes, closest, farthest = _places(*view)
     found = np.einsum("nij,kj->nki", np.linalg.inv(before) @ after, places)
     depths = -found[:, :, 2]

@@ -25,7 +25,7 @@ _MUTE_PATH = re.compile(rf"{_BONE}constraints\[{_STRING}\]\.mute")
 
 
 def write(id_data, tracks, frames):
-    """Assign an action with the keyframes of tracks, and with the F-curves of all different channels, to an object.
+    """Assign an action with the keyframes of tracks, and with the F-curves that its former action has for all other channels, to an object.
 
     tracks: sampled Tracks and NumberTracks. frames: of the keyframes, in the keys' time (after Time Stretching).
     """

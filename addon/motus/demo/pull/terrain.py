@@ -153,7 +153,7 @@ def _roughen(land):
 
 
 def _luck(index, salt):
-    """Return a repeatable random value in [0, 1). index: of the pull. salt: different for each number of the pull."""
+    """Return a repeatable random value in [0, 1). index: of the pull. salt: tells apart the several random values of one pull."""
     return float(landscape.lattice(np.int64(index), np.int64(salt), RELIEF_SEED))
 
 

@@ -93,7 +93,7 @@ def _timber():
 
 
 def _luck(index, salt):
-    """Return a repeatable random value in [0, 1). index: of the part. salt: different for each number of the part."""
+    """Return a repeatable random value in [0, 1). index: of the part. salt: tells apart the several random values of one part."""
     return float(landscape.lattice(np.int64(index), np.int64(salt), landscape.SEED + 400))
 
 

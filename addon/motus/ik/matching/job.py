@@ -24,7 +24,7 @@ from .pose_compare import Poses, without_sinks
 
 
 class _Chain(NamedTuple):
-    """Chain that is matched.
+    """Chain on which a matching job works.
 
     name: of its entry. found: the entry and its bones. group: the Group that solves it. rows: the chain's rows in that group's results.
     """

@@ -24,7 +24,7 @@ def _names(name, description):
 
 
 def _listed(names):
-    """List the objects of names between commas. Raises Refused if there is no object of a name."""
+    """List the objects whose names a text gives, separated by commas. Raises Refused if a name has no object."""
     return [named(name.strip()) for name in names.split(",") if name.strip()]
 
 

@@ -140,7 +140,7 @@ def rounds(smoothing, resolution):
 
 
 def ask(name, plan):
-    """Note that a cover waits until the operator computes a plan. name: name of the cover's object."""
+    """Record that a cover has to wait until the user runs the operator that computes its plan. name: name of the cover's object."""
     _asked.add(name, plan)
 
 
