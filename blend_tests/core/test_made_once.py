@@ -10,6 +10,7 @@ import support
 
 FIRST, LAST = 2, 40
 WARM, COUNTED = (5, 6), range(7, 16)
+ROUNDS = 4
 EXPENSIVE = frozenset(
     (
         "Bezier",
@@ -180,6 +181,22 @@ def keyed(owner, group, name, path):
         setattr(group, name, present)
 
 
+def made_in_steady_state():
+    """({name: how often it was called}, {what is kept: how often something was kept}) while the frames COUNTED are gone through.
+
+    Some things are kept for a thread, and which thread evaluates an object is left to chance. So frames are gone through again if something
+    was made: what a thread makes when it solves something for the first time is there then, and what each frame makes is made again.
+    """
+    for _ in range(ROUNDS):
+        with counting() as counts, counting_kept() as kept:
+            for frame in COUNTED:
+                bpy.context.scene.frame_set(frame)
+        unexpected = {what: times for what, times in kept.items() if what not in KEPT_ANEW}
+        if not counts and not unexpected:
+            break
+    return dict(counts), unexpected
+
+
 class MadeOnce(support.SceneTestCase):
     @support.in_one_blender
     def test_while_any_setting_is_keyed(self):
@@ -199,9 +216,7 @@ class MadeOnce(support.SceneTestCase):
                 bpy.context.view_layer.update()
                 for frame in WARM:
                     bpy.context.scene.frame_set(frame)
-                with counting() as counts, counting_kept() as kept:
-                    for frame in COUNTED:
-                        bpy.context.scene.frame_set(frame)
+                counts, kept = made_in_steady_state()
             with self.subTest(owner=owner_name, path=path):
-                self.assertEqual(dict(counts), {})
-                self.assertEqual({what: times for what, times in kept.items() if what not in KEPT_ANEW}, {})
+                self.assertEqual(counts, {})
+                self.assertEqual(kept, {})
