@@ -22,7 +22,7 @@ from ...file import deleted, former_names
 from ...measures.handedness import is_mirrored
 from ..attaching import attach, overrides, signature, waiting
 from ..attaching.solver_driver import waits
-from ..hubs import hub_lookup, outbox, sharing
+from ..hubs import hub_lookup, outbox, rows, sharing
 from ..sinks import geometry_sink, property_sink, proxy_sink
 from ..sinks.finding import has_sinks, makers, release
 from . import relations, remains
@@ -169,9 +169,9 @@ def _look_at_rows(event):
     Such an owner must leave the hub if its settings have become animated, or if it has become mirrored by a negative scale. Mirroring
     is looked for only after an edit.
     """
-    for place, rows in list(noticed.rows.items()):
+    for place, known in list(noticed.rows.items()):
         name, _ = place
-        for owner_name in sharing.names_in(rows):
+        for owner_name in rows.names_in(known):
             owner = bpy.data.objects.get((owner_name, None))
             if owner is None:  # the owner was renamed or removed: all rows are looked through
                 noticed.rows.pop(place, None)

@@ -4,32 +4,22 @@ A hub is a hidden object whose mesh carries a solver's driver and an array of re
 a system solves. Owners share a hub if their solvers read the same objects and their settings are not animated. Only this module tells a
 row from a whole hub: all other modules ask for the Parts of an owner. A whole hub is the Part with row 0 and slot 0.
 
-If the solver of a shared hub read the settings of the owners, it would have to wait for every owner. So each row holds, as a text in a
-custom property of the mesh, the settings that solve() reads and the owner's name; the text is written whenever the settings are edited.
-Each owner points to its hub and row. The hub points to no owner, so that appending one owner does not append the others. The outbox of
-a shared hub consists of the rows, one after the other.
+The solver of a shared hub reads the settings of its owners from a text on the mesh for each row (rows.py). Each owner points to its hub
+and row. The hub points to no owner, so that appending one owner does not append the others. The outbox of a shared hub consists of the
+rows, one after the other.
 """
 
-import json
 from contextlib import suppress
-from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import bpy
 
-from ... import keeping
-from ...declare import Setting, groups_of, input_variables, is_owner, of_owner
+from ...declare import groups_of, input_variables, is_owner, of_owner
 from ...evaluated import copies
-from ...file import stored
 from ...file.pointers import pointed
 from ...file.stored import Damaged
-from ...lazy import numpy as np
 from ...measures.handedness import is_mirrored
-from . import hub_lookup, outbox
-
-_known = keeping.OfFile(
-    "parsed rows of hubs that several owners share (Row), or Damaged", "name of the system, and text of the row", most=4096
-)
+from . import hub_lookup, outbox, rows
 
 
 class Part(NamedTuple):
@@ -133,25 +123,6 @@ def _store_member_data(mesh, values):
     return True
 
 
-class Row(NamedTuple):
-    """Contents of a row: what the solver knows of one owner that shares a hub.
-
-    name: the owner's name. settings: namespace with the settings that System.shared names. inputs: values of the inputs that are
-    settings, by name. member_data: array of System.member_data, or None. memo: dictionary for Context.kept.
-    """
-
-    name: str
-    settings: Any
-    inputs: dict
-    member_data: Any
-    memo: dict
-
-
-def key(system, row):
-    """Return the name of the custom property of a shared hub's mesh that holds the text of a row, given by the row's index."""
-    return f"motus_{system.name}_row_{row}"
-
-
 def can_share(system, owner):
     """Whether an owner may share a hub with others of the system.
 
@@ -161,97 +132,7 @@ def can_share(system, owner):
     if not system.shared or owner.library or owner.override_library or copies.has_animated_settings(owner) or is_mirrored(owner):
         return False
     (group,) = groups_of(system, owner)
-    return [member.thing for member in group.members] == [owner] and pack(system, owner) is not None
-
-
-def pack(system, owner):
-    """Return the text of an owner's row; None if a number in it is not finite."""
-    settings = of_owner(system, owner)
-    said = {
-        "name": owner.name,
-        "settings": _values(settings, system.shared),
-        "inputs": {one.name: one.read(0.0, settings) for one in system.inputs if isinstance(one, Setting)},
-        "member_data": None if system.member_data is None else list(map(float, system.member_data(owner))),
-    }
-    try:
-        return json.dumps(said, allow_nan=False)
-    except ValueError:
-        return None
-
-
-def _values(group, names):
-    found = {}
-    for name in names:
-        value = getattr(group, name)
-        if group.bl_rna.properties[name].type == 'COLLECTION':
-            value = [_values(item, _plain(item)) for item in value]
-        found[name] = value
-    return found
-
-
-def _plain(group):
-    return [prop.identifier for prop in group.bl_rna.properties if prop.type in _FORMS or prop.type == 'ENUM']
-
-
-def row(system, mesh, index):
-    """Return the Row with this index of a shared hub's mesh.
-
-    Returns None if no owner has the row, or the class Damaged if the text differs in form from what pack() makes.
-    """
-    return _row(system, mesh.get(key(system, index)))
-
-
-def _row(system, text):
-    if text is None:
-        return None
-    return _known.made((system.name, text), lambda: _parsed(system, text)) if isinstance(text, str) else Damaged
-
-
-def _parsed(system, text):
-    form = {
-        "name": str,
-        "settings": lambda value: _fits(system.settings.bl_rna, system.shared, value),
-        "inputs": lambda value: _fits(system.settings.bl_rna, [one.name for one in system.inputs if isinstance(one, Setting)], value),
-        "member_data": lambda value: value is None or stored.fits(value, [float]),
-    }
-    try:
-        said = stored.parse(text, form)
-    except Damaged:
-        return Damaged
-    data = said["member_data"]
-    return Row(said["name"], _namespace(said["settings"]), said["inputs"], None if data is None else np.array(data), {})
-
-
-_FORMS = {'FLOAT': float, 'INT': lambda value: type(value) is int and abs(value) <= stored.LARGEST_NUMBER, 'BOOLEAN': bool, 'STRING': str}
-
-
-def _fits(rna, names, value):
-    """Whether a parsed dictionary has exactly the named settings of a PropertyGroup, each with a value of the declared type."""
-    return (
-        isinstance(value, dict)
-        and value.keys() == set(names)
-        and all(_fits_property(rna.properties[name], one) for name, one in value.items())
-    )
-
-
-def _fits_property(prop, value):
-    if prop.type == 'ENUM':
-        return value in prop.enum_items.keys()
-    if prop.type == 'COLLECTION':
-        names = [one.identifier for one in prop.fixed_type.properties if one.type in _FORMS or one.type == 'ENUM']
-        return isinstance(value, list) and all(_fits(prop.fixed_type, names, one) for one in value)
-    return stored.fits(value, _FORMS[prop.type])
-
-
-def _namespace(values):
-    return SimpleNamespace(
-        **{name: [_namespace(one) for one in value] if isinstance(value, list) else value for name, value in values.items()}
-    )
-
-
-def names_in(rows):
-    """Return the names of the owners that have one of these Rows of a shared hub; items that are no Row are left out."""
-    return [row.name for row in rows if isinstance(row, Row)]
+    return [member.thing for member in group.members] == [owner] and rows.pack(system, owner) is not None
 
 
 def _holder(system, owner, mesh):
@@ -261,8 +142,8 @@ def _holder(system, owner, mesh):
     last case is that of a renamed owner.
     """
     index = of_owner(system, owner).row
-    found = _row(system, mesh.get(key(system, index)))
-    name = found.name if isinstance(found, Row) else ""
+    found = rows.row(system, mesh, index)
+    name = found.name if isinstance(found, rows.Row) else ""
     other = bpy.data.objects.get((name, None)) if name else None
     is_others = name != owner.name and other and claims(system, other, mesh) and of_owner(system, other).row == index
     return other if is_others else owner
@@ -283,10 +164,10 @@ def holders(system, mesh):
 
 def _write(system, owner, mesh):
     """Store an owner's settings in its row of a shared hub again; returns whether the owner may still share the hub."""
-    text = pack(system, owner)
+    text = rows.pack(system, owner)
     if text is None or copies.has_animated_settings(owner):
         return False
-    name = key(system, of_owner(system, owner).row)
+    name = rows.key(system, of_owner(system, owner).row)
     if mesh.get(name) != text:
         mesh[name] = text
     return True
@@ -333,8 +214,8 @@ def _join(system, owner):
             return None
         hub = hub_lookup.new_hub(system.label)
         outbox.create_shared(system, hub.data)
-        for name, target in pointers(system, owner).items():
-            hub.data[target_key(name)] = target
+        for name, target in rows.pointers(system, owner).items():
+            hub.data[rows.target_key(name)] = target
         copies.mark(hub.data)
     settings = of_owner(system, owner)
     settings.hub, settings.row = hub, _free_row(system, hub.data)
@@ -370,11 +251,11 @@ def _hub_for(system, owner):
     for mesh in bpy.data.meshes:
         if mesh.library or mesh.override_library or not outbox.is_shared(system, mesh):
             continue
-        named = {name: mesh.get(target_key(name)) for name in pointers(system, owner)}
+        named = {name: mesh.get(rows.target_key(name)) for name in rows.pointers(system, owner)}
         if (
             outbox.is_whole(system, mesh)
             and outbox.has_attribute(mesh) == outbox.uses_attribute(system)
-            and named == pointers(system, owner)
+            and named == rows.pointers(system, owner)
             and _reads_the_same(system, owner, mesh)
         ):
             found = holders(system, mesh)
@@ -427,37 +308,8 @@ def prune(system, mesh):
     """Remove the contents of the rows of a shared hub that no owner points to, and the whole hub if no owner is left."""
     taken = holders(system, mesh)
     for row in range(outbox.row_count(system, mesh)):
-        if row not in taken and key(system, row) in mesh:
-            del mesh[key(system, row)]
+        if row not in taken and rows.key(system, row) in mesh:
+            del mesh[rows.key(system, row)]
             mesh.update_tag()
     if not taken:
         bpy.data.meshes.remove(mesh)
-
-
-def pointers(system, owner):
-    """Return {name of the pointer setting: object} for the pointer settings of an owner that the system's inputs read, if they are set."""
-    settings = of_owner(system, owner)
-    found = {one.of: pointed(settings, one.of) for one in system.inputs if hasattr(one, "of")}
-    return {name: target for name, target in found.items() if target}
-
-
-def pointer_names(system):
-    """Return {name of a pointer setting: name of the custom property of a shared hub's mesh that holds the object}, for all inputs."""
-    return {one.of: target_key(one.of) for one in system.inputs if hasattr(one, "of")}
-
-
-def targets(names, mesh):
-    """Return {name of the pointer setting: object or None} for the pointer settings that the inputs read, stored on a shared hub's mesh.
-
-    names: result of pointer_names(). On an evaluated mesh the objects are evaluated copies. Raises Damaged if a stored value is no object.
-    """
-    found = {name: mesh.get(key) for name, key in names.items()}
-    for target in found.values():
-        if not isinstance(target, (bpy.types.Object, type(None))):
-            raise Damaged("no object")
-    return found
-
-
-def target_key(name):
-    """Return the name of the custom property of a shared hub's mesh that holds the object named by a pointer setting."""
-    return f"motus_of_{name}"

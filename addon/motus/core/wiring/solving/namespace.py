@@ -19,7 +19,7 @@ from ..healing import heal, revival
 from ..healing.watch import noticed
 from ..hubs import outbox, sharing
 from ..sinks import attribute_sink, geometry_sink, property_sink
-from . import solving
+from . import results, solving
 
 
 def motus_solve(*arguments):
@@ -66,7 +66,7 @@ def _fail(error, carrier=None, name="", frame=0.0):
             settings = of_owner(system, outbox.owner_of(system, carrier))
         if outbox.is_in_place(system, carrier, key):
             _rest(system, key, carrier, frame)
-    return solving.status_of(error, carrier, name, settings)
+    return results.status_of(error, carrier, name, settings)
 
 
 def _rest(system, key, carrier, frame):
@@ -90,7 +90,7 @@ def _rest_slots(system, key, carrier):
     layout = outbox.layout_of(system, carrier, key, len(box))
     if property_sink.KEY not in carrier:
         box[outbox.FIRST_OUTPUT : layout.base] = 0
-    solving.do_nothing(box, layout)
+    results.do_nothing(box, layout)
 
 
 def _rest_attribute(system, key, carrier):

@@ -10,22 +10,18 @@ constraints, drivers and modifiers that bring results to members, the objects an
 is applied on top of its own transform. The owner is the object whose settings are solved.
 """
 
-import logging
-
-import mathutils
-
 from ... import keeping, native
-from ...declare import Context, Matrix, Setting, System, groups_of, of_owner, registered
+from ...declare import Context, Setting, System, groups_of, of_owner, registered
 from ...evaluated import copies, read_keys
-from ...file import stored
-from ...file.stored import Damaged, Newer
+from ...file.stored import Damaged
 from ...lazy import numpy as np
 from ...measures import finite
 from ..healing.watch import noticed
 from ..hubs import outbox, outputs, sharing
-from ..sinks import attribute_sink, attributes, geometry_sink, property_sink
-
-log = logging.getLogger(__name__)
+from ..sinks import attribute_sink, geometry_sink, property_sink
+from . import arguments
+from .results import ORDINARY, Poses, do_nothing
+from .rows_solver import RowsSolver
 
 _SOLVERS = keeping.OfEvaluation(
     "prepared solvers of a hub's evaluated mesh (Solver, RowsSolver)",
@@ -37,9 +33,6 @@ _MEMOS = keeping.OfEvaluation(
     "name of the system, key of the group; name and key that Context.kept was called with",
     "one for each name that the system passes to Context.kept",
 )
-
-_ORDINARY = 1e30
-"""If the sum of the squares of numbers is below, all of them are finite. Sums of larger or unusual numbers are looked at more closely."""
 
 
 def called(name):
@@ -93,7 +86,7 @@ class Solver:
         self._slots, self._box, self._layout = found.slots, np.frombuffer(found.slots), layout
         self._outputs = self._box[outbox.FIRST_OUTPUT : layout.base]
         self._outlet = outputs.outlet(system, owner)
-        self._poses = _Poses(layout.members)
+        self._poses = Poses(layout.members)
         self._drives_properties = property_sink.KEY in carrier
         self._reading = read_keys.reading_of(carrier, system.name) if system.reads_keys or self._drives_properties else None
         # Whether settings are animated matters only for outlets and driven properties.
@@ -102,7 +95,7 @@ class Solver:
         self._has_modifier = system.has_modifier
         self._reads_mesh, self._reads_several = system.reads_mesh, system.reads_several
         self._settings = [one for one in system.inputs if isinstance(one, Setting)]
-        self._inputs = _inputs(system)
+        self._inputs = arguments.read_from_driver(system)
         self._context = Context(
             settings=settings,
             owner=owner,
@@ -110,7 +103,7 @@ class Solver:
             rotations=self._poses.rotations,
             scales=self._poses.scales,
             outputs=self._outputs,
-            member_data=_member_data(system, carrier, layout.members),
+            member_data=arguments.member_data(system, carrier, layout.members),
             group=key,
             data={} if found.info is None else found.info.data,
         )
@@ -148,7 +141,7 @@ class Solver:
         if self._drives_properties:
             property_sink.clear(carrier, self._box)
         problem = system.solve(context, **inputs)
-        is_finite = room is None and poses.block.dot(poses.block) < _ORDINARY and self._outputs.dot(self._outputs) < _ORDINARY
+        is_finite = room is None and poses.block.dot(poses.block) < ORDINARY and self._outputs.dot(self._outputs) < ORDINARY
         if not is_finite:
             is_finite = self._is_finite(room)
         is_blocked = not is_finite or (problem is not None and problem.blocking)
@@ -193,7 +186,7 @@ class Solver:
         """Return {name: value} of the arguments of System.solve."""
         context = self._context
         found = context.kept("settings", None, self._read_settings) if self._settings else {}
-        return found | _arguments(self._inputs, values, context.settings) if self._inputs else found
+        return found | arguments.values(self._inputs, values, context.settings) if self._inputs else found
 
     def _read_settings(self):
         return {declared.name: declared.read(0.0, self._context.settings) for declared in self._settings}
@@ -238,176 +231,3 @@ class Solver:
         property_sink.blend(self._carrier, self._owner, self._box, frame, 0.0)
         if self._system.has_modifier:
             geometry_sink.write_nothing(self._system, self._carrier)
-
-
-class RowsSolver:
-    """Solver for a hub that several owners share, with one row of the outbox for each owner. mesh: evaluated mesh of the hub."""
-
-    def __init__(self, system, _key, mesh):
-        self.place = outbox.out_key(system)
-        self._system, self._mesh = system, mesh
-        self._layout = layout = outbox.row_layout(system, mesh)
-        slots = np.frombuffer(stored.doubles(mesh.get(outbox.out_key(system))))
-        count = len(slots) // layout.size
-        if count == 0 or count * layout.size != len(slots) or (layout.has_attribute and count != len(mesh.vertices)):
-            raise Damaged("another number of rows")
-        self._slots, self._table, self._poses = slots, slots.reshape(count, layout.size), _Poses(count)
-        self._pointers = sharing.pointer_names(system)
-        self._inputs = _inputs(system)
-        self._rows = [sharing.row(system, mesh, index) for index in range(count)]
-        self._contexts = [self._context(index, row) for index, row in enumerate(self._rows)]
-        self._name = mesh.name if not mesh.library else None
-
-    def _context(self, index, row):
-        """Return the Context for one row; None if no owner has the row, or if the row is damaged."""
-        slots, here = self._table[index], slice(index, index + 1)
-        if isinstance(row, sharing.Row):
-            return Context(
-                settings=row.settings,
-                owner=None,
-                locations=self._poses.locations[here],
-                rotations=self._poses.rotations[here],
-                outputs=slots[outbox.FIRST_OUTPUT : self._layout.base],
-                member_data=row.member_data,
-            )
-        return None
-
-    def is_current(self):
-        """Whether the system is registered; the solver reads only the hub's mesh, for whose evaluated copy it was prepared."""
-        return registered.get(self._system.name) is self._system
-
-    def solve(self, frame, depsgraph, values):
-        """Solve all rows, and write the results into the outbox on the hub's mesh; returns the status of row 0, on which the driver is."""
-        table, layout, poses = self._table, self._layout, self._poses
-        noticed.in_use = True
-        table[:, outbox.WEIGHT] = 0.0
-        if native.module is None:
-            return table[0, outbox.STATUS]
-        poses.block[:] = poses.neutral
-        inputs = _arguments(self._inputs, values, None)
-        common, targets = {}, sharing.targets(self._pointers, self._mesh)
-        if self._name is not None:
-            noticed.note_rows(self._system, self._name, self._rows)
-        for row, context, slots in zip(self._rows, self._contexts, table):
-            if context is not None:
-                context.begin(frame, depsgraph, row.memo, common, targets)
-                self._solve_row(context, inputs | row.inputs, slots)
-            elif row is Damaged:
-                slots[outbox.STATUS] = outbox.DAMAGED
-        if not (poses.block.dot(poses.block) < _ORDINARY and self._slots.dot(self._slots) < _ORDINARY):
-            self._look_at_numbers()
-        if layout.has_attribute:
-            poses.store(self._mesh, has_scales=False)
-        else:
-            table[:, layout.base : layout.base + 3] = poses.locations
-            table[:, layout.base + 3 :] = native.module.euler_xyz(poses.rotations)
-        return table[0, outbox.STATUS]
-
-    def _solve_row(self, context, inputs, slots):
-        system = self._system
-        try:
-            problem = system.solve(context, **inputs)
-        except Exception as error:
-            slots[outbox.STATUS] = status_of(error, self._mesh, system.name, None)
-        else:
-            slots[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
-            if problem is None or not problem.blocking:
-                influence = context.settings.influence
-                slots[outbox.WEIGHT] = influence if 0.0 <= influence <= 1.0 else finite.share(influence)
-                return
-        _make_neutral(context)
-
-    def _look_at_numbers(self):
-        """Check the results: a row with a number that sinks must not get, such as NaN or infinity, is made neutral, and its status says so."""
-        for context, slots in zip(self._contexts, self._table):
-            if context is None or all(map(finite.is_finite, (context.locations, context.rotations, context.outputs))):
-                continue
-            if slots[outbox.STATUS] >= 0.0:
-                slots[outbox.STATUS] = outbox.NOT_FINITE
-            slots[outbox.WEIGHT] = 0.0
-            context.outputs[:] = 0.0
-            _make_neutral(context)
-
-
-def _make_neutral(context):
-    context.locations[:] = 0.0
-    context.rotations[:] = (1.0, 0.0, 0.0, 0.0)
-
-
-def _inputs(system):
-    """Return (position among the driver's arguments, name, class, read) for each input of a system that is not read from the settings.
-
-    A value of this class is the input's value as it is; read(value, settings) returns the input's value for any other one.
-    """
-    declared = [(index, one) for index, one in enumerate(system.inputs) if not isinstance(one, Setting)]
-    return [(index, one.name, mathutils.Matrix if one.read is Matrix.read else None, one.read) for index, one in declared]
-
-
-def _arguments(inputs, values, settings):
-    """Return {name: value} for these inputs, read from the values of the driver's variables. Raises Damaged if there are too few values."""
-    if inputs and len(values) <= inputs[-1][0]:
-        raise Damaged("too few arguments")
-    return {name: value if (value := values[index]).__class__ is plain else read(value, settings) for index, name, plain, read in inputs}
-
-
-class _Poses:
-    """Memory for the poses that a solver computes, in one array `block`; `neutral` has the numbers of poses that do nothing.
-
-    locations (n, 3), rotations (n, 4), quaternions, and scales (n, 3) are views of the array.
-    """
-
-    def __init__(self, count):
-        self.block, self.neutral = np.empty(10 * count), np.zeros(10 * count)
-        self._matrices = np.empty((count, 16), np.float32)
-        self._numbers = self._matrices.reshape(-1)
-        self._is_checked = False
-        self.locations, self.rotations, self.scales = self._parts(self.block)
-        _, rotations, scales = self._parts(self.neutral)
-        rotations[:, 0] = 1.0
-        scales.fill(1.0)
-
-    @staticmethod
-    def _parts(block):
-        locations, rotations, scales = np.split(block, [3 * len(block) // 10, 7 * len(block) // 10])
-        return locations.reshape(-1, 3), rotations.reshape(-1, 4), scales.reshape(-1, 3)
-
-    def store(self, carrier, has_scales):
-        """Write the poses as matrices to the attribute of an evaluated hub's mesh (carrier) that the members' constraints sample."""
-        scales = self.scales if has_scales else None
-        native.module.pack_matrices(self.locations, self.rotations, out=self._matrices, scales=scales)
-        if self._is_checked:  # the evaluated copy for which the solver was prepared has the attribute as it was
-            carrier.attributes[attribute_sink.ATTRIBUTE].data.foreach_set("value", self._numbers)
-        else:
-            attributes.write(carrier, attribute_sink.ATTRIBUTE, 'FLOAT4X4', self._matrices)
-            self._is_checked = carrier.original.library is None
-
-
-def do_nothing(box, layout):
-    """Fill an outbox with values that leave the members at their own transforms: weight 0, and neutral poses for relative members."""
-    box[outbox.WEIGHT] = 0.0
-    if layout.is_relative and not layout.has_attribute:
-        end = layout.base + outbox.POSE_SIZE * layout.members
-        box[layout.base : end] = 0.0
-        box[end:] = 1.0
-
-
-def _member_data(system, carrier, count):
-    if system.member_data is None:
-        return None
-    if count == 0 and not carrier.get(outbox.MEMBER_DATA_KEY):  # a custom property cannot hold an empty list of floats
-        return np.empty(0)
-    return np.frombuffer(stored.doubles(carrier.get(outbox.MEMBER_DATA_KEY), count))
-
-
-def status_of(error, carrier, name, settings):
-    """Return the status for an error that a solver raised; the error is logged unless the file is damaged or a setting is not finite.
-
-    settings: settings of the owner, or None if they cannot be read.
-    """
-    # The panel reports damaged data; a log entry would be repeated at every frame.
-    if isinstance(error, Damaged):
-        return float(outbox.NEWER if isinstance(error, Newer) else outbox.DAMAGED)
-    if settings is not None and finite.has_bad_settings(settings):
-        return float(outbox.NOT_FINITE)
-    log.error("Motus: %s could not be computed on %s", name, getattr(carrier, "name", carrier), exc_info=error)
-    return float(outbox.INTERNAL)

@@ -1,0 +1,158 @@
+"""Rows: what a solver that computes several owners knows of each of them, as texts on the mesh of the hub that the owners share.
+
+If the solver of a shared hub read the settings of the owners, it would have to wait for every owner. So each row holds, as a text in a
+custom property of the mesh, the settings that solve() reads and the owner's name; the text is written whenever the settings are edited.
+The objects that the owners' settings point to are the same for all rows, and stand in custom properties of the mesh too.
+"""
+
+import json
+from types import SimpleNamespace
+from typing import Any, NamedTuple
+
+import bpy
+
+from ... import keeping
+from ...declare import Setting, of_owner
+from ...file import stored
+from ...file.pointers import pointed
+from ...file.stored import Damaged
+from ...lazy import numpy as np
+
+_known = keeping.OfFile(
+    "parsed rows of hubs that several owners share (Row), or Damaged", "name of the system, and text of the row", most=4096
+)
+
+
+class Row(NamedTuple):
+    """Contents of a row: what the solver knows of one owner that shares a hub.
+
+    name: the owner's name. settings: namespace with the settings that System.shared names. inputs: values of the inputs that are
+    settings, by name. member_data: array of System.member_data, or None. memo: dictionary for Context.kept.
+    """
+
+    name: str
+    settings: Any
+    inputs: dict
+    member_data: Any
+    memo: dict
+
+
+def key(system, row):
+    """Return the name of the custom property of a shared hub's mesh that holds the text of a row, given by the row's index."""
+    return f"motus_{system.name}_row_{row}"
+
+
+def pack(system, owner):
+    """Return the text of an owner's row; None if a number in it is not finite."""
+    settings = of_owner(system, owner)
+    said = {
+        "name": owner.name,
+        "settings": _values(settings, system.shared),
+        "inputs": {one.name: one.read(0.0, settings) for one in system.inputs if isinstance(one, Setting)},
+        "member_data": None if system.member_data is None else list(map(float, system.member_data(owner))),
+    }
+    try:
+        return json.dumps(said, allow_nan=False)
+    except ValueError:
+        return None
+
+
+def _values(group, names):
+    found = {}
+    for name in names:
+        value = getattr(group, name)
+        if group.bl_rna.properties[name].type == 'COLLECTION':
+            value = [_values(item, _plain(item)) for item in value]
+        found[name] = value
+    return found
+
+
+def _plain(group):
+    return [prop.identifier for prop in group.bl_rna.properties if prop.type in _FORMS or prop.type == 'ENUM']
+
+
+def row(system, mesh, index):
+    """Return the Row with this index of a shared hub's mesh.
+
+    Returns None if no owner has the row, or the class Damaged if the text differs in form from what pack() makes.
+    """
+    text = mesh.get(key(system, index))
+    if text is None:
+        return None
+    return _known.made((system.name, text), lambda: _parsed(system, text)) if isinstance(text, str) else Damaged
+
+
+def _parsed(system, text):
+    form = {
+        "name": str,
+        "settings": lambda value: _fits(system.settings.bl_rna, system.shared, value),
+        "inputs": lambda value: _fits(system.settings.bl_rna, [one.name for one in system.inputs if isinstance(one, Setting)], value),
+        "member_data": lambda value: value is None or stored.fits(value, [float]),
+    }
+    try:
+        said = stored.parse(text, form)
+    except Damaged:
+        return Damaged
+    data = said["member_data"]
+    return Row(said["name"], _namespace(said["settings"]), said["inputs"], None if data is None else np.array(data), {})
+
+
+_FORMS = {'FLOAT': float, 'INT': lambda value: type(value) is int and abs(value) <= stored.LARGEST_NUMBER, 'BOOLEAN': bool, 'STRING': str}
+
+
+def _fits(rna, names, value):
+    """Whether a parsed dictionary has exactly the named settings of a PropertyGroup, each with a value of the declared type."""
+    return (
+        isinstance(value, dict)
+        and value.keys() == set(names)
+        and all(_fits_property(rna.properties[name], one) for name, one in value.items())
+    )
+
+
+def _fits_property(prop, value):
+    if prop.type == 'ENUM':
+        return value in prop.enum_items.keys()
+    if prop.type == 'COLLECTION':
+        names = [one.identifier for one in prop.fixed_type.properties if one.type in _FORMS or one.type == 'ENUM']
+        return isinstance(value, list) and all(_fits(prop.fixed_type, names, one) for one in value)
+    return stored.fits(value, _FORMS[prop.type])
+
+
+def _namespace(values):
+    return SimpleNamespace(
+        **{name: [_namespace(one) for one in value] if isinstance(value, list) else value for name, value in values.items()}
+    )
+
+
+def names_in(rows):
+    """Return the names of the owners that have one of these Rows of a shared hub; items that are no Row are left out."""
+    return [row.name for row in rows if isinstance(row, Row)]
+
+
+def pointers(system, owner):
+    """Return {name of the pointer setting: object} for the pointer settings of an owner that the system's inputs read, if they are set."""
+    settings = of_owner(system, owner)
+    found = {one.of: pointed(settings, one.of) for one in system.inputs if hasattr(one, "of")}
+    return {name: target for name, target in found.items() if target}
+
+
+def pointer_names(system):
+    """Return {name of a pointer setting: name of the custom property of a shared hub's mesh that holds the object}, for all inputs."""
+    return {one.of: target_key(one.of) for one in system.inputs if hasattr(one, "of")}
+
+
+def targets(names, mesh):
+    """Return {name of the pointer setting: object or None} for the pointer settings that the inputs read, stored on a shared hub's mesh.
+
+    names: result of pointer_names(). On an evaluated mesh the objects are evaluated copies. Raises Damaged if a stored value is no object.
+    """
+    found = {name: mesh.get(key) for name, key in names.items()}
+    for target in found.values():
+        if not isinstance(target, (bpy.types.Object, type(None))):
+            raise Damaged("no object")
+    return found
+
+
+def target_key(name):
+    """Return the name of the custom property of a shared hub's mesh that holds the object named by a pointer setting."""
+    return f"motus_of_{name}"

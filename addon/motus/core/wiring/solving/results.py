@@ -1,0 +1,70 @@
+"""Results of a solver: memory for poses, values that do nothing, and the status after an error."""
+
+import logging
+
+from ... import native
+from ...file.stored import Damaged, Newer
+from ...lazy import numpy as np
+from ...measures import finite
+from ..hubs import outbox
+from ..sinks import attribute_sink, attributes
+
+log = logging.getLogger(__name__)
+
+ORDINARY = 1e30
+"""If the sum of the squares of numbers is below, all of them are finite. Sums of larger or unusual numbers are looked at more closely."""
+
+
+class Poses:
+    """Memory for the poses that a solver computes, in one array `block`; `neutral` has the numbers of poses that do nothing.
+
+    locations (n, 3), rotations (n, 4), quaternions, and scales (n, 3) are views of the array.
+    """
+
+    def __init__(self, count):
+        self.block, self.neutral = np.empty(10 * count), np.zeros(10 * count)
+        self._matrices = np.empty((count, 16), np.float32)
+        self._numbers = self._matrices.reshape(-1)
+        self._is_checked = False
+        self.locations, self.rotations, self.scales = self._parts(self.block)
+        _, rotations, scales = self._parts(self.neutral)
+        rotations[:, 0] = 1.0
+        scales.fill(1.0)
+
+    @staticmethod
+    def _parts(block):
+        locations, rotations, scales = np.split(block, [3 * len(block) // 10, 7 * len(block) // 10])
+        return locations.reshape(-1, 3), rotations.reshape(-1, 4), scales.reshape(-1, 3)
+
+    def store(self, carrier, has_scales):
+        """Write the poses as matrices to the attribute of an evaluated hub's mesh (carrier) that the members' constraints sample."""
+        scales = self.scales if has_scales else None
+        native.module.pack_matrices(self.locations, self.rotations, out=self._matrices, scales=scales)
+        if self._is_checked:  # the evaluated copy for which the solver was prepared has the attribute as it was
+            carrier.attributes[attribute_sink.ATTRIBUTE].data.foreach_set("value", self._numbers)
+        else:
+            attributes.write(carrier, attribute_sink.ATTRIBUTE, 'FLOAT4X4', self._matrices)
+            self._is_checked = carrier.original.library is None
+
+
+def do_nothing(box, layout):
+    """Fill an outbox with values that leave the members at their own transforms: weight 0, and neutral poses for relative members."""
+    box[outbox.WEIGHT] = 0.0
+    if layout.is_relative and not layout.has_attribute:
+        end = layout.base + outbox.POSE_SIZE * layout.members
+        box[layout.base : end] = 0.0
+        box[end:] = 1.0
+
+
+def status_of(error, carrier, name, settings):
+    """Return the status for an error that a solver raised; the error is logged unless the file is damaged or a setting is not finite.
+
+    settings: settings of the owner, or None if they cannot be read.
+    """
+    # The panel reports damaged data; a log entry would be repeated at every frame.
+    if isinstance(error, Damaged):
+        return float(outbox.NEWER if isinstance(error, Newer) else outbox.DAMAGED)
+    if settings is not None and finite.has_bad_settings(settings):
+        return float(outbox.NOT_FINITE)
+    log.error("Motus: %s could not be computed on %s", name, getattr(carrier, "name", carrier), exc_info=error)
+    return float(outbox.INTERNAL)
