@@ -32,6 +32,14 @@ def laying_systems() -> list[System]:
     return [system for system in systems() if system.lays_pose]
 
 
+def laid_beneath(system: System) -> list[System]:
+    """The systems whose poses of bones are the start of a system's own: laying_systems(), unless the system itself is one of them.
+
+    Systems without entries drive no bones.
+    """
+    return [] if system.entries is None or system.lays_pose else laying_systems()
+
+
 def entries_on(owner: Any) -> Iterator[tuple[System, Any]]:
     """Yield (system, Entry) for each Entry of an owner, an item in its list of settings that drives bones or objects.
 

@@ -12,7 +12,7 @@ with the settings, and writes the poses into the evaluated outbox. After an edit
 a setting that determines what is read or driven, refresh() is called.
 """
 
-from ...declare import groups_of, is_owner, of_owner, systems
+from ...declare import groups_of, is_owner, laid_beneath, of_owner, systems
 from ..hubs import outputs, sharing
 from ..sinks import finding, geometry_sink, property_sink, stack
 from . import overrides, readers, renaming, signature, solver_driver, unwiring, waiting
@@ -100,8 +100,8 @@ def refresh_others(system, owner):
         return
     for other in systems():
         if other is not system and other.entries is not None and is_owner(other, owner):
-            # If this system lays poses, the solvers of all other systems wait for its hubs, and these hubs are new now.
-            (refresh if system.lays_pose else refresh_changed)(other, owner)
+            # Solvers that start from poses of this system wait for its hubs, and these hubs are new now.
+            (refresh if system in laid_beneath(other) else refresh_changed)(other, owner)
 
 
 def refresh_changed(system, owner):

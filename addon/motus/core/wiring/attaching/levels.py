@@ -13,7 +13,7 @@ import re
 
 import bpy
 
-from ...declare import of_owner, registered, systems
+from ...declare import laid_beneath, of_owner, registered, systems
 from ..hubs import marks, outbox
 from ..sinks import proxy_sink
 from . import waiting
@@ -149,8 +149,9 @@ class _Graph:
                     yield from _read_by(driver)
         # In Blender's dependency graph all plain settings of an object are one node.
         yield DRIVERS, owner, "motus."
-        if not registered[system].lays_pose and any(isinstance(thing, str) for thing in entry.drives):
-            yield from (place for place in self._entries if place[1] == owner and registered[place[2]].lays_pose)
+        if any(isinstance(thing, str) for thing in entry.drives):
+            beneath = [one.name for one in laid_beneath(registered[system])]
+            yield from (place for place in self._entries if place[1] == owner and place[2] in beneath)
 
     def _of_transform(self, obj):
         yield from self._of_parent(obj)

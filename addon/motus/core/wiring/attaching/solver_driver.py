@@ -9,7 +9,7 @@ of the owner that repeats outputs of the solver.
 import bpy
 
 from ...blender import drivers
-from ...declare import BonesOwn, Transform, Variable, input_variables, laying_systems, of_owner
+from ...declare import BonesOwn, Transform, Variable, input_variables, laid_beneath, of_owner
 from ...evaluated import copies
 from ..hubs import hub_lookup, outbox, outputs
 from ..sinks import property_sink
@@ -187,8 +187,7 @@ def _laid(system, owner, group):
 
     A system that lays poses sets the bones' own transforms, before all other systems.
     """
-    starts_there = system.entries and not system.lays_pose and any(isinstance(one.thing, bpy.types.PoseBone) for one in group.members)
-    beneath = laying_systems() if starts_there else ()
-    return [
-        Variable('MESH', hub.data, outbox.out_path(one, outbox.STATUS, key)) for one in beneath for key, hub in hub_lookup.hubs(one, owner)
-    ]
+    if not any(isinstance(one.thing, bpy.types.PoseBone) for one in group.members):
+        return []
+    hubs = [(one, key, hub) for one in laid_beneath(system) for key, hub in hub_lookup.hubs(one, owner)]
+    return [Variable('MESH', hub.data, outbox.out_path(one, outbox.STATUS, key)) for one, key, hub in hubs]

@@ -6,7 +6,7 @@ The results come from the hub, a hidden object whose mesh carries the solver's d
 """
 
 from ...blender import drivers
-from ...declare import of_owner
+from ...declare import laying_systems, of_owner
 from ..hubs import outbox
 from . import attribute_sink, finding, geometry_sink, property_sink, proxy_sink, transform_sink
 
@@ -70,7 +70,7 @@ def order(system, owner, groups, before):
     aimed = {member.thing for group in groups for member in group.members if _is_aimed_afterwards(member)}
     for thing, found in places(system, owner).items():
         old = before.get(thing)
-        first = old[0][0] if old else 0 if system.lays_pose else _first_aiming(thing, found[0][0]) if thing in aimed else None
+        first = old[0][0] if old else 0 if system in laying_systems() else _first_aiming(thing, found[0][0]) if thing in aimed else None
         for offset, (index, _) in enumerate(found):
             if old:
                 thing.constraints[index].mute = old[min(offset, len(old) - 1)][1]
