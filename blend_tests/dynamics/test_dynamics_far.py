@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 
 import support
-from dynamics.dynamics_cases import add, go_to, link, matrix, moved, place, problem
+from dynamics.dynamics_cases import add, go_to, link, matrix, moved, place, problem, rope
 
 PERIOD = 40
 FAR = 1_000_000
@@ -104,3 +104,62 @@ class FarTest(support.SceneTestCase):
             add(ball, damping=0.0, channels={'LOCATION', 'ROTATION', 'SCALE'})
         _, count = self.samples(FAR, *balls)
         self.assertLess(count, 400_000)
+
+    def swinging(self, count):
+        """A rope whose bones all repeat their keys for ever, and follow them with hardly any damping."""
+        rig = rope(count, name=f"Rope {count}")
+        for index in range(count):
+            bone = rig.pose.bones[f"Tail 0 {index}"]
+            bone.rotation_mode = 'XYZ'
+            for frame, angle in ((1, 0.0), (7, 0.4), (19, -0.4), (25, 0.0)):
+                bone.rotation_euler.x = angle
+                bone.keyframe_insert("rotation_euler", frame=frame)
+        for curve in support.addon("core.blender.actions").fcurves(rig):
+            curve.modifiers.new('CYCLES')
+            curve.update()
+        names = ",".join(f"Tail 0 {index}" for index in range(count))
+        add(rig, bones=names, frequency=0.05, damping=0.05)
+        return rig
+
+    def work(self, rig, frame):
+        """(Reach of a frame, samples that its inputs have, F-curve values that Blender was asked for one by one)."""
+        keys, solve = support.addon("core.animation.keys"), support.addon("dynamics.solve")
+        asked, made = [], []
+
+        def values(curve, times):
+            asked.append(len(times))
+            return asked_of_blender(curve, times)
+
+        def make(context, copy, scene):
+            made.append(found_of(context, copy, scene))
+            return made[-1]
+
+        asked_of_blender, found_of = keys._asked, solve._make
+        with mock.patch.object(keys, "_asked", values), mock.patch.object(solve, "_make", make):
+            _, count = self.samples(frame, rig)
+        (one,) = made
+        return one.reach, count, sum(asked)
+
+    def check_many(self, count):
+        """Their numbers together stay below the bound, and F-curves are not read value by value. Returns frames in a piece."""
+        rig = self.swinging(count)
+        go_to(250)
+        reach, samples, asked = self.work(rig, FAR)
+        self.assertEqual(asked, 0)
+        # A transform at one time is 10 numbers. Keys of the rope are samples too.
+        self.assertLess(samples * 10 * (count + 1), 1.1 * support.addon("core.measures.bounds").AT_MOST)
+        self.assertIn("have fewer dynamics", problem(rig).sentence)
+        last = f"Tail 0 {count - 1}"
+        alone = matrix(rig, FAR, last)
+        self.assertTrue(np.isfinite(alone).all())
+        go_to(FAR - 40)
+        np.testing.assert_array_equal(matrix(rig, FAR, last), alone)
+        return reach.length
+
+    def test_many_entries_at_once(self):
+        self.assertEqual(self.check_many(12), round(support.addon("dynamics.sampling").PIECE * bpy.context.scene.render.fps))
+
+    def test_very_many_entries_at_once(self):
+        """Of these less is sampled: pieces are shorter."""
+        usual = support.addon("dynamics.sampling").PIECE * bpy.context.scene.render.fps
+        self.assertLess(self.check_many(100), 0.6 * usual)

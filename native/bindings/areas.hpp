@@ -5,6 +5,7 @@
 namespace motus::bindings {
 
 void bind_curve(pybind11::module_& m);
+void bind_fcurve(pybind11::module_& m);
 void bind_timing(pybind11::module_& m);
 void bind_frames(pybind11::module_& m);
 void bind_follow(pybind11::module_& m);

@@ -109,7 +109,7 @@ def times_of(entry, found, scene, reach):
     """Return the frames, rising, at which the tracks of an entry's input are sampled. found: the tracks. reach: a sampling.Reach."""
     if has_loop(entry):
         return np.array(sampling.between(found, float(entry.loop_start), float(entry.loop_end), scene))
-    return sampling.times(found, _span_of(entry, found, scene, reach), scene)
+    return sampling.times(found, _span_of(entry, found, scene, reach), reach.length, scene)
 
 
 def is_cut(entry, found, scene, reach):
@@ -162,6 +162,7 @@ class OwnInput(_Input):
         )
 
 
+@rotations.by_rows
 def _mirrored(scales):
     """Return quaternions (n, 4) by which Blender's decomposition of a matrix turns further than the keyed rotation.
 
@@ -352,6 +353,7 @@ def _is_turned(bone):
     return any(not wiring.is_sink(registered["dynamics"], one) for above in (bone, *bone.parent_recursive) for one in above.constraints)
 
 
+@rotations.by_rows
 def _inverse(matrices):
     """Return the inverses of affine matrices (n, 4, 4). The upper 3 x 3 part of the inverse of a singular matrix is zero.
 

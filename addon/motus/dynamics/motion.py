@@ -138,8 +138,14 @@ def part_of(thing, entry, row, place, scene, reach):
     follower = filters.second_order(filters.numbers(entry))
     is_loop = inputs.has_loop(entry)
     module, resets = native.module, [] if is_loop else samples.resets
-    channels = entry.channels
-    turns = _closed(samples.rotations) if is_loop and 'ROTATION' in channels else samples.rotations
+
+    def followed(channel, make, numbers):
+        """None where the channel does not follow, or has nothing to follow."""
+        if channel not in entry.channels or _rests(numbers):
+            return None
+        return make(follower, samples.seconds, numbers, resets, is_loop)
+
+    turns = _closed(samples.rotations) if is_loop and 'ROTATION' in entry.channels else samples.rotations
     return Part(
         row,
         place,
@@ -147,10 +153,15 @@ def part_of(thing, entry, row, place, scene, reach):
         is_object,
         is_object and inputs.follows_parent(thing, entry),
         is_loop and len(samples.resets) > 0,
-        module.Track(follower, samples.seconds, samples.locations, resets, is_loop) if 'LOCATION' in channels else None,
-        module.RotationTrack(follower, samples.seconds, turns, resets, is_loop) if 'ROTATION' in channels else None,
-        module.Track(follower, samples.seconds, samples.scales, resets, is_loop) if 'SCALE' in channels else None,
+        followed('LOCATION', module.Track, samples.locations),
+        followed('ROTATION', module.RotationTrack, turns),
+        followed('SCALE', module.Track, samples.scales),
     )
+
+
+def _rests(numbers):
+    """Whether all rows of an array (n, k) are the same."""
+    return numbers.strides[0] == 0 or bool((numbers == numbers[0]).all())
 
 
 def values_of(source, entry, outputs, place, scene, reach):

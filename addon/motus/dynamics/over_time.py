@@ -8,7 +8,7 @@ from ..core.animation.reason import Reason
 from ..core.animation.strips import together
 from ..core.evaluated.question import answered
 from ..core.lazy import numpy as np
-from ..core.measures import bounds, scene_time
+from ..core.measures import scene_time
 from ..core.settings import entry_keys
 from ..core.tracks import rotations
 from ..core.tracks.rig_inputs import RigInputs, kept, once, stamp_of
@@ -85,8 +85,7 @@ class _OverTime:
 
     def _reach(self, times):
         """Return the sampling.Reach for times (n,), n > 0."""
-        most = bounds.times(inputs.price_of(self._input))
-        return sampling.reach_of(self._scene, float(np.min(times)), float(np.max(times)), max(sampling.FEW, most))
+        return sampling.reach_of(self._scene, float(np.min(times)), float(np.max(times)), inputs.price_of(self._input))
 
     def _made(self, thing, reach):
         try:

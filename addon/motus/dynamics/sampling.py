@@ -3,13 +3,12 @@
 Time is divided into pieces of equal length, so that an input has the same samples whichever frame is evaluated.
 """
 
-import itertools
 import math
 from typing import Any, NamedTuple
 
 from ..core.animation.keys import union
 from ..core.lazy import numpy as np
-from ..core.measures import scene_time
+from ..core.measures import bounds, scene_time
 
 RATE = 192.0
 """Samples per second, approximately. An input is interpolated linearly between samples: at 2 Hz the error is 3e-5 of the amplitude."""
@@ -19,10 +18,11 @@ FEW = 4
 
 
 class Reach(NamedTuple):
-    """Range of frames, `low` to `high`, for which inputs are sampled. most: greatest number of pieces to sample."""
+    """Range of frames, `low` to `high`, for which inputs are sampled. length: frames in a piece. most: greatest number of pieces to sample."""
 
     low: float
     high: float
+    length: float
     most: int = FEW
 
 
@@ -40,12 +40,18 @@ class Span(NamedTuple):
     is_cut: bool
 
 
-def reach_of(scene, low, high, most=FEW):
-    """Return the Reach for the frames `low` to `high`, rounded to whole pieces: many frames share it, so that inputs are rarely sampled."""
-    first, length = scene_time.first(scene), _length(scene)
+def reach_of(scene, low, high, price):
+    """Return the Reach for the frames `low` to `high`, rounded to whole pieces: many frames share it, so that inputs are rarely sampled.
+
+    price: of a piece of PIECE of all inputs together. If FEW such pieces are too much work, the pieces are shorter.
+    """
+    first = scene_time.first(scene)
+    shares = 2 ** max(0, math.ceil(math.log2(max(FEW * price / bounds.AT_MOST, 1.0))))
+    length = max(1.0, round(PIECE * scene_time.fps(scene) / shares))
+    most = max(FEW, bounds.times(price))
     blocks = math.floor((low - first) / length), math.floor((high - first) / length)
     start = first + length * blocks[0] if blocks[0] > 0 else -math.inf
-    return Reach(start, first + length * (max(blocks[1], 0) + 1), most)
+    return Reach(start, first + length * (max(blocks[1], 0) + 1), length, most)
 
 
 def span_of(extent, scene, reach, past):
@@ -56,7 +62,7 @@ def span_of(extent, scene, reach, past):
     needed, the first ones are sampled.
     """
     first = min(scene_time.first(scene), extent[1]) if math.isinf(extent[0]) else extent[0]
-    length = _length(scene)
+    length = reach.length
     end = max(1, math.ceil((min(extent[1], reach.high) - first) / length - 1e-9))
     begin = max(0.0, (min(extent[1], reach.low) - past - first) / length)
     begin = 0 if end <= FEW else min(math.floor(begin), end - 1)
@@ -64,15 +70,17 @@ def span_of(extent, scene, reach, past):
     return Span(first, extent[1], 0, reach.most, True) if is_cut else Span(first, extent[1], begin, end, False)
 
 
-def times(tracks, span, scene):
-    """Return rising frames over a Span, (n,): those at which the tracks are not smooth, and enough frames between them."""
-    length = _length(scene)
-    found = [span.first + length * span.begin]
+def times(tracks, span, length, scene):
+    """Return rising frames over a Span, (n,): those at which the tracks are not smooth, and enough frames between them.
+
+    length: frames in a piece.
+    """
+    found = [np.array([span.first + length * span.begin])]
     for piece in range(span.begin, span.end):
         start, end = span.first + length * piece, min(span.first + length * (piece + 1), span.last)
         if end > start:
-            found += between(tracks, start, end, scene)[1:]
-    return np.array(found)
+            found.append(between(tracks, start, end, scene)[1:])
+    return np.concatenate(found)
 
 
 def between(tracks, start, end, scene):
@@ -81,18 +89,15 @@ def between(tracks, start, end, scene):
     If `start` to `end` is longer than PIECE, the distances grow, so that the number of frames stays about that of one piece.
     """
     fps = scene_time.fps(scene)
-    bounds = union([track.bounds(start, end) for track in tracks] or [[start, end]])
+    bends = np.array(union([track.bounds(start, end) for track in tracks] or [[start, end]]))
     length = min(1.0 / RATE, PIECE / RATE) * fps * max(1.0, (end - start) / (PIECE * fps))
-    found = [start]
-    for low, high in itertools.pairwise(bounds):
-        parts = max(1, math.ceil((high - low) / length - 1e-6))
-        found += [low + (high - low) * part / parts for part in range(1, parts)] + [high]
-    return found
-
-
-def _length(scene):
-    """Number of frames in a piece, at least 1."""
-    return max(1.0, round(PIECE * scene_time.fps(scene)))
+    widths = np.diff(bends)
+    parts = np.maximum(1, np.ceil(widths / length - 1e-6)).astype(int)
+    ends = np.cumsum(parts)
+    place = np.arange(1, ends[-1] + 1) - np.repeat(ends - parts, parts)
+    found = np.repeat(bends[:-1], parts) + np.repeat(widths, parts) * place / np.repeat(parts, parts)
+    found[ends - 1] = bends[1:]
+    return np.concatenate([bends[:1], found])
 
 
 class Samples(NamedTuple):

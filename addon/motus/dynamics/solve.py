@@ -16,7 +16,7 @@ from ..core.evaluated import copies
 from ..core.evaluated.question import answered
 from ..core.file import stored
 from ..core.lazy import numpy as np
-from ..core.measures import bounds, scene_time
+from ..core.measures import scene_time
 from ..core.tracks import in_world, own_track, world_track
 from . import inputs, motion, sampling
 from .groups import LOOPED, MISSING, PLAN, PROPERTIES, Unit
@@ -271,8 +271,8 @@ class _Making:
 
     def make(self, frame):
         """Make the filtered motions of all entries whose inputs are known, for the sampling.Reach (range of frames) around a frame."""
-        most = bounds.times(sum(inputs.price_of(source) for source, _, _ in self._ready))
-        self.reach = sampling.reach_of(self._scene, frame, frame, max(sampling.FEW, most))
+        price = sum(inputs.price_of(source) for source, _, _ in self._ready)
+        self.reach = sampling.reach_of(self._scene, frame, frame, price)
         for source, entries, make in self._ready:
             if any(inputs.is_cut(entry, source.tracks, self._scene, self.reach) for entry in entries):
                 self.problems.append(TOO_LONG)

@@ -6,9 +6,11 @@ An action is read once and cached until its keys are edited.
 import math
 
 from ..core import keeping, native
+from ..core.animation import native_keys
 from ..core.blender import actions
 from ..core.evaluated import copies, read_keys
 from ..core.lazy import numpy as np
+from ..core.tracks.rotations import MODES
 
 LARGEST_CACHE = 64
 """Greatest number of Clips that are cached for one evaluated action: one for each slot and each list of bones with rotation modes."""
@@ -17,14 +19,9 @@ _CLIPS = keeping.OfEvaluation(
     "slot of the action, names and rotation modes of the rig's bones",
     f"{LARGEST_CACHE} for each evaluated action",
 )
-MODES = ('QUATERNION', 'XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX', 'AXIS_ANGLE')
-"""Rotation modes of Blender; the index of a mode is its number in the native LayerClip."""
 _EULER = 'XYZ'
 _FIRST = {"location": 0, "rotation_quaternion": 3, "rotation_euler": 3, "rotation_axis_angle": 3, "scale": 7}
 _SIZES = {"location": 3, "rotation_quaternion": 4, "rotation_euler": 3, "rotation_axis_angle": 4, "scale": 3}
-_PLAIN = 2
-"""Greatest number that foreach_get() gives for the interpolations CONSTANT, LINEAR and BEZIER; greater numbers are easings."""
-_NEAR = 0.011  # in frames; Blender does not evaluate the curve between keys that are nearer to each other
 
 
 class Clip:
@@ -35,27 +32,18 @@ class Clip:
 
     def __init__(self, action, slot, names, modes):
         self.frames = tuple(map(float, action.frame_range))
-        self._given, keys, kinds, curves = [], [], [], []
+        self._given, curves, players = [], [], []
         found = _curves_of_bones(action, slot, names)
         used = [_mode(mode, found.get(name, {})) for name, mode in zip(names, modes)]
-        count = 0
         for row, name in enumerate(names):
             for channel, index, curve in _used(found.get(name, {}), used[row]):
-                points = _points(curve)
-                number = 0 if points is None else len(points[0])
-                goes_on = _goes_around(curve) if points is None else curve.extrapolation == 'LINEAR'
-                curves.append((row, _FIRST[channel] + index, count, number, goes_on))
-                count += number
-                if points is None:
-                    self._given.append(curve)
-                else:
-                    keys.append(points[0])
-                    kinds.append(points[1])
+                player = native_keys.player(curve)
+                is_given = player is None
+                goes_around = (is_given or not player.is_plain) and _goes_around(curve)
+                curves.append((row, _FIRST[channel] + index, -1 if is_given else len(players), goes_around))
+                (self._given if is_given else players).append(curve if is_given else player)
         self.native = native.module.LayerClip(
-            np.array([MODES.index(mode) for mode in used], np.int32),
-            np.array(curves, np.int32).reshape(-1, 5),
-            np.concatenate(keys) if keys else np.empty((0, 6), np.float32),
-            np.concatenate(kinds) if kinds else np.empty(0, np.int32),
+            np.array([MODES.index(mode) for mode in used], np.int32), np.array(curves, np.int32).reshape(-1, 4), players
         )
         self._kept = {}
 
@@ -149,25 +137,7 @@ def _used(channels, mode):
 
 
 def _goes_around(curve):
-    """Whether the values of an F-curve that Blender evaluates may go beyond half a turn, pi."""
+    """Whether the values of an F-curve that is more than its keys may go beyond half a turn, pi."""
     if curve.extrapolation == 'LINEAR' or any(not one.mute and one.type != 'NOISE' for one in curve.modifiers):
         return True
     return any(abs(point.co.y) > math.pi for point in curve.keyframe_points)
-
-
-def _points(curve):
-    """Return the k keys of an F-curve for the native module; None if only Blender can evaluate the F-curve.
-
-    The keys are two arrays: (k, 6) float32 with the key, its left and its right handle; (k,) int32 with interpolations.
-    """
-    points, count = curve.keyframe_points, len(curve.keyframe_points)
-    if count == 0 or any(not modifier.mute for modifier in curve.modifiers):
-        return None
-    columns = np.empty((3, 2 * count), np.float32)
-    for column, name in zip(columns, ("co", "handle_left", "handle_right")):
-        points.foreach_get(name, column)
-    kinds = np.empty(count, np.int32)
-    points.foreach_get("interpolation", kinds)
-    keys = np.concatenate([column.reshape(-1, 2) for column in columns], axis=1)
-    is_plain = kinds.max() <= _PLAIN and np.isfinite(keys).all() and (np.diff(keys[:, 0]) > _NEAR).all()
-    return (np.ascontiguousarray(keys), kinds) if is_plain else None

@@ -53,7 +53,7 @@ class OverTime:
         turns = np.zeros((len(times), 3))
         turns[:, 1] = -self._channels["influence"].values(times) * self._angles(times)
         scales = own_track(self._rod).values(times).scales
-        return turned(matrices, rotations.from_euler(turns, "Y"), scales)
+        return turned(matrices, rotations.of_mode(turns, 'XYZ'), scales)
 
     def _angles(self, times):
         """Return the angles (n,) of the rod relative to the rod above it, at times (n,); zeros if the pendulum cannot swing."""

@@ -3,13 +3,16 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
 #include "areas.hpp"
+#include "bones/rig_arrays.hpp"
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
 #include "core/typed.hpp"
+#include "motus/bones/products.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -57,6 +60,26 @@ py::object matrix_rows(const ArrayLike& locations, const ArrayLike& rotations,
     return matrices;
 }
 
+[[nodiscard]] py::array rows_of_matrices(const py::object& given, const char* name) {
+    const py::array array = py::array::ensure(given);
+    if (!array || array.ndim() != 3) value_error(name, "must have the shape (n, k, m)");
+    return array;
+}
+
+DoubleArray products(const Float64Array& left, const Float64Array& right) {
+    const py::array first = rows_of_matrices(left, "left"), second = rows_of_matrices(right, "right");
+    const auto lefts = static_cast<std::size_t>(first.shape(0)),
+               rights = static_cast<std::size_t>(second.shape(0));
+    const auto rows = static_cast<std::size_t>(second.shape(1)),
+               columns = static_cast<std::size_t>(second.shape(2));
+    if (lefts != rights && lefts != 1 && rights != 1) value_error("right", "another number of matrices");
+    const std::span<const double> a = elements<double>(left, "left", {lefts, rows, rows});
+    const std::span<const double> b = elements<double>(right, "right", {rights, rows, columns});
+    DoubleArray result = new_array({lefts == 1 ? rights : lefts, rows, columns});
+    bones::multiply(a, b, {rows, columns}, values_of(result));
+    return result;
+}
+
 }  // namespace
 
 void bind_pose(py::module_& m) {
@@ -73,6 +96,11 @@ Locations, rotations and scales as 4 x 4 matrices, column by column, as Blender'
 locations: (m, 3).  rotations: (m, 4), w, x, y, z.  out: a C-contiguous float32 array (m, 16) to write into, which shares
 no memory with locations and scales.  scales: (m, 3) along the rotated axes; None: 1.
 Returns (m, 16) float32.  Raises ValueError or TypeError that names the argument.)");
+    m.def("matrix_products", &products, "left"_a, "right"_a, R"(
+Matrix products left @ right, (n, k, m). Their numbers may be infinite or NaN.
+
+left: (n, k, k) or (1, k, k).  right: (n, k, m) or (1, k, m).  Both aligned and C-contiguous.
+Raises ValueError or TypeError that names the argument.)");
 }
 
 }  // namespace motus::bindings

@@ -50,6 +50,7 @@ using OptionalNumber = Typed<"float | None">;
 using OptionalArrayLike = Typed<"numpy.typing.ArrayLike | None">;
 using OptionalFloat64Array = Typed<"numpy.typing.NDArray[numpy.float64] | None">;
 using OptionalFloat32Array = Typed<"numpy.typing.NDArray[numpy.float32] | None">;
+using OptionalInt32Array = Typed<"numpy.typing.NDArray[numpy.int32] | None">;
 using ArrayLikes = Typed<"typing.Sequence[numpy.typing.ArrayLike]">;
 using IndexOrArrayLike = Typed<"int | numpy.typing.ArrayLike">;
 using WholeNumbers = Typed<"typing.Sequence[int]">;

@@ -3,6 +3,9 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "extremes.hpp"
@@ -16,17 +19,32 @@ using namespace motus::test;
 
 namespace {
 
-[[nodiscard]] std::vector<Key> keys_of(Dice& dice, std::size_t count) {
-    std::vector<Key> keys(count);
+/// An F-curve of any keys; refused where they do not rise or a number is not finite.
+[[nodiscard]] fcurve::FCurve fcurve_of(Dice& dice, std::size_t count) {
+    std::vector<fcurve::Key> keys(count);
     double frame = dice.number(-5.0, 5.0);
-    for (Key& key : keys) {
+    for (fcurve::Key& key : keys) {
         frame += dice.number(0.0, 3.0);
         key.place = {frame, dice.number()};
         key.left = {frame - dice.number(0.0, 1.0), dice.number()};
         key.right = {frame + dice.number(0.0, 1.0), dice.number()};
-        key.interpolation = static_cast<Interpolation>(dice.whole(0, 2));
+        key.interpolation =
+            static_cast<fcurve::Interpolation>(dice.whole(0, fcurve::interpolation_count - 1));
+        key.easing = static_cast<fcurve::Easing>(dice.whole(0, fcurve::easing_count - 1));
+        key.amplitude = static_cast<float>(dice.number());
+        key.period = static_cast<float>(dice.number());
     }
-    return keys;
+    std::optional<fcurve::Cycles> cycles;
+    if (dice.chance(0.5)) {
+        cycles.emplace();
+        cycles->before = static_cast<fcurve::Repeat>(dice.whole(0, fcurve::repeat_count - 1));
+        cycles->after = static_cast<fcurve::Repeat>(dice.whole(0, fcurve::repeat_count - 1));
+        cycles->after_count = dice.whole(-1, 3);
+        cycles->blend_in = static_cast<float>(dice.number(0.0, 5.0));
+        if (dice.chance(0.5)) cycles->start = static_cast<float>(dice.number());
+        cycles->influence = static_cast<float>(dice.number(0.0, 1.0));
+    }
+    return {std::move(keys), dice.chance(0.5), cycles};
 }
 
 [[nodiscard]] Timing timing_of(Dice& dice) {
@@ -42,10 +60,11 @@ struct Layered {
     std::vector<int> parents{-1, 0, 1};
     std::vector<glm::dquat> rest{3, bones::no_turn};
     std::vector<char> inherits{1, 1, 1};
-    std::vector<Key> keys{{{1.0, 0.0}, {0.0, 0.0}, {2.0, 0.0}}, {{9.0, 8.0}, {8.0, 8.0}, {10.0, 8.0}}};
-    std::vector<Curve> curves{{0, 0, 0, 2, true}, {1, 4, 0, 2, true}};
+    std::vector<fcurve::Key> keys{{{1.0, 0.0}, {0.0, 0.0}, {2.0, 0.0}},
+                                  {{9.0, 8.0}, {8.0, 8.0}, {10.0, 8.0}}};
+    std::vector<Curve> curves{{0, 0, 0}, {1, 4, 0}};
     std::vector<Rotation> rotations{Rotation::quaternion, Rotation::xyz, Rotation::axis_angle};
-    Clip clip{rotations, curves, keys};
+    Clip clip{rotations, curves, std::vector{fcurve::FCurve(keys, true)}};
     Stack stack{parents, rest, inherits};
     std::vector<double> mask{1.0, 1.0, 1.0};
 
@@ -88,8 +107,6 @@ TEST_CASE("frames that are NaN are refused before any output is written", "[fuzz
     std::vector<char> changed(3, 7);
     for (const double bad : {not_a_number, infinity, -infinity}) {
         CHECK(is_refused([&] { rig.clip.evaluate(bad, {}, out); }, "frame"));
-        CHECK(is_refused([&] { (void)value_at(rig.keys, true, bad); }, "frame"));
-        CHECK(is_refused([&] { (void)value_at(rig.keys, false, bad); }, "frame"));
         CHECK(is_refused([&] { (void)moment_of({}, bad); }, "frame"));
         CHECK(is_refused([&] { (void)moment_of({.start = bad}, 1.0); }, "start"));
         CHECK(is_refused([&] { (void)moment_of({.first = bad}, 1.0); }, "first"));
@@ -110,13 +127,23 @@ TEST_CASE("frames that are NaN are refused before any output is written", "[fuzz
         CHECK(is_refused([&] { solve(layer, 1.0); }, "given"));
     }
     CHECK(changed == std::vector<char>(3, 7));
-    CHECK(is_refused([&] { (void)value_at({}, true, 1.0); }, "keys"));
-    std::vector<Key> falling = rig.keys;
+    CHECK(is_refused([&] { (void)fcurve::FCurve({}, true); }, "keys"));
+    std::vector<fcurve::Key> falling = rig.keys;
     std::swap(falling[0], falling[1]);
-    CHECK(is_refused([&] { (void)value_at(falling, true, 1.0); }, "keys"));
+    CHECK(is_refused([&] { (void)fcurve::FCurve(falling, true); }, "keys"));
     falling = rig.keys;
-    falling[1].place.x = not_a_number;
-    CHECK(is_refused([&] { (void)value_at(falling, true, 5.0); }, "keys"));
+    falling[1].place.x = std::numeric_limits<float>::quiet_NaN();
+    CHECK(is_refused([&] { (void)fcurve::FCurve(falling, true); }, "keys"));
+    fcurve::Cycles endless;
+    endless.influence = std::numeric_limits<float>::infinity();
+    CHECK(is_refused([&] { (void)fcurve::FCurve(rig.keys, true, endless); }, "cycles"));
+    endless = {.after_count = -1};
+    CHECK(is_refused([&] { (void)fcurve::FCurve(rig.keys, true, endless); }, "cycles"));
+    const fcurve::FCurve sound(rig.keys, true);
+    std::vector<double> values(2);
+    CHECK(is_refused([&] { sound.values(std::array{1.0}, values); }, "out"));
+    CHECK(is_refused([&] { sound.values(std::array{1.0, not_a_number}, values); }, "frames"));
+    CHECK(std::isnan(sound.value(not_a_number)));
 }
 
 TEST_CASE("a rotation made of arbitrary numbers is a unit quaternion", "[fuzz]") {
@@ -140,15 +167,14 @@ TEST_CASE("layers of arbitrary numbers are refused, or give finite bones", "[fuz
                 CHECK((moment.weight >= 0.0 && moment.weight <= 1.0));
             });
             Layered rig;
-            returns([&] { (void)value_at(keys_of(dice, dice.below(4)), dice.chance(0.5), frame); });
+            returns([&] { (void)fcurve_of(dice, dice.below(4)).value(frame); });
             returns([&] {
-                const std::vector<Key> keys = keys_of(dice, 4);
-                const std::vector<Curve> curves{
-                    {dice.whole(-1, 3), dice.whole(-1, 10), dice.whole(-1, 2), dice.whole(-1, 3)},
-                    {0, 0, 0, 4, dice.chance(0.5)},
-                    {1, dice.whole(0, 9), 0, 2, true},
-                    {2, 3, 1, 3, true}};
-                rig.clip = Clip(rig.rotations, std::span(curves).subspan(dice.chance(0.1) ? 0 : 1), keys);
+                const std::vector<fcurve::FCurve> fcurves{fcurve_of(dice, 4), fcurve_of(dice, 2)};
+                const std::vector<Curve> curves{{dice.whole(-1, 3), dice.whole(-1, 10), dice.whole(-2, 2)},
+                                                {0, 0, 0},
+                                                {1, dice.whole(0, 9), 1, dice.chance(0.5)},
+                                                {2, 3, dice.whole(-1, 1)}};
+                rig.clip = Clip(rig.rotations, std::span(curves).subspan(dice.chance(0.1) ? 0 : 1), fcurves);
             });
             std::vector<Transform> base(3), result(3);
             for (Transform& one : base) one = {dice.place(), dice.any_rotation(), dice.place()};

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from ..lazy import numpy as np
+from . import native_keys
 
 if TYPE_CHECKING:
     Array = np.ndarray[Any, Any]
@@ -41,6 +42,12 @@ FARTHEST = 2.0**20  # frames beyond the keys; everything farther away is one pie
 def values(curve: Any, times: Array) -> Array:
     """Values (n,), float64, of an F-curve at times, (n,) frames of the scene in any order, as Blender evaluates them, unrounded."""
     times = np.asarray(times, float)
+    player = native_keys.player(curve, len(times))
+    return _asked(curve, times) if player is None else player.values(times)
+
+
+def _asked(curve: Any, times: Array) -> Array:
+    """Values of an F-curve that Blender evaluates one by one. times: (n,) frames."""
     return np.fromiter(map(curve.evaluate, times.tolist()), float, len(times))
 
 
@@ -65,7 +72,7 @@ def samples(curve: Any, first: float, last: float) -> tuple[list[float], list[fl
     """Samples (frames, values) of the F-curve: at `first` and `last`, and three between each two neighbouring frames of bounds()."""
     nodes = _nodes(bounds(curve, first, last)).tolist()
     frames = [first, *nodes, last]
-    return frames, list(map(curve.evaluate, frames))
+    return frames, values(curve, np.array(frames)).tolist()
 
 
 def bounds(curve: Any, first: float, last: float) -> list[float]:
@@ -111,7 +118,8 @@ def union(lists: list[list[float]]) -> list[float]:
 
 def rate(curve: Any, frame: float) -> float:
     """Change of the F-curve's value per frame, at a frame."""
-    return (curve.evaluate(frame + STEP) - curve.evaluate(frame - STEP)) / (2.0 * STEP)
+    before, after = values(curve, np.array([frame - STEP, frame + STEP])).tolist()
+    return (after - before) / (2.0 * STEP)
 
 
 class _Laps:
@@ -238,9 +246,13 @@ def _halves(places: list[float]) -> list[float]:
 
 
 def _rising(first: float, last: float, inner: Iterable[float]) -> list[float]:
+    found = np.unique(np.fromiter(inner, float))
+    found = found[(first + CLOSE < found) & (found < last - CLOSE)]
+    if len(found) and (np.diff(found) > CLOSE).all():
+        return [first, *found.tolist(), last]
     ordered = [first]
-    for frame in sorted(inner):
-        if ordered[-1] + CLOSE < frame < last - CLOSE:
+    for frame in found.tolist():
+        if ordered[-1] + CLOSE < frame:
             ordered.append(frame)
     return [*ordered, last]
 

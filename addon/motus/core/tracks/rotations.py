@@ -1,10 +1,31 @@
 """Rotations as arrays: quaternions (n, 4; w, x, y, z) as Blender computes them from its rotation modes, and rotation matrices."""
 
-import math
+import functools
 
 from mathutils import Matrix
 
+from .. import native
 from ..lazy import numpy as np
+
+MODES = ('QUATERNION', 'XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX', 'AXIS_ANGLE')
+"""Rotation modes by their numbers in the native module."""
+
+
+def by_rows(make):
+    """Let what makes each row of the same rows of its arrays (n or 1, ...) alone work on one row, if all rows are the same memory.
+
+    Such arrays, as broadcast_to() makes them, stand for what does not move. The result is one too, and cannot be written into.
+    """
+
+    @functools.wraps(make)
+    def made(*arrays):
+        count = max(map(len, arrays))
+        if count < 2 or not all(len(one) == 1 or one.strides[0] == 0 for one in arrays):
+            return make(*arrays)
+        found = make(*(one[:1] for one in arrays))
+        return np.broadcast_to(found, (count, *found.shape[1:]))
+
+    return made
 
 
 def unit(quaternions):
@@ -14,34 +35,23 @@ def unit(quaternions):
     return np.where(lengths > 0.0, quaternions / np.where(lengths > 0.0, lengths, 1.0), (0.0, 1.0, 0.0, 0.0))
 
 
-def from_axis_angle(values):
-    """Unit quaternions (n, 4) from rows of an angle in radians and an axis of any length, (n, 4). An axis of length 0 gives no rotation."""
-    lengths = np.linalg.norm(values[:, 1:], axis=1, keepdims=True)
-    axes = values[:, 1:] / np.where(lengths > 0.0, lengths, 1.0)
-    cosines, sines = _cosines_and_sines(0.5 * values[:, 0])
-    return np.where(lengths > 0.0, np.column_stack((cosines, sines[:, None] * axes)), (1.0, 0.0, 0.0, 0.0))
+def of_mode(numbers, mode):
+    """Unit quaternions (n, 4) of a rotation mode's numbers: (n, 4) of quaternions or angle and axis, (n, 3) of Euler angles in radians.
 
-
-def from_euler(angles, order):
-    """Unit quaternions (n, 4) from Euler angles (n, 3) in radians.
-
-    order: rotation mode such as 'XYZ'. The rotations are about the fixed axes, one after the other in the order of the letters.
+    Numbers that are not finite count as 0. An axis of length 0 gives no rotation.
     """
-    found = None
-    for letter in order:
-        axis = "XYZ".index(letter)
-        turn = np.zeros((len(angles), 4))
-        turn[:, 0], turn[:, 1 + axis] = _cosines_and_sines(0.5 * angles[:, axis])
-        found = turn if found is None else product(turn, found)
-    return found
+    index = MODES.index(mode)
+
+    @by_rows
+    def made(numbers):
+        rows = np.zeros((len(numbers), 4))
+        rows[:, : numbers.shape[1]] = np.nan_to_num(numbers, posinf=0.0, neginf=0.0)
+        return native.module.rotations_of(index, rows)
+
+    return made(numbers)
 
 
-def _cosines_and_sines(angles):
-    # np.cos and np.sin of NumPy 1.24 give one of two results for the same number, from call to call.
-    listed = angles.tolist()
-    return np.array(list(map(math.cos, listed))), np.array(list(map(math.sin, listed)))
-
-
+@by_rows
 def product(left, right):
     """Quaternions (n, 4) that rotate by `right` first and by `left` after that."""
     w, x, y, z = left.T
@@ -51,6 +61,7 @@ def product(left, right):
     )
 
 
+@by_rows
 def matrices(quaternions):
     """Rotation matrices (n, 3, 3), for column vectors, of unit quaternions (n, 4)."""
     w, x, y, z = quaternions.T
@@ -62,14 +73,18 @@ def matrices(quaternions):
     return np.moveaxis(np.array(rows), -1, 0)
 
 
+@by_rows
 def chained(left, right):
-    """Matrix products left @ right of arrays (n or 1, k, k).
+    """Matrix products left @ right, (n, k, m), of arrays (n or 1, k, k) and (n or 1, k, m).
 
     Computed without a linear algebra library, whose results depend in their last bits on where the arrays lie in memory.
     """
-    return sum(left[:, :, index, None] * right[:, None, index, :] for index in range(left.shape[-1]))
+    # What stands for all rows is the same memory in each of them.
+    pair = (np.ascontiguousarray(one[:1] if one.strides[0] == 0 else one, float) for one in (left, right))
+    return native.module.matrix_products(*pair)
 
 
+@by_rows
 def of_axes(rows):
     """Unit quaternions (n, 4) of the rotations in matrices (n, 3, 3), which may also scale and shear.
 

@@ -35,11 +35,26 @@ class Transforms(NamedTuple):
     @property
     def matrices(self):
         """The transforms as matrices (n, 4, 4) for column vectors: translation @ rotation @ scale."""
-        found = np.zeros((len(self.locations), 4, 4))
-        found[:, :3, :3] = rotations.matrices(self.rotations) * self.scales[:, None, :]
-        found[:, :3, 3] = self.locations
-        found[:, 3, 3] = 1.0
-        return found
+        return _matrices(*self)
+
+
+@rotations.by_rows
+def _matrices(locations, turns, scales):
+    found = np.zeros((len(locations), 4, 4))
+    found[:, :3, :3] = rotations.matrices(turns) * scales[:, None, :]
+    found[:, :3, 3] = locations
+    found[:, 3, 3] = 1.0
+    return found
+
+
+@rotations.by_rows
+def _sum(left, right):
+    return left + right
+
+
+@rotations.by_rows
+def _product(left, right):
+    return left * right
 
 
 PARTS = "location", "rotation", "scale"
@@ -103,9 +118,11 @@ class Own:
 
     def _keyed(self, name, size, times):
         """Values (n, size) at times (n,) of a property that nothing animates but keys of the active action. Transforms have no limits."""
-        found = np.empty((len(times), size))
-        found[:] = getattr(self._thing, name)
-        for index, curve in enumerate(self._curves(name, size)):
+        curves = self._curves(name, size)
+        found = np.broadcast_to(np.array(getattr(self._thing, name), float), (len(times), size))
+        if any(curve is not None for curve in curves):
+            found = found.copy()
+        for index, curve in enumerate(curves):
             if curve is not None:
                 found[:, index] = keys.values(curve, times)
         return found
@@ -117,8 +134,8 @@ class Own:
     def _combined(self, found):
         locations, scales = found["location"], found["scale"]
         if self._prefix == "":
-            locations = locations + found["delta_location"]
-            scales = scales * found["delta_scale"]
+            locations = _sum(locations, found["delta_location"])
+            scales = _product(scales, found["delta_scale"])
         return Transforms(locations, self._quaternions(found), scales)
 
     def bounds(self, first, last):
@@ -207,13 +224,7 @@ class Own:
         return names
 
     def _quaternions(self, found):
-        mode = self._mode
-        if mode == 'QUATERNION':
-            names = "rotation_quaternion", "delta_rotation_quaternion"
-            parts = [rotations.unit(found[name]) for name in names if name in found]
-        elif mode == 'AXIS_ANGLE':
-            parts = [rotations.from_axis_angle(found["rotation_axis_angle"])]
-        else:
-            names = "rotation_euler", "delta_rotation_euler"
-            parts = [rotations.from_euler(found[name], mode) for name in names if name in found]
+        """Unit quaternions (n, 4) of the own rotation with its delta rotation. found: {name of a property: its values}."""
+        kind = ROTATIONS.get(self._mode, ("rotation_euler", 3))[0]
+        parts = [rotations.of_mode(found[name], self._mode) for name in (kind, f"delta_{kind}") if name in found]
         return parts[0] if len(parts) == 1 else rotations.product(parts[1], parts[0])

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <glm/gtc/quaternion.hpp>
+#include <utility>
 #include <vector>
 
 #include "motus/bones/layers/stack.hpp"
@@ -40,17 +41,19 @@ Clip make_clip() {
     test::Random random(2);
     const std::vector<Rotation> modes(bone_count, Rotation::quaternion);
     std::vector<Curve> curves;
-    std::vector<Key> keys;
+    std::vector<fcurve::FCurve> fcurves;
     for (int bone = 0; bone < bone_count; ++bone) {
         for (int channel = 0; channel < 7; ++channel) {
-            curves.push_back({bone, channel, static_cast<int>(keys.size()), key_count, false});
+            curves.push_back({bone, channel, static_cast<int>(fcurves.size())});
+            std::vector<fcurve::Key> keys;
             for (int i = 0; i < key_count; ++i) {
                 const glm::dvec2 place(8.0 * i, random.between(-1.0, 1.0));
                 keys.push_back({place, place - glm::dvec2(2.6, 0.0), place + glm::dvec2(2.6, 0.0)});
             }
+            fcurves.emplace_back(std::move(keys), false);
         }
     }
-    return {modes, curves, keys};
+    return {modes, curves, fcurves};
 }
 
 void row(const bench::Table& table, const char* name, const Rig& rig, std::size_t count, const Layer& layer) {

@@ -15,6 +15,7 @@
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
 #include "core/typed.hpp"
+#include "fcurve/fcurve.hpp"
 #include "motus/bones/layers/clip.hpp"
 #include "motus/bones/layers/mask.hpp"
 #include "motus/bones/layers/stack.hpp"
@@ -35,7 +36,7 @@ constexpr std::size_t row_size = 10;
 
 // --- LayerClip -------------------------------------------------------------------------------------------
 
-constexpr std::size_t curve_size = 5, key_size = 6;
+constexpr std::size_t curve_size = 4;
 
 [[nodiscard]] std::vector<layers::Rotation> rotation_modes(const ArrayLike& given) {
     std::vector<layers::Rotation> result;
@@ -52,36 +53,38 @@ constexpr std::size_t curve_size = 5, key_size = 6;
     return static_cast<std::size_t>(array.shape(0));
 }
 
-[[nodiscard]] std::vector<layers::Key> read_keys(const Float32Array& given,
-                                                 const Int32Array& interpolations) {
-    const std::size_t count = rows_of(given, "keys");
-    const std::span<const float> rows = elements<float>(given, "keys", {count, key_size});
-    const std::span<const int> kinds = elements<int>(interpolations, "interpolations", {count});
-    std::vector<layers::Key> result;
-    result.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (kinds[i] < 0 || kinds[i] > 2) value_error("interpolations", "must be 0, 1 or 2");
-        const std::span<const float> row = rows.subspan(i * key_size, key_size);
-        if (!are_finite(row)) value_error("keys", "every value must be finite");
-        result.push_back({{row[0], row[1]},
-                          {row[2], row[3]},
-                          {row[4], row[5]},
-                          static_cast<layers::Interpolation>(kinds[i])});
-    }
-    return result;
-}
-
 [[nodiscard]] layers::Clip make_clip(const ArrayLike& rotations, const Int32Array& curves,
-                                     const Float32Array& keys, const Int32Array& interpolations) {
+                                     const FCurves& fcurves) {
     const std::size_t count = rows_of(curves, "curves");
     const std::span<const int> rows = elements<int>(curves, "curves", {count, curve_size});
     std::vector<layers::Curve> read;
     read.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const std::span<const int> row = rows.subspan(i * curve_size, curve_size);
-        read.push_back({row[0], row[1], row[2], row[3], row[4] != 0});
+        read.push_back({row[0], row[1], row[2], row[3] != 0});
     }
-    return {rotation_modes(rotations), read, read_keys(keys, interpolations)};
+    return {rotation_modes(rotations), read, fcurves_in(fcurves, "fcurves")};
+}
+
+constexpr double turn_cost = 60.0;  // ns, rough
+
+DoubleArray rotations_of(const WholeNumber& mode, const ArrayLike& numbers) {
+    const int index = whole_number(mode, "mode");
+    if (index < 0 || index > 7) value_error("mode", "must be 0 to 7");
+    const DoubleArray given = doubles(numbers, "numbers");
+    if (given.ndim() != 2 || given.shape(1) != 4)
+        value_error("numbers", "must have the shape (n, 4), not " + shape_of(given));
+    const auto count = static_cast<std::size_t>(given.shape(0));
+    DoubleArray result = new_array({count, std::size_t{4}});
+    double* out = values_of(result).data();
+    const double* in = given.data();
+    const ReleaseGil released(count, turn_cost);
+    for (std::size_t i = 0; i < count; ++i, in += 4) {
+        const glm::dquat q =
+            layers::rotation_of(static_cast<layers::Rotation>(index), std::span<const double, 4>(in, 4));
+        for (const double part : {q.w, q.x, q.y, q.z}) *out++ = part;
+    }
+    return result;
 }
 
 void write_row(const Transform& transform, std::span<double> row) {
@@ -385,18 +388,16 @@ void solve_stack(const layers::Stack& stack, const Number& frame, const Float32A
 
 void bind_clip(py::module_& m) {
     py::class_<layers::Clip>(m, "LayerClip", py::module_local(), R"(
-What an action says of a rig's bones: its F-curves as plain arrays. Immutable.
+What an action says of a rig's bones: its F-curves. Immutable.
 
 rotations: (B,), rotation mode of each bone: 0 quaternion, 1-6 Euler XYZ, XZY, YXZ, YZX, ZXY, ZYX, 7 axis and angle.
-curves: (C, 5) int32: bone; channel, 0-2 location, 3-6 the numbers of its rotation mode, 7-9 scale; index of its first key;
-how many it has, 0 where the caller gives its value; whether it goes on beyond them as a straight line, without keys whether
-it is an angle that goes beyond half a turn.
-keys: (K, 6) float32: frame and value of the key, of its left handle, of its right one.  interpolations: (K,) int32: 0
-constant, 1 linear, 2 Bezier.
+curves: (C, 4) int32: bone; channel, 0-2 location, 3-6 the numbers of its rotation mode, 7-9 scale; index of its FCurve, -1 where
+the caller gives its value; whether it counts as an angle that goes beyond half a turn, whatever its keys say.
+fcurves: (F) FCurve.
 bones: those that it animates.  channels: of each a sum of 1 location, 2 rotation, 4 scale.  spins: whether angles of any go
-beyond half a turn, or by a whole turn from key to key.  given: how many curves have no keys.
+beyond half a turn, or by a whole turn from key to key.  given: how many curves have no FCurve.
 Raises ValueError or TypeError that names the argument.)")
-        .def(py::init(&make_clip), "rotations"_a, "curves"_a, "keys"_a, "interpolations"_a)
+        .def(py::init(&make_clip), "rotations"_a, "curves"_a, "fcurves"_a)
         .def_property_readonly("bones", &bones_of)
         .def_property_readonly("channels", &channels_of)
         .def_property_readonly("spins", &layers::Clip::has_spins)
@@ -404,7 +405,7 @@ Raises ValueError or TypeError that names the argument.)")
         .def("pose", &clip_pose, "frame"_a, "given"_a = py::none(), R"(
 (n, 10) of the bones at a frame of the action: location, unit quaternion w, x, y, z, scale; at rest what it says nothing of.
 
-given: (given,), values of the curves without keys.  Raises ValueError or TypeError that names the argument.)")
+given: (given,), values of the curves without an FCurve.  Raises ValueError or TypeError that names the argument.)")
         .def("numbers", &clip_numbers, "frame"_a, "given"_a = py::none(), R"(
 (n, 4): what the bones' rotations are made of at a frame of the action, in their modes: a quaternion, Euler angles and a number
 that does not count, an angle and its axis; rad.
@@ -420,6 +421,11 @@ void bind_layers(py::module_& m) {
 When layers play what: (L, 2), frame of the action and weight, at a frame of the scene.
 
 settings: (L, 10), see LayerStack.SETTINGS.  Raises ValueError or TypeError that names the argument.)");
+    m.def("rotations_of", &rotations_of, "mode"_a, "numbers"_a, R"(
+(n, 4): unit quaternions of numbers (n, 4) in a rotation mode, as Blender makes them.
+
+mode: 0 quaternion, 1-6 Euler XYZ, XZY, YXZ, YZX, ZXY, ZYX, 7 axis and angle.  numbers: a quaternion; Euler angles about X, Y and Z
+and a number that does not count; an angle and its axis; rad.  Raises ValueError or TypeError that names the argument.)");
     m.def("layer_mask", &mask, "parents"_a, "chosen"_a, "feather"_a = 0, R"(
 Weights of a mask with a soft border: (B,).
 
@@ -443,7 +449,7 @@ basis: (B, 16) float32, PoseBone.matrix_basis, column by column.  clips: (L) Lay
 frame; first and last frame of the action; speed; after: 0 it ends, 1 it holds, 2 it repeats; blend_in and blend_out, frames
 of the scene; weight; mode: 0 override, 1 additive; in_armature: not 0, rotations are blended as they are in the armature.
 masks: (L, B), in [0, 1].  references: of each layer the pose() that an additive one starts from, None for the rest pose.
-given: of each layer the values of its clip's curves without keys, or None.
+given: of each layer the values of its clip's curves without an FCurve, or None.
 rows: (R,) bones.  locations (R, 3), rotations (R, 4) w, x, y, z, scales (R, 3), float64: written into; location to add, rotation
 after the bone's own, scale to multiply by.  laid: (R, 16) float32, written into: the bone's own transform with all layers.
 laps: of each layer (n, 8), or None: numbers() of the first pose that it plays (of an additive one's reference, if that is a pose

@@ -15,6 +15,9 @@
 using namespace motus;
 using namespace motus::bones;
 using namespace motus::bones::layers;
+using motus::fcurve::FCurve;
+using motus::fcurve::Interpolation;
+using motus::fcurve::Key;
 using std::numbers::pi;
 
 namespace {
@@ -46,11 +49,12 @@ struct Figure {
 
     static Clip clip_of(const std::vector<int>& bones) {
         const std::array modes{Rotation::xyz, Rotation::xyz, Rotation::xyz, Rotation::xyz};
-        const std::array keys{Key{{1, 0}, {0, 0}, {2, 0}, Interpolation::linear},
-                              Key{{101, 10}, {100, 10}, {102, 10}, Interpolation::linear}};
+        const FCurve line({Key{{1, 0}, {0, 0}, {2, 0}, Interpolation::linear},
+                           Key{{101, 10}, {100, 10}, {102, 10}, Interpolation::linear}},
+                          false);
         std::vector<Curve> curves;
-        for (const int bone : bones) curves.push_back({bone, 5, 0, 2, false});
-        return {modes, curves, keys};
+        for (const int bone : bones) curves.push_back({bone, 5, 0});
+        return {modes, curves, std::array{line}};
     }
 
     [[nodiscard]] std::vector<Transform> lay(double frame, const std::vector<Layer>& layers,
@@ -133,10 +137,9 @@ Clip rotor(Rotation mode) {
     const auto key = [](double frame, double value) {
         return Key{{frame, value}, {frame, value}, {frame, value}, Interpolation::linear};
     };
-    const std::array keys{key(1, 0), key(49, 4.0 * pi), key(1, 0.6), key(49, 0.9)};
-    return {modes,
-            std::array{Curve{1, mode == Rotation::axis_angle ? 3 : 4, 0, 2, false}, Curve{2, 3, 2, 2, false}},
-            keys};
+    const FCurve turning({key(1, 0), key(49, 4.0 * pi)}, false), slanted({key(1, 0.6), key(49, 0.9)}, false);
+    return {modes, std::array{Curve{1, mode == Rotation::axis_angle ? 3 : 4, 0}, Curve{2, 3, 1}},
+            std::array{turning, slanted}};
 }
 
 /// A layer that plays it, with what LayerStack wants of it.

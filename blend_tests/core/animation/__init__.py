@@ -1,0 +1,1 @@
+"""Tests of what lies in addon/motus/core/animation."""
