@@ -11,7 +11,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'Reason', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'bone_to_pose', 'box_around', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'Reason', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'bone_to_pose', 'box_around', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -193,6 +193,34 @@ class PolyLine(Curve):
         points: (k, 3), k >= 2.  cyclic: adds the segment from the last point to the first.
         Raises ValueError for another shape or if a value is not finite, TypeError if they are not real numbers.
         """
+class FCurve:
+    """
+    An F-curve as Blender plays it, in single precision: its keys, and a Cycles modifier. Immutable.
+    
+    keys: (K, 6) float32, K > 0, their frames rising: frame and value of the key, of its left handle, of its right one.
+    interpolations: (K,) int32, Blender's numbers: 0 constant, 1 linear, 2 Bezier, 3 back, 4 bounce, 5 circular, 6 cubic, 7 elastic,
+    8 exponential, 9 quadratic, 10 quartic, 11 quintic, 12 sinusoidal.  goes_on: beyond the keys as a straight line, else it holds.
+    easings: (K,) int32: 0 automatic, 1 in, 2 out, 3 in and out; None: all automatic.
+    shapes: (K, 3) float32: overshoot of back, amplitude and period of elastic; None: as of new keys.
+    cycles: (10,) float64, or None without the modifier: what it does before and after the keys, 0 nothing, 1 repeat, 2 repeat with
+    offset, 3 repeat mirrored; how often before and after, 0 for ever; first and last frame, which may be infinite; over how many
+    frames it blends in and out; influence; 0 if laps are counted in single precision, as versions of Blender before 4.2 do.
+    is_plain: whether it has neither easings that go by a name nor a Cycles modifier.
+    Raises ValueError or TypeError that names the argument.
+    """
+    def __init__(self, keys: numpy.typing.NDArray[numpy.float32], interpolations: numpy.typing.NDArray[numpy.int32], goes_on: bool, easings: numpy.typing.NDArray[numpy.int32] | None = None, shapes: numpy.typing.NDArray[numpy.float32] | None = None, cycles: numpy.typing.NDArray[numpy.float64] | None = None) -> None:
+        ...
+    def value(self, frame: float) -> float:
+        """
+        Value at a frame; infinite or NaN where Blender's overflows.  Raises ValueError or TypeError that names the argument.
+        """
+    def values(self, frames: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (n,): values at frames (n,), in any order.  Raises ValueError or TypeError that names the argument.
+        """
+    @property
+    def is_plain(self) -> bool:
+        ...
 class Timing:
     """
     Distance as a function of time, for follow(): seconds, and the curve's unit of length. Immutable.
@@ -434,19 +462,17 @@ class LookAtPlan:
         ...
 class LayerClip:
     """
-    What an action says of a rig's bones: its F-curves as plain arrays. Immutable.
+    What an action says of a rig's bones: its F-curves. Immutable.
     
     rotations: (B,), rotation mode of each bone: 0 quaternion, 1-6 Euler XYZ, XZY, YXZ, YZX, ZXY, ZYX, 7 axis and angle.
-    curves: (C, 5) int32: bone; channel, 0-2 location, 3-6 the numbers of its rotation mode, 7-9 scale; index of its first key;
-    how many it has, 0 where the caller gives its value; whether it goes on beyond them as a straight line, without keys whether
-    it is an angle that goes beyond half a turn.
-    keys: (K, 6) float32: frame and value of the key, of its left handle, of its right one.  interpolations: (K,) int32: 0
-    constant, 1 linear, 2 Bezier.
+    curves: (C, 4) int32: bone; channel, 0-2 location, 3-6 the numbers of its rotation mode, 7-9 scale; index of its FCurve, -1 where
+    the caller gives its value; whether it counts as an angle that goes beyond half a turn, whatever its keys say.
+    fcurves: (F) FCurve.
     bones: those that it animates.  channels: of each a sum of 1 location, 2 rotation, 4 scale.  spins: whether angles of any go
-    beyond half a turn, or by a whole turn from key to key.  given: how many curves have no keys.
+    beyond half a turn, or by a whole turn from key to key.  given: how many curves have no FCurve.
     Raises ValueError or TypeError that names the argument.
     """
-    def __init__(self, rotations: numpy.typing.ArrayLike, curves: numpy.typing.NDArray[numpy.int32], keys: numpy.typing.NDArray[numpy.float32], interpolations: numpy.typing.NDArray[numpy.int32]) -> None:
+    def __init__(self, rotations: numpy.typing.ArrayLike, curves: numpy.typing.NDArray[numpy.int32], fcurves: list[FCurve]) -> None:
         ...
     def numbers(self, frame: float, given: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
         """
@@ -459,7 +485,7 @@ class LayerClip:
         """
         (n, 10) of the bones at a frame of the action: location, unit quaternion w, x, y, z, scale; at rest what it says nothing of.
         
-        given: (given,), values of the curves without keys.  Raises ValueError or TypeError that names the argument.
+        given: (given,), values of the curves without an FCurve.  Raises ValueError or TypeError that names the argument.
         """
     @property
     def bones(self) -> tuple[int, ...]:
@@ -492,7 +518,7 @@ class LayerStack:
         frame; first and last frame of the action; speed; after: 0 it ends, 1 it holds, 2 it repeats; blend_in and blend_out, frames
         of the scene; weight; mode: 0 override, 1 additive; in_armature: not 0, rotations are blended as they are in the armature.
         masks: (L, B), in [0, 1].  references: of each layer the pose() that an additive one starts from, None for the rest pose.
-        given: of each layer the values of its clip's curves without keys, or None.
+        given: of each layer the values of its clip's curves without an FCurve, or None.
         rows: (R,) bones.  locations (R, 3), rotations (R, 4) w, x, y, z, scales (R, 3), float64: written into; location to add, rotation
         after the bone's own, scale to multiply by.  laid: (R, 16) float32, written into: the bone's own transform with all layers.
         laps: of each layer (n, 8), or None: numbers() of the first pose that it plays (of an additive one's reference, if that is a pose
@@ -1199,6 +1225,13 @@ def look_at(forward: numpy.typing.ArrayLike, targets: numpy.typing.ArrayLike, ch
     Returns a LookAtTurns.
     Raises ValueError or TypeError that names the argument.
     """
+def matrix_products(left: numpy.typing.NDArray[numpy.float64], right: numpy.typing.NDArray[numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    Matrix products left @ right, (n, k, m). Their numbers may be infinite or NaN.
+    
+    left: (n, k, k) or (1, k, k).  right: (n, k, m) or (1, k, m).  Both aligned and C-contiguous.
+    Raises ValueError or TypeError that names the argument.
+    """
 def noise1(x: numpy.typing.ArrayLike, seed: int = 0) -> typing.Any:
     """
     Smooth noise of one variable, in [-1, 1]: two continuous derivatives, no period, most of its power below one wave a unit.
@@ -1288,6 +1321,13 @@ def refine(positions: numpy.typing.ArrayLike, triangles: numpy.typing.ArrayLike,
     int32), on the same surface and without new gaps. The given vertices come first.
     
     Raises ValueError or TypeError that names the argument, also if there would be more than most_vertices.
+    """
+def rotations_of(mode: int, numbers: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    (n, 4): unit quaternions of numbers (n, 4) in a rotation mode, as Blender makes them.
+    
+    mode: 0 quaternion, 1-6 Euler XYZ, XZY, YXZ, YZX, ZXY, ZYX, 7 axis and angle.  numbers: a quaternion; Euler angles about X, Y and Z
+    and a number that does not count; an angle and its axis; rad.  Raises ValueError or TypeError that names the argument.
     """
 def roundness(depth: numpy.typing.ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float, width: float, viewing_distance: float, eye_separation: float = 0.065, mode: typing.Literal['off_axis', 'parallel', 'toe_in'] = 'off_axis') -> typing.Any:
     """
