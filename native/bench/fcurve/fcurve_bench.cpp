@@ -1,10 +1,9 @@
 // F-curves: what a value costs.
-#include "motus/fcurve/fcurve.hpp"
-
 #include <cstdio>
 #include <utility>
 #include <vector>
 
+#include "motus/fcurve/fcurve.hpp"
 #include "random.hpp"
 #include "stopwatch.hpp"
 

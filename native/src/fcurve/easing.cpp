@@ -162,8 +162,7 @@ struct Swing {
 
     /// Height at t, without the way's own change.
     [[nodiscard]] float at(float t, float duration) const {
-        return height * std::pow(2.0f, 10.0f * t) *
-               std::sin((t * duration - shift) * (2.0f * pi) / period);
+        return height * std::pow(2.0f, 10.0f * t) * std::sin((t * duration - shift) * (2.0f * pi) / period);
     }
 
   private:

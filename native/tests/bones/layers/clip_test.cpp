@@ -75,7 +75,8 @@ TEST_CASE("a clip has the values of its curves, and rest values for channels wit
 
 TEST_CASE("a clip plays cycles, and takes what overflows for 0", "[layers]") {
     const std::array modes{Rotation::quaternion};
-    std::vector<Key> keys(line(0, 1).keys().begin(), line(0, 1).keys().end());
+    const FCurve whole = line(0, 1);
+    std::vector<Key> keys(whole.keys().begin(), whole.keys().end());
     const FCurve cyclic(keys, false, Cycles{.after = Repeat::with_offset});
     keys[1].place.y = 3e38f;
     const FCurve steep(keys, true);
@@ -87,7 +88,8 @@ TEST_CASE("a clip plays cycles, and takes what overflows for 0", "[layers]") {
 
 TEST_CASE("angles beyond half a turn go around", "[layers]") {
     const auto goes = [](Rotation mode, int channel, double from, double to) {
-        return Clip(std::array{mode}, std::array{Curve{0, channel, 0}}, std::array{line(from, to)}).has_spins();
+        return Clip(std::array{mode}, std::array{Curve{0, channel, 0}}, std::array{line(from, to)})
+            .has_spins();
     };
     CHECK(goes(Rotation::xyz, 4, 0.0, 3.5));
     CHECK(goes(Rotation::xyz, 4, 0.0, -3.5));

@@ -13,9 +13,10 @@ namespace motus::bones::layers {
 /// Which number of a bone an F-curve animates.
 struct Curve {
     int bone = 0;
-    int channel = 0;           ///< 0-2 location, 3-6 the numbers of its rotation, 7-9 scale
-    int fcurve = -1;           ///< index among those of the clip; -1: the caller gives its value
-    bool goes_around = false;  ///< whether it counts as an angle that goes beyond half a turn, whatever its keys say
+    int channel = 0;  ///< 0-2 location, 3-6 the numbers of its rotation, 7-9 scale
+    int fcurve = -1;  ///< index among those of the clip; -1: the caller gives its value
+    bool goes_around =
+        false;  ///< whether it counts as an angle that goes beyond half a turn, whatever its keys say
 };
 inline constexpr int channel_count = 10;
 
@@ -40,9 +41,9 @@ class Clip {
     /// How many curves the caller gives the values of.
     [[nodiscard]] std::size_t given_count() const noexcept { return given_count_; }
 
-    /// given: values of the curves that have no F-curve, in their order. out: one a bone of bones(). numbers: the
-    /// same, or none: what the bones' rotations are made of. std::invalid_argument where there are more or
-    /// fewer, or the frame is not finite. Values that overflow count as 0.
+    /// given: values of the curves that have no F-curve, in their order. out: one a bone of bones(). numbers:
+    /// the same, or none: what the bones' rotations are made of. std::invalid_argument where there are more
+    /// or fewer, or the frame is not finite. Values that overflow count as 0.
     void evaluate(double frame, std::span<const double> given, std::span<Transform> out,
                   std::span<Numbers> numbers = {}) const;
 
