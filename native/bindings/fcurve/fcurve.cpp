@@ -134,7 +134,8 @@ std::vector<FCurve> fcurves_in(const FCurves& given, const char* name) {
 
 void bind_fcurve(py::module_& m) {
     py::class_<FCurve>(m, "FCurve", py::module_local(), R"(
-An F-curve as Blender plays it, in single precision: its keys, and a Cycles modifier. Immutable.
+An F-curve as Blender plays it: its keys, and a Cycles modifier. Immutable. Its values are in single precision, as Blender's are;
+a LayerClip plays it in double precision if it is_plain.
 
 keys: (K, 6) float32, K > 0, their frames rising: frame and value of the key, of its left handle, of its right one.
 interpolations: (K,) int32, Blender's numbers: 0 constant, 1 linear, 2 Bezier, 3 back, 4 bounce, 5 circular, 6 cubic, 7 elastic,

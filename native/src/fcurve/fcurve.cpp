@@ -1,7 +1,9 @@
 #include "motus/fcurve/fcurve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <limits>
 #include <utility>
 
@@ -12,77 +14,30 @@
 namespace motus::fcurve {
 namespace {
 
-constexpr float same_frame = 1e-4f;  // Blender's: nearer than that a frame is the key's
-constexpr float flat = std::numeric_limits<float>::epsilon();
+/// Places of keys and handles.
+template <class Real>
+using Place = glm::vec<2, Real>;
+
+template <class Real>
+constexpr Real same_frame{1e-4f};  // Blender's: nearer than that a frame is the key's
+template <class Real>
+constexpr Real flat{std::numeric_limits<float>::epsilon()};
 
 // --- Bezier pieces ---------------------------------------------------------------------------------------
 
-[[nodiscard]] double cube_root(double x) {
-    if (x == 0.0) return 0.0;
-    // As Blender has it; std::cbrt differs in the last bits.
-    return std::copysign(std::exp(std::log(std::abs(x)) / 3.0), x);
-}
-
-/// A root of a cubic equation lies in the piece, by Blender's bounds.
-[[nodiscard]] bool is_within(float root) {
-    return root >= -1e-10f && root <= 1.000001f;
-}
-
-/// The first of the roots that lies in the piece.
-template <class... Roots>
-[[nodiscard]] std::optional<float> first_within(Roots... roots) {
-    for (const double root : {static_cast<double>(roots)...})
-        if (is_within(static_cast<float>(root))) return static_cast<float>(root);
-    return std::nullopt;
-}
-
-/// Of c0 + c1 t + c2 t^2 = 0.
-[[nodiscard]] std::optional<float> root_of(double c0, double c1, double c2) {
-    if (c2 != 0.0) {
-        const double discriminant = c1 * c1 - 4.0 * c2 * c0;
-        if (discriminant < 0.0) return std::nullopt;
-        const double way = std::sqrt(discriminant);
-        return first_within((-c1 - way) / (2.0 * c2), (-c1 + way) / (2.0 * c2));
-    }
-    if (c1 != 0.0) return first_within(-c0 / c1);
-    if (c0 == 0.0) return 0.0f;
-    return std::nullopt;
-}
-
-/// Of c0 + c1 t + c2 t^2 + c3 t^3 = 0: Cardano's formula, with cosines where there are three roots.
-[[nodiscard]] std::optional<float> root_of(double c0, double c1, double c2, double c3) {
-    if (c3 == 0.0) return root_of(c0, c1, c2);
-    const double a = c2 / c3 / 3.0, b = c1 / c3, c = c0 / c3;
-    const double p = b / 3.0 - a * a;
-    const double q = (2.0 * a * a * a - a * b + c) / 2.0;
-    const double discriminant = q * q + p * p * p;
-    if (discriminant > 0.0) {
-        const double way = std::sqrt(discriminant);
-        return first_within(cube_root(-q + way) + cube_root(-q - way) - a);
-    }
-    if (discriminant == 0.0) {
-        const double way = cube_root(-q);
-        return first_within(2.0 * way - a, -way - a);
-    }
-    const double angle = std::acos(-q / std::sqrt(-(p * p * p)));
-    const double size = std::sqrt(-p);
-    const double cosine = std::cos(angle / 3.0);
-    const double sine = std::sqrt(3.0 - 3.0 * cosine * cosine);
-    return first_within(2.0 * size * cosine - a, -size * (cosine + sine) - a, -size * (cosine - sine) - a);
-}
-
 /// Frames and values of a Bezier piece. Handles longer than the way are shortened, or there would be several
 /// values for a frame.
+template <class Real>
 struct Piece {
-    float frames[4], values[4];
+    std::array<Real, 4> frames, values;
 
     Piece(const Key& from, const Key& to)
         : frames{from.place.x, from.right.x, to.left.x, to.place.x},
           values{from.place.y, from.right.y, to.left.y, to.place.y} {}
 
     [[nodiscard]] bool is_flat() const {
-        return std::abs(values[0] - values[3]) < flat && std::abs(values[1] - values[2]) < flat &&
-               std::abs(values[2] - values[3]) < flat;
+        return std::abs(values[0] - values[3]) < flat<Real> && std::abs(values[1] - values[2]) < flat<Real> &&
+               std::abs(values[2] - values[3]) < flat<Real>;
     }
 
     void shorten_handles() {
@@ -92,73 +47,83 @@ struct Piece {
 
   private:
     void shorten(std::size_t key, std::size_t handle) {
-        const glm::vec2 way(frames[key] - frames[handle], values[key] - values[handle]);
-        const float length = frames[3] - frames[0];
+        const Place<Real> way(frames[key] - frames[handle], values[key] - values[handle]);
+        const Real length = frames[3] - frames[0];
         if (!(std::abs(way.x) > length)) return;
-        const float share = length / std::abs(way.x);
+        const Real share = length / std::abs(way.x);
         frames[handle] = frames[key] - share * way.x;
         values[handle] = values[key] - share * way.y;
     }
 };
 
-[[nodiscard]] float bezier(const Key& from, const Key& to, float frame, Root& root) {
-    Piece piece(from, to);
-    if (piece.is_flat()) return from.place.y;
+template <class Real>
+[[nodiscard]] Real bezier(const Key& from, const Key& to, Real frame, Root<Real>& root) {
+    Piece<Real> piece(from, to);
+    if (piece.is_flat()) return Real{from.place.y};
     piece.shorten_handles();
-    const std::optional<float> found = root.find(piece.frames, frame);
-    if (!found) return 0.0f;  // Blender's
-    const float t = *found;
+    const std::optional<Real> found = root.find(piece.frames, frame);
+    if (!found) return Real{0};  // Blender's
+    const Real t = *found;
     const auto& p = piece.values;
-    const float c1 = 3.0f * (p[1] - p[0]);
-    const float c2 = 3.0f * (p[0] - 2.0f * p[1] + p[2]);
-    const float c3 = p[3] - p[0] + 3.0f * (p[1] - p[2]);
+    const Real three{3};
+    const Real c1 = three * (p[1] - p[0]);
+    const Real c2 = three * (p[0] - Real{2} * p[1] + p[2]);
+    const Real c3 = p[3] - p[0] + three * (p[1] - p[2]);
     return p[0] + t * c1 + t * t * c2 + t * t * t * c3;
 }
 
 // --- keys ------------------------------------------------------------------------------------------------
 
-[[nodiscard]] float between(const Key& from, const Key& to, float frame, Root& root) {
-    const Way way{frame - from.place.x, from.place.y, to.place.y - from.place.y, to.place.x - from.place.x};
+template <class Real>
+[[nodiscard]] Real between(const Key& from, const Key& to, Real frame, Root<Real>& root) {
+    const Place<Real> begin(from.place), way = Place<Real>(to.place) - begin;
+    const Real time = frame - begin.x;
     switch (from.interpolation) {
         case Interpolation::constant:
-            return way.begin;
+            return begin.y;
         case Interpolation::linear:
-            return way.change * way.time / way.duration + way.begin;
+            return way.y * time / way.x + begin.y;
         case Interpolation::bezier:
             return bezier(from, to, frame, root);
         default:
-            return eased(from, way);
+            return Real{eased(from, {static_cast<float>(time), from.place.y, static_cast<float>(way.y),
+                                     static_cast<float>(way.x)})};
     }
 }
 
 /// Beyond the first or last key, along a straight line. handle: of the key, on that side; neighbour: the next
 /// key, none where there is no other.
-[[nodiscard]] float beyond(const Key& end, const Key* neighbour, const glm::vec2& handle, float frame) {
-    if (end.interpolation == Interpolation::constant) return end.place.y;
+template <class Real>
+[[nodiscard]] Real beyond(const Key& end, const Key* neighbour, const glm::vec2& handle, Real frame) {
+    const Place<Real> place(end.place);
+    if (end.interpolation == Interpolation::constant) return place.y;
     const bool is_line = end.interpolation == Interpolation::linear;
-    if (is_line && neighbour == nullptr) return end.place.y;
+    if (is_line && neighbour == nullptr) return place.y;
     // Blender's signs: the same line, but not the same bits with others.
-    const glm::vec2 way = is_line ? neighbour->place - end.place : end.place - handle;
-    if (way.x == 0.0f) return end.place.y;
-    return end.place.y - way.y / way.x * (end.place.x - frame);
+    const Place<Real> way = is_line ? Place<Real>(neighbour->place) - place : place - Place<Real>(handle);
+    if (way.x == Real{0}) return place.y;
+    return place.y - way.y / way.x * (place.x - frame);
 }
 
-[[nodiscard]] float keyed(std::span<const Key> keys, bool goes_on, float frame, Root& root) {
+template <class Real>
+[[nodiscard]] Real keyed(std::span<const Key> keys, bool goes_on, Real frame, Root<Real>& root) {
     const Key& first = keys.front();
     const Key& last = keys.back();
     const bool has_others = keys.size() > 1;
-    if (frame <= first.place.x)
-        return goes_on ? beyond(first, has_others ? &keys[1] : nullptr, first.left, frame) : first.place.y;
-    if (last.place.x <= frame)
+    if (frame <= Real{first.place.x})
+        return goes_on ? beyond(first, has_others ? &keys[1] : nullptr, first.left, frame)
+                       : Real{first.place.y};
+    if (Real{last.place.x} <= frame)
         return goes_on ? beyond(last, has_others ? &keys[keys.size() - 2] : nullptr, last.right, frame)
-                       : last.place.y;
+                       : Real{last.place.y};
     const auto inner = keys.subspan(1, keys.size() - 2);
-    const auto after = std::ranges::upper_bound(inner, frame, {}, [](const Key& key) { return key.place.x; });
+    const auto after =
+        std::ranges::upper_bound(inner, frame, {}, [](const Key& key) { return Real{key.place.x}; });
     const std::size_t next = static_cast<std::size_t>(after - inner.begin()) + 1;
     const Key& to = keys[next];
     const Key& from = keys[next - 1];
-    if (frame - from.place.x <= same_frame) return from.place.y;
-    if (to.place.x - frame <= same_frame) return to.place.y;
+    if (frame - Real{from.place.x} <= same_frame<Real>) return Real{from.place.y};
+    if (Real{to.place.x} - frame <= same_frame<Real>) return Real{to.place.y};
     return between(from, to, frame, root);
 }
 
@@ -272,36 +237,25 @@ void check(const Cycles& cycles) {
 
 }  // namespace
 
-std::optional<float> Root::find(const float (&frames)[4], float frame) {
-    if (frame != frame_ || !std::ranges::equal(frames, frames_)) {
-        std::ranges::copy(frames, frames_);
-        frame_ = frame;
-        const float* const p = frames_;
-        found_ = root_of(static_cast<double>(p[0] - frame), static_cast<double>(3.0f * (p[1] - p[0])),
-                         static_cast<double>(3.0f * (p[0] - 2.0f * p[1] + p[2])),
-                         static_cast<double>(p[3] - p[0] + 3.0f * (p[1] - p[2])));
-    }
-    return found_;
-}
-
 FCurve::FCurve(std::vector<Key> keys, bool goes_on, const std::optional<Cycles>& cycles) {
     check(keys);
     if (cycles) check(*cycles);
-    data_ = std::make_shared<const Data>(Data{std::move(keys), goes_on, cycles});
-}
-
-bool FCurve::is_plain() const noexcept {
-    return !data_->cycles && std::ranges::all_of(data_->keys, [](const Key& key) {
-        return key.interpolation <= Interpolation::bezier;
-    });
+    const bool has_easings =
+        std::ranges::any_of(keys, [](const Key& key) { return key.interpolation > Interpolation::bezier; });
+    data_ = std::make_shared<const Data>(Data{std::move(keys), goes_on, !cycles && !has_easings, cycles});
 }
 
 float FCurve::value(double frame) const {
-    Root root;
+    Root<float> root;
     return value(frame, root);
 }
 
-float FCurve::value(double frame, Root& root) const {
+double FCurve::precise_value(double frame, Roots& roots) const {
+    if (!is_plain() || !std::isfinite(frame)) return static_cast<double>(value(frame, roots.single));
+    return keyed(data_->keys, data_->goes_on, frame, roots.precise);
+}
+
+float FCurve::value(double frame, Root<float>& root) const {
     if (!std::isfinite(frame)) return std::numeric_limits<float>::quiet_NaN();
     constexpr auto farthest = static_cast<double>(std::numeric_limits<float>::max());
     const auto at = static_cast<float>(std::clamp(frame, -farthest, farthest));
@@ -318,7 +272,7 @@ void FCurve::values(std::span<const double> frames, std::span<double> out) const
     require(out.size() == frames.size(), "out: one value for each frame is needed");
     require(are_finite(frames), "frames: every frame must be finite");
     in_ieee_floats([&] {
-        Root root;
+        Root<float> root;
         for (std::size_t i = 0; i < frames.size(); ++i) out[i] = static_cast<double>(value(frames[i], root));
     });
 }

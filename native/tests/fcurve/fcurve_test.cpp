@@ -2,7 +2,9 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstddef>
 #include <glm/vec2.hpp>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -70,6 +72,42 @@ TEST_CASE("a Bezier piece is its own cubic", "[fcurve]") {
         const FCurve curve({from, to}, false);
         const double slope = std::abs(curve.value(frame + 1e-3) - curve.value(frame - 1e-3)) / 2e-3;
         CHECK(curve.value(frame) == Approx(value).margin(2e-6 * (1.0 + slope)));
+        Roots roots;
+        CHECK(curve.precise_value(frame, roots) == Approx(value).epsilon(0).margin(1e-7 + 2e-14 * slope));
+    }
+}
+
+TEST_CASE("a precise value is in double precision if the F-curve is plain", "[fcurve]") {
+    // Multiples of 1/3 and of 1/7, of which single precision has rounding.
+    const std::vector<Key> keys{key(0, 0, Interpolation::linear), key(21, 7, Interpolation::linear)};
+    Roots roots;
+    for (int i = -50; i < 70; ++i) {
+        const double frame = i / 7.0;
+        CHECK(FCurve(keys, true).precise_value(frame, roots) == Approx(frame / 3.0).epsilon(1e-15));
+        const FCurve repeated(keys, true, Cycles{});
+        CHECK(repeated.precise_value(frame, roots) == static_cast<double>(repeated.value(frame)));
+    }
+    std::vector<Key> eased{key(0, 0, Interpolation::cubic), key(21, 7, Interpolation::linear)};
+    const FCurve slow(eased, false);
+    CHECK(slow.precise_value(10.1, roots) == static_cast<double>(slow.value(10.1)));
+    CHECK(std::isnan(FCurve(keys, true).precise_value(std::numeric_limits<double>::infinity(), roots)));
+}
+
+TEST_CASE("caches of roots serve curves with different keys", "[fcurve]") {
+    test::Random random(4);
+    Roots kept;
+    std::vector<FCurve> curves;
+    for (int i = 0; i < 6; ++i) {
+        Key from = key(1, 0, Interpolation::bezier), to = key(11.0 + i / 2, 5 + i, Interpolation::bezier);
+        from.right = {random.between(1.0, 11.0), 0.0};
+        to.left = {random.between(1.0, 11.0), 5.0};
+        curves.push_back(FCurve({from, to}, false));
+    }
+    for (int i = 0; i < 300; ++i) {
+        const double frame = static_cast<int>(random.between(2.0, 11.0));
+        const FCurve& curve = curves[static_cast<std::size_t>(random.between(0.0, 5.999))];
+        Roots fresh;
+        CHECK(curve.precise_value(frame, kept) == curve.precise_value(frame, fresh));
     }
 }
 

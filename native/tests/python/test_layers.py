@@ -98,7 +98,7 @@ class Stacks(unittest.TestCase):
 
     def test_a_reference(self):
         found = Stack().solve(settings=settings(mode=1.0), references=[clip().pose(3.0)])
-        np.testing.assert_allclose(found["rotations"][1], about_z(0.3), atol=1e-7)  # F-curves have single precision
+        np.testing.assert_allclose(found["rotations"][1], about_z(0.3), atol=1e-15)
 
     def test_whole_turns(self):
         keys = np.array([[1, 0, 0, 0, 2, 0], [11, 4 * np.pi, 10, 1, 12, 1]], np.float32)

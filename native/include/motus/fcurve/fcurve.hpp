@@ -1,7 +1,8 @@
 // F-curves: keys, what lies between and beyond them, and the Cycles modifier, as Blender 3.4 to 5.2 evaluate
-// them. In single precision and in Blender's order of operations, so that a value has Blender's bits where
-// both use the same mathematics library.
+// them. A value in single precision is computed in Blender's order of operations, so that it has Blender's
+// bits if both use the same mathematics library.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <glm/vec2.hpp>
 #include <limits>
@@ -62,16 +63,35 @@ struct Cycles {
     bool is_exact = true;
 };
 
-/// Where a Bezier piece has its frame: found once for curves whose keys stand on the same frames.
+/// The parameter on [0, 1] at which the cubic Bezier polynomial of four rising frames has a frame. In single
+/// precision it has Blender's bits, and none is found where rounding leaves none.
+[[nodiscard]] std::optional<float> parameter_at(const std::array<float, 4>& frames, float frame);
+[[nodiscard]] std::optional<double> parameter_at(const std::array<double, 4>& frames, double frame);
+
+/// Cache of the last parameter_at(), for curves that have keys on the same frames, as those of a bone most
+/// often do. Real: float or double.
+template <class Real>
 class Root {
   public:
-    /// The parameter on [0, 1] at which the cubic Bezier polynomial of four frames has a frame; none where
-    /// rounding leaves none.
-    [[nodiscard]] std::optional<float> find(const float (&frames)[4], float frame);
+    [[nodiscard]] std::optional<Real> find(const std::array<Real, 4>& frames, Real frame) {
+        if (frame != frame_ || frames != frames_) {
+            frames_ = frames;
+            frame_ = frame;
+            found_ = parameter_at(frames, frame);
+        }
+        return found_;
+    }
 
   private:
-    float frames_[4]{}, frame_ = std::numeric_limits<float>::quiet_NaN();
-    std::optional<float> found_;
+    std::array<Real, 4> frames_{};
+    Real frame_ = std::numeric_limits<Real>::quiet_NaN();
+    std::optional<Real> found_;
+};
+
+/// A cache for each of both precisions.
+struct Roots {
+    Root<float> single;
+    Root<double> precise;
 };
 
 /// Immutable; copies share their keys.
@@ -84,22 +104,25 @@ class FCurve {
 
     [[nodiscard]] std::span<const Key> keys() const noexcept { return data_->keys; }
     /// Whether it has neither easings that go by a name nor a Cycles modifier.
-    [[nodiscard]] bool is_plain() const noexcept;
+    [[nodiscard]] bool is_plain() const noexcept { return data_->is_plain; }
 
     /// At a frame, which is rounded to single precision, or to the end of its range. Infinite or NaN where
     /// Blender's value overflows, NaN where the frame is not finite.
     [[nodiscard]] float value(double frame) const;
-    /// The same. root: of the last curve that was asked.
-    [[nodiscard]] float value(double frame, Root& root) const;
+    /// At a frame, in double precision if the curve is plain; else value(). Poses that are computed from the
+    /// values of many curves do not add up their rounding then. roots: of the last curve that was asked.
+    [[nodiscard]] double precise_value(double frame, Roots& roots) const;
     /// At frames, in any order. out: as many. std::invalid_argument where a frame is not finite.
     void values(std::span<const double> frames, std::span<double> out) const;
 
   private:
     struct Data {
         std::vector<Key> keys;
-        bool goes_on;
+        bool goes_on, is_plain;
         std::optional<Cycles> cycles;
     };
+
+    [[nodiscard]] float value(double frame, Root<float>& root) const;
 
     std::shared_ptr<const Data> data_;
 };

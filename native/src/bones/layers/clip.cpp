@@ -29,8 +29,8 @@ void check(const Curve& curve, std::size_t bone_count, std::size_t fcurve_count)
     return static_cast<double>(key.place.y);
 }
 
-[[nodiscard]] double or_zero(float value) {
-    return std::isfinite(value) ? static_cast<double>(value) : 0.0;
+[[nodiscard]] double or_zero(double value) {
+    return std::isfinite(value) ? value : 0.0;
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ void Clip::evaluate(double frame, std::span<const double> given, std::span<Trans
     require(numbers.empty() || numbers.size() == bones_.size(),
             "numbers: four for each bone of the clip are needed");
     in_ieee_floats([&] {
-        fcurve::Root root;
+        fcurve::Roots roots;
         std::size_t track = 0;
         for (std::size_t i = 0; i < bones_.size(); ++i) {
             std::array<double, channel_count> values = at_rest;
@@ -92,7 +92,8 @@ void Clip::evaluate(double frame, std::span<const double> given, std::span<Trans
             for (; track < ends_[i]; ++track) {
                 const Track& one = tracks_[track];
                 values[static_cast<std::size_t>(one.channel)] =
-                    one.is_given ? given[one.source] : or_zero(fcurves_[one.source].value(frame, root));
+                    one.is_given ? given[one.source]
+                                 : or_zero(fcurves_[one.source].precise_value(frame, roots));
             }
             const std::span<const double, 4> turning = std::span(values).subspan<3, 4>();
             out[i].location = {values[0], values[1], values[2]};

@@ -130,6 +130,8 @@ TEST_CASE("a layer of weight 0 changes no bit", "[layers]") {
 
 namespace {
 
+constexpr auto last_angle = static_cast<float>(4.0 * pi);
+
 /// Two turns in 48 frames about Y, and nothing else, of a rig's second bone; with the third one keyed at a
 /// slant.
 Clip rotor(Rotation mode) {
@@ -137,7 +139,8 @@ Clip rotor(Rotation mode) {
     const auto key = [](double frame, double value) {
         return Key{{frame, value}, {frame, value}, {frame, value}, Interpolation::linear};
     };
-    const FCurve turning({key(1, 0), key(49, 4.0 * pi)}, false), slanted({key(1, 0.6), key(49, 0.9)}, false);
+    const FCurve turning({key(1, 0), key(49, last_angle)}, false),
+        slanted({key(1, 0.6), key(49, 0.9)}, false);
     return {modes, std::array{Curve{1, mode == Rotation::axis_angle ? 3 : 4, 0}, Curve{2, 3, 1}},
             std::array{turning, slanted}};
 }
@@ -183,11 +186,9 @@ TEST_CASE("a layer that turns a bone twice turns it by its weight times two turn
                 rotor.layer.mode = acts;
                 rotor.layer.weight = weight;
                 for (double frame = 1.0; frame <= 49.0; frame += 1.5) {
-                    const double angle = weight * (frame - 1.0) / 48.0 * 4.0 * pi;
-                    // The F-curve's angle is in single precision, as Blender's is.
+                    const double angle = weight * (frame - 1.0) / 48.0 * static_cast<double>(last_angle);
                     CHECK(distance(figure.lay(frame, {rotor.layer}, still)[1].rotation,
-                                   glm::angleAxis(angle, y)) <
-                          4.0 * pi * std::numeric_limits<float>::epsilon());
+                                   glm::angleAxis(angle, y)) < 1e-7);
                 }
             }
         }

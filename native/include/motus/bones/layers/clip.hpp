@@ -43,7 +43,7 @@ class Clip {
 
     /// given: values of the curves that have no F-curve, in their order. out: one a bone of bones(). numbers:
     /// the same, or none: what the bones' rotations are made of. std::invalid_argument where there are more
-    /// or fewer, or the frame is not finite. Values that overflow count as 0.
+    /// or fewer, or the frame is not finite. Values that are not finite count as 0.
     void evaluate(double frame, std::span<const double> given, std::span<Transform> out,
                   std::span<Numbers> numbers = {}) const;
 
