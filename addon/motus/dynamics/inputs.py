@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ..core import tracks, wiring
-from ..core.animation import keys
+from ..core.animation import keys, strips
 from ..core.declare import registered
 from ..core.evaluated.question import answered
 from ..core.lazy import numpy as np
@@ -101,15 +101,20 @@ def has_loop(entry):
 
 
 def extent_of(found):
-    """Return the first and last frame between which any of several tracks changes; None if no track changes."""
-    return keys.united(track.extent for track in found)
+    """Return the first and last frame between which any of several tracks changes; None if no track changes.
+
+    The bones of a chain share their tracks: the answer for these tracks is found once.
+    """
+    return answered((tuple(found), "extent"), lambda: keys.united(track.extent for track in found))
 
 
 def times_of(entry, found, scene, reach):
     """Return the frames, rising, at which the tracks of an entry's input are sampled. found: the tracks. reach: a sampling.Reach."""
     if has_loop(entry):
-        return np.array(sampling.between(found, float(entry.loop_start), float(entry.loop_end), scene))
-    return sampling.times(found, _span_of(entry, found, scene, reach), reach.length, scene)
+        loop = float(entry.loop_start), float(entry.loop_end)
+        return answered((tuple(found), loop, hash(scene)), lambda: np.array(sampling.between(found, *loop, scene)))
+    span = _span_of(entry, found, scene, reach)
+    return answered((tuple(found), span, reach.length, hash(scene)), lambda: sampling.times(found, span, reach.length, scene))
 
 
 def is_cut(entry, found, scene, reach):
@@ -310,19 +315,30 @@ class TailInput(_Input):
         return [*found, *([""] if len(rig.constraints) else [PARENT] if rig.parent else [])]
 
     def tails(self, frames):
-        """Return {bone name: positions of its tail in world space, (n, 3)} at frames (n,)."""
-        return answered((self, frames.tobytes()), lambda: self._tails(frames))
+        """Return {bone name: positions of its tail in world space, (n, 3)} at frames (n,).
+
+        They are kept until the animation or the armature changes, so that an edit of the entries does not compute them again.
+        """
+        names = tuple(bone.name for bone in self._thing)
+        stamp = strips.together((self._rest_stamp, *(track.stamp for track in self.tracks)))
+        return dict(zip(names, tracks.kept_by(stamp, ("tails", names, frames.tobytes()), lambda: self._tails(frames))))
+
+    @property
+    def _rest_stamp(self):
+        """Hashable value that changes whenever the rest pose of the bones that the input reads changes."""
+        bones = self._rig.pose.bones
+        return tuple((name, in_world.rest_stamp(bones[name])) for name in self._places if name)
 
     def _tails(self, frames):
         found = self.tracks
         world = found[0].values(frames)
         inverse = _inverse(world)
-        poses, tails = {}, {}
+        poses, tails = {}, []
         for bone in self._thing:
             pose = self._pose(bone, frames, inverse, poses)
             tail = rotations.chained(world, pose)
-            tails[bone.name] = np.broadcast_to(tail[:, :3, 3] + bone.bone.length * tail[:, :3, 1], (len(frames), 3))
-        return tails
+            tails.append(np.broadcast_to(tail[:, :3, 3] + bone.bone.length * tail[:, :3, 1], (len(frames), 3)))
+        return tuple(tails)
 
     def _pose(self, bone, frames, inverse, poses):
         """Return the pose matrices of a bone in the rig's space, (n, 4, 4).

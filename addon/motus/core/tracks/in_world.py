@@ -218,18 +218,7 @@ class _Link:
     @property
     def stamp(self):
         obj = self._object
-        bones = tuple(
-            (
-                _numbers(bone.bone.matrix_local),
-                bone.bone.inherit_scale,
-                bone.bone.use_inherit_rotation,
-                bone.bone.use_local_location,
-                bone.bone.use_connect,
-                bone.bone.use_relative_parent,
-                bone.bone.length,
-            )
-            for bone in self._bones
-        )
+        bones = tuple(map(rest_stamp, self._bones))
         pose = obj.data.pose_position if bones else ""
         return strips.together((*(part.stamp for part in self._parts), obj.parent_type, _numbers(obj.matrix_parent_inverse), bones, pose))
 
@@ -302,6 +291,20 @@ def parent_offset(obj):
     if bone.bone.use_relative_parent:
         return rotations.chained(_array(bone.bone.matrix_local.inverted_safe()), inverse)
     return rotations.chained(_array(Matrix.Translation((0.0, bone.bone.length, 0.0))), inverse)
+
+
+def rest_stamp(bone):
+    """Hashable value that changes whenever the rest pose of a PoseBone, or how the bone inherits from its parent, changes."""
+    rest = bone.bone
+    return (
+        _numbers(rest.matrix_local),
+        rest.inherit_scale,
+        rest.use_inherit_rotation,
+        rest.use_local_location,
+        rest.use_connect,
+        rest.use_relative_parent,
+        rest.length,
+    )
 
 
 def posed(bone, transforms, parent):
