@@ -124,3 +124,34 @@ class DynamicsKeptTest(support.SceneTestCase):
         self.assertEqual(status, 0, output)
         bpy.data.libraries[0].reload()
         self.assertSeen(bpy.data.objects["Mine"], "Tail 0 1", before, 22)
+
+    def test_the_tails_while_settings_are_edited(self):
+        """Their positions do not depend on frequencies; they are computed anew after an edit of keys or of the rest pose."""
+        rig = cases.rope(3)
+        cases.add(rig, bones="Tail 0 0", whole_chains=True, chain_delay=0.1, style='FLOPPY')
+        inputs, entries = support.addon("dynamics.inputs"), rig.motus.dynamics.entries
+        cases.go_to(24)
+
+        def computed(act):
+            with mock.patch.object(inputs.TailInput, "_tails", autospec=True, side_effect=inputs.TailInput._tails) as tails:
+                act()
+                bpy.context.view_layer.update()
+            return tails.call_count
+
+        before = cases.matrix(rig, 24, "Tail 0 2")
+        self.assertEqual(computed(lambda: setattr(entries["Tail 0 0"], "frequency", 3.7)), 0)
+        self.assertSeen(rig, "Tail 0 2", before, 24)
+        before = cases.matrix(rig, 24, "Tail 0 2")
+        self.assertGreater(
+            computed(lambda: cases.key(rig.pose.bones["Tail 0 1"], "location", {1: (0.0, 0.0, 0.0), 20: (0.0, 1.0, 0.0)})), 0
+        )
+        self.assertSeen(rig, "Tail 0 2", before, 24)
+        before = cases.matrix(rig, 24, "Tail 0 2")
+        self.assertGreater(computed(lambda: self.lengthen(rig)), 0)
+        self.assertSeen(rig, "Tail 0 2", before, 24)
+
+    def lengthen(self, rig):
+        bpy.context.view_layer.objects.active = rig
+        bpy.ops.object.mode_set(mode='EDIT')
+        rig.data.edit_bones["Tail 0 0"].tail.x += 0.3
+        bpy.ops.object.mode_set(mode='OBJECT')
