@@ -30,10 +30,10 @@ _OWN_PROBLEMS = {
 
 
 def problem(system, owner, depsgraph):
-    """Return the Problem that keeps a system from working on an owner, a blocking one first; None if there is none.
+    """Return the Problem that keeps a system from working on an owner; None if there is none. A blocking Problem takes precedence.
 
-    The status is read from the evaluated meshes of the owner's hubs. If no hub is left although the owner is set up, the result is the
-    problem of damaged data. A system that declares groups also reports properties that are no longer driven.
+    The status is read from the evaluated meshes of the owner's hubs. If no hub is left although the owner is set up, the Problem is that of
+    damaged data. A system that declares groups also reports properties that are no longer driven.
     """
     parts = sharing.parts(system, owner)
     if not parts:

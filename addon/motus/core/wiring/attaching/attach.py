@@ -27,8 +27,8 @@ def attach(system, owner):
 def _wire(system, owner, before):
     """Wire a system on an owner, and replace the earlier wiring.
 
-    before: result of stack.places() for the earlier wiring; things that had sinks get the new sinks at these places in their constraint
-    stacks.
+    before: {object or pose bone: positions of its sinks among its constraints}, as stack.places() returned it for the earlier wiring. The
+    new sinks get the same positions.
     """
     followers = _unwire(system, owner)
     settings = of_owner(system, owner)
@@ -36,7 +36,7 @@ def _wire(system, owner, before):
     if settings.is_released:
         settings.is_released = False
     waiting.set_proxy(system, settings)
-    groups = groups_of(system, owner)  # after the owner counts as one: what it moves is no ground of a walker, for example
+    groups = groups_of(system, owner)  # only now, since groups may depend on is_active: a walker's ground, for example
     parts = sharing.provide(system, owner, groups)
     for group, part in zip(groups, parts):
         outputs.create_outlet(system, owner, part)
@@ -51,7 +51,10 @@ def _wire(system, owner, before):
 
 
 def _unwire(system, owner):
-    """Remove the wiring of an owner; returns the users' drivers that read its outputs, which readers.point() makes read the new ones."""
+    """Remove the wiring of an owner; returns the Readers: the users' drivers that read the owner's outputs.
+
+    readers.point() later makes these drivers read the outputs of the next wiring.
+    """
     parts = sharing.all_parts(system, owner)
     followers = readers.of(system, owner, parts)
     unwiring.unwire(system, owner, parts)
@@ -59,7 +62,10 @@ def _unwire(system, owner):
 
 
 def detach(system, owner):
-    """Remove everything that attach() made on an owner; the own transforms, keys and constraints of the owner and its members stay."""
+    """Remove everything that attach() made on an owner.
+
+    The own transforms, keys and constraints of the owner and of its members stay.
+    """
     readers.point(system, owner, (), _unwire(system, owner))
     if system.has_modifier:
         geometry_sink.remove(system, owner)
@@ -68,9 +74,10 @@ def detach(system, owner):
 
 
 def touch(system, owner):
-    """Have an owner solved again after its settings were changed from Python.
+    """Have an owner solved again after a script has changed the owner's settings.
 
-    The owner is wired again if it is a copy that uses another owner's hubs, or if the number of members has changed.
+    The owner is wired again if it is a copy that uses another owner's hubs, if it can no longer share its hub, or if the number of its
+    members has changed.
     """
     parts = sharing.parts(system, owner)
     if signature.has_strange_carriers(system, owner, parts) or not sharing.store_settings(system, owner, parts):
@@ -95,7 +102,11 @@ def _wire_anew(system, owner):
 
 
 def refresh_others(system, owner):
-    """Wire the owner's other systems again if their groups depend on what has changed in this system."""
+    """Wire the other systems of an owner again if they depend on this system.
+
+    A system that starts from poses of this system is wired in any case, since this system's hubs are new. A different system is wired only
+    if its groups have changed.
+    """
     if system.entries is None:
         return
     for other in systems():
@@ -105,7 +116,10 @@ def refresh_others(system, owner):
 
 
 def refresh_changed(system, owner):
-    """Wire an owner again if its groups have changed, or if undriven bones have copies of its sinks; returns whether it was wired."""
+    """Wire an owner again if its groups have changed, or if bones that it does not drive have copies of its sinks.
+
+    Returns whether the owner was wired.
+    """
     is_same = of_owner(system, owner).wired == signature.of(system, owner, groups_of(system, owner))
     if is_same and not finding.has_strays(system, owner):
         return False
@@ -114,9 +128,9 @@ def refresh_changed(system, owner):
 
 
 def refresh_edited(system, owner):
-    """Wire an owner again after bones were edited, if bones that it uses were renamed or its groups have changed.
+    """Wire an owner again after bones were edited, if bones that the owner drives or reads were renamed, or if its groups have changed.
 
-    The system is told of renamed bones.
+    The system gets the new names of renamed bones by System.bone_renamed.
     """
     if renaming.renamed(system, owner):
         _wire_anew(system, owner)
@@ -127,8 +141,8 @@ def refresh_edited(system, owner):
 def set_muted(system, owner, muted):
     """Mute or unmute the sinks of an owner.
 
-    The constraints are muted. The drivers of properties, which are sinks too, are removed if `muted`, and added if not; the list of the
-    properties stays in the hub.
+    Sinks that are constraints are muted. Sinks that are drivers of properties are removed if `muted` is true, and added again if not; the
+    list of these properties stays in the hub.
     """
     for _, constraint in finding.sinks(system, owner):
         constraint.mute = muted

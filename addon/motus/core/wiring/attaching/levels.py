@@ -37,12 +37,12 @@ _TARGETS = (
 def levels(owner):
     """Return {(name of the system, name of the entry): level} for all entries of an owner; entries of level 0 are solved first.
 
-    An entry reads only what entries of lower levels drive, directly or through entries of different owners. The level is None if the
-    entry depends on what it drives itself.
+    An entry depends only on entries of lower levels, directly or through entries of different owners. The level is None if the entry
+    depends on a bone or object that the entry itself drives.
     """
     graph = _Graph(owner)
     found = {}
-    # Components are sorted: all that a component depends on comes before the component.
+    # The list is sorted: each component comes after the components on which it depends, whose depth is then known.
     depth = {}
     for component in _components(graph):
         entries = [node for node in component if node[0] == ENTRY]
@@ -52,24 +52,25 @@ def levels(owner):
             depth[node] = below + (node[0] == ENTRY and not is_loop)
         for node in entries:
             found[node] = None if is_loop else below
-    # Entries of different owners count as levels in between: otherwise the groups of two owners could wait for each other.
+    # The depth of an entry also counts the entries of different owners: otherwise the groups of two owners could wait for each other.
+    # The depths of this owner's entries are then numbered without gaps.
     steps = sorted({found[node] for node in graph.roots()} - {None})  # type: ignore[type-var]
     return {node[2:]: None if found[node] is None else steps.index(found[node]) for node in graph.roots()}
 
 
 def depends(obj, bone, rig, bones):
-    """Whether an object, or the bone of the object that is named if `bone` is not "", moves with some of a rig's bones.
+    """Whether an object, or one bone of the object, moves if some bones of a rig move.
 
-    bones: names of bones of the rig.
+    bone: name of the object's bone; "" for the object itself. bones: names of bones of the rig.
     """
     wanted = {(BONE, rig, name) for name in bones}
     return any(node in wanted for node in _all_from(_Graph(rig), _place(obj, bone)))
 
 
 def hanging(rig, places):
-    """Return {place: the different places on which its transform depends}, including dependencies through entries of the owner `rig`.
+    """Return {place: [each different place in the list on which the transform of the place depends]}.
 
-    places: list of (object, name of a bone or "").
+    places: list of (object, name of a bone or ""). Dependencies through entries of the owner `rig` are included.
     """
     graph, found = _Graph(rig), {}
     nodes = {place: set(_place(*place)) for place in places}
@@ -84,7 +85,10 @@ def hanging(rig, places):
 
 
 def _all_from(graph, nodes):
-    """Yield nodes of the graph, and all nodes on which they depend, directly or indirectly, each once."""
+    """Yield nodes of a dependency graph, and all nodes on which they depend directly or indirectly, each once.
+
+    graph: a _Graph. nodes: tuples that name what Blender evaluates, such as (BONE, object, name of the bone).
+    """
     seen, waiting = set(), list(nodes)
     while waiting:
         node = waiting.pop()
@@ -95,14 +99,21 @@ def _all_from(graph, nodes):
 
 
 def _of_channel(obj, path):
-    """Yield the node of the bone or object whose location, rotation or scale a data path of `obj` names, if it names one."""
+    """Yield (BONE, object, name) or (TRANSFORM, object) if a data path leads to a location, rotation or scale; else nothing.
+
+    path: data path from the object `obj`, as of a driver.
+    """
     match = _CHANNEL.match(path)
     if match:
         yield from _place(obj, bpy.utils.unescape_identifier(match["bone"] or ""))
 
 
 class _Graph:
-    """Graph of what bones, objects, geometries and entries depend on; dependencies of a node are computed when they are first needed."""
+    """Graph of the dependencies between transforms, bones, geometries, drivers and entries.
+
+    A node is a tuple of its kind and of what identifies it, such as (TRANSFORM, object) or (BONE, object, name of the bone). The
+    dependencies of a node are computed when they are first needed. owner: object whose entries are the roots of the graph.
+    """
 
     def __init__(self, owner):
         self._owner = owner
@@ -114,7 +125,7 @@ class _Graph:
         self._add(owner)
 
     def _add(self, owner):
-        """Add the entries of an owner to the graph, unless they are in it."""
+        """Add the entries of an owner to the graph of dependencies between bones and objects, unless they were added before."""
         if owner in self._owners:
             return
         self._owners.add(owner)
@@ -127,11 +138,11 @@ class _Graph:
                     self._entries_on.setdefault(node, []).append(place)
 
     def roots(self):
-        """Return the nodes of the entries of an owner (items in its lists of settings), from which the graph is searched."""
+        """Return the nodes of the owner's entries (items in its lists of settings), from which the dependency graph is searched."""
         return [node for node in self._entries if node[1] == self._owner]
 
     def depends_on(self, node):
-        """Return the nodes (bones, objects, geometries, entries) on which a node of the graph depends directly."""
+        """Return the nodes on which a node of the dependency graph depends directly, as a list of tuples such as (BONE, object, name)."""
         if node not in self._known:
             self._known[node] = list(dict.fromkeys(getattr(self, "_of_" + node[0])(*node[1:])))
         return self._known[node]
@@ -214,7 +225,7 @@ class _Graph:
                 yield from _read_by(driver)
 
     def _all_drivers(self, block):
-        """Return (data path, driver) of all drivers of a datablock."""
+        """Return the list of (data path, driver) for all drivers of a datablock."""
         if block not in self._drivers:
             animation = getattr(block, "animation_data", None)
             self._drivers[block] = [(curve.data_path, curve.driver) for curve in animation.drivers] if animation else []
@@ -231,7 +242,10 @@ class _Graph:
         return self._drivers[key].get(name, ())
 
     def _solved_by(self, obj):
-        """Return {name of a bone: IK and Spline IK constraints, on it or on bones below, that turn the bone as part of their chain}."""
+        """Return {name of a bone: [IK and Spline IK constraints that turn the bone as part of their chain]} for an armature object.
+
+        The constraints are on the bone itself or on its descendants.
+        """
         if obj not in self._solved:
             turned = self._solved[obj] = {}
             for bone in obj.pose.bones:
@@ -243,7 +257,10 @@ class _Graph:
         return self._solved[obj]
 
     def _is_sink(self, obj, constraint):
-        """Whether a constraint of `obj` applies the result of an entry; its dependencies are then those that the entry declares."""
+        """Whether a constraint of an object, or of its bone, is a sink: it applies a solver's result.
+
+        The targets of a sink are hidden objects. What a sink depends on is taken from the entry whose result it applies.
+        """
         found = (marks.read(system, constraint) for system in _with_entries())
         if any(self._has_entries(mesh) for mesh, _ in filter(None, found)):
             return True
@@ -251,7 +268,11 @@ class _Graph:
         return proxy is not None and proxy[marks.PROXY_KEY] == obj
 
     def _is_of_sink(self, obj, path, driver):
-        """Whether a driver on `obj` brings a solver's result: to a sink's property, or to any property if the owner reads its own hub."""
+        """Whether a driver on an object belongs to the wiring, because it reads a solver's result from an outbox.
+
+        path: data path of the driven property. On the owner itself the property can be any. On a different object the driver must be on a
+        constraint.
+        """
         targets = [
             target
             for variable in driver.variables
@@ -263,7 +284,7 @@ class _Graph:
         return "constraints[" in path and any(target.id and self._has_entries(target.id) for target in targets)
 
     def _has_entries(self, hub):
-        """Whether the mesh of a hub has an owner with Motus settings; the owner's entries are added to the graph."""
+        """Whether the mesh of a hub has an owner with Motus settings; adds the entries of this owner to the dependency graph."""
         owner = hub.get(outbox.OWNER_KEY)
         if not isinstance(owner, bpy.types.Object) or not owner.is_property_set("motus"):
             return False
@@ -276,7 +297,7 @@ def _with_entries():
 
 
 def _place(obj, bone):
-    """Yield the node of a bone of an object, or of the object's transform if `bone` is "" or not there."""
+    """Yield the node (BONE, object, name) of a bone; if `bone` is "" or no bone of the object, the node (TRANSFORM, object)."""
     if bone and obj.pose and bone in obj.pose.bones:
         yield BONE, obj, bone
     else:
@@ -284,7 +305,10 @@ def _place(obj, bone):
 
 
 def _deforming(obj):
-    """Yield the nodes that a geometry depends on if an object deforms it: the object's transform, and its pose or geometry."""
+    """Yield the nodes on which a geometry depends if the object `obj` deforms the geometry.
+
+    These are (TRANSFORM, obj), and (POSE, obj) for an armature or (GEOMETRY, obj) for an object with points.
+    """
     yield TRANSFORM, obj
     if obj.type == 'ARMATURE':
         yield POSE, obj
@@ -293,7 +317,10 @@ def _deforming(obj):
 
 
 def _targets(constraint):
-    """Yield the bones, objects and geometries that a constraint reads, as nodes of the graph."""
+    """Yield the targets of a constraint as nodes of the dependency graph.
+
+    A node is (BONE, object, name of the bone), (TRANSFORM, object) or (GEOMETRY, object).
+    """
     for target in getattr(constraint, "targets", ()):
         if target.target:
             yield from _place(target.target, target.subtarget)
@@ -308,7 +335,10 @@ def _targets(constraint):
 
 
 def _read_by(driver):
-    """Yield the bones and objects that a driver reads, as nodes of the graph."""
+    """Yield what a driver reads, as nodes of the dependency graph.
+
+    A node is (BONE, object, name of the bone), (TRANSFORM, object), or (DRIVERS, datablock, data path without array index).
+    """
     for variable in driver.variables:
         for target in variable.targets:
             if target.id is None:
@@ -324,7 +354,10 @@ def _read_by(driver):
 
 
 def _components(graph):
-    """Return the strongly connected components of the graph of dependencies, dependencies first (Tarjan's algorithm without recursion)."""
+    """Return the strongly connected components of a dependency graph, as lists of nodes that all depend on each other.
+
+    Each component comes after the components on which it depends. The algorithm is Tarjan's, without recursion.
+    """
     places, low, on_stack, stack, found = {}, {}, set(), [], []
     for root in graph.roots():
         if root in places:

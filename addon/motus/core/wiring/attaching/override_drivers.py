@@ -13,8 +13,8 @@ PREFIX = '["motus_'
 def align(owner):
     """Sort the drivers of a library override in the order of its library's drivers; drivers that the library does not have come last.
 
-    Nothing happens if the object is no override, or if the library's object has no drivers. If the library has a driver of Motus that
-    the override lacks, a muted driver without variables is added in its place.
+    Nothing happens if the object is no override, or if the library's object has no drivers. If the library has a driver of Motus that the
+    override lacks, a muted driver without variables is added at its position.
     """
     theirs = _of_library(owner)
     if not theirs:
@@ -63,9 +63,9 @@ def _stand_in(drivers, theirs):
 
 
 def _sort(drivers, place):
-    """Sort a list of drivers in place by the key function `place`.
+    """Sort the drivers of an object by a key function, `place`, which is called with the F-curve of a driver.
 
-    Blender has no function that moves drivers, so copies are added at the end and the old drivers removed.
+    Blender has no function that moves drivers, so copies are added at the end and the old drivers removed. drivers: AnimData.drivers.
     """
     now = list(drivers)
     wanted = sorted(now, key=place)

@@ -21,7 +21,10 @@ _known = {}
 
 
 def mark(system, owner, groups):
-    """Record how an owner is wired now: in its settings, and by a mark on the owner and on the overrides that it drives."""
+    """Record how an owner is wired: the signature in its settings, and a mark on the owner and on the overrides that it drives.
+
+    A mark is a custom property with a hash of the wiring. Blender loses the mark together with the wiring of an override.
+    """
     of_owner(system, owner).wired = signature.of(system, owner, groups)
     digest = _digest(system, owner, groups)
     overridden = _overridden(owner, groups)
@@ -34,7 +37,10 @@ def mark(system, owner, groups):
 
 
 def unmark(system, obj):
-    """Remove the mark of a system from an object. On an override the mark comes back when its library is loaded again."""
+    """Remove from an object the mark of a system: the custom property with a hash of the object's wiring.
+
+    On an override the mark comes back if its library is loaded again.
+    """
     obj.pop(_key(system), None)
     _known.pop((_key(system), obj.name), None)
     if obj.override_library and not obj.library:
@@ -42,7 +48,10 @@ def unmark(system, obj):
 
 
 def is_lost(system, owner):
-    """Whether an owner, or an object that it drives, is an override whose wiring does not match the owner's settings."""
+    """Whether Blender has lost the wiring of a library override: the owner, or an object that the owner drives.
+
+    The wiring is lost if the override's mark, a custom property with a hash of its wiring, does not match the owner's settings.
+    """
     groups = groups_of(system, owner)
     overridden = _overridden(owner, groups)
     if not overridden:
@@ -55,14 +64,17 @@ def is_lost(system, owner):
 
 
 def has_marks():
-    """Whether any marks of overrides are known, so that has_new_marks() has something to compare."""
+    """Whether the marks of any library overrides are known, so that has_new_marks() has something to compare.
+
+    A mark is a custom property with a hash of what Motus has wired on an override.
+    """
     return bool(_known)
 
 
 def has_new_marks():
-    """Whether any mark (custom property that stands on an override for its wiring) has another value than before.
+    """Whether the mark of any library override differs from its last known value, as after reloading a library or undoing an edit.
 
-    A mark gets one when a library is reloaded or an edit undone.
+    A mark is a custom property with a hash of what Motus has wired on the override.
     """
     for (key, name), digest in _known.items():
         obj = bpy.data.objects.get((name, None))
@@ -72,14 +84,15 @@ def has_new_marks():
 
 
 def forget():
-    """Forget the values of all marks."""
+    """Forget the known values of the marks of all library overrides; the marks, which are custom properties, stay."""
     _known.clear()
 
 
 def complete_reference(owner):
-    """Give the library's object of an override all groups of Motus settings that the override has.
+    """Give the library's object of an override all groups of Motus settings (PropertyGroups) that the override has.
 
-    Blender 5 takes a group that only the override has for a replaced pointer, which it can write to a file but not read.
+    If only the override has a group, Blender 5 mistakes the group for a replaced pointer, which Blender can write to a file but not read.
+    owner: the override.
     """
     reference = owner.override_library.reference
     for name in [one.name for one in registered.values() if one.settings is not None]:

@@ -23,8 +23,8 @@ from ..sinks import property_sink
 class Reader(NamedTuple):
     """A target of a driver variable that reads an output of a system, identified by names so that it is found again later.
 
-    user, data_path, array_index: datablock and F-curve of the driver. variable: name of the variable. index: index of the target in the
-    variable. output: name of the output.
+    user: datablock with the driver. data_path, array_index: those of the driver's F-curve. variable: name of the variable. index: index of
+    the target in the variable. output: name of the output.
     """
 
     user: bpy.types.ID
@@ -36,10 +36,11 @@ class Reader(NamedTuple):
 
 
 def of(system, owner, parts):
-    """Return the Readers of all outputs that an owner's system computes, or computed when it was last wired (set up).
+    """Return a Reader for each driver variable of the user that reads an output of an owner's system.
 
-    If the owner is a copy that uses a hub of its original owner, readers of that hub belong to the original owner, except for the
-    copy's own drivers. parts: Parts of the owner.
+    Drivers that read an output which is no longer computed are included (see absent_path()). If the owner is a copy that uses the hub of
+    the object from which it was copied, only the copy's own drivers are taken: other drivers that read this hub belong to that object.
+    parts: Parts of the owner.
     """
     carriers = _carriers(system, owner, parts)
     names = {(carrier, key): outputs.output_names(system, carrier, key) for key, carrier, _ in carriers}
@@ -63,29 +64,33 @@ def of(system, owner, parts):
 def _carriers(system, owner, parts):
     """Return (key of the group, datablock, index of the owner's first slot) for each datablock with outputs of an owner.
 
-    These are the meshes of its hubs, and the owner itself if it has an outlet, a custom property that repeats the outputs.
+    The datablocks are the meshes of its hubs, and the owner itself if it has an outlet, a custom property that repeats the outputs.
     """
     outlet = [("", owner, 0)] if outputs.has_outlet(system, owner) else []
     return outlet + [(part.key, part.mesh, part.first) for part in parts]
 
 
 def _is_borrowed(system, owner, part):
-    """Whether a hub of this file computes for a different owner of this file."""
+    """Whether the hub of a Part is in this file and computes for a different owner, such as the one from which this owner was copied."""
     if part.mesh.library or part.mesh.override_library:
         return False
     return isinstance(part.maker, bpy.types.Object) and part.maker != owner and is_owner(system, part.maker)
 
 
 def absent_path(system, output):
-    """Return the data path, named after an output, of a custom property that never exists."""
+    """Return the data path of a custom property that never exists and is named after an output.
+
+    A driver whose output is no longer computed gets this path. Blender marks the driver as invalid, and the name tells which output the
+    driver is to read if the output is computed again.
+    """
     return f'["motus_{system.name}:{output}"]'
 
 
 def _output(names, carrier, slot, first):
-    """Return the name of the output in the slot that a data path names; None if the slot holds no output.
+    """Return the name of the output in a slot of an outbox; None if the slot holds no output.
 
-    names: {(carrier, key of the group): names of its outputs}. slot: match of outbox.slot_pattern(). first: index at which the owner's
-    slots begin.
+    names: {(carrier, key of the group): names of its outputs}. slot: match of outbox.slot_pattern() with the data path of the slot. first:
+    index at which the owner's slots begin.
     """
     known = names.get((carrier, slot["key"] or ""), ())
     place = int(slot["slot"]) - first - outbox.FIRST_OUTPUT
@@ -93,9 +98,10 @@ def _output(names, carrier, slot, first):
 
 
 def point(system, owner, parts, readers):
-    """Make the drivers of these Readers read their outputs from the present data paths. parts: Parts of the owner.
+    """Make users' drivers read their outputs where the present wiring has them. readers: Readers of the drivers.
 
-    A driver whose output is no longer computed reads a property that does not exist (see absent_path).
+    A driver whose output is no longer computed gets the path of a property that does not exist, absent_path(). parts: present Parts of the
+    owner.
     """
     places = {}
     for key, carrier, first in _carriers(system, owner, parts):

@@ -13,7 +13,10 @@ from . import solver_driver
 
 
 def renamed(system, owner):
-    """Return (rig, old name, new name) for each bone that the owner drives or reads and that was renamed since the owner was wired."""
+    """Return (armature object, old name, new name) for each bone that an owner drives or reads and that was renamed.
+
+    Names are compared with those at the time when the owner was wired.
+    """
     driven = [(owner, *names) for names in (*finding.renamed_bones(system, owner), *property_sink.renamed_bones(system, owner))]
     return list(dict.fromkeys(driven + solver_driver.renamed_reads(system, owner)))
 
@@ -21,7 +24,7 @@ def renamed(system, owner):
 def follow(system, owner):
     """Tell the system of an owner's renamed bones, and adapt F-curves and drivers of the owner's settings.
 
-    It has to be called before the owner is wired again: from then on the bones no longer count as renamed.
+    This has to be done before the owner is wired again, because the new wiring stores the new names, and the old ones are then unknown.
     """
     bones = renamed(system, owner) if system.bone_renamed else ()
     # Each bone is first given a temporary name that no bone can have, because two bones may have exchanged their names.
@@ -42,9 +45,9 @@ def follow(system, owner):
 
 
 def _rename_paths(system, owner, old, new):
-    """Adapt the data paths of F-curves (also those of NLA strips) and drivers that animate the settings of a renamed bone.
+    """Replace a bone's old name by its new one in the data paths of F-curves and drivers that animate the owner's settings.
 
-    The entries in the owner's list of settings are named after the bones.
+    F-curves of NLA strips are included. The settings have a list with one entry for each bone, named after the bone.
     """
     old, new = (f'["{bpy.utils.escape_identifier(name)}"]' for name in (old, new))
     prefix = of_owner(system, owner).path_from_id() + "."

@@ -20,16 +20,19 @@ VERSION = 3
 
 
 def has_strange_carriers(system, owner, parts):
-    """Whether an owner is a copy that still depends on the hubs or proxies of the object from which it was copied.
+    """Whether an owner depends on hubs or proxies that are not its own, such as those of the object from which it was copied.
 
-    Hubs and proxies are hidden objects that compute and bring results for one owner. Also true if a shared hub is linked or overridden.
-    parts: Parts of the owner.
+    Hubs and proxies are hidden objects that compute and bring results for one owner. A shared hub is not the owner's own if it is linked or
+    overridden. parts: Parts of the owner.
     """
     return not all(part.is_own for part in parts) or (system.groups is not None and proxy_sink.has_strange_proxies(owner))
 
 
 def of(system, owner, groups):
-    """Return the signature: a text that changes if the owner has to be wired in a different way, or declares different groups."""
+    """Return the signature of an owner: a text that changes if the owner has to be wired in a different way.
+
+    groups: Groups that the system declares for the owner; the text depends on their members, inputs, outputs and data.
+    """
     driven = drivers.driven_bones(owner)
     said = [
         (

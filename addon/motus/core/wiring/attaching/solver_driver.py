@@ -20,9 +20,10 @@ _OF_PROPERTY = "p"
 
 
 def add(system, owner, group, part):
-    """Add the driver that calls the solver of a group to the outbox of a hub's mesh, unless the mesh has it, since owners may share a hub.
+    """Add the driver that calls the solver of a group to the outbox on a hub's mesh.
 
-    part: Part of the owner. Each curve object that the solver reads gets a custom property by which its evaluated copies are told apart.
+    Nothing happens if a different owner that shares the hub has added the driver. part: Part of the owner. Each curve that the solver reads
+    gets a custom property by which its evaluated copies are told apart.
     """
     path, animation = outbox.out_path(system, group=group.key), part.mesh.animation_data
     if animation and animation.drivers.find(path, index=outbox.STATUS):
@@ -38,9 +39,9 @@ def add(system, owner, group, part):
 
 
 def marked_by(mesh):
-    """Return the datablocks that the solver of a hub's mesh reads and whose evaluated copies carry a marker property.
+    """Return the datablocks to which the solver of a hub's mesh has given a custom property that tells their evaluated copies apart.
 
-    These are the data of curve objects, and the datablocks of driven properties.
+    These are the data of the curve objects that the solver reads, and the datablocks of driven properties.
     """
     animation = mesh.animation_data
     targets = [
@@ -58,16 +59,19 @@ def marked_by(mesh):
 
 
 def waits(system, owner, key):
-    """Return (object, name of a bone or "") for each thing that the solver of a group waits for by a constraint on the hub.
+    """Return (object, name of a bone or "") for each transform for which the solver of a group waits.
 
-    Blender updates the name in the constraint if the bone is renamed.
+    The solver waits by a muted constraint on the hub for each. Blender updates the name in the constraint if the bone is renamed.
     """
     hub = hub_lookup.hub_of(system, owner, key)
     return waiting.waits(hub) if hub else []
 
 
 def renamed_reads(system, owner):
-    """Return (rig, old name, new name) for each bone that an owner's solvers read and that was renamed since the owner was wired."""
+    """Return (armature object, old name, new name) for each bone that an owner's solvers read and that was renamed.
+
+    Names are compared with those at the time when the owner was wired.
+    """
     found = {}
     for key, carrier in hub_lookup.carriers_of(system, owner):
         known, first = outbox.info(system, carrier, key), carrier.get(outbox.OWNER_KEY)
@@ -80,11 +84,12 @@ def renamed_reads(system, owner):
 
 
 def _awaited(group):
-    """Yield the inputs of a group that the solver can wait for.
+    """Yield the inputs of a group for which the solver can wait, and has to wait.
 
-    In Blender's dependency graph, the channels of a bone and the values of its constraints are one node. So a solver cannot wait for
-    the own drivers of a bone whose constraints its sinks set a value of. This is the case for absolute members; relative members use
-    sinks without this problem (see proxy_sink and attribute_sink). Bones without drivers need no waiting.
+    A bone's own transform (BonesOwn) is left out if the bone has no drivers, since nothing has to be waited for, and if the bone is an
+    absolute member of the group. The sinks of an absolute member set values of its constraints, and in Blender's dependency graph these
+    values and the bone's channels are one node: waiting for the bone's drivers would be a cycle. Relative members have sinks without this
+    problem (see proxy_sink and attribute_sink).
     """
     kept = {member.thing for member in group.members if not member.is_relative}
     driven = {}
@@ -103,9 +108,10 @@ def _name(system, group):
 
 
 def _call(system, owner, group, part):
-    """Return (text of further arguments, {name: driver variable}) for the expression that calls the solver of a group.
+    """Return (text, {name: driver Variable}) for the driver expression that calls the solver of a group.
 
-    An input that has no variable is passed as 0.
+    The text lists the inputs, to be appended to the arguments of the call: names of variables, or 0 for an input that has no variable.
+    Further variables are in the dictionary only: the solver's driver waits for what they read.
     """
     arguments, variables = [""], {}
     for index, (_, variable) in enumerate(input_variables(system, owner)):
@@ -130,7 +136,7 @@ def _call(system, owner, group, part):
 
 
 def _settings_path(system, owner, group):
-    """Return the data path of the owner's property for which a solver waits that reads the settings of the evaluated owner.
+    """Return the data path of the owner's property that a solver's driver reads, to be evaluated after the owner's settings.
 
     In Blender's dependency graph, all plain properties of an object are one node, which comes after the F-curves and drivers of these
     properties, and after the owner's outlet, which waits for the solver. So if an owner has no outlet, the solver waits for one of its
@@ -145,20 +151,20 @@ def _settings_path(system, owner, group):
 
 
 def waits_apart(owner, groups):
-    """Whether the owner's solvers may wait for single inputs only, and not for the one node that stands for all properties of the owner.
+    """Whether a solver of the owner must not wait for all plain properties of the owner, which are one node in the dependency graph.
 
-    That node belongs to Blender's dependency graph. If solvers drive some of the properties, waiting for it would be a dependency cycle. On
-    a camera no solver may wait: Blender evaluates the properties of a camera object after those of the camera's data, which may be driven
-    by a solver that waits for the camera.
+    If solvers drive some of the properties, waiting for this node would be a dependency cycle. On a camera no solver may wait for it:
+    Blender evaluates the properties of a camera object after those of the camera's data, which may be driven by a solver that waits for the
+    camera.
     """
     return owner.type == 'CAMERA' or any(group.properties for group in groups)
 
 
 def way_to_wait(owner, groups):
-    """Return how a solver, for which waits_apart() is true, waits for animated settings: "", "keys" or "settings".
+    """Return how a solver waits for animated settings if waits_apart() is true: "", "keys" or "settings".
 
-    "": there is nothing to wait for. "keys": it waits by the property of _wait_for_keys(). "settings": a driver sets a setting, so the
-    solver waits for the settings themselves.
+    "": there is nothing to wait for. "keys": the solver waits for the property of _wait_for_keys(). "settings": a driver sets a setting, so
+    the solver waits for the settings themselves.
     """
     if not waits_apart(owner, groups) or not copies.has_animated_settings(owner):
         return ""
@@ -166,10 +172,10 @@ def way_to_wait(owner, groups):
 
 
 def _wait_for_keys(system, owner):
-    """Give the owner a custom property with a driver, to wait for the owner's F-curves; returns the data path of the property.
+    """Give the owner a custom property by which a solver waits for the owner's F-curves; returns the data path of the property.
 
-    Blender evaluates the property after the owner's keyframes, and nothing else precedes it. The settings cannot be used for this: all
-    plain properties of an object are one node in Blender's dependency graph, and sinks may drive some of these properties.
+    A driver on the property makes Blender evaluate it after the owner's keyframes, and after nothing else. The settings cannot be used for
+    this: all plain properties of an object are one node in Blender's dependency graph, and sinks may drive some of these properties.
     """
     key = wait_key(system)
     owner[key] = 0.0
@@ -183,8 +189,9 @@ def wait_key(system):
 
 
 def _laid(system, owner, group):
-    """Return variables that wait for the systems that lay poses over the owner's bones, if the group starts from such poses.
+    """Return driver Variables by which a group's solver waits for the systems that lay poses beneath this system.
 
+    Each Variable reads the status in the outbox of such a system on the same owner. The list is empty if no member of the group is a bone.
     A system that lays poses sets the bones' own transforms, before all other systems.
     """
     if not any(isinstance(one.thing, bpy.types.PoseBone) for one in group.members):

@@ -18,10 +18,10 @@ from . import override_drivers, overrides, solver_driver, waiting
 
 
 def unwire(system, owner, parts):
-    """Remove the hubs, sinks, outlet and proxies of an owner, and the markers on different objects that say that they are read or driven.
+    """Remove the hubs, sinks, outlet and proxies of an owner, and the markers of the datablocks that the owner read or drove.
 
-    The owner keeps its own markers, since it is usually wired again at once; release() removes them. parts: Parts of the owner,
-    including those of hubs whose hub object was deleted.
+    Markers are custom properties that Motus gives to such datablocks. The owner keeps its own markers, since it is usually wired again at
+    once; release() removes them. parts: Parts of the owner, including those of hubs whose hub object was deleted.
     """
     settings = of_owner(system, owner)
     drop_dead_copy(owner)
@@ -52,7 +52,10 @@ def unwire(system, owner, parts):
 
 
 def release(system, owner):
-    """Remove the custom properties that tell evaluated copies and overrides apart, from an owner that will not be wired again."""
+    """Remove the markers of an owner that will not be wired again.
+
+    Markers are the custom properties by which evaluated copies are told apart and by which lost wiring of overrides is detected.
+    """
     overrides.unmark(system, owner)
     if not _is_wired(owner):
         copies.release(owner)
@@ -60,7 +63,7 @@ def release(system, owner):
 
 
 def _unmark(datablocks):
-    """Remove the markers by which evaluated copies are told apart from datablocks that no solver reads any more."""
+    """Remove the custom property that tells a datablock's evaluated copies apart, from each datablock that no solver reads any more."""
     for datablock in datablocks:
         is_read = any(datablock in solver_driver.marked_by(mesh) for mesh in bpy.data.meshes if outbox.is_hub(mesh))
         if not is_read and not _is_wired(datablock):

@@ -22,13 +22,13 @@ _WAIT = frozenset(_WAITING.values())
 
 
 def geometries(system, settings):
-    """Return the objects whose evaluated geometry a system reads, as named by these settings of an owner; each once."""
+    """Return the objects whose evaluated geometry a system reads, each once. settings: the owner's settings, which name the objects."""
     named = (obj for declared in system.inputs if isinstance(declared, Deformed) for obj in declared.objects(settings))
     return list(dict.fromkeys(obj for obj in named if obj and obj.type in _WAITING))
 
 
 def waited_for(settings):
-    """Return {original: evaluated} of the objects whose geometry Blender evaluates before a solver.
+    """Return {original object: evaluated object} for the objects whose geometry Blender evaluates before a solver.
 
     settings: evaluated settings of the owner, with which the solver was called.
     """
@@ -37,13 +37,13 @@ def waited_for(settings):
 
 
 def is_stale(system, settings):
-    """Whether the order proxy in these settings waits for different objects than the system would read now."""
+    """Whether the order proxy in an owner's settings waits for objects different from those whose geometry the system reads now."""
     proxy = pointed(settings, "order_proxy")
     return (_waits_for(proxy) if proxy else []) != geometries(system, settings)
 
 
 def set_proxy(system, settings):
-    """Store in an owner's settings the order proxy that waits for the geometries that the system reads, if there are any.
+    """Store an order proxy in an owner's settings, which waits for the geometries that the system reads; nothing if it reads none.
 
     Owners that read the same objects share one order proxy.
     """
@@ -77,9 +77,9 @@ def _waits_for(candidate):
 
 
 def wait_for(hub, transforms):
-    """Make Blender evaluate (object, name of a bone or "") pairs before the transform of a hub object.
+    """Make Blender evaluate objects and bones before the transform of a hub object, by muted constraints on the hub.
 
-    Returns the Variable for a driver that waits for the hub's transform.
+    transforms: pairs (object, name of a bone or ""). Returns the Variable with which a driver waits for the hub's transform.
     """
     for thing, bone in transforms:
         constraint = hub.constraints.new('COPY_LOCATION')
@@ -90,7 +90,10 @@ def wait_for(hub, transforms):
 
 
 def waits(hub):
-    """Return the (object, name of a bone or "") pairs that are evaluated before the transform of a hub object."""
+    """Return the pairs (object, name of a bone or "") that Blender evaluates before the transform of a hub object.
+
+    They are the targets of the hub's muted constraints.
+    """
     return [
         (constraint.target, constraint.subtarget)
         for constraint in hub.constraints

@@ -19,9 +19,9 @@ log = logging.getLogger(__name__)
 
 
 def heal(moment, depsgraph=None):
-    """Make those repairs that are due at a moment, such as repairs.EDIT, and whose change is detected.
+    """Make the repairs of repairs.TABLE that belong to a moment, such as repairs.EDIT, and whose change is detected.
 
-    depsgraph: dependency graph that Blender has passed to the handler, or None. Exceptions are logged.
+    depsgraph: dependency graph that Blender has passed to the handler, or None. An exception in a repair is logged, not raised.
     """
     event = repairs.Event(moment, depsgraph)
     for repair in repairs.AT[moment]:
@@ -44,7 +44,7 @@ def reset():
 
 @persistent
 def _after_edit(_scene=None, depsgraph=None):
-    # Lost overrides and changed relations of objects are looked for only here, because they do not change with the frame.
+    # Only this handler looks for overrides that lost their wiring and for changed parents: a change of the frame causes neither.
     if noticed.in_use or read_keys.readings or overrides.has_marks():
         _after_evaluation(repairs.EDIT, depsgraph)
 

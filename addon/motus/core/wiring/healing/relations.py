@@ -9,11 +9,11 @@ import bpy
 from ...evaluated import copies
 
 _known = {}
-"""(name of an object, path of its library or None) -> relations of the object when they were last read."""
+"""(name of an object, path of its library or None) -> result of _hangs_on() for the object when it was last called."""
 
 
 def look():
-    """Store the relations of the objects that are not known yet, and forget the objects that are gone."""
+    """Store the relations (parent, constraints and drivers) of each object that is new in the file, and forget objects that are gone."""
     objects = {_key(obj): obj for obj in bpy.data.objects}
     for key in _known.keys() - objects.keys():
         del _known[key]
@@ -22,9 +22,9 @@ def look():
 
 
 def have_changed(depsgraph):
-    """Whether an object that the depsgraph reports as updated has other relations than when they were last read; stores the new ones.
+    """Whether the relations of any object that the depsgraph reports as updated differ from the stored ones.
 
-    Relations are the object's parent, constraints and drivers.
+    Relations are an object's parent, constraints and drivers. The present relations are stored, to be compared the next time.
     """
     changed = False
     for update in depsgraph.updates:
@@ -43,7 +43,7 @@ def forget():
 
 
 def _key(obj):
-    """Return the key of an object, which bpy.data.objects accepts too."""
+    """Return (name of an object, file path of its library or None), by which the object can be looked up in bpy.data.objects."""
     return obj.name, obj.library and obj.library.filepath
 
 

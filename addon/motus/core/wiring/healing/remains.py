@@ -14,10 +14,10 @@ from ..hubs import outbox
 
 
 def remove_soon():
-    """Schedule remove_deleted() for when the running script has ended, if any owners count as deleted.
+    """Schedule remove_deleted() for when the running script has ended, if any owners were deleted.
 
-    The script may have taken an owner out of one collection in order to put it into a different one. In background mode nothing is
-    scheduled, since a script runs to the end there; owners are then removed when the script saves the file.
+    The wait is for scripts that take an owner out of one collection in order to put the owner into a different one. In background mode
+    nothing is scheduled, since a script runs to the end there; owners are then removed when the script saves the file.
     """
     if not bpy.app.background and not bpy.app.timers.is_registered(remove_deleted) and _deleted_owners():
         bpy.app.timers.register(remove_deleted, first_interval=0.0)
@@ -30,7 +30,7 @@ def stop():
 
 
 def remove_deleted():
-    """Remove the local owners that were deleted, and the objects that only they and their helpers use."""
+    """Remove the owners of this file that were deleted, and the objects that only these owners and their helpers use."""
     owners = _deleted_owners()
     for obj in _unneeded(owners) if owners else ():
         if obj.type == 'MESH' and outbox.is_hub(obj.data):
@@ -51,9 +51,10 @@ def _deleted_owners():
 
 
 def _unneeded(owners):
-    """Return the objects to remove: deleted owners, objects that they drive or point to, and helpers, if only such objects use them.
+    """Return the objects to remove from the file, in a set. owners: the owners that were deleted.
 
-    owners: the deleted owners. Objects with a fake user are left out.
+    These are the owners, the objects that they drive or point to, and helpers, except those that an object outside the set uses or that
+    have a fake user.
     """
     found = _reached(owners | {obj for obj in bpy.data.objects if helpers.is_helper(obj) and not obj.library})
     while True:
@@ -65,7 +66,7 @@ def _unneeded(owners):
 
 
 def _reached(objects):
-    """Return these objects and all local objects that they drive or point to, directly or through each other."""
+    """Return a set of objects, extended by all local objects that these drive or point to, directly or through further objects."""
     found, new = set(), objects
     while new:
         found |= new
@@ -78,7 +79,10 @@ def _reached(objects):
 
 
 def _uses_within(objects):
-    """Return {object: number of pointers to it} in the settings and custom properties of these objects, and of their hubs' meshes."""
+    """Return {object: number of pointers to the object} for the pointers that a set of objects contains.
+
+    Pointers in the objects' settings and custom properties, and in those of their hubs' meshes, are counted.
+    """
     counts = {}
     for obj in objects:
         holders = (obj, obj.data) if obj.type == 'MESH' and outbox.is_hub(obj.data) else (obj,)

@@ -1,8 +1,8 @@
 """Table of the changes that Blender does not report to add-ons: how each is detected, how it is repaired, and when it is looked for.
 
-The sign of a change is a cheap test, and returns what the repair needs: a list, a set, or True. A result that is false, such as an
-empty list, means that there is nothing to repair. A repair is made once for each change, and its result does not depend on which owner
-was evaluated first.
+A change is detected by a cheap function, its sign, which returns what the repair needs: a list, a set, or True. A result that is false,
+such as an empty list, means that there is nothing to repair. A repair is made once for each change, and its result does not depend on
+which owner was evaluated first.
 
 The owner is the object whose settings a system solves; a *place* is the pair (name of the system, name of the owner). Hubs are hidden
 objects whose meshes carry a solver's driver and results; several owners can share one, with a row each. Sinks are constraints, drivers
@@ -56,10 +56,12 @@ class Event:
 
 
 class Repair(NamedTuple):
-    """A kind of change and its repair.
+    """One kind of change that Blender does not report to add-ons, with its detection and its repair.
 
-    change: the change in words. moments: when it is looked for. sign: returns what the repair needs, or a false value. repair: makes
-    the repair. needs_use: whether it is looked for only after a solver was called in the open file.
+    change: description of the change, for the log. moments: moments, such as EDIT or LOADED, at which the change is looked for. sign:
+    function of the Event that detects the change; returns the first argument for `repair`, or something false if there is no change.
+    repair: function (result of sign, Event) that repairs the wiring. needs_use: whether the change is looked for only after a solver was
+    called in the open file.
     """
 
     change: str
@@ -76,7 +78,10 @@ def _attached():
 
 
 def _find(name, owner_name):
-    """Return the system and the owner with these names; (None, None) if they are gone, or if the system is not set up on a local object."""
+    """Return (system, owner) for their names.
+
+    Returns (None, None) if one of them is gone, or if the system is not set up on a local object of this name.
+    """
     system, owner = registered.get(name), bpy.data.objects.get((owner_name, None))
     if not system or not owner or not is_owner(system, owner):
         return None, None
@@ -84,9 +89,9 @@ def _find(name, owner_name):
 
 
 def _found_at(places):
-    """Return (system, owner) for each place, the pair of their names, in a set.
+    """Return (system, owner) for each pair (name of the system, name of the owner) in a set.
 
-    Places whose system or owner is gone are removed from the set.
+    A pair whose system or owner is gone is removed from the set.
     """
     found = []
     for place in list(places):
@@ -99,9 +104,9 @@ def _found_at(places):
 
 
 def _pop_each(places):
-    """Yield (system, owner) for the places in a set, removing each, until the set is empty, including places added meanwhile.
+    """Yield (system, owner) for each pair (name of the system, name of the owner) in a set, and remove the pair from the set.
 
-    A place is the pair (name of a system, name of an owner).
+    Pairs that are added to the set meanwhile are yielded too. Pairs whose system or owner is gone are only removed.
     """
     while places:
         system, owner = _find(*places.pop())
@@ -164,10 +169,10 @@ def _changed(event):
 
 
 def _look_at_rows(event):
-    """Detect changes of owners that share a hub, whose solver does not read the owners.
+    """Detect owners that must leave a shared hub, since the solver of a shared hub does not read its owners.
 
-    Such an owner must leave the hub if its settings have become animated, or if it has become mirrored by a negative scale. Mirroring
-    is looked for only after an edit.
+    An owner must leave the hub if its settings have become animated, or if it has become mirrored by a negative scale. Mirroring is looked
+    for only after an edit. Changed owners are stored in `noticed.changed`.
     """
     for place, known in list(noticed.rows.items()):
         name, _ = place
@@ -207,7 +212,10 @@ def _renamed_settings(event):
 
 
 def _move_renamed(found, _event):
-    """Store settings under their present names. found: systems with settings that were renamed. Linked objects are included."""
+    """Store settings that an earlier version has saved under other names under their present names.
+
+    found: systems whose settings were renamed. Settings of linked objects are included.
+    """
     for system in found:
         for obj in [one for one in bpy.data.objects if has_settings(system, one)]:
             if former_names.move(of_owner(system, obj), system.former_names):
@@ -282,7 +290,7 @@ def _grown_armatures(event):
 
 
 def _release_joined(grown, _event):
-    """Remove the sinks that came with a rig that was joined into a different one, and remove the remains of the joined rig.
+    """Remove the sinks that came into a rig when a different rig was joined into it, and remove what is left of the joined rig.
 
     A sink is a constraint or driver that brings a solver's result to a bone. grown: armatures whose number of bones has changed.
     """
@@ -300,7 +308,7 @@ def _release_joined(grown, _event):
 
 
 def _discard(rig):
-    """Remove a rig that is in no collection, with its hubs and order proxies, hidden helper objects that alone still use the rig."""
+    """Remove a rig that is in no collection, together with its hubs and proxies: hidden helper objects that only the rig uses."""
     for system in systems():
         for part in [part for part in sharing.parts(system, rig) if part.is_own]:
             bpy.data.meshes.remove(part.mesh)
@@ -321,7 +329,10 @@ def _follow_bones(edited, _event):
 
 
 def _armatures(system, owner):
-    """Return Object.data of an owner and of all objects whose transforms the owner's solvers read."""
+    """Return the armatures of an owner and of all rigs that the owner's solvers read, in a set.
+
+    The set also contains Object.data of owners and read objects that are no rigs: the caller only asks which armatures are in the set.
+    """
     read = [pair[0] for group_key, _ in hub_lookup.carriers_of(system, owner) for pair in waits(system, owner, group_key)]
     return {owner.data, *(obj.data for obj in read if obj)}
 
@@ -381,7 +392,7 @@ def _wire_overrides(_found, _event):
 
 
 def _release_overrides():
-    """Remove sinks again from overrides from which they had been removed, and to which reloading the library has brought them back."""
+    """Remove sinks again that had been removed from library overrides and that reloading the library has brought back."""
     found = [obj for obj in bpy.data.objects if obj.override_library and not obj.library and obj.is_property_set("motus")]
     for obj in found:
         for system in [one for one in systems() if has_settings(one, obj)]:
@@ -469,4 +480,4 @@ TABLE = (
 """All repairs of changes that Blender does not report to add-ons, in the order in which they are made."""
 
 AT = {moment: tuple(one for one in TABLE if moment in one.moments) for moment in (EDIT, FRAME, LOADED, ARRIVED, SAVING, SAVED)}
-"""The repairs that are looked for at each moment, such as LOADED or SAVING, in the order in which they are made."""
+"""Moment, such as LOADED or SAVING -> Repairs whose changes are looked for at this moment, in the order in which they are made."""

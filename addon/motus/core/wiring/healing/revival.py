@@ -27,7 +27,10 @@ _revival = _Revival()
 
 
 def revive():
-    """Switch on again all drivers and F-curves that need Motus, including those of linked data, which are changed in memory only."""
+    """Switch on again all drivers and F-curves that need Motus and that Blender has switched off while the add-on was disabled.
+
+    Those of linked data are included, and are changed in memory only.
+    """
     for holder in datablocks.everything():
         animation = getattr(holder, "animation_data", None)
         for curve in animation.drivers if animation else ():
@@ -50,7 +53,7 @@ def _needs_motus(curve):
 
 @persistent
 def _catch_up(*_):
-    """Handler that revives drivers and repairs the wiring before the first evaluation that the add-on sees of a file.
+    """Handler that revives drivers and repairs the wiring before the first evaluation of a file since the add-on was enabled.
 
     Nothing happens if the file was loaded while the add-on was enabled.
     """
@@ -73,7 +76,7 @@ def _watched():
 
 
 def register():
-    """Revive drivers as soon as Blender gives the add-on access to the file; it does not while it enables add-ons."""
+    """Revive drivers as soon as Blender gives the add-on access to the file. Blender gives no access while it enables add-ons."""
     _revival.is_due = True
     handlers.add(_watched())
     bpy.app.timers.register(_catch_up, first_interval=0.0)

@@ -12,7 +12,10 @@ from ..sinks import property_sink
 
 
 class Noticed:
-    """Everything that was detected since the file was opened. A *place* is the pair (name of a system, name of an owner)."""
+    """Everything that solvers and handlers have detected since the file was opened.
+
+    A *place* is the pair (name of a system, name of an owner).
+    """
 
     def __init__(self):
         self.evaluations = 0
@@ -47,38 +50,42 @@ class Noticed:
         """(name of a system, name of an owner) of the copied owners that could not get hubs of their own; this is tried only once."""
 
     def note_state(self, place, state):
-        """Compare the state of an owner with the last one noted; mark the owner as changed if they differ.
+        """Store the state of an owner; if it differs from the state stored before, add the owner to `changed`.
 
-        place: (name of the system, name of the owner). state: (number of the owner's drivers, whether relevant settings are animated).
-        Solvers call it; if several owners share one solver, it is called after the evaluation.
+        place: (name of the system, name of the owner). state: (number of the owner's drivers, whether relevant settings are animated). The
+        owner's solver calls this method. If several owners share the solver, a repair calls it after the evaluation.
         """
         if self.states.get(place) != state:
             self.states[place] = state
             self.changed.add(place)
 
     def note_properties(self, hub):
-        """Note a hub whose drivers of properties are at rest, so that they are woken. hub: evaluated mesh; the hub's solver calls it.
+        """Add a hub to `resting` if its drivers of properties are at rest, so that they are switched on after the evaluation.
 
-        At rest means that the drivers are muted and aimed at a custom property, as they are saved in a file.
+        At rest means that the drivers are muted and aimed at a custom property, as they are saved in a file. hub: evaluated mesh of the
+        hub, whose solver calls this method.
         """
         if property_sink.is_resting(hub):
             self.resting.add(key(hub))
 
     def note_rows(self, system, name, rows):
-        """Note the rows of a hub that several owners share. The hub's solver calls it.
+        """Store the rows of a hub that several owners share. The hub's solver calls this method.
 
-        system: name of the system. name: name of the hub's mesh. rows: Rows of the mesh.
+        system: the System. name: name of the hub's mesh. rows: list of the Row of each owner, or what rows.row() returns instead.
         """
         self.rows[system.name, name] = rows
 
     def note_orphan(self, hub):
-        """Note a hub whose owner was deleted; copies of that owner may still depend on the hub. hub: evaluated mesh of the hub."""
+        """Store that a hub's owner was deleted, and have copies of that owner looked for, since they may still depend on the hub.
+
+        hub: evaluated mesh of the hub.
+        """
         if hub.name not in self.orphans:
             self.orphans.add(hub.name)
             self.object_count = -1
 
     def note_unsettled(self, system, owner):
-        """Request that System.settle is called with the original of an evaluated owner after the evaluation. Solvers call it."""
+        """Have System.settle called with an owner after the evaluation. Solvers call this method with the evaluated owner."""
         if not owner.library:
             self.unsettled.add((system.name, owner.name))
 
@@ -88,10 +95,10 @@ noticed = Noticed()
 
 
 def evaluation():
-    """Return a number that is equal for all solvers of one evaluation, and different for the next evaluation in the viewport."""
+    """Return a number that all solvers of one evaluation get, and that differs in the next evaluation of the viewport."""
     return noticed.evaluations
 
 
 def key(datablock):
-    """Return (name, name of the library or None), which identifies a datablock among those of its type."""
+    """Return (name, name of the library or None), which identifies a datablock among all datablocks of its type."""
     return datablock.name, datablock.library and datablock.library.name

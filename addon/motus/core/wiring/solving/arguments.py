@@ -10,23 +10,30 @@ from ..hubs import outbox
 
 
 def read_from_driver(system):
-    """Return (position among the driver's arguments, name, class, read) for each input of a system that is not read from the settings.
+    """Return (index, name, plain, read) for each input of a system that the solver's driver passes on: for all but Settings.
 
-    A value of this class is the input's value as it is; read(value, settings) returns the input's value for any other one.
+    index: position among the values that the driver passes. name: name of the input. plain: class whose instances are values of the input
+    already; None if there is no such class. read: function (passed value, settings) that returns the value of the input otherwise.
     """
     declared = [(index, one) for index, one in enumerate(system.inputs) if not isinstance(one, Setting)]
     return [(index, one.name, mathutils.Matrix if one.read is Matrix.read else None, one.read) for index, one in declared]
 
 
 def values(inputs, given, settings):
-    """Return {name: value} for these inputs, read from the values of the driver's variables. Raises Damaged if there are too few values."""
+    """Return {name: value} for inputs that the driver passes. Raises Damaged if the driver passes too few values.
+
+    inputs: result of read_from_driver(). given: the passed values. settings: the owner's settings, for inputs that need them.
+    """
     if inputs and len(given) <= inputs[-1][0]:
         raise Damaged("too few arguments")
     return {name: value if (value := given[index]).__class__ is plain else read(value, settings) for index, name, plain, read in inputs}
 
 
 def member_data(system, carrier, count):
-    """Return the numbers of System.member_data that are stored on a hub's mesh (carrier), (count,); None if the system has none."""
+    """Return the array of the numbers that System.member_data has stored on a hub's mesh; None if the system has no member data.
+
+    carrier: the mesh. count: number of members, which is the length of the array.
+    """
     if system.member_data is None:
         return None
     if count == 0 and not carrier.get(outbox.MEMBER_DATA_KEY):  # a custom property cannot hold an empty list of floats

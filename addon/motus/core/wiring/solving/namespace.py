@@ -46,7 +46,8 @@ def motus_solve(*arguments):
 class _Points:
     """Object that lets drivers call motus_solve by a subscript, for systems that read neither the frame nor the depsgraph.
 
-    Blender takes an expression with a call or with `frame` for one that changes with time, but not a subscript.
+    Blender assumes that an expression with a call, or with `frame`, changes with time, and evaluates it on every frame. A subscript is
+    evaluated only if something that the driver reads has changed.
     """
 
     def __getitem__(self, arguments):
@@ -55,9 +56,9 @@ class _Points:
 
 
 def _fail(error, carrier=None, name="", frame=0.0):
-    """Return the status of a hub's mesh (carrier) whose solver raised this error.
+    """Return the status for an error that a solver raised, and set the results on its hub's mesh to neutral values if possible.
 
-    As far as possible, the results are made neutral, so that members stay at their own transforms.
+    Neutral results leave the members at their own transforms. carrier, name, frame: first arguments of motus_solve.
     """
     settings = None
     with suppress(Exception):

@@ -12,13 +12,14 @@ from ..sinks import attribute_sink, attributes
 log = logging.getLogger(__name__)
 
 ORDINARY = 1e30
-"""If the sum of the squares of numbers is below, all of them are finite. Sums of larger or unusual numbers are looked at more closely."""
+"""Numbers whose squares have a sum below this limit are all finite. If the sum is not below, each number is checked on its own."""
 
 
 class Poses:
-    """Memory for the poses that a solver computes, in one array `block`; `neutral` has the numbers of poses that do nothing.
+    """Memory for the poses of `count` members that a solver computes.
 
-    locations (n, 3), rotations (n, 4), quaternions, and scales (n, 3) are views of the array.
+    block: one array with all numbers. neutral: array of the same form, with poses that change nothing. locations (n, 3), rotations (n, 4;
+    quaternions) and scales (n, 3) are views of `block`.
     """
 
     def __init__(self, count):
@@ -37,7 +38,10 @@ class Poses:
         return locations.reshape(-1, 3), rotations.reshape(-1, 4), scales.reshape(-1, 3)
 
     def store(self, carrier, has_scales):
-        """Write the poses as matrices to the attribute of an evaluated hub's mesh (carrier) that the members' constraints sample."""
+        """Write the poses as 4x4 matrices to the attribute of a hub's evaluated mesh that the members' constraints sample.
+
+        carrier: the mesh. has_scales: whether the solver sets scales; if not, the scales are 1.
+        """
         scales = self.scales if has_scales else None
         native.module.pack_matrices(self.locations, self.rotations, out=self._matrices, scales=scales)
         if self._is_checked:  # the evaluated copy for which the solver was prepared has the attribute as it was
@@ -48,7 +52,10 @@ class Poses:
 
 
 def do_nothing(box, layout):
-    """Fill an outbox with values that leave the members at their own transforms: weight 0, and neutral poses for relative members."""
+    """Fill an outbox with values that leave the members at their own transforms: weight 0, and neutral poses for relative members.
+
+    box: array of the outbox's numbers. layout: Layout of the outbox.
+    """
     box[outbox.WEIGHT] = 0.0
     if layout.is_relative and not layout.has_attribute:
         end = layout.base + outbox.POSE_SIZE * layout.members
@@ -57,9 +64,10 @@ def do_nothing(box, layout):
 
 
 def status_of(error, carrier, name, settings):
-    """Return the status for an error that a solver raised; the error is logged unless the file is damaged or a setting is not finite.
+    """Return the status for an error that a solver raised.
 
-    settings: settings of the owner, or None if they cannot be read.
+    The error is logged, unless it is Damaged or a setting is not finite. carrier: mesh of the hub. name: system, and group if any, for the
+    log. settings: settings of the owner, or None if they cannot be read.
     """
     # The panel reports damaged data; a log entry would be repeated at every frame.
     if isinstance(error, Damaged):

@@ -45,7 +45,10 @@ class RowsSolver:
         return None
 
     def is_current(self):
-        """Whether the system is registered; the solver reads only the hub's mesh, for whose evaluated copy it was prepared."""
+        """Whether the solver can be used again: the system for which it was prepared is still registered.
+
+        No evaluated copy has to be compared. The solver reads only the evaluated mesh of the hub, together with which it is kept.
+        """
         return registered.get(self._system.name) is self._system
 
     def solve(self, frame, depsgraph, values):
@@ -67,7 +70,7 @@ class RowsSolver:
             elif row is Damaged:
                 slots[outbox.STATUS] = outbox.DAMAGED
         if not (poses.block.dot(poses.block) < ORDINARY and self._slots.dot(self._slots) < ORDINARY):
-            self._look_at_numbers()
+            self._check_numbers()
         if layout.has_attribute:
             poses.store(self._mesh, has_scales=False)
         else:
@@ -89,8 +92,8 @@ class RowsSolver:
                 return
         _make_neutral(context)
 
-    def _look_at_numbers(self):
-        """Check the results: a row with a number that sinks must not get, such as NaN or infinity, is made neutral, and its status says so."""
+    def _check_numbers(self):
+        """Make each row neutral that contains a number which sinks must not get, such as NaN or infinity, and set the row's status."""
         for context, slots in zip(self._contexts, self._table):
             if context is None or all(map(finite.is_finite, (context.locations, context.rotations, context.outputs))):
                 continue

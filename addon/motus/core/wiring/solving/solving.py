@@ -36,7 +36,10 @@ _MEMOS = keeping.OfEvaluation(
 
 
 def called(name):
-    """Return (system, key of the group) for the name in a driver's expression. Raises Damaged if there is no such system."""
+    """Return (system, key of the group) for the text "<system>" or "<system>.<key>" in a driver's expression.
+
+    Raises Damaged if there is no such system.
+    """
     name, _, key = name.partition(".") if isinstance(name, str) else ("", "", "")
     system = registered.get(name)
     if not isinstance(system, System):
@@ -45,13 +48,14 @@ def called(name):
 
 
 def solver_of(carrier, name):
-    """Return the Solver or RowsSolver for an evaluated hub's mesh (carrier) and the name in its driver's expression.
+    """Return the Solver or RowsSolver that computes for a driver; it is prepared if there is none yet.
 
-    Raises Damaged if there is no such system, or if the mesh has no valid outbox.
+    carrier: evaluated mesh of the hub. name: text "<system>" or "<system>.<key of the group>" in the driver's expression. Raises Damaged if
+    there is no such system, or if the mesh has no valid outbox.
     """
     try:
         found = _SOLVERS.on(copies.of(carrier))[name]
-        # The outbox is looked for in the original each time, for the reason that outbox.is_in_place() states.
+        # A script may have removed the outbox from the original mesh since the last call (see outbox.is_in_place).
         if found.is_current() and carrier.original.get(found.place).typecode:
             return found
     except (AttributeError, KeyError, TypeError):  # there is no solver yet, or the file has something else in a place
@@ -69,9 +73,10 @@ def _new_solver(carrier, name):
 
 
 class Solver:
-    """Solver of one group of a system, which computes in each evaluation. carrier: evaluated mesh with the solver's driver and results.
+    """Solver of one group of a system, kept for all evaluations in which Blender keeps the evaluated copy of the owner.
 
-    place: name of the custom property that is the outbox.
+    key: key of the group. carrier: evaluated mesh of the hub, with the solver's driver and results. place: name of the custom property that
+    is the outbox.
     """
 
     def __init__(self, system, key, carrier):
@@ -89,7 +94,7 @@ class Solver:
         self._poses = Poses(layout.members)
         self._drives_properties = property_sink.KEY in carrier
         self._reading = read_keys.reading_of(carrier, system.name) if system.reads_keys or self._drives_properties else None
-        # Whether settings are animated matters only for outlets and driven properties.
+        # Owners without outputs and driven properties need not be wired again if their settings become animated.
         self._counts = bool(system.outputs) or self._drives_properties
         self._place = None if owner.library else (system.name, owner.name)
         self._has_modifier = system.has_modifier
@@ -116,9 +121,9 @@ class Solver:
             return False
 
     def solve(self, frame, depsgraph, values):
-        """Solve, and write the results into the outbox on the hub's mesh; returns the status.
+        """Solve the group, and write the results into the outbox on the hub's mesh; returns the status.
 
-        values: values of the driver's variables for the inputs.
+        values: values of the inputs that the driver passes on.
         """
         if self._reading is None or not self._reading.is_edit(frame):
             return self._solve(frame, depsgraph, values)
@@ -183,7 +188,7 @@ class Solver:
         return finite.is_finite(self._poses.block) if room is None else room.is_finite()
 
     def _read(self, values):
-        """Return {name: value} of the arguments of System.solve."""
+        """Return {name: value} of the arguments of System.solve. values: values of the inputs that the driver passes on."""
         context = self._context
         found = context.kept("settings", None, self._read_settings) if self._settings else {}
         return found | arguments.values(self._inputs, values, context.settings) if self._inputs else found
@@ -192,7 +197,10 @@ class Solver:
         return {declared.name: declared.read(0.0, self._context.settings) for declared in self._settings}
 
     def _store(self, weight):
-        """Write the poses to the attribute or the outbox that the members' sinks read. weight: influence of the sinks."""
+        """Write the poses to the attribute of the hub's mesh, or to the outbox, whichever the members' sinks read.
+
+        weight: influence of the sinks, by which members without a driver on the influence are blended with their own transforms.
+        """
         context, layout = self._context, self._layout
         if layout.has_attribute:
             attribute_sink.write(
