@@ -11,6 +11,7 @@
 #include <numbers>
 #include <vector>
 
+#include "motus/mesh/refine.hpp"
 #include "motus/noise/noise.hpp"
 #include "motus/snow/cover.hpp"
 #include "motus/snow/layer.hpp"
@@ -144,21 +145,8 @@ void measure_landings(const bench::Table& table, SnowSettings settings) {
 }
 
 /// A layer of 263 169 vertices around a roof.
-void measure_layer() {
-    constexpr int cells = 512;
-    constexpr float cell = 20.0F / static_cast<float>(cells);
-    std::vector<glm::vec3> positions;
-    std::vector<glm::ivec3> triangles;
-    for (int row = 0; row <= cells; ++row) {
-        for (int column = 0; column <= cells; ++column) {
-            positions.emplace_back(cell * static_cast<float>(column) - 10.0F,
-                                   cell * static_cast<float>(row) - 10.0F, 0.0F);
-            if (row == cells || column == cells) continue;
-            const int corner = row * (cells + 1) + column;
-            triangles.emplace_back(corner, corner + 1, corner + cells + 2);
-            triangles.emplace_back(corner, corner + cells + 2, corner + cells + 1);
-        }
-    }
+void measure_layer(const char* title, const std::vector<glm::vec3>& positions,
+                   const std::vector<glm::ivec3>& triangles) {
     std::vector<glm::vec3> all = positions;
     std::vector<glm::ivec3> sheltering = triangles;
     const auto first = static_cast<int>(all.size());
@@ -169,7 +157,7 @@ void measure_layer() {
     const Collider shelter(all, sheltering);
     const glm::dvec3 up(0.0, 0.0, 1.0);
     const double made = bench::nanoseconds([&] { keep(Layer(positions, triangles, up, &shelter, 1.5)); }, 3);
-    const bench::Table table("A layer around a roof, one thread", {{"vertices", "", 0}, {"taken", "ms"}}, 34);
+    const bench::Table table(title, {{"vertices", "", 0}, {"taken", "ms"}}, 34);
     const double count = static_cast<double>(positions.size());
     table.row("made", {count, 1e-6 * made});
     const Layer layer(positions, triangles, up, &shelter, 1.5);
@@ -185,6 +173,30 @@ void measure_layer() {
         std::snprintf(name, sizeof name, "its mesh, of roughness %.1f", static_cast<double>(roughness));
         table.row(name, {count, 1e-6 * shown});
     }
+}
+
+void measure_layers() {
+    constexpr int cells = 512;
+    constexpr float cell = 20.0F / static_cast<float>(cells);
+    std::vector<glm::vec3> positions;
+    std::vector<glm::ivec3> triangles;
+    for (int row = 0; row <= cells; ++row) {
+        for (int column = 0; column <= cells; ++column) {
+            positions.emplace_back(cell * static_cast<float>(column) - 10.0F,
+                                   cell * static_cast<float>(row) - 10.0F, 0.0F);
+            if (row == cells || column == cells) continue;
+            const int corner = row * (cells + 1) + column;
+            triangles.emplace_back(corner, corner + 1, corner + cells + 2);
+            triangles.emplace_back(corner, corner + cells + 2, corner + cells + 1);
+        }
+    }
+    measure_layer("A layer around a roof, one thread", positions, triangles);
+    // Its vertices are numbered from coarse to fine, as those of every surface that the add-on refines.
+    const mesh::Refined refined =
+        mesh::refine(std::vector<glm::vec3>{{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}},
+                     std::vector<glm::ivec3>{{0, 1, 2}, {0, 2, 3}}, 1.8F * cell, 1000000);
+    measure_layer("A layer of a refined surface around a roof, one thread", refined.positions,
+                  refined.triangles);
 }
 
 }  // namespace
@@ -223,7 +235,7 @@ int main() {
     few.lifetime = 10.0;
     measure(table, "steering and wind, 500 a second", few, 100.0);
     measure_landings(table, settings);
-    measure_layer();
+    measure_layers();
     const double made = bench::nanoseconds([&] { keep(Snow(settings)); });
     const bench::Table anew("Snow made anew", {{"taken", "ms", 3}}, 34);
     anew.row("steering and wind", {1e-6 * made});

@@ -95,7 +95,7 @@ constexpr double highest = 1e30;  ///< m, of snow on what is so small that it ha
 /// Leaves the shares of a place's corners that snow lies on and that are under something as the place is, or
 /// not; all of them, where there are none of that kind.
 void keep_alike(std::array<double, 3>& weights, const glm::ivec3& triangle, const glm::dvec3& point,
-                const Holding& holding, const Collider& collider, const glm::dvec3& up) {
+                const Holding& holding, Shelter& shelter) {
     std::array<bool, 3> is_meant{};
     std::size_t sheltered = 0, held = 0;
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -105,7 +105,7 @@ void keep_alike(std::array<double, 3>& weights, const glm::ivec3& triangle, cons
         sheltered += holding.holds(at) && holding.is_sheltered[at] != 0 ? 1 : 0;
     }
     if (sheltered > 0 && sheltered < held) {
-        const bool is_sheltered = is_under(collider, point, up);
+        const bool is_sheltered = shelter.is_over(point);
         for (std::size_t corner = 0; corner < 3; ++corner)
             if ((holding.is_sheltered[vertex(triangle, corner)] != 0) != is_sheltered)
                 is_meant.at(corner) = false;
@@ -128,13 +128,13 @@ void keep_alike(std::array<double, 3>& weights, const glm::ivec3& triangle, cons
 }
 
 /// Adds to each corner's area what a triangle of snow adds to the volume for each metre of depth there.
-void add_areas(const Collider& collider, const Holding& holding, const glm::ivec3& triangle,
-               const glm::dvec3& up, std::vector<double>& areas) {
+void add_areas(const Collider& collider, const Holding& holding, const glm::ivec3& triangle, Shelter& shelter,
+               std::vector<double>& areas) {
     const auto [a, b, c] = corners_of(collider, triangle);
     const double third = length_of(glm::cross(b - a, c - a)) / 6.0;
     std::array<std::optional<float>, 3> ends;  // on the sides that leave the corners
     for (std::size_t corner = 0; corner < 3; ++corner)
-        ends.at(corner) = end_on_edge(holding, collider.positions(), collider, up, vertex(triangle, corner),
+        ends.at(corner) = end_on_edge(holding, collider.positions(), shelter, vertex(triangle, corner),
                                       vertex(triangle, (corner + 1) % 3));
     const std::array<double, 3> parts = shown_parts(ends);
     for (std::size_t corner = 0; corner < 3; ++corner)
@@ -175,6 +175,7 @@ Cover::Cover(const Snow& snow, const CoverSettings& settings, std::size_t thread
         std::vector<Deposit> deposits(downs.size());
         const auto find = [&](std::size_t first, std::size_t last) {
             std::vector<Slide> slides;
+            Shelter shelter(collider, up);
             for (std::size_t i = first; i < last; ++i) {
                 const Touchdown& down = downs[i];
                 const double friction = hold * (1.0 + grip_range * grip_of(down.id));
@@ -184,7 +185,7 @@ Cover::Cover(const Snow& snow, const CoverSettings& settings, std::size_t thread
                 if (!place) continue;
                 const glm::ivec3& triangle = collider.triangles()[place->triangle];
                 auto weights = weights_of(corners_of(collider, triangle), place->point);
-                keep_alike(weights, triangle, place->point, holding, collider, up);
+                keep_alike(weights, triangle, place->point, holding, shelter);
                 deposits[i].lies = true;
                 for (std::size_t corner = 0; corner < 3; ++corner) {
                     deposits[i].vertices.at(corner) = static_cast<std::uint32_t>(vertex(triangle, corner));
@@ -202,8 +203,9 @@ Cover::Cover(const Snow& snow, const CoverSettings& settings, std::size_t thread
         deposits.resize(kept);
 
         areas_.resize(collider.positions().size());
+        Shelter shelter(collider, up);
         for (const glm::ivec3& triangle : collider.triangles())
-            add_areas(collider, holding, triangle, up, areas_);
+            add_areas(collider, holding, triangle, shelter, areas_);
         deposit(deposits, settings.flake_volume);
         if (rounds_ > 0) link_neighbours(collider, holding);
     });

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "holding.hpp"
-#include "motus/core/numeric.hpp"
 
 namespace motus::snow {
 namespace {
@@ -39,10 +40,136 @@ struct Stretch {
 
 }  // namespace
 
+/// Puts the edges into their order (Net::ranks) four by four, those on which snow ends last. An edge is in
+/// the first Ways with room after all that have one of its vertices, so that the four have none in common. As
+/// far as the order leaves it open, edges near each other on the surface are near each other in memory.
+class Heaps::Linker {
+  public:
+    Linker(Heaps& heaps, const Net& net)
+        : net_(net), ways_(heaps.ways_), nowhere_(static_cast<std::uint32_t>(net.positions.size())) {
+        find_spokes();
+        next_.assign(starts_.begin(), starts_.end() - 1);
+        ways_.reserve(net.edges.size() / width + 2 * block);
+        open_.reserve(ways_.capacity());
+        for (const bool is_at_end : {false, true}) {
+            free_.assign(nowhere_, static_cast<std::uint32_t>(ways_.size()));
+            for (std::uint32_t i = 0; i < nowhere_; ++i)
+                while (next_[i] < starts_[i + 1] && is_end(spokes_[next_[i]]) == is_at_end)
+                    add_with_those_before(spokes_[next_[i]]);
+            while (ways_.size() % block != 0) add_ways();
+            if (!is_at_end) heaps.whole_ = ways_.size();
+        }
+    }
+
+    /// The edges of a vertex, in their order; `use`: of the vertex at the other end, and whether snow ends on
+    /// the edge.
+    template <class Use>
+    void each_spoke(std::uint32_t vertex, const Use& use) const {
+        for (std::uint32_t i = starts_[vertex]; i < starts_[vertex + 1]; ++i)
+            use(other_end(spokes_[i], vertex), is_end(spokes_[i]));
+    }
+    /// m, of the edge between two vertices.
+    [[nodiscard]] float length(std::uint32_t x, std::uint32_t y) const {
+        return static_cast<float>(glm::length(glm::dvec3(net_.positions[y]) - glm::dvec3(net_.positions[x])));
+    }
+
+  private:
+    static constexpr std::uint32_t end_bit = std::uint32_t{1} << 31U;  // of spokes; edges are fewer
+    [[nodiscard]] static bool is_end(std::uint32_t spoke) { return (spoke & end_bit) != 0; }
+    [[nodiscard]] glm::uvec2 ends_of(std::uint32_t spoke) const {
+        const glm::uvec2 ends(net_.edges[spoke & ~end_bit]);
+        return ends;
+    }
+    [[nodiscard]] std::uint32_t other_end(std::uint32_t spoke, std::uint32_t vertex) const {
+        const glm::uvec2 ends = ends_of(spoke);
+        return ends.x == vertex ? ends.y : ends.x;
+    }
+
+    void find_spokes() {
+        starts_.assign(std::size_t{nowhere_} + 1, 0);
+        for (const glm::ivec2& edge : net_.edges)
+            for (const int end : {edge.x, edge.y}) ++starts_[static_cast<std::size_t>(end) + 1];
+        for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+        std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+        spokes_.resize(starts_.back());
+        for (std::size_t i = 0; i < net_.edges.size(); ++i) {
+            const auto spoke = static_cast<std::uint32_t>(i) | (net_.ends[i] >= 0.0F ? end_bit : 0);
+            for (const int end : {net_.edges[i].x, net_.edges[i].y})
+                spokes_[next[static_cast<std::size_t>(end)]++] = spoke;
+        }
+        std::vector<std::uint64_t> around;  // where snow ends last, then by ranks
+        for (std::uint32_t i = 0; i < nowhere_; ++i) {
+            around.clear();
+            for (std::uint32_t j = starts_[i]; j < starts_[i + 1]; ++j) {
+                const std::uint64_t rank = net_.ranks[other_end(spokes_[j], i)];
+                around.push_back(((rank | (spokes_[j] & end_bit)) << 32U) | spokes_[j]);
+            }
+            std::ranges::sort(around);
+            for (std::uint32_t j = starts_[i]; const std::uint64_t one : around)
+                spokes_[j++] = static_cast<std::uint32_t>(one);
+        }
+    }
+    void add_with_those_before(std::uint32_t last) {
+        waiting_.push_back(last);
+        while (!waiting_.empty()) {
+            const std::uint32_t spoke = waiting_.back();
+            const glm::uvec2 ends = ends_of(spoke);
+            if (const std::uint32_t first = spokes_[next_[ends.x]]; first != spoke) {
+                waiting_.push_back(first);
+            } else if (const std::uint32_t other = spokes_[next_[ends.y]]; other != spoke) {
+                waiting_.push_back(other);
+            } else {
+                waiting_.pop_back();
+                ++next_[ends.x];
+                ++next_[ends.y];
+                if (ends.x != ends.y) add(ends);
+            }
+        }
+    }
+    void add(const glm::uvec2& ends) {
+        const std::uint32_t at = first_open(std::max(free_[ends.x], free_[ends.y]));
+        free_[ends.x] = free_[ends.y] = at + 1;
+        Ways& ways = ways_[at];
+        std::size_t place = 0;
+        while (ways.x.at(place) != nowhere_) ++place;
+        ways.x.at(place) = ends.x;
+        ways.y.at(place) = ends.y;
+        ways.lengths.at(place) = length(ends.x, ends.y);
+        if (place + 1 == width) open_[at] = at + 1;
+    }
+    void add_ways() {
+        open_.push_back(static_cast<std::uint32_t>(ways_.size()));
+        Ways ways;
+        ways.x.fill(nowhere_);
+        ways.y.fill(nowhere_);
+        ways_.push_back(ways);
+    }
+    /// The first Ways with room for another edge, from these on.
+    [[nodiscard]] std::uint32_t first_open(std::uint32_t at) {
+        while (at < ways_.size() && open_[at] != at) {
+            if (open_[at] < ways_.size()) open_[at] = open_[open_[at]];
+            at = open_[at];
+        }
+        if (at == ways_.size()) add_ways();
+        return at;
+    }
+
+    const Net& net_;
+    std::vector<Ways>& ways_;
+    std::uint32_t nowhere_;               ///< a vertex that there is not
+    std::vector<std::uint32_t> starts_;   ///< of each vertex's spokes
+    std::vector<std::uint32_t> spokes_;   ///< edges, those on which snow ends with the end bit
+    std::vector<std::uint32_t> next_;     ///< of each vertex's spokes the first that is not yet added
+    std::vector<std::uint32_t> waiting_;  ///< spokes, each for the one behind it
+    std::vector<std::uint32_t> free_;     ///< the first Ways from which on none has an edge of each vertex
+    std::vector<std::uint32_t> open_;  ///< each Ways itself; of a full one, a later one up to that with room
+};
+
 Heaps::Heaps(const Net& net) {
     measure(net);
-    link(net);
-    find_shores(net);
+    Linker linker(*this, net);
+    gather_groups();
+    find_shores(net, linker);
 }
 
 /// How much snow lies on each vertex for each metre of depth.
@@ -53,7 +180,7 @@ void Heaps::measure(const Net& net) {
         const auto place = [&](std::size_t corner) {
             return glm::dvec3(net.positions[vertex(corners, corner)]);
         };
-        const double third = length_of(glm::cross(place(1) - place(0), place(2) - place(0))) / 6.0;
+        const double third = glm::length(glm::cross(place(1) - place(0), place(2) - place(0))) / 6.0;
         std::array<std::optional<float>, 3> ends;
         bool is_whole = true;
         for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -71,43 +198,42 @@ void Heaps::measure(const Net& net) {
     }
     // Over what is so large that floats cannot tell how large nothing goes.
     constexpr double most = 1e30;
-    areas_.reserve(areas.size());
+    areas_.reserve(areas.size() + 1);
     for (const double area : areas) areas_.push_back(area < most ? static_cast<float>(area) : 0.0F);
+    areas_.push_back(0.0F);
 }
 
-void Heaps::link(const Net& net) {
-    ways_.reserve(net.edges.size());
-    for (const bool is_at_end : {false, true}) {
-        for (std::size_t i = 0; i < net.edges.size(); ++i) {
-            if ((net.ends[i] >= 0.0F) != is_at_end) continue;
-            const auto x = static_cast<std::uint32_t>(net.edges[i].x),
-                       y = static_cast<std::uint32_t>(net.edges[i].y);
-            const double length = length_of(glm::dvec3(net.positions[y]) - glm::dvec3(net.positions[x]));
-            ways_.push_back({x, y, static_cast<float>(length)});
+void Heaps::gather_groups() {
+    std::vector<std::uint32_t> last_block(areas_.size() / group + 1);  // of each group, from 1 on
+    group_starts_.assign(1, 0);
+    for (std::size_t first = 0; first < ways_.size(); first += block) {
+        for (const Ways& ways : std::span(ways_).subspan(first, block)) {
+            for (const auto& ends : {ways.x, ways.y}) {
+                for (const std::uint32_t end : ends) {
+                    if (end + 1 == areas_.size()) continue;  // a missing edge's
+                    std::uint32_t& last = last_block[end / group];
+                    if (last == group_starts_.size()) continue;
+                    last = static_cast<std::uint32_t>(group_starts_.size());
+                    groups_.push_back(static_cast<std::uint32_t>(end / group));
+                }
+            }
         }
-        if (!is_at_end) whole_ = static_cast<std::uint32_t>(ways_.size());
+        group_starts_.push_back(static_cast<std::uint32_t>(groups_.size()));
     }
-    spoke_starts_.assign(net.positions.size() + 1, 0);
-    for (const Way& way : ways_)
-        for (const std::uint32_t end : {way.x, way.y}) ++spoke_starts_[end + 1];
-    for (std::size_t i = 1; i < spoke_starts_.size(); ++i) spoke_starts_[i] += spoke_starts_[i - 1];
-    spokes_.resize(spoke_starts_.back());
-    std::vector<std::uint32_t> next(spoke_starts_.begin(), spoke_starts_.end() - 1);
-    for (std::uint32_t i = 0; i < ways_.size(); ++i)
-        for (const std::uint32_t end : {ways_[i].x, ways_[i].y}) spokes_[next[end]++] = i;
 }
 
 /// Hands the nearest stretch of the line at which snow ends on from ring to ring of vertices.
-void Heaps::find_shores(const Net& net) {
+void Heaps::find_shores(const Net& net, const Linker& linker) {
     if (whole_ == ways_.size()) return;
     std::vector<Stretch> stretches;
     std::vector<std::uint32_t> nearest(net.positions.size()), ring, next;
     std::vector<std::uint8_t> is_next(net.positions.size());
-    distances_.assign(net.positions.size(), infinite);
+    std::vector<float> distances(net.positions.size(), infinite);
     const auto offer = [&](std::uint32_t at, std::uint32_t stretch) {
+        if (distances[at] < infinite && nearest[at] == stretch) return;
         const float distance = stretches[stretch].distance(net.positions[at]);
-        if (!(distance < distances_[at])) return;
-        distances_[at] = distance;
+        if (!(distance < distances[at])) return;
+        distances[at] = distance;
         nearest[at] = stretch;
         if (is_next[at] == 0) next.push_back(at);
         is_next[at] = 1;
@@ -125,10 +251,11 @@ void Heaps::find_shores(const Net& net) {
         if (count < 2) continue;
         float sum = 0.0F, ways = 0.0F;
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            for (const std::uint32_t spoke : spokes(vertex(net.triangles[i], corner))) {
-                sum += ways_[spoke].length;
+            const std::uint32_t at = vertex(net.triangles[i], corner);
+            linker.each_spoke(at, [&](std::uint32_t other, bool) {
+                sum += linker.length(at, other);
                 ways += 1.0F;
-            }
+            });
         }
         for (std::size_t one = 1; one < count; ++one) {
             stretches.push_back({cuts.at(one - 1), cuts.at(one) - cuts.at(one - 1), i, sum / ways});
@@ -141,83 +268,137 @@ void Heaps::find_shores(const Net& net) {
         next.clear();
         for (const std::uint32_t at : ring) is_next[at] = 0;
         for (const std::uint32_t at : ring)
-            for (const std::uint32_t spoke : spokes(at))
-                if (spoke < whole_) offer(ways_[spoke].beyond(at), nearest[at]);
+            linker.each_spoke(at, [&](std::uint32_t other, bool is_at_end) {
+                if (!is_at_end) offer(other, nearest[at]);
+            });
     }
-    for (std::uint32_t i = 0; i < distances_.size(); ++i) {
-        if (distances_[i] == infinite) continue;
-        const Stretch& stretch = stretches[nearest[i]];
-        shores_.push_back({i, stretch.triangle, distances_[i], stretch.cell});
+    // Distances are not negative, so that their bits have the same order.
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;  // of distances, then of ranks; the vertex
+    for (std::uint32_t i = 0; i < distances.size(); ++i)
+        if (distances[i] < infinite)
+            order.emplace_back(
+                (std::uint64_t{std::bit_cast<std::uint32_t>(distances[i])} << 32U) | net.ranks[i], i);
+    std::ranges::sort(order);
+    shores_.reserve(order.size());
+    for (const auto& [key, at] : order) {
+        const Stretch& stretch = stretches[nearest[at]];
+        shores_.push_back({at, distances[at], stretch.cell, glm::uvec3(net.triangles[stretch.triangle])});
     }
-    std::ranges::sort(shores_, [](const Shore& a, const Shore& b) {
-        return a.distance != b.distance ? a.distance < b.distance : a.vertex < b.vertex;
-    });
-    for (const Shore& shore : shores_) shore_corners_.emplace_back(net.triangles[shore.triangle]);
+    find_handings(distances, linker);
+}
+
+/// What is too much for a shore lies on what is farther from the line, in proportion to how much farther that
+/// is and to its area; what would lie on vertices that are no shores is gone.
+void Heaps::find_handings(std::span<const float> distances, const Linker& linker) {
+    std::vector<std::uint32_t> places(distances.size());  // among shores_
+    for (std::uint32_t i = 0; i < shores_.size(); ++i) places[shores_[i].vertex] = i;
+    handing_starts_.assign(1, 0);
+    for (Shore& shore : shores_) {
+        linker.each_spoke(shore.vertex, [&](std::uint32_t other, bool is_at_end) {
+            if (is_at_end || !(distances[other] > shore.distance)) return;
+            const float farther =
+                std::min(distances[other] - shore.distance, linker.length(shore.vertex, other));
+            if (!(farther > 0.0F)) return;
+            const double weight = static_cast<double>(farther) * static_cast<double>(areas_[other]);
+            shore.weights += weight;
+            if (distances[other] < infinite && weight > 0.0) handings_.push_back({places[other], weight});
+        });
+        handing_starts_.push_back(static_cast<std::uint32_t>(handings_.size()));
+    }
 }
 
 /// One settling of depths.
 class Heaps::Fall {
   public:
+    /// `depths`: of the vertices, and 0 in the end.
     Fall(const Heaps& heaps, std::vector<float>& depths, float steepest)
         : heaps_(heaps),
           depths_(depths),
           steepest_(steepest),
-          is_active_(heaps.ways_.size() / block + 1),
-          is_left_(is_active_.size()) {}
+          changed_(depths.size() / group + 1),
+          seen_(heaps.block_count()) {}
 
     void run() {
         round_off();
-        std::ranges::fill(is_active_, std::uint8_t{1});
-        go_through(heaps_.whole_, most_spread, [&](const Way& way) { return hand_on(way); });
+        go_through(heaps_.whole_ / block, [&](Steep& some) { hand_on(some); });
         lower_shores();
-        for (std::size_t i = 0; i < is_active_.size(); ++i) is_active_[i] |= is_left_[i];
-        for (std::size_t i = heaps_.whole_; i < heaps_.ways_.size(); ++i) is_active_[i / block] = 1;
-        go_through(heaps_.ways_.size(), most_lowered, [&](const Way& way) {
-            lower(way);
-            return true;
-        });
+        for (const std::uint32_t at : left_) seen_[at] = 0;
+        // What is still too high is left out.
+        go_through(seen_.size(), [&](Steep& some) { some.high = some.low + steepest_ * some.lengths; });
     }
 
   private:
     /// A little less steep than may be, so that there is an end to it.
     static constexpr float slack = 0.02F;
-    static constexpr std::size_t block = 64;  ///< of edges
-    static constexpr int most_spread = 8, most_lowered = 8;
+    static constexpr int most_rounds = 8;
 
-    /// Changes the first so many edges, where they are too steep, there and back in turn; those about which
-    /// nothing has changed rest.
+    /// A number of each of a few edges.
+    using Lanes [[gnu::vector_size(width * sizeof(float))]] = float;
+    /// Whether something is true of each: all bits, or none.
+    using Mask [[gnu::vector_size(width * sizeof(float))]] = std::int32_t;
+    /// Edges without a common vertex, at least one of which is too steep.
+    struct Steep {
+        std::size_t index = 0;           ///< of the Ways
+        Mask is_steep{}, is_x{};         ///< whether x is the higher end
+        Lanes lengths{}, high{}, low{};  ///< m; the depths of the ends
+    };
+
+    [[nodiscard]] static bool is_any(Mask mask) {
+        const auto halves = __builtin_bit_cast(std::array<std::uint64_t, 2>, mask);
+        return (halves[0] | halves[1]) != 0;
+    }
+    [[nodiscard]] static Lanes at(const std::vector<float>& numbers,
+                                  const std::array<std::uint32_t, width>& vertices) {
+        return Lanes{numbers[vertices[0]], numbers[vertices[1]], numbers[vertices[2]], numbers[vertices[3]]};
+    }
+
+    /// Changes the edges of the first so many blocks, where they are too steep, there and back in turn;
+    /// blocks about which nothing has changed rest.
     template <class Change>
-    void go_through(std::size_t count, int most_rounds, const Change& change) {
-        const std::size_t blocks = (count + block - 1) / block;
+    void go_through(std::size_t blocks, const Change& change) {
         bool has_changed = true;
         for (int round = 0; round < most_rounds && has_changed; ++round) {
             has_changed = false;
-            const bool is_back = round % 2 != 0;
             for (std::size_t i = 0; i < blocks; ++i) {
-                const std::size_t at = is_back ? blocks - 1 - i : i;
-                if (is_active_[at] == 0) continue;
-                is_active_[at] = 0;
-                const std::size_t first = at * block, length = std::min(block, count - first);
-                for (std::size_t j = 0; j < length; ++j) {
-                    const Way& way = heaps_.ways_[first + (is_back ? length - 1 - j : j)];
-                    if (!is_too_steep(way)) continue;
-                    if (!change(way)) {
-                        is_left_[at] = 1;
-                        continue;
-                    }
-                    wake(way.x);
-                    wake(way.y);
-                    has_changed = true;
-                }
+                const std::size_t at = round % 2 == 0 ? i : blocks - 1 - i;
+                if (!is_active(at)) continue;
+                seen_[at] = ++now_;
+                for (std::size_t j = 0; j < block; ++j)
+                    has_changed |= go_over(at * block + (round % 2 == 0 ? j : block - 1 - j), change);
             }
         }
     }
-    void wake(std::uint32_t vertex) {
-        for (const std::uint32_t spoke : heaps_.spokes(vertex)) is_active_[spoke / block] = 1;
+    /// Changes edges that are too steep, and tells whether any depth is different now.
+    template <class Change>
+    [[nodiscard]] bool go_over(std::size_t index, const Change& change) {
+        const Ways& ways = heaps_.ways_[index];
+        const Lanes x = at(depths_, ways.x), y = at(depths_, ways.y);
+        const auto lengths = __builtin_bit_cast(Lanes, ways.lengths);
+        const Mask is_x = x > y;
+        const Lanes high = is_x ? x : y, low = is_x ? y : x;
+        const Mask is_steep = high - low > steepest_ * lengths;
+        if (!is_any(is_steep)) return false;
+        Steep some{index, is_steep, is_x, lengths, high, low};
+        change(some);
+        const Lanes new_high = is_steep ? some.high : high, new_low = is_steep ? some.low : low;
+        // An edge that is as steep as may be can be too steep by a rounding.
+        if (!is_any((new_high != high) | (new_low != low))) return false;
+        const Lanes new_x = is_x ? new_high : new_low, new_y = is_x ? new_low : new_high;
+        for (std::size_t i = 0; i < width; ++i) {
+            depths_[ways.x[i]] = new_x[i];
+            depths_[ways.y[i]] = new_y[i];
+            mark(ways.x[i]);
+            mark(ways.y[i]);
+        }
+        return true;
     }
-    [[nodiscard]] bool is_too_steep(const Way& way) const {
-        return std::abs(depths_[way.x] - depths_[way.y]) > steepest_ * way.length;
+    /// Whether something has changed about a block since it was seen.
+    [[nodiscard]] bool is_active(std::size_t at) const {
+        for (std::uint32_t i = heaps_.group_starts_[at]; i < heaps_.group_starts_[at + 1]; ++i)
+            if (changed_[heaps_.groups_[i]] >= seen_[at]) return true;
+        return false;
     }
+    void mark(std::uint32_t vertex) { changed_[vertex / group] = now_; }
 
     /// Of the slope from the line up to a depth.
     [[nodiscard]] float width_of(const Shore& shore, float depth) const {
@@ -234,19 +415,22 @@ class Heaps::Fall {
     void round_off() {
         const std::size_t count = heaps_.shores_.size();
         if (count == 0) return;
-        bases_.resize(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            const glm::uvec3& corners = heaps_.shore_corners_[i];
-            bases_[i] =
-                std::max(0.0F, std::min({depths_[corners.x], depths_[corners.y], depths_[corners.z]}));
+        bases_.reserve(count);
+        for (const Shore& shore : heaps_.shores_) {
+            const glm::uvec3& corners = shore.corners;
+            bases_.push_back(
+                std::max(0.0F, std::min({depths_[corners.x], depths_[corners.y], depths_[corners.z]})));
         }
-        std::vector<double> carried(depths_.size());
+        std::vector<double> carried(count);  // m^3
         for (std::size_t i = 0; i < count; ++i) {
             const Shore& shore = heaps_.shores_[i];
             const double area = static_cast<double>(heaps_.areas_[shore.vertex]);
             if (!(area > 0.0)) continue;
-            const double left = take(shore, bases_[i], carried[shore.vertex] / area);
-            if (left > 0.0) pass_on(shore, area * left, carried);
+            const double left = take(shore, bases_[i], carried[i] / area);
+            if (!(left > 0.0)) continue;
+            for (std::uint32_t j = heaps_.handing_starts_[i]; j < heaps_.handing_starts_[i + 1]; ++j)
+                carried[heaps_.handings_[j].shore] +=
+                    area * left * heaps_.handings_[j].weight / shore.weights;
         }
     }
     /// Lays some of what is handed to a shore on it, m, and returns what is too much.
@@ -261,60 +445,45 @@ class Heaps::Fall {
         depth = whole > base ? base + rounded(shore, whole - base) : whole;
         return more - static_cast<double>(taken) + static_cast<double>(whole - depth);
     }
-    void pass_on(const Shore& shore, double volume, std::vector<double>& carried) {
-        const auto each = [&](const auto& use) {
-            for (const std::uint32_t spoke : heaps_.spokes(shore.vertex)) {
-                if (spoke >= heaps_.whole_) continue;
-                const Way& way = heaps_.ways_[spoke];
-                const std::uint32_t other = way.beyond(shore.vertex);
-                const float farther = std::min(heaps_.distances_[other] - shore.distance, way.length);
-                if (farther > 0.0F)
-                    use(other, static_cast<double>(farther) * static_cast<double>(heaps_.areas_[other]));
-            }
-        };
-        double sum = 0.0;
-        each([&](std::uint32_t, double weight) { sum += weight; });
-        if (sum > 0.0)
-            each([&](std::uint32_t other, double weight) { carried[other] += volume * weight / sum; });
-    }
     void lower_shores() {
         for (std::size_t i = 0; i < bases_.size(); ++i) {
             const Shore& shore = heaps_.shores_[i];
             const float most = bases_[i] + steepest_ * shore.distance;
             if (!(depths_[shore.vertex] > most)) continue;
             depths_[shore.vertex] = most;
-            wake(shore.vertex);
+            mark(shore.vertex);
         }
     }
 
-    /// To the lower vertex of two, so that volumes stay; not over edges on which snow ends.
-    [[nodiscard]] bool hand_on(const Way& way) {
-        const bool is_x = depths_[way.x] > depths_[way.y];
-        const std::uint32_t high = is_x ? way.x : way.y, low = is_x ? way.y : way.x;
-        const float here = heaps_.areas_[high], there = heaps_.areas_[low];
-        if (!(here > 0.0F) || !(there > 0.0F)) return false;
-        const float over = depths_[high] - depths_[low] - (1.0F - slack) * steepest_ * way.length;
-        const float moved = over / (here + there);
-        depths_[high] -= there * moved;
-        depths_[low] += here * moved;
-        return true;
-    }
-    /// Leaves out what is still too high.
-    void lower(const Way& way) {
-        const bool is_x = depths_[way.x] > depths_[way.y];
-        depths_[is_x ? way.x : way.y] = depths_[is_x ? way.y : way.x] + steepest_ * way.length;
+    /// What is too high goes to the lower vertex of two, so that volumes stay; not where one of them has no
+    /// area.
+    void hand_on(Steep& some) {
+        const Ways& ways = heaps_.ways_[some.index];
+        const Lanes x = at(heaps_.areas_, ways.x), y = at(heaps_.areas_, ways.y);
+        const Lanes here = some.is_x ? x : y, there = some.is_x ? y : x;
+        const Lanes over = some.high - some.low - (1.0F - slack) * steepest_ * some.lengths;
+        const Lanes moved = over / (here + there);
+        const Mask can_change = (here > 0.0F) & (there > 0.0F);
+        some.high = can_change ? some.high - there * moved : some.high;
+        some.low = can_change ? some.low + here * moved : some.low;
+        if (is_any(some.is_steep & ~can_change))
+            left_.push_back(static_cast<std::uint32_t>(some.index / block));
     }
 
     const Heaps& heaps_;
     std::vector<float>& depths_;
     float steepest_;
-    std::vector<std::uint8_t> is_active_,
-        is_left_;               ///< blocks of edges, and those with some that cannot be changed
-    std::vector<float> bases_;  ///< m, what lies on both sides of the line beside each shore
+    std::uint32_t now_ = 0;               ///< blocks that have been gone through
+    std::vector<std::uint32_t> changed_;  ///< when a vertex of each group changed last,
+    std::vector<std::uint32_t> seen_;     ///< and when each block was gone through
+    std::vector<std::uint32_t> left_;     ///< blocks with edges that cannot be changed
+    std::vector<float> bases_;            ///< m, what lies on both sides of the line beside each shore
 };
 
 void Heaps::settle(std::vector<float>& depths, float steepest) const {
+    depths.push_back(0.0F);
     Fall(*this, depths, steepest).run();
+    depths.pop_back();
 }
 
 }  // namespace motus::snow

@@ -1,5 +1,6 @@
 // How far snow that lies too high falls off.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -15,6 +16,9 @@ class Heaps {
     /// A layer's mesh.
     struct Net {
         std::span<const glm::vec3> positions;
+        /// A different number of each vertex. Of two edges that share a vertex the one that leads from there
+        /// to the lower rank is changed first, so that depths do not depend on the order of the vertices.
+        std::span<const std::uint32_t> ranks;
         std::span<const glm::ivec3> triangles;
         std::span<const glm::ivec2> edges;  ///< all sides of the triangles, each once
         std::span<const glm::ivec3> sides;  ///< of each triangle the edges that leave its corners
@@ -28,34 +32,44 @@ class Heaps {
     void settle(std::vector<float>& depths, float steepest) const;
 
   private:
-    struct Way {
-        std::uint32_t x = 0, y = 0;
-        float length = 0.0F;
-
-        [[nodiscard]] std::uint32_t beyond(std::uint32_t vertex) const { return vertex == x ? y : x; }
+    static constexpr std::size_t width = 4;
+    /// Edges without a common vertex, which are changed at once. A missing one leads from a vertex that there
+    /// is not, the number of which is that of the vertices, to itself.
+    struct Ways {
+        std::array<std::uint32_t, width> x{}, y{};
+        std::array<float, width> lengths{};
     };
     /// A vertex near the line at which snow ends.
     struct Shore {
-        std::uint32_t vertex = 0, triangle = 0;  ///< the triangle that has the nearest part of the line
-        float distance = 0.0F;                   ///< m, to the line
-        float cell = 0.0F;                       ///< m, from a vertex to the next about the triangle
+        std::uint32_t vertex = 0;
+        float distance = 0.0F;  ///< m, to the line
+        float cell = 0.0F;      ///< m, from a vertex to the next about the nearest part of the line
+        glm::uvec3 corners{};   ///< of the triangle that has the nearest part of the line
+        double weights = 0.0;   ///< sum of those of all vertices that what is too much goes to
+    };
+    /// Where what is too much for a shore goes: a shore that is farther from the line.
+    struct Handing {
+        std::uint32_t shore = 0;
+        double weight = 0.0;
     };
     class Fall;
+    class Linker;
     void measure(const Net& net);
-    void link(const Net& net);
-    void find_shores(const Net& net);
-    [[nodiscard]] std::span<const std::uint32_t> spokes(std::uint32_t vertex) const {
-        return std::span(spokes_).subspan(spoke_starts_[vertex],
-                                          spoke_starts_[vertex + 1] - spoke_starts_[vertex]);
-    }
+    void gather_groups();
+    void find_shores(const Net& net, const Linker& linker);
+    void find_handings(std::span<const float> distances, const Linker& linker);
+    [[nodiscard]] std::size_t block_count() const { return group_starts_.size() - 1; }
 
-    std::vector<Way> ways_;     ///< the edges, those on which snow ends last
-    std::uint32_t whole_ = 0;   ///< edges on which snow does not end
-    std::vector<float> areas_;  ///< m^2, of the snow on each vertex, as Cover::areas()
-    std::vector<std::uint32_t> spoke_starts_, spokes_;  ///< ways that each vertex has
+    static constexpr std::size_t block = 16;  ///< Ways that are gone through, or rest, together
+    static constexpr std::size_t group = 32;  ///< vertices of which is kept when one of them changed
+
+    std::vector<Ways> ways_;    ///< the edges, those on which snow ends last
+    std::size_t whole_ = 0;     ///< of `ways_`: on which snow does not end
+    std::vector<float> areas_;  ///< m^2, of the snow on each vertex, as Cover::areas(), and 0 in the end
+    std::vector<std::uint32_t> group_starts_, groups_;  ///< groups of vertices at the ends of each block
     std::vector<Shore> shores_;                         ///< the nearest to the line first
-    std::vector<glm::uvec3> shore_corners_;             ///< of the triangle of each shore
-    std::vector<float> distances_;                      ///< of all vertices, infinite where they are no shore
+    std::vector<std::uint32_t> handing_starts_;
+    std::vector<Handing> handings_;  ///< of each shore
 };
 
 }  // namespace motus::snow

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "motus/core/numeric.hpp"
 #include "motus/core/parallel.hpp"
 
 namespace motus::snow {
@@ -16,6 +15,32 @@ namespace {
 }
 
 }  // namespace
+
+bool Shelter::is_over(const glm::dvec3& place) {
+    const glm::dvec3 start = place + clear * up_;
+    if (last_ && is_last_over(start)) return true;
+    const auto found = collider_->below(start, up_);
+    if (!found) return false;
+    last_ = found->triangle;
+    return true;
+}
+
+/// Whether the last triangle is over a place beyond doubt, and not by a rounding.
+bool Shelter::is_last_over(const glm::dvec3& start) const {
+    constexpr double least_share = 1e-6;
+    const glm::ivec3& corners = collider_->triangles()[*last_];
+    const auto off = [&](int corner) {
+        return glm::dvec3(collider_->positions()[static_cast<std::size_t>(corner)]) - start;
+    };
+    const glm::dvec3 a = off(corners.x), b = off(corners.y), c = off(corners.z);
+    const glm::dvec3 across = glm::cross(b - a, c - a);
+    const double whole = glm::dot(across, up_);
+    const auto has_share = [&](const glm::dvec3& from, const glm::dvec3& to) {
+        return glm::dot(glm::cross(from, to), up_) / whole > least_share;
+    };
+    return whole != 0.0 && has_share(a, b) && has_share(b, c) && has_share(c, a) &&
+           glm::dot(a, across) / whole > clear;
+}
 
 Holding holding_of(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
                    const Collider& shelter, const glm::dvec3& up, double steepest, std::size_t threads) {
@@ -33,14 +58,15 @@ Holding holding_of(std::span<const glm::vec3> positions, std::span<const glm::iv
     in_parts(
         positions.size(), grain,
         [&](std::size_t first, std::size_t last) {
+            Shelter above(shelter, up);
             for (std::size_t i = first; i < last; ++i) {
-                const double length = length_of(normals[i]);
+                // Squares of what comes from floats are within the range of doubles.
+                const double length = glm::length(normals[i]);
                 const double along = glm::dot(normals[i], up);
-                const double aside = length_of(normals[i] - along * up);
+                const double aside = glm::length(normals[i] - along * up);
                 found.margins[i] = length > 0.0 ? (steepest * along - aside) / length : 0.0;
                 if (!(along > 0.0)) found.margins[i] = std::min(found.margins[i], 0.0);
-                if (found.holds(i))
-                    found.is_sheltered[i] = is_under(shelter, glm::dvec3(positions[i]), up) ? 1 : 0;
+                if (found.holds(i)) found.is_sheltered[i] = above.is_over(glm::dvec3(positions[i])) ? 1 : 0;
             }
         },
         threads);
@@ -48,8 +74,7 @@ Holding holding_of(std::span<const glm::vec3> positions, std::span<const glm::iv
 }
 
 std::optional<float> end_on_edge(const Holding& holding, std::span<const glm::vec3> positions,
-                                 const Collider& shelter, const glm::dvec3& up, std::size_t from,
-                                 std::size_t to) {
+                                 Shelter& shelter, std::size_t from, std::size_t to) {
     const double a = holding.margins[from], b = holding.margins[to];
     if (!(a > 0.0) && !(b > 0.0)) return {};
     if (!(a > 0.0) || !(b > 0.0)) return within(a / (a - b));
@@ -59,8 +84,7 @@ std::optional<float> end_on_edge(const Holding& holding, std::span<const glm::ve
     constexpr int halvings = 12;
     for (int i = 0; i < halvings; ++i) {
         const double middle = 0.5 * (least + most);
-        const bool is_as_start =
-            is_under(shelter, start + middle * way, up) == (holding.is_sheltered[from] != 0);
+        const bool is_as_start = shelter.is_over(start + middle * way) == (holding.is_sheltered[from] != 0);
         (is_as_start ? least : most) = middle;
     }
     return within(0.5 * (least + most));

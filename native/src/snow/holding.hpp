@@ -20,10 +20,23 @@ struct Holding {
     [[nodiscard]] bool holds(std::size_t vertex) const { return margins[vertex] > 0.0; }
 };
 
-/// Whether something is above a place.
-[[nodiscard]] inline bool is_under(const Collider& collider, const glm::dvec3& place, const glm::dvec3& up) {
-    return collider.below(place + clear * up, up).has_value();
-}
+/// Tells whether something is above a place, for one thread: the triangle that was above the last such place
+/// is tried first, as places near each other are mostly under the same one. What it says does not depend on
+/// which places it was asked about before.
+class Shelter {
+  public:
+    /// `up`: unit.
+    Shelter(const Collider& collider, const glm::dvec3& up) : collider_(&collider), up_(up) {}
+
+    [[nodiscard]] bool is_over(const glm::dvec3& place);
+
+  private:
+    [[nodiscard]] bool is_last_over(const glm::dvec3& start) const;
+
+    const Collider* collider_;
+    glm::dvec3 up_;
+    std::optional<std::uint32_t> last_;  ///< triangle
+};
 
 /// `up`: unit. `steepest`: tangent of the steepest slope on which snow lies.
 [[nodiscard]] Holding holding_of(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
@@ -33,8 +46,7 @@ struct Holding {
 /// At which fraction of the way from a vertex to another one snow ends, where it lies on one of them alone:
 /// one of them is too steep, or under something.
 [[nodiscard]] std::optional<float> end_on_edge(const Holding& holding, std::span<const glm::vec3> positions,
-                                               const Collider& shelter, const glm::dvec3& up,
-                                               std::size_t from, std::size_t to);
+                                               Shelter& shelter, std::size_t from, std::size_t to);
 
 /// Of a third of a triangle, how much each corner's depth counts for in the volume of the snow on it. `ends`:
 /// of the sides that leave the corners. Where snow ends within the triangle it goes down to nothing there, on

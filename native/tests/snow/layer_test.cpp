@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -54,6 +56,43 @@ constexpr float any_slope = std::numeric_limits<float>::infinity();
         sum += glm::cross(at(1) - at(0), at(2) - at(0)).z * (at(0).z + at(1).z + at(2).z) / 6.0;
     }
     return sum;
+}
+
+/// The depths of an open layer after heaps have fallen, edge after edge by the numbers of their ends.
+[[nodiscard]] std::vector<float> fallen(const Points& positions, const Triangles& triangles,
+                                        std::vector<float> depths, float steepest) {
+    const auto at = [](int vertex) { return static_cast<std::size_t>(vertex); };
+    const auto place = [&](int vertex) { return glm::dvec3(positions[at(vertex)]); };
+    std::set<std::pair<int, int>> sides;
+    std::vector<double> areas(positions.size());
+    for (const glm::ivec3& t : triangles) {
+        const double third = glm::length(glm::cross(place(t.y) - place(t.x), place(t.z) - place(t.x))) / 6.0;
+        for (int i = 0; i < 3; ++i) {
+            sides.insert(std::minmax(t[i], t[(i + 1) % 3]));
+            areas[at(t[i])] += third;
+        }
+    }
+    std::vector<std::pair<int, int>> edges(sides.begin(), sides.end());
+    for (const bool is_last : {false, true}) {
+        for (int round = 0; round < 8; ++round, std::ranges::reverse(edges)) {
+            for (const auto& [x, y] : edges) {
+                const int high = depths[at(x)] > depths[at(y)] ? x : y, low = high == x ? y : x;
+                const auto length = static_cast<float>(glm::length(place(y) - place(x)));
+                if (!(depths[at(high)] - depths[at(low)] > steepest * length)) continue;
+                if (is_last) {
+                    depths[at(high)] = depths[at(low)] + steepest * length;
+                    continue;
+                }
+                const auto here = static_cast<float>(areas[at(high)]),
+                           there = static_cast<float>(areas[at(low)]);
+                const float over = depths[at(high)] - depths[at(low)] - 0.98F * steepest * length;
+                const float moved = over / (here + there);
+                depths[at(high)] -= there * moved;
+                depths[at(low)] += here * moved;
+            }
+        }
+    }
+    return depths;
 }
 
 }  // namespace
@@ -155,6 +194,43 @@ TEST_CASE("what is too high for a heap lies beside it", "[snow]") {
         return sum;
     };
     CHECK(volume(1.5F) == Approx(volume(any_slope)).epsilon(1e-3));
+}
+
+TEST_CASE("heaps fall edge after edge by the vertices' numbers, and faces stay in their order", "[snow]") {
+    test::Random random(9);
+    Points sorted;
+    Triangles triangles;
+    add_sheet(1.0F, 0.0F, 0.3F, 30, sorted, triangles);
+    std::vector<int> numbers(sorted.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    for (const bool is_shuffled : {false, true}) {
+        if (is_shuffled)
+            for (std::size_t i = numbers.size() - 1; i > 0; --i)
+                std::swap(numbers[i],
+                          numbers[static_cast<std::size_t>(random.between(0.0, static_cast<double>(i)))]);
+        Points positions(sorted.size());
+        for (std::size_t i = 0; i < sorted.size(); ++i)
+            positions[static_cast<std::size_t>(numbers[i])] = sorted[i];
+        Triangles named = triangles;
+        for (glm::ivec3& corners : named)
+            for (int i = 0; i < 3; ++i) corners[i] = numbers[static_cast<std::size_t>(corners[i])];
+        std::vector<float> depths(positions.size());
+        for (float& depth : depths) depth = random.between(0.1F, 0.6F);
+        const Layer::Mesh mesh = Layer(positions, named, up).at(depths, 0.0F, 1.2F);
+        const std::vector<float> wanted = fallen(positions, named, depths, 1.2F);
+        CHECK(wanted != depths);
+        REQUIRE(mesh.triangles.size() >= named.size());  // and walls after them
+        int last = -1;
+        for (std::size_t i = 0; i < named.size(); ++i) {
+            for (int corner = 0; corner < 3; ++corner) {
+                const int found = mesh.triangles[i][corner];
+                CHECK(found <= last + 2);  // in the order in which triangles name them
+                last = std::max(last, found);
+                CHECK(mesh.depths[static_cast<std::size_t>(found)] ==
+                      wanted[static_cast<std::size_t>(named[i][(corner + 2) % 3])]);
+            }
+        }
+    }
 }
 
 TEST_CASE("snow rises evenly along a slanting shadow", "[snow]") {

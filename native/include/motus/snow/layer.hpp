@@ -39,7 +39,7 @@ class Layer {
         std::vector<glm::ivec3> sides;  ///< of each triangle the edges that leave its corners
     };
 
-    [[nodiscard]] std::size_t vertex_count() const noexcept { return positions_.size(); }
+    [[nodiscard]] std::size_t vertex_count() const noexcept { return vertex_count_; }
 
     /// `depths`, m: how deep the snow is on each vertex, across the surface. From one vertex to the next its
     /// depth differs by no more than the fraction `steepest`, > 0, of the way between them: what would be
@@ -56,12 +56,19 @@ class Layer {
         std::uint32_t side = 0;
     };
     class Builder;
+    void number(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles);
+    void find_normals(const glm::dvec3& up);
     void find_edges();
+    void leave_out_degenerate();
     void find_ends(const Collider& shelter, const glm::dvec3& up, double hold);
 
+    // Vertices of triangles alone, in the order in which the triangles first name them: what is near on the
+    // surface is near in memory.
+    std::size_t vertex_count_ = 0;        ///< of the given vertices,
+    std::vector<std::uint32_t> numbers_;  ///< among which the vertices of triangles have these numbers
     std::vector<glm::vec3> positions_, normals_;  ///< unit, upwards; zero where there is none
     std::vector<std::uint8_t> is_upright_;        ///< whether the triangles' own normals point upwards there
-    std::vector<glm::ivec3> triangles_;
+    std::vector<glm::ivec3> triangles_;           ///< those with three different corners
     std::vector<glm::ivec2> edges_;
     std::vector<float> ends_;  ///< fractions of the edges at which snow ends, or none: a negative number
     std::vector<glm::ivec3> sides_;
