@@ -21,7 +21,7 @@ def hub_of(system, owner, group=""):
 def hubs(system, owner):
     """Return (key of the group, hub object) for each group of an owner that has a hub.
 
-    Hubs that compute for another owner, which this one was copied from, are included.
+    If the owner is a copy, the hubs of the object from which it was copied are included as long as the owner points to them.
     """
     settings = of_owner(system, owner)
     pointers = [("", pointed(settings, "hub")), *((entry.name, pointed(entry, "object")) for entry in settings.more_hubs)]
@@ -47,5 +47,5 @@ def carriers_of(system, owner):
 
 
 def new_hub(*names):
-    """Create a hub: a hidden object that is in no collection, with an empty mesh. names: parts of the object's name."""
+    """Create a hub: a hidden object that is in no collection, with an empty mesh. names: parts of the object's name, joined by spaces."""
     return helpers.make(" ".join(filter(None, ("Motus", *names))), bpy.data.meshes.new("Hub"))

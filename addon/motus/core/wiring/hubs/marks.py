@@ -16,7 +16,7 @@ from . import outbox
 KINDS = {'LIMIT_LOCATION', 'TRANSFORM', 'GEOMETRY_ATTRIBUTE', 'COPY_TRANSFORMS'}
 CHANNELS = ("location", "rotation", "scale")
 PROXY_KEY = "motus_proxy"
-"""Custom property of a proxy, a hidden empty that brings a result to a member: the object that, or a bone of which, copies the proxy."""
+"""Custom property of a proxy, a hidden empty that brings a result to a member: the member's object, which copies the proxy's transform."""
 
 
 def name(system, channel=""):
@@ -28,10 +28,10 @@ def name(system, channel=""):
 
 
 def put(constraint, hub, index):
-    """Store in a sink which member of which hub it drives. constraint: the sink. index: index of the member, or row of a shared hub.
+    """Store in a sink, a constraint, which member of which hub it drives.
 
-    The constraint is collapsed in the interface: while it is open, Blender draws a dashed line from the object to the hub at the
-    origin.
+    index: index of the member, or row of a shared hub. The constraint is collapsed in the interface, because Blender draws a dashed line
+    from the object to the hub at the origin if it is not.
     """
     constraint.show_expanded = False
     constraint.space_object = hub
@@ -39,7 +39,7 @@ def put(constraint, hub, index):
 
 
 def read(system, constraint):
-    """Return (original mesh of the hub, key of the group) of a constraint that is a sink of the system; None for any other constraint.
+    """Return (original mesh of the hub, key of the group) if a constraint is a sink of the system; else None.
 
     The constraint may be on an original or an evaluated object.
     """
@@ -54,7 +54,7 @@ def read(system, constraint):
 
 
 def index_of(constraint):
-    """Return the index of the member (or the row of a shared hub) that a sink drives; None if the sink holds no valid index."""
+    """Return the index of the member, or the row of a shared hub, that is stored in a sink; None if the sink holds no valid index."""
     if constraint.type == 'GEOMETRY_ATTRIBUTE':
         return constraint.sample_index
     noted = constraint.space_subtarget
@@ -62,7 +62,7 @@ def index_of(constraint):
 
 
 def is_bereft(system, constraint):
-    """Whether a constraint has the name and type of a sink of the system, but no hub any more."""
+    """Whether a constraint is a sink of the system that has lost its hub, as its name and type tell."""
     if constraint.type not in KINDS or read(system, constraint) is not None:
         return False
     if constraint.type == 'COPY_TRANSFORMS' and constraint.target and PROXY_KEY not in constraint.target:

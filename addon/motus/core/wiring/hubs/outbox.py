@@ -63,18 +63,18 @@ _infos = keeping.OfProcess(
 class Info:
     """Description of a group, stored on the hub's mesh when the owner was wired.
 
-    outputs: names of the outputs. members: see the comment. has_scales: whether the outbox holds scales. is_relative: whether any
-    member is relative. uses_attribute: whether the poses are in an attribute of the mesh instead of the outbox. data: the dictionary
-    Group.data.
+    outputs: names of the outputs. members: for each member the name of its bone, "" for the owner itself, OTHER for a different object.
+    has_scales: whether the outbox holds scales. is_relative: whether any member is relative. uses_attribute: whether the poses are in an
+    attribute of the mesh instead of the outbox. data: the dictionary Group.data. reads: names of the bones in Group.reads, "" for objects.
     """
 
     outputs: tuple
-    members: tuple  # of each member: name of the bone; "" for the owner itself; OTHER for a different object
+    members: tuple
     has_scales: bool
     is_relative: bool
     uses_attribute: bool
     data: dict
-    reads: tuple  # names of the bones that Group.reads listed
+    reads: tuple
 
     @functools.cached_property
     def layout(self):
@@ -83,15 +83,16 @@ class Info:
 
     @functools.cached_property
     def places(self):
-        """Dictionary from the name of each output to its slot in the outbox."""
+        """Dictionary {name of an output: its slot in the outbox}."""
         return places_of(self.outputs)
 
 
 class Layout(NamedTuple):
-    """Arrangement of the values in an outbox, the float array with a solver's results.
+    """Arrangement of the values in an outbox, the float array with a solver's results, or in one row of a shared outbox.
 
-    base: index of the first pose. members: number of members. has_attribute: whether the poses are in an attribute instead of the
-    array.
+    base: index of the first pose, behind status, weight and outputs. members: number of members. has_scales: whether scales follow the
+    poses. is_relative: whether any member is relative. has_attribute: whether the poses are in an attribute of the hub's mesh instead of
+    the array.
     """
 
     base: int
@@ -102,15 +103,16 @@ class Layout(NamedTuple):
 
     @property
     def size(self):
-        """Number of slots of the outbox."""
+        """Number of slots of the outbox, or of the row."""
         in_slots = 0 if self.has_attribute else self.members
         return self.base + in_slots * (POSE_SIZE + SCALE_SIZE * self.has_scales)
 
 
 class Outbox(NamedTuple):
-    """An outbox whose data was checked.
+    """An outbox, or one row of a shared outbox, whose data was checked.
 
-    slots: memory of the float array. info: None if the system declares no groups and drives no scales, or if this is one row of a shared hub.
+    slots: memory of the float array. info: description of the group; None for a row, and if the system declares no groups and drives no
+    scales.
     """
 
     slots: memoryview
@@ -141,15 +143,15 @@ def info_key(system, group=""):
 
 
 def out_path(system, index=None, group=""):
-    """Return the data path of a group's outbox on the hub's mesh; with an index, the data path of that slot."""
+    """Return the data path of a group's outbox on the hub's mesh, or of one slot of the outbox. index: index of the slot, or None."""
     path = f'["{out_key(system, group)}"]'
     return path if index is None else f"{path}[{index}]"
 
 
 def slot_pattern(system):
-    """Return a regular expression that matches the data path of a slot in any outbox of a system.
+    """Return a regular expression that matches the data path of any slot of any outbox of a system.
 
-    The match's group "key" is the key of the system's group (None if it is ""), and "slot" the index of the slot.
+    The match has the groups "key", the key of the system's group (None if the key is ""), and "slot", the index of the slot.
     """
     return re.compile(rf'\["motus_{system.name}_out(?:_(?P<key>\w+))?"\]\[(?P<slot>\d{{1,9}})\]$')
 
@@ -175,10 +177,10 @@ def has_scales(group):
 
 
 def uses_attribute(system):
-    """Whether the poses of a system's members are in an attribute of the hub's mesh, which Geometry Attribute constraints sample.
+    """Whether a system's members get their poses from an attribute of the hub's mesh, which Geometry Attribute constraints sample.
 
-    If not, they are in the outbox. The constraint needs Blender 5, and a system that neither uses a modifier nor requires equal matrices
-    in all versions of Blender (same_bits).
+    If not, the poses are in the outbox. The constraint needs Blender 5, and a system that neither uses a modifier nor requires equal
+    matrices in all versions of Blender (same_bits).
     """
     return capabilities.has_geometry_attribute_constraint() and not (system.has_modifier or system.same_bits)
 
@@ -186,8 +188,8 @@ def uses_attribute(system):
 def create(system, carrier, group):
     """Give a hub's mesh (carrier) a new outbox with neutral values and slots for the members of a group.
 
-    It has no slots for members if the poses go to an attribute of the mesh. If the system declares groups, or drives scales, a description
-    (Info) is stored beside the outbox.
+    The outbox has no slots for members if their poses go to an attribute of the mesh. If the system declares groups or drives scales, a
+    description (Info) is stored beside the outbox.
     """
     members = 0 if uses_attribute(system) else len(group.members)
     slots = [float(SILENT)] + [0.0] * (pose_slot(group, members) - 1)
@@ -214,17 +216,20 @@ def _noted(thing, hub):
 
 
 def is_shared(system, mesh):
-    """Whether a mesh is that of a hub which several owners of the system share."""
+    """Whether a mesh belongs to a hub that several owners of the system share."""
     return SHARED_KEY in mesh and key_on_hub(system, mesh) is not None
 
 
 def has_attribute(mesh):
-    """Whether the members of a shared hub sample an attribute of its mesh. Raises Damaged if the mesh does not say so in a valid form."""
+    """Whether the members of a shared hub sample an attribute of its mesh, as is recorded on the mesh.
+
+    Raises Damaged if the record is missing or invalid.
+    """
     return stored.whole_numbers(mesh.get(SHARED_KEY), 1)[0] != 0
 
 
 def row_layout(system, mesh):
-    """Return the Layout of one row, the part of a shared hub's outbox that belongs to one owner. Raises Damaged."""
+    """Return the Layout of a row: the part of a shared hub's outbox that belongs to one owner. Raises Damaged if the mesh has none."""
     return Layout(FIRST_OUTPUT + len(system.outputs), 1, False, False, has_attribute(mesh))
 
 
@@ -237,7 +242,10 @@ def row_count(system, mesh):
 
 
 def is_whole(system, mesh):
-    """Whether the data of a shared hub is undamaged, and its mesh has one vertex for each row if members sample an attribute, else none."""
+    """Whether the data of a shared hub is undamaged, with the right number of vertices of its mesh.
+
+    The mesh has one vertex for each row if the members sample an attribute of the mesh, and none if they do not.
+    """
     try:
         count = row_count(system, mesh)
         opened(system, mesh, row=count - 1)
@@ -247,13 +255,13 @@ def is_whole(system, mesh):
 
 
 def create_shared(system, mesh):
-    """Give a hub's mesh an outbox that has no rows yet, for owners that will share the hub."""
+    """Give the mesh of a new hub, which owners will share, an outbox without rows."""
     mesh[SHARED_KEY] = [int(uses_attribute(system))]
     mesh[out_key(system)] = [0.0]
 
 
 def add_row(system, mesh):
-    """Extend the outbox of a shared hub by the slots of one more row."""
+    """Extend the outbox of a shared hub by the slots of one more row, the part of one owner. mesh: mesh of the hub."""
     layout = row_layout(system, mesh)
     slots = list(mesh[out_key(system)]) if row_count(system, mesh) else []
     mesh[out_key(system)] = slots + [float(SILENT)] + [0.0] * (layout.size - 1)
@@ -276,8 +284,8 @@ def key_on_hub(system, mesh):
 def opened(system, carrier, group="", row=None):
     """Return the checked Outbox of a group on a hub's mesh (carrier), original or evaluated.
 
-    row: index of a row of a shared hub, to get only that row's part. Raises Damaged if the data differs from what create() or add_row()
-    makes.
+    row: index of a row of a shared hub, to get an Outbox of this row only; None for a whole hub. Raises Damaged if the data is not of the
+    form that create() or add_row() makes.
     """
     slots = stored.doubles(carrier.get(out_key(system, group)))
     if row is not None:
@@ -294,9 +302,9 @@ def opened(system, carrier, group="", row=None):
 
 
 def layout_of(system, carrier, group, size):
-    """Return the Layout that an outbox of `size` slots should have, whether or not the outbox itself fits it.
+    """Return the Layout for an outbox of `size` slots. The size of the Layout differs from `size` if the outbox is damaged.
 
-    Raises Damaged if the description of a group beside the outbox cannot be read.
+    Raises Damaged if the description of the group, stored beside the outbox, cannot be read.
     """
     noted = _info(system, carrier, group)
     return _layout_without_info(system, carrier, size) if noted is None else noted.layout
@@ -312,16 +320,16 @@ def _layout_without_info(system, carrier, size):
 
 
 def is_in_place(system, carrier, group=""):
-    """Whether the original of a hub's mesh (carrier) still has the outbox of a group as an array.
+    """Whether the outbox of a group is still an array in a custom property of the original of a hub's mesh (carrier).
 
-    A script may delete the property that the driver is on, or replace it by a group of properties. Blender's dependency graph then
-    evaluates nothing after the driver: it may run while other threads read what the solver writes.
+    A script may delete the property, which has the solver's driver, or replace it by a group of properties. Blender's dependency graph then
+    evaluates nothing after the driver: the solver may run while other threads read what it writes.
     """
     return isinstance(carrier, _Mesh) and hasattr(carrier.original.get(out_key(system, group)), "typecode")
 
 
 def has_room(mesh, count):
-    """Whether the custom property with a hub's member data has `count` numbers, or does not exist yet."""
+    """Whether a hub's mesh can take `count` numbers of member data: its custom property for them has this length or does not exist."""
     if MEMBER_DATA_KEY not in mesh:
         return True
     try:
@@ -331,7 +339,7 @@ def has_room(mesh, count):
 
 
 def owner_of(system, carrier):
-    """Return the object whose settings the solver on a hub's mesh (carrier) computes. Raises Damaged if there is no such object."""
+    """Return the owner whose settings the solver on a hub's mesh (carrier) computes. Raises Damaged if there is no such object."""
     owner = carrier.get(OWNER_KEY)
     if not isinstance(owner, _Object) or not has_settings(system, owner):
         raise Damaged("no owner")
@@ -353,9 +361,9 @@ def _info(system, carrier, group):
 
 
 def _parsed(text, version):
-    """Parse the description of a group into an Info.
+    """Return the Info that the text of a group's description contains.
 
-    Returns the class Damaged if the text is malformed, or the class Newer if a newer version of Motus wrote it.
+    Returns the class Damaged if the text is malformed, or the class Newer if a newer version of Motus wrote the text.
     """
     if isinstance(version, int) and version > VERSION:
         return Newer
@@ -367,9 +375,9 @@ def _parsed(text, version):
 
 
 def info(system, carrier, group=""):
-    """Return the Info of a group that create() stored beside the outbox on a hub's mesh (carrier).
+    """Return the Info of a group that create() has stored beside the outbox on a hub's mesh (carrier).
 
-    Returns None if the system declares no groups, or if the outbox or the description is damaged.
+    Returns None if there is none, as for a system without groups that drives no scales, or if the outbox or the description is damaged.
     """
     try:
         return opened(system, carrier, group).info
@@ -378,5 +386,5 @@ def info(system, carrier, group=""):
 
 
 def places_of(outputs):
-    """Return a dictionary from the name of each output to its slot in the outbox."""
+    """Return {name: slot in the outbox} for the names of a group's outputs, which are in the order of their slots."""
     return {name: FIRST_OUTPUT + index for index, name in enumerate(outputs)}

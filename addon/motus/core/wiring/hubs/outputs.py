@@ -32,9 +32,10 @@ def _waits_for_itself(system, owner):
 
 
 def create_outlet(system, owner, part):
-    """Create the outlet of an owner, if it is to have one, with drivers that copy status, weight and System.outputs from the hub's mesh.
+    """Create the outlet of an owner: a custom property that repeats status, weight and System.outputs from the hub's mesh.
 
-    Scripts and users' own drivers read the outputs there. part: Part of the owner.
+    Nothing happens if the owner is to have none. Drivers on the outlet copy the values, which scripts and users' own drivers read there.
+    part: Part of the owner.
     """
     if not wants_outlet(system, owner):
         return
@@ -56,24 +57,25 @@ def has_outlet(system, owner):
 def outlet(system, owner):
     """Return the memory of an evaluated owner's outlet, into which the solver copies the first slots of the hub's outbox.
 
-    Returns None if the owner has no outlet.
+    Returns None if the owner has no outlet, the custom property that repeats the outputs.
     """
     return stored.doubles(owner[outbox.out_key(system)]) if has_outlet(system, owner) else None
 
 
 def output_names(system, carrier, group=""):
-    """Return the names of the outputs of a group, read from the hub's mesh (carrier) if the system declares groups.
+    """Return the names of a group's outputs, in the order of their slots in the outbox.
 
-    Returns System.outputs if the carrier is None or damaged.
+    They are read from the hub's mesh (carrier) if the system declares groups. Otherwise, and if the carrier is None or damaged,
+    System.outputs is returned.
     """
     known = outbox.info(system, carrier, group) if carrier and system.groups is not None else None
     return system.outputs if known is None else tuple(known.outputs)
 
 
 def output_path(system, name, owner=None, group=""):
-    """Return the data path of an output on the hub's mesh, for users' own drivers.
+    """Return the data path of an output on the hub's mesh, for users' own drivers. name: name of the output.
 
-    owner: object whose hub is meant; required if the system declares groups, or if owners share a hub.
+    owner: object whose hub has the mesh; required if the system declares groups, or if owners share a hub. group: key of the group.
     """
     if owner is None:
         return outbox.out_path(system, outbox.FIRST_OUTPUT + system.outputs.index(name), group)
@@ -83,7 +85,7 @@ def output_path(system, name, owner=None, group=""):
 
 
 def output(system, owner, name, depsgraph, group=""):
-    """Return the value of an output at the last evaluation; None if the output was not evaluated or is not finite."""
+    """Return the value of an owner's output at the last evaluation; None if it was not evaluated or is not finite. group: its key."""
     part = sharing.part_of(system, owner, group)
     if part is None:
         return None
@@ -92,10 +94,10 @@ def output(system, owner, name, depsgraph, group=""):
 
 
 def outputs_of(system, owner, entry, names, depsgraph):
-    """Return the values of the outputs "<entry>.<name>" at the last evaluation, from the group that contains the entry.
+    """Return the values of an owner's outputs "<entry>.<name>" at the last evaluation, in the order of `names`.
 
-    Returns None if no group of the owner has all of these outputs evaluated. It is meant for systems whose members are relative: their
-    weight is 0 only if nothing was solved.
+    Returns None if no group has all of these outputs evaluated. The function is for systems whose members are relative: their weight is 0
+    only if nothing was solved.
     """
     wanted = [f"{entry}.{name}" for name in names]
     for part in sharing.parts(system, owner):

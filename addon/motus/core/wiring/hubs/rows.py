@@ -24,10 +24,10 @@ _known = keeping.OfFile(
 
 
 class Row(NamedTuple):
-    """Contents of a row: what the solver knows of one owner that shares a hub.
+    """What the solver of a shared hub knows of one owner, parsed from the text of the owner's row.
 
-    name: the owner's name. settings: namespace with the settings that System.shared names. inputs: values of the inputs that are
-    settings, by name. member_data: array of System.member_data, or None. memo: dictionary for Context.kept.
+    name: the owner's name. settings: namespace with the settings that System.shared names. inputs: {name: value} of the inputs that are
+    settings. member_data: array of System.member_data, or None. memo: dictionary for Context.kept.
     """
 
     name: str
@@ -38,12 +38,12 @@ class Row(NamedTuple):
 
 
 def key(system, row):
-    """Return the name of the custom property of a shared hub's mesh that holds the text of a row, given by the row's index."""
+    """Return the name of the custom property of a shared hub's mesh that holds the text of a row. row: index of the row."""
     return f"motus_{system.name}_row_{row}"
 
 
 def pack(system, owner):
-    """Return the text of an owner's row; None if a number in it is not finite."""
+    """Return the text (JSON) for an owner's row of a shared hub, with its name and settings; None if a number in them is not finite."""
     settings = of_owner(system, owner)
     said = {
         "name": owner.name,
@@ -72,9 +72,9 @@ def _plain(group):
 
 
 def row(system, mesh, index):
-    """Return the Row with this index of a shared hub's mesh.
+    """Return the Row with this index, parsed from the text on a shared hub's mesh.
 
-    Returns None if no owner has the row, or the class Damaged if the text differs in form from what pack() makes.
+    Returns None if no owner has the row, or the class Damaged if the text does not have the form that pack() gives it.
     """
     text = mesh.get(key(system, index))
     if text is None:
@@ -101,7 +101,10 @@ _FORMS = {'FLOAT': float, 'INT': lambda value: type(value) is int and abs(value)
 
 
 def _fits(rna, names, value):
-    """Whether a parsed dictionary has exactly the named settings of a PropertyGroup, each with a value of the declared type."""
+    """Whether a parsed value is a dictionary of exactly these settings, each with a value of its declared type.
+
+    rna: bl_rna of the PropertyGroup that declares the settings. names: identifiers of the settings.
+    """
     return (
         isinstance(value, dict)
         and value.keys() == set(names)
@@ -125,24 +128,27 @@ def _namespace(values):
 
 
 def names_in(rows):
-    """Return the names of the owners that have one of these Rows of a shared hub; items that are no Row are left out."""
+    """Return the names of the owners in a list of Rows of a shared hub. Items None or Damaged, in place of a Row, are left out."""
     return [row.name for row in rows if isinstance(row, Row)]
 
 
 def pointers(system, owner):
-    """Return {name of the pointer setting: object} for the pointer settings of an owner that the system's inputs read, if they are set."""
+    """Return {name of a setting: object} for those pointer settings of an owner that the system's inputs read and that are set."""
     settings = of_owner(system, owner)
     found = {one.of: pointed(settings, one.of) for one in system.inputs if hasattr(one, "of")}
     return {name: target for name, target in found.items() if target}
 
 
 def pointer_names(system):
-    """Return {name of a pointer setting: name of the custom property of a shared hub's mesh that holds the object}, for all inputs."""
+    """Return {name of a setting: name of a custom property} for the pointer settings that the system's inputs read.
+
+    The custom property, on a shared hub's mesh, holds the object to which the setting points.
+    """
     return {one.of: target_key(one.of) for one in system.inputs if hasattr(one, "of")}
 
 
 def targets(names, mesh):
-    """Return {name of the pointer setting: object or None} for the pointer settings that the inputs read, stored on a shared hub's mesh.
+    """Return {name of a setting: object or None} for the pointer settings that the inputs read, from a shared hub's mesh.
 
     names: result of pointer_names(). On an evaluated mesh the objects are evaluated copies. Raises Damaged if a stored value is no object.
     """
@@ -154,5 +160,8 @@ def targets(names, mesh):
 
 
 def target_key(name):
-    """Return the name of the custom property of a shared hub's mesh that holds the object named by a pointer setting."""
+    """Return the name of the custom property, on a shared hub's mesh, that holds the object to which a setting points.
+
+    name: name of the pointer setting.
+    """
     return f"motus_of_{name}"

@@ -25,12 +25,12 @@ from . import hub_lookup, outbox, rows
 class Part(NamedTuple):
     """What one owner has of one hub: the whole hub, or one row of a hub that several owners share.
 
-    key: key of the owner's group that is computed there. hub: hub object; None if it was deleted and only its mesh is left. mesh: the
-    hub's mesh. row: index of the owner's row, which is also the index of its first member; 0 in a whole hub. first: index of the owner's
-    first slot in the outbox. maker: object whose settings are computed there; different from the owner if the owner is a copy that uses
-    the hub of the first one; may be None or no object in a damaged file. is_own: whether the part computes for this owner, in a hub that
+    key: key of the owner's group that is computed there. hub: hub object; None if it was deleted and only its mesh is left. mesh: the hub's
+    mesh. row: index of the owner's row, which is also the index of its first member; 0 in a whole hub. first: index of the owner's first
+    slot in the outbox. maker: object whose settings are computed there; if the owner is a copy that still uses the hub of the object from
+    which it was copied, that object; None or no object in a damaged file. is_own: whether the part computes for this owner, in a hub that
     is neither overridden nor of a different file. reads_owner: whether the solver reads the settings of the evaluated owner; if not, it
-    reads the text that store_settings() writes. partner: different owner that has to be wired again to come into the hub too; else None.
+    reads the text that store_settings() writes. partner: different owner that has to be wired again in order to share the hub; else None.
     """
 
     key: str
@@ -50,13 +50,13 @@ def parts(system, owner):
 
 
 def all_parts(system, owner):
-    """Return the Parts of an owner, including those of hubs whose hub object was deleted, of which only the mesh is left."""
+    """Return the Parts of an owner, including those of hubs whose hub object was deleted and of which only the mesh is left."""
     lost = hub_lookup.lost_hubs(system, owner)
     return parts(system, owner) + [_part(system, owner, outbox.key_on_hub(system, mesh), mesh, None) for mesh in lost]
 
 
 def part_of(system, owner, key=""):
-    """Return the Part in which one of an owner's groups is computed, given by the group's key; None if the hub is gone."""
+    """Return the Part in which the group with this key is computed for an owner; None if the hub is gone."""
     return next((part for part in parts(system, owner) if part.key == key), None)
 
 
@@ -74,31 +74,35 @@ def _part(system, owner, key, mesh, hub, partner=None):
 
 
 def opened(system, part, evaluated):
-    """Return the checked Outbox of an owner's part. evaluated: the hub's mesh, original or evaluated. Raises Damaged."""
+    """Return the checked Outbox of an owner's Part. evaluated: the hub's mesh, original or evaluated. Raises Damaged if it is invalid."""
     return outbox.opened(system, evaluated, part.key, None if part.reads_owner else part.row)
 
 
 def status_of(system, part, evaluated):
-    """Return the status that the solver has written for an owner's part; evaluated: evaluated mesh of the hub. Raises Damaged."""
+    """Return the status that the solver has written for an owner's Part. Raises Damaged if the hub's data is invalid.
+
+    evaluated: evaluated mesh of the hub.
+    """
     if part.reads_owner:
         outbox.owner_of(system, evaluated)
     return opened(system, part, evaluated).slots[outbox.STATUS]
 
 
 def has_rows(mesh):
-    """Whether one solver of a hub computes the rows of several owners, without reading the owners. mesh: the hub's mesh."""
+    """Whether a hub is shared: one solver computes a row for each of several owners, and reads none of them. mesh: the hub's mesh."""
     return outbox.SHARED_KEY in mesh
 
 
 def is_abandoned(mesh):
-    """Whether the owner for which a whole hub computes is gone; False for a shared hub, which points to no owner. mesh: the hub's mesh."""
+    """Whether the owner for which a hub computes is gone. mesh: the hub's mesh. False for a shared hub, which points to no owner."""
     return not has_rows(mesh) and mesh.get(outbox.OWNER_KEY) is None
 
 
 def store_settings(system, owner, found):
-    """Store in the hubs what their solvers read there of the owner's settings, and tag all for evaluation. found: Parts of the owner.
+    """Write on the hubs' meshes what their solvers read there of an owner's settings, and have owner and meshes evaluated again.
 
-    Returns False if the owner has to be wired again, because the number of its members has changed or it can no longer share its hub.
+    Returns False if the owner has to be wired again, because the number of its members has changed or because the owner can no longer share
+    its hub. found: Parts of the owner.
     """
     owner.update_tag()
     for part in found:
@@ -112,9 +116,10 @@ def store_settings(system, owner, found):
 
 
 def _store_member_data(mesh, values):
-    """Store the numbers that System.member_data returns on a hub's mesh; returns whether their number is as before.
+    """Store the numbers that System.member_data has returned on a hub's mesh; returns False, and stores none, if their number differs.
 
-    They are stored as an array, because reading a collection of settings item by item in every solve is slow if there are many members.
+    The numbers are stored as an array, because reading a collection of settings item by item in every solve is slow if there are many
+    members.
     """
     data = [float(value) for value in values]
     if not outbox.has_room(mesh, len(data)):
@@ -124,10 +129,10 @@ def _store_member_data(mesh, values):
 
 
 def can_share(system, owner):
-    """Whether an owner may share a hub with others of the system.
+    """Whether an owner may share a hub with other owners of the system.
 
-    It may if it drives only itself, its settings are not animated, all numbers in them are finite, and it is neither linked nor an
-    override. It must not be mirrored: solve() does not see an owner that shares a hub, and so cannot find out that it is mirrored.
+    The owner may if it drives only itself, its settings are not animated, all numbers in them are finite, and it is neither linked nor an
+    override. The owner must not be mirrored: solve() does not see an owner that shares a hub, and so cannot find out about mirroring.
     """
     if not system.shared or owner.library or owner.override_library or copies.has_animated_settings(owner) or is_mirrored(owner):
         return False
@@ -136,10 +141,10 @@ def can_share(system, owner):
 
 
 def _holder(system, owner, mesh):
-    """Return the object for which the row to which an owner points was made: the owner itself, or the one from which it was copied.
+    """Return the object for which the row to which an owner points was made: the owner, or the object from which it was copied.
 
-    It is the owner itself if the row has the owner's name or no name, or if no object of the row's name points to the row any more. The
-    last case is that of a renamed owner.
+    The row was made for the owner if the row has the owner's name or no name, or if no object of the row's name points to the row any more.
+    In the last case the owner was renamed.
     """
     index = of_owner(system, owner).row
     found = rows.row(system, mesh, index)
@@ -163,7 +168,10 @@ def holders(system, mesh):
 
 
 def _write(system, owner, mesh):
-    """Store an owner's settings in its row of a shared hub again; returns whether the owner may still share the hub."""
+    """Store an owner's settings in its row of a shared hub; returns False, and stores nothing, if the owner can no longer share the hub.
+
+    mesh: mesh of the hub.
+    """
     text = rows.pack(system, owner)
     if text is None or copies.has_animated_settings(owner):
         return False
@@ -174,9 +182,9 @@ def _write(system, owner, mesh):
 
 
 def provide(system, owner, groups):
-    """Give an owner a part of a hub for each of its groups: a row of a shared hub if it may share one, else whole new hubs.
+    """Give an owner a Part for each of its groups: a row of a shared hub if the owner may share one, else whole new hubs.
 
-    Returns the Parts, in the order of the groups. The hubs have outboxes with neutral values, but neither solver drivers nor sinks.
+    Returns the Parts, in the order of the groups. New hubs have outboxes with neutral values, but neither solver drivers nor sinks.
     """
     copies.prepare(owner)
     shared = _join(system, owner)
@@ -203,7 +211,7 @@ def _make_whole(system, owner, group):
 def _join(system, owner):
     """Give an owner a row of a shared hub; returns the Part, or None if the owner has to have hubs of its own.
 
-    If no existing hub is suitable, a new one is created, provided that a different owner (the partner) can share it.
+    If no existing hub is suitable, a new one is created, provided that there is a partner: a different owner that can share the new hub.
     """
     if not can_share(system, owner):
         return None
@@ -223,10 +231,10 @@ def _join(system, owner):
 
 
 def held_meshes(found):
-    """Return the meshes of those hubs that an owner with these Parts has to leave when it is unwired; each mesh once.
+    """Return the meshes of those hubs that an owner has to leave when it is unwired, each mesh once. found: Parts of the owner.
 
-    These are the hubs that compute for the owner, its hubs without an object, and shared hubs of this file. A damaged file may name the
-    same hub twice.
+    These are the hubs that compute for the owner, the hubs whose object was deleted, and shared hubs of this file. A damaged file may name
+    the same hub twice.
     """
     return list(dict.fromkeys(part.mesh for part in found if _is_held(part)))
 
@@ -236,7 +244,10 @@ def _is_held(part):
 
 
 def leave(system, mesh):
-    """Remove a hub that an owner has left; if it is shared, only the rows to which no owner points any more. mesh: the hub's mesh."""
+    """Remove a hub when an owner stops using it. Of a shared hub, only the rows are removed to which no owner points any more.
+
+    mesh: the hub's mesh.
+    """
     if outbox.is_shared(system, mesh):
         prune(system, mesh)
     else:
@@ -265,7 +276,10 @@ def _hub_for(system, owner):
 
 
 def _partner_for(system, owner):
-    """Return a different owner with a hub of its own that may share one and whose solver reads the same objects; None if there is none."""
+    """Return a different owner that may share a new hub with this owner; None if there is none.
+
+    Such an owner has a hub of its own, and its solver reads the same objects.
+    """
     for mesh in bpy.data.meshes:
         other = mesh.get(outbox.OWNER_KEY)
         if mesh.library or not isinstance(other, bpy.types.Object) or other == owner or not claims(system, other, mesh):
@@ -276,7 +290,7 @@ def _partner_for(system, owner):
 
 
 def _reads_the_same(system, owner, mesh):
-    """Whether the driver on a hub's mesh reads the same datablocks and data paths as a driver for this owner would."""
+    """Whether the solver driver on a hub's mesh reads the same datablocks and data paths as a solver driver for this owner would."""
     wanted = [variable and (variable.id, variable.data_path) for _, variable in input_variables(system, owner)]
     animation = mesh.animation_data
     curve = animation and animation.drivers.find(outbox.out_path(system), index=outbox.STATUS)
@@ -296,7 +310,7 @@ def _free_row(system, mesh):
 
 
 def tidy(system):
-    """In all shared hubs of a system, update the names of renamed owners, and remove the contents of rows that no owner points to."""
+    """Update the names of renamed owners in all shared hubs of a system, and remove the texts of rows to which no owner points."""
     for mesh in [mesh for mesh in bpy.data.meshes if not mesh.library and outbox.is_shared(system, mesh)]:
         for obj in holders(system, mesh).values():
             if _holder(system, obj, mesh) == obj:
@@ -305,7 +319,7 @@ def tidy(system):
 
 
 def prune(system, mesh):
-    """Remove the contents of the rows of a shared hub that no owner points to, and the whole hub if no owner is left."""
+    """Remove the texts of those rows of a shared hub to which no owner points, and the whole hub if no owner is left."""
     taken = holders(system, mesh)
     for row in range(outbox.row_count(system, mesh)):
         if row not in taken and rows.key(system, row) in mesh:

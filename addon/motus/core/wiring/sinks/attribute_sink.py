@@ -2,10 +2,10 @@
 
 The solver writes one 4x4 matrix for each member into an attribute of the evaluated hub's mesh, and each constraint samples the matrix
 of its member. A driver on a constraint's influence would cost more time than the constraint. So two kinds of members have no such
-driver. The matrix of a relative member is the identity if the solver has no influence. A member that *stands still* by itself has no
-parent, keys, drivers or constraints of its own: the solver blends its matrix with the member's own transform, which it may read at any
-time because nothing changes it. The owner itself has a driver in any case. The original mesh holds the members' own transforms and the
-identities too, for a Blender without the add-on.
+driver. The matrix of a relative member is the identity if the solver has no influence. A member of kind STILL is an object without
+parent, keys, drivers and constraints of its own: the solver blends the matrix with the member's own transform, which the solver may read
+at any time because nothing changes that transform. The owner itself has a driver in any case. The original mesh also holds these own
+transforms and identities, for a Blender without the add-on.
 """
 
 from contextlib import suppress
@@ -25,7 +25,7 @@ from . import attributes
 
 ATTRIBUTE = "motus_transform"
 STILL_KEY = "motus_still"
-"""Custom property of a hub's mesh: one number for each member.
+"""Custom property of a hub's mesh: the kind of each member, a number.
 
 MOVES: the member's own transform may change. STILL: the own transform does not change in time. RELATIVE: the result is applied on top
 of the own transform.
@@ -34,9 +34,9 @@ MOVES, STILL, RELATIVE = 0, 1, 2
 
 
 def prepare(system, group, part):
-    """Give a hub's mesh one vertex and one 4x4 matrix attribute value for each member of a group, if it does not have them yet.
+    """Give a hub's mesh a vertex, and in the matrix attribute a 4x4 matrix, for each member of a group that has none yet.
 
-    It has to be called before the members get their Geometry Attribute constraints. part: Part of the owner in the hub.
+    Call this function before add(). part: Part of the owner in the hub.
     """
     mesh, first = part.mesh, part.row
     if ATTRIBUTE not in mesh.attributes:
@@ -46,7 +46,7 @@ def prepare(system, group, part):
     kinds = [_kind(system, member, part.maker) for member in group.members]
     mesh[STILL_KEY] = before[:first] + kinds + before[end:]
     if any(kind != MOVES for kind in kinds):
-        # Without the add-on, these matrices act: the constraints of such members have no driver on their influence.
+        # Without the add-on, matrices of the kinds STILL and RELATIVE act: the constraints have no driver on their influence.
         _store(mesh, *own_poses(group.members))
 
 
@@ -76,7 +76,7 @@ def add(system, group, index, part):
 
 
 def _kinds(mesh):
-    """Return MOVES, STILL or RELATIVE for each member, as stored in a hub's mesh; None if the data is missing or damaged."""
+    """Return the list of MOVES, STILL or RELATIVE of each member, as stored on a hub's mesh; None if it is missing or damaged."""
     try:
         return stored.whole_numbers(mesh.get(STILL_KEY), len(mesh.vertices))
     except Damaged:
@@ -86,8 +86,9 @@ def _kinds(mesh):
 def write(mesh, members, locations, rotations, scales, weight):
     """Fill the matrix attribute of an evaluated hub's mesh with the members' poses.
 
-    members: function that returns the evaluated members. locations: (n, 3). rotations: (n, 4) quaternions. scales: (n, 3) or None.
-    weight: influence, by which members that stand still are blended with their own transforms. Raises Damaged.
+    members: function that returns the evaluated members. locations: (n, 3). rotations: (n, 4) quaternions. scales: (n, 3) or None. weight:
+    influence, by which members of kind STILL are blended with their own transforms, since their constraints have no driver on the
+    influence. Raises Damaged if the number of members is not that of the mesh.
     """
     if weight < 1.0:
         still = np.array(stored.whole_numbers(mesh.get(STILL_KEY), len(mesh.vertices))) == STILL
@@ -100,9 +101,11 @@ def write(mesh, members, locations, rotations, scales, weight):
 
 
 def write_rest(mesh, members):
-    """Fill the matrix attribute of an evaluated hub's mesh so that the members stay at their own transforms.
+    """Fill the matrix attribute of an evaluated hub's mesh with matrices that leave the members at their own transforms.
 
-    If no member stands still, all matrices are identities. Members that move need none: the influence of their constraints is 0.
+    A member of kind STILL gets its own transform as matrix, since its constraint acts with full influence. A member of kind RELATIVE gets
+    the identity. The matrix of a member of kind MOVES does not matter, because a driver sets the influence of its constraint to 0. members:
+    function that returns the evaluated members.
     """
     kinds = _kinds(mesh)
     if kinds is not None and STILL in kinds:
@@ -123,8 +126,8 @@ def _own_poses_of(mesh, members):
 def own_poses(members):
     """Return locations (n, 3), quaternions (n, 4) and scales (n, 3) for matrices that leave members at their own transforms.
 
-    A member to whose own transform the result is added (is_relative) gets a neutral pose. A member whose transform the result replaces
-    gets its own transform, which matters only if the member stands still.
+    A relative member gets a neutral pose, since a result is applied on top of its own transform. Any other member gets its own transform,
+    since a result replaces it.
     """
     count = len(members)
     locations, rotations, scales = np.zeros((count, 3)), np.zeros((count, 4)), np.ones((count, 3))
@@ -151,7 +154,10 @@ def _kind(system, member, owner):
 
 
 def _slerp(start, end, shares):
-    """Return the spherical linear interpolation between rows of quaternions (n, 4), along the shorter arc. shares: (n, 1), 0 to 1."""
+    """Return the spherical linear interpolation between two arrays of quaternions (n, 4), along the shorter arc.
+
+    shares: (n, 1), 0 for `start` to 1 for `end`.
+    """
     dots = (start * end).sum(axis=1, keepdims=True)
     end = np.where(dots < 0.0, -end, end)
     angles = np.arccos(np.minimum(np.abs(dots), 1.0))
@@ -171,7 +177,10 @@ def _store(mesh, locations, rotations, scales):
 
 @persistent
 def store_own_poses(*_):
-    """Handler of save_pre: store the present transforms of members that stand still in the original hub meshes."""
+    """Handler of save_pre: store the present transforms of members without motion of their own (STILL) in the original hub meshes.
+
+    A Blender without the add-on then shows these members at their own transforms.
+    """
     if native.module is None:
         return
     for mesh in bpy.data.meshes:

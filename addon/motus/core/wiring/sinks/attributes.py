@@ -18,7 +18,7 @@ _FORMS = {
 
 
 def write(mesh, name, data_type, values):
-    """Fill a point attribute with a float32 array, one row for each point. mesh: original or evaluated, linked or local.
+    """Fill a point attribute of a mesh with a float32 array, one row for each point. mesh: original or evaluated, linked or local.
 
     Raises Damaged if the mesh has no point attribute with this name, data type and length.
     """
@@ -38,10 +38,10 @@ def write(mesh, name, data_type, values):
 
 
 def memory(mesh, name, data_type, domain='POINT'):
-    """Return an array that is the memory of an attribute itself, one row for each item, to be read and written.
+    """Return an array whose memory is that of an attribute's data, one row for each item, to be read and written.
 
-    The attribute's data must not be shared with a different mesh. Raises Damaged if the mesh has no attribute with this name, data type
-    and domain, or if its items are not contiguous.
+    The attribute's data must not be shared with a different mesh. Raises Damaged if the mesh has no attribute with this name, data type and
+    domain, or if the items are not contiguous.
     """
     _, numbers, shape = _FORMS[data_type]
     found = items(_data(mesh, name, data_type, domain), numbers, shape)
@@ -51,9 +51,10 @@ def memory(mesh, name, data_type, domain='POINT'):
 
 
 def items(data, numbers, shape):
-    """Return an array of the numbers with which each item of a Blender collection begins in memory, without a copy.
+    """Return an array over the memory of a Blender collection, with the numbers with which each item's struct begins.
 
-    data: the collection. numbers: numpy type. shape: shape of an item's numbers. Raises Damaged if the items are not equally spaced.
+    data: the collection. numbers: numpy type of the numbers. shape: shape of an item's numbers. Raises Damaged if the items are not equally
+    spaced in memory.
     """
     count = len(data)
     if count == 0:

@@ -18,11 +18,9 @@ from . import property_sink, proxy_sink
 def on_object(system, obj, has_bones=True):
     """Yield (Object or PoseBone, constraint, carrier, key of the group) for each sink of the system on an object.
 
-    Sinks that different owners drive are included.
-
-    carrier: mesh of the hub that the sink reads, or the object itself if the hub is gone. has_bones: whether sinks on the object's
-    bones are included. A solver that waits only for the object must pass False, since other threads may be evaluating the hubs of its
-    bones.
+    Sinks are yielded whichever owner drives them. carrier: mesh of the hub that the sink reads, or the object itself if the hub is gone.
+    has_bones: whether sinks on the object's bones are included. A solver that waits only for the object must pass False, since other
+    threads may be evaluating the hubs of its bones.
     """
     for thing in _things(obj) if has_bones else (obj,):
         for constraint in thing.constraints:
@@ -38,7 +36,7 @@ def _things(obj):
 
 
 def sinks(system, owner):
-    """Return (Object or PoseBone, constraint) for each sink that an owner drives."""
+    """Return (Object or PoseBone, constraint) for each constraint by which an owner drives a member."""
     return _sinks(system, owner, sharing.all_parts(system, owner))
 
 
@@ -58,12 +56,15 @@ def is_sink(system, constraint):
 
 
 def has_sinks(system, obj):
-    """Whether an object has sinks of the system: of its own hubs, of its leader's (the owner that drives it), or copied with the object."""
+    """Whether an object has sinks of the system, whichever owner drives them.
+
+    They may be driven by the object's own hubs, by its leader's, or be copied with the object.
+    """
     return any(True for _ in on_object(system, obj))
 
 
 def renamed_bones(system, owner):
-    """Return (old name, new name) for each bone of an owner that the owner drives and that was renamed since it was wired."""
+    """Return (old name, new name) for each of an owner's own bones that the owner drives and that was renamed since it was wired."""
     if owner.pose is None:
         return []
     found, at_home = {}, set()
@@ -76,14 +77,17 @@ def renamed_bones(system, owner):
 
 
 def has_strays(system, owner):
-    """Whether bones that the system does not drive have copies of its sinks, made by Blender's tools for bones."""
+    """Whether bones that the system does not drive have copies of its sinks, as made by Blender's tools that copy bones."""
     if owner.pose is None or owner.override_library:
         return False
     return any(old != thing.name for thing, old in _as_wired(system, owner)) or bool(_strays(system, owner))
 
 
 def _as_wired(system, owner):
-    """Yield (PoseBone, name of the bone when it was wired) for each sink on the owner's bones for which the name is known."""
+    """Yield (PoseBone, name of the driven bone when the owner was wired) for each sink on the owner's bones.
+
+    The names differ if the bone was renamed, or if the sink was copied to a different bone. Sinks for which no name is stored are left out.
+    """
     old_names = {}
     for key, carrier in hub_lookup.carriers_of(system, owner):
         known = outbox.info(system, carrier, key)
@@ -96,9 +100,9 @@ def _as_wired(system, owner):
 
 
 def abandoned(system, obj):
-    """Return the objects, including this one, that have sinks of the same hub as this object although the hub's owner is gone.
+    """Return the objects with sinks of the same hub as this object, including this object, if the owner of that hub is gone.
 
-    The list is empty if the owners of all its sinks exist.
+    The list is empty if the owners of all sinks of this object exist.
     """
     hubs = {carrier for _, _, carrier, _ in on_object(system, obj) if _is_abandoned(carrier)}
     return [
@@ -131,14 +135,14 @@ def release(system, *objects):
 
 
 def makers(system, obj):
-    """Return the owners of the hubs and proxies that the sinks on an object read."""
+    """Return the owners for which the hubs and proxies were made that the sinks on an object read, in a set."""
     found = {proxy_sink.proxy_of(constraint) or carrier for _, constraint, carrier, _ in on_object(system, obj)}
     owners = [one.get(marks.PROXY_KEY) or one.get(outbox.OWNER_KEY) for one in found]
     return {owner for owner in owners if isinstance(owner, bpy.types.Object)}
 
 
 def remove(found):
-    """Remove sinks, given as (Object or PoseBone, constraint), together with the drivers on them."""
+    """Remove sinks from their objects and bones, together with the drivers on them. found: list of (Object or PoseBone, constraint)."""
     by_object = {}
     for thing, constraint in found:
         by_object.setdefault(thing.id_data, []).append((thing, constraint))
@@ -155,9 +159,10 @@ def remove(found):
 
 
 def remove_all(system, owner, parts):
-    """Remove the sinks of an owner, and their remains, from all objects; returns the different objects that the owner drove.
+    """Remove the sinks of an owner, and their remains, from all objects.
 
-    parts: Parts of the owner, including those of hubs whose hub object was deleted.
+    Returns the objects different from the owner that it drove. parts: Parts of the owner, including those of hubs whose hub object was
+    deleted.
     """
     remove(_sinks(system, owner, parts))
     _remove_orphans(system, owner)
@@ -194,14 +199,14 @@ def _strays(system, owner):
 
 
 def _led_by(system, owner, parts):
-    """Return the objects that an owner drives for this system, as stored in their settings: their leader is the owner."""
+    """Return the objects that an owner drives for this system: those in whose settings the pointer `leader` leads to the owner."""
     if _drives_itself_alone(system, owner, parts):
         return []
     return [other for other in bpy.data.objects if leader_of(system, other) == owner]
 
 
 def _drives_itself_alone(system, owner, parts):
-    """Whether all members that are computed in an owner's Parts are the owner itself or its bones."""
+    """Whether an owner drives no objects but itself and its bones. parts: Parts of the owner."""
     if any(_may_lead(system, part) for part in parts):
         return False
     return system.groups is not None or has_sinks(system, owner)
@@ -225,7 +230,7 @@ def _driven_objects(system, owner, parts):
 
 
 def _slot(system, driver):
-    """Return (hub's mesh, key of the group, index of the slot) for the slot of an outbox that a driver reads; None if it reads none."""
+    """Return (hub's mesh, key of the group, index of the slot) for the slot of an outbox that a driver reads; None if there is none."""
     pattern = outbox.slot_pattern(system)
     for variable in driver.variables:
         target = variable.targets[0]

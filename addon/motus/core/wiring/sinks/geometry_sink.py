@@ -24,7 +24,7 @@ def prepare(system, mesh, settings):
 
 
 def add(system, owner, hub):
-    """Give the owner a modifier that brings in the geometry of a hub, or let its existing modifier read this hub."""
+    """Give the owner a modifier that brings in the geometry of a hub; if the owner has the modifier, make it read this hub."""
     found = modifier(system, owner)
     if found is not None:
         if _form_of(system, found.node_group) is None:
@@ -56,7 +56,7 @@ def points_place(system, owner):
 
 
 def remove(system, owner):
-    """Remove the system's modifiers from the owner, and their node groups if nothing else uses these."""
+    """Remove the system's modifiers from the owner, and the modifiers' node groups if nothing else uses the node groups."""
     for found in [one for one in owner.modifiers if _is_sink(system, one)]:
         group = found.node_group
         node_groups.let_go(found)
@@ -65,7 +65,7 @@ def remove(system, owner):
 
 
 def is_stale(system, owner):
-    """Whether the solver's driver on the owner's hub waits for a mesh different from the one that the owner has now."""
+    """Whether the owner has been given a different mesh since the solver's driver on its hub was made, which reads the mesh."""
     hub = hub_lookup.hub_of(system, owner)
     if hub is None or not hub.data.animation_data or owner.type != 'MESH':
         return False
@@ -80,10 +80,10 @@ def is_stale(system, owner):
 
 
 def is_cut_off(system, owner):
-    """Whether the modifier of an owner that is a sink reads a hub object different from the owner's hub.
+    """Whether the owner has a modifier as sink that does not read the owner's hub.
 
-    In Blender 5.2 a library override loses the input of a modifier whose node group it replaces. The result is False if the owner has
-    no such modifier, or if sockets of its node group were removed.
+    In Blender 5.2 a library override loses the input of a modifier whose node group it replaces. The result is False if sockets of the node
+    group were removed.
     """
     found = modifier(system, owner)
     return (
@@ -94,20 +94,20 @@ def is_cut_off(system, owner):
 
 
 def room(system, carrier, inputs, context):
-    """Return an object with the memory that the solver fills, and provide the memory in the context.
+    """Return a Room, an object with the memory that the solver fills by means of `context`, for one call of the solver.
 
-    The object's write(weight) stores the results in the evaluated hub's mesh (carrier).
+    write(weight) of the Room stores the results in the evaluated hub's mesh (carrier). inputs: {name: value} of the system's inputs.
     """
     return _kind(system).Room(system, carrier, inputs, context)
 
 
 def write_nothing(system, carrier):
-    """Make the evaluated hub's mesh (carrier) hold nothing that changes the owner's own shape."""
+    """Make the evaluated hub's mesh (carrier) hold no points and no motion of points, so that the owner has its own shape."""
     _kind(system).write_nothing(system, carrier)
 
 
 def set_points_material(system, owner, material):
-    """Set the material of the points that a system makes on an owner, or of the curves, tubes or faces that are made of the points."""
+    """Set the material of the points that a system makes on an owner, or of the curves, tubes or faces made of these points."""
     _set_form(system, owner, made_points.MATERIAL, material)
 
 
@@ -120,7 +120,10 @@ def set_points_object(system, owner, instanced):
 
 
 def set_points_collection(system, owner, instanced):
-    """Put an instance of one of a collection's objects, chosen by the point's id, on each point that a system makes on an owner."""
+    """Put an instance of an object of a collection on each point that a system makes on an owner.
+
+    The point's id determines which object of the collection it is.
+    """
     _set_form(system, owner, made_points.COLLECTION, instanced)
 
 
@@ -161,7 +164,10 @@ def _move_first(owner, found):
 
 
 def _form_of(system, group):
-    """Return the variant of the system's node group to which `group` belongs, found by its input sockets; None if sockets were removed."""
+    """Return the variant, a key of FORMS, of the system's node group `group`; None if input sockets were removed from the group.
+
+    The variants differ in their input sockets.
+    """
     return next(
         (
             form
@@ -182,7 +188,7 @@ def _sockets(system, form):
 
 
 def _node_group(system, form=None):
-    """Return the node group for all sinks of a system in this file, created if there is none.
+    """Return the node group for all sinks of a system in this file; the node group is created if the file has none.
 
     form: variant of the node group, a key of FORMS; None for the first variant.
     """

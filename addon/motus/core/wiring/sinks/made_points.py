@@ -20,7 +20,7 @@ from ...measures import finite
 from . import attributes
 
 IS_FIRST = False
-"""Whether the modifier is the first of the owner's modifiers. It is not: the earlier modifiers shape only the owner's own geometry."""
+"""Whether the modifier is put before the owner's modifiers. It is put after them, so that they shape only the owner's own geometry."""
 MATERIAL, OBJECT, COLLECTION = "Material", "Object", "Collection"
 FORMS = {name: ((name, 'INPUT', f"NodeSocket{name}"),) for name in (MATERIAL, OBJECT, COLLECTION)}
 """Variants of the node group -> additional input sockets; each variant is named by the input that determines what is made of the points.
@@ -49,7 +49,10 @@ EULER: Euler angles in place of quaternions, for Blender versions without quater
 
 
 class Room:
-    """Memory for points, which the solver requests by calling context.points. is_full: whether more points were requested than allowed."""
+    """Memory for the points that a solver makes in one call. The solver requests the memory by calling context.points.
+
+    is_full: whether the solver has requested more points than the system allows.
+    """
 
     def __init__(self, system, carrier, _inputs, context):
         self._system, self._made, self._carrier, self._settings = system, system.makes_points, carrier, context.settings
@@ -97,7 +100,7 @@ class Room:
         return self._found is None or all(finite.is_finite(self._found[name]) for name in placing if name in self._found)
 
     def write(self, weight):
-        """Complete the points in the evaluated hub's mesh; remove them if the weight is 0 or the solver has requested none."""
+        """Complete the points in the evaluated hub's mesh. Remove all points if the weight is 0 or if the solver has requested none."""
         if weight == 0.0 or self._found is None:
             _clear(self._carrier)
             return
@@ -108,7 +111,7 @@ class Room:
 
 
 def prepare(system, mesh, settings):
-    """Add the attributes of the points to a hub's mesh, except those that the system does not need with these settings."""
+    """Add the attributes of the points to a hub's mesh, except those that the system does not need with these settings of the owner."""
     unneeded = system.makes_points.unneeded(settings)
     for name, kind in system.makes_points.attributes:
         if name not in unneeded:
@@ -121,9 +124,10 @@ def write_nothing(_system, carrier):
 
 
 def add_nodes(system, group, start, form):
-    """Add the nodes that bring in the points to a node group of the modifier.
+    """Add to a node group of the modifier the nodes that bring in the points; start: its Group Input node.
 
-    form: variant, a key of FORMS. Returns the output socket with the owner's own geometry and what is made of the points.
+    form: variant of the node group, a key of FORMS. Returns the output socket with the owner's own geometry joined with what is made of the
+    points.
     """
     made = system.makes_points
     hub = node_groups.add_node(group, "GeometryNodeObjectInfo", transform_space='RELATIVE' if made.space == 'WORLD' else 'ORIGINAL')
@@ -209,14 +213,18 @@ def _link_radius(made, group, node, name):
 
 
 def _made_as(kind):
-    """Return the kind of an attribute in this version of Blender: 'EULER' for 'QUATERNION' if there are no quaternion attributes."""
+    """Return the kind with which an attribute is made in this version of Blender.
+
+    The kind stays as declared, except that 'QUATERNION' becomes 'EULER' in versions without quaternion attributes.
+    """
     return 'EULER' if kind == 'QUATERNION' and not capabilities.has_quaternion_attributes() else kind
 
 
 def _found_as(mesh, name, kind):
-    """Return the kind that an attribute declared as `kind` really has on a hub's mesh.
+    """Return the kind that an attribute declared as `kind` has on a hub's mesh.
 
-    It is the same kind, but 'EULER' for 'QUATERNION' if an older version of Blender has saved the file.
+    The kind is the declared one, except that 'QUATERNION' is 'EULER' if a version of Blender without quaternion attributes has made the
+    mesh.
     """
     return 'EULER' if kind == 'QUATERNION' and mesh.attributes[name].data_type == _TYPES['EULER'] else kind
 
@@ -224,7 +232,7 @@ def _found_as(mesh, name, kind):
 def _resize(system, carrier, count, settings):
     """Give an evaluated hub's mesh (carrier) the attributes of the points, and `count` points with undefined contents.
 
-    Returns (name, kind) of each attribute. Raises Damaged if the original mesh lacks attributes that the settings need.
+    Returns (name, kind) of each attribute, as a tuple. Raises Damaged if the original mesh lacks attributes that the settings need.
     """
     mesh, made = carrier.original, system.makes_points
     names = mesh.attributes.keys()
@@ -259,10 +267,10 @@ def _clear(carrier):
 
 
 def _faces(carrier, edges, triangles):
-    """Add edges and triangles to an evaluated mesh; returns a dictionary of arrays to be filled.
+    """Add edges and triangles to an evaluated mesh; returns a dictionary of index arrays, which the solver has to fill.
 
-    edges: (n, 2) indices of the points that an edge joins. triangles: (m, 3) indices of the points of each triangle. sides: (m, 3)
-    indices of the edge that starts at each corner of a triangle.
+    "edges": (n, 2), the points that an edge joins. "triangles": (m, 3), the points of each triangle. "sides": (m, 3), the edge that starts
+    at each corner of a triangle.
     """
     found = {"edges": _edges(carrier, edges)}
     if triangles == 0:
@@ -283,7 +291,7 @@ def _faces(carrier, edges, triangles):
 
 
 def _edges(carrier, count):
-    """Add edges to an evaluated mesh; returns the array (count, 2) of the points that each edge joins, to be filled."""
+    """Add edges to an evaluated mesh; returns an array (count, 2), which has to be filled with the indices of each edge's points."""
     carrier.edges.add(count)
     if count == 0:
         return np.empty((0, 2), np.int32)
@@ -294,7 +302,10 @@ def _edges(carrier, count):
 
 
 def _join(carrier, curves):
-    """Add an edge between each two consecutive points of the same curve. curves: array with the number of the curve for each point."""
+    """Add an edge between each two consecutive points of the same curve to an evaluated mesh.
+
+    curves: array with the number of the curve for each point.
+    """
     starts = np.flatnonzero(curves[1:] == curves[:-1])
     ends = _edges(carrier, len(starts))
     ends[:, 0] = starts

@@ -12,13 +12,13 @@ from . import attributes
 
 ATTRIBUTE = "motus_offset"
 IS_FIRST = True
-"""Whether the modifier is the first of the owner's modifiers. It is, so the vectors are those of the mesh's own points."""
+"""Whether the modifier is put before the owner's modifiers. It is, so that its points are those of the mesh, in the same order."""
 FORMS = {"": ()}
 """Variants of the node group -> additional input sockets. There is one variant, without additional inputs."""
 
 
 class Room:
-    """Memory that the solver fills: a vector for each point of the evaluated mesh whose points the system moves, initially 0."""
+    """Memory that the solver fills in one call: a vector for each point of the mesh whose points the system moves, initially 0."""
 
     is_full = False
 
@@ -29,7 +29,7 @@ class Room:
         context.offsets = self._offsets[:count]
 
     def is_finite(self):
-        """Whether all vectors are finite and may reach the owner's points; if not, they are set to 0, so that the points are not moved."""
+        """Whether all vectors are finite. If not, all vectors are set to 0, so that the owner's points are not moved."""
         if finite.is_finite(self._offsets):
             return True
         self._offsets.fill(0.0)
@@ -53,7 +53,10 @@ def write_nothing(_system, carrier):
 
 
 def add_nodes(_system, group, start, _form):
-    """Add the nodes that move the points to a node group of the modifier; returns the output socket with the owner's moved geometry."""
+    """Add to a node group of the modifier the nodes that move the points; start: its Group Input node.
+
+    Returns the output socket with the owner's moved geometry.
+    """
     hub = node_groups.add_node(group, "GeometryNodeObjectInfo")
     index = node_groups.add_node(group, "GeometryNodeInputIndex")
     sample = node_groups.add_node(group, "GeometryNodeSampleIndex", data_type='FLOAT_VECTOR', domain='POINT')

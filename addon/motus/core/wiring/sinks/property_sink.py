@@ -35,17 +35,18 @@ VARIABLE = "motus"
 KEY = "motus_properties"
 """Custom property of a hub's mesh: the Notes of all properties that the hub's solver drives, as text."""
 REST_KEY = "motus_resting"
-"""Custom property of a hub's mesh whose drivers are at rest, and of the datablocks with these drivers, which are aimed at it."""
+"""Custom property of a hub's mesh whose drivers are at rest, and of the datablocks with these drivers, which then drive it."""
 _OF_BONE = re.compile(r'pose\.bones\["((?:[^"\\]|\\.)*)"\]')
 
 _known = keeping.OfProcess("parsed lists of driven properties, stored on hubs' meshes (Note), or Damaged", "text of the list", most=256)
 
 
 class Note(NamedTuple):
-    """Record of one driven property, stored as text in the hub's mesh.
+    """Record of one driven property, stored as text on the hub's mesh.
 
     slot: index of the property's value in the outbox, the float array of the solver's results. path: data path of the property from its
-    object. index: index of the array's item, -1 if the property is no array. base: value of the property without keyframes.
+    object. index: index of the array's item, -1 if the property is no array. base: own value of the property, which applies if it has no
+    keyframes.
     """
 
     slot: int
@@ -55,7 +56,7 @@ class Note(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Where a property lies. id_data: its datablock. data_path: its path from the datablock. number: animation.Number of the property."""
+    """Where a property is: its datablock (id_data), its path from the datablock (data_path), and its number (animation.Number)."""
 
     id_data: Any
     data_path: str
@@ -71,8 +72,8 @@ class Place(NamedTuple):
 def property_place(obj, path, index=-1):
     """Return the Place of a property, given by its data path from an object; the path may lead through datablocks that the object uses.
 
-    index: index of the array's item; -1 if the property is no array. Raises Refused if there is no such property or it is no decimal
-    number.
+    index: index of the array's item; -1 if the property is no array. Raises Refused if there is no such property or if it is not of type
+    FLOAT.
     """
     try:
         found = obj.path_resolve(path, False)
@@ -88,7 +89,7 @@ def property_place(obj, path, index=-1):
 def check_property(obj, path, index=-1):
     """Return the Place of a property that may be driven.
 
-    Raises Refused if property_place() does, or if the datablock is linked, or the property has a driver or cannot be animated.
+    Raises Refused if there is no such float property, if its datablock is linked, or if the property has a driver or cannot be animated.
     """
     found = property_place(obj, path, index)
     check_local(found.id_data)
@@ -103,9 +104,10 @@ def check_property(obj, path, index=-1):
 
 
 def add(system, owner, group, hub, is_off=False):
-    """Add drivers to the properties of a group, so that the group's outputs set them; properties that cannot be driven are skipped.
+    """Add drivers to the properties of a group, so that the group's outputs set the properties.
 
-    is_off: store the list of properties in the hub, but add no drivers.
+    Properties that cannot be driven are skipped. hub: hub object, whose mesh gets the list of the properties. is_off: store the list, but
+    add no drivers.
     """
     if not group.properties:
         return
@@ -139,8 +141,8 @@ def _drive(system, group, found, mesh, slot):
 def waits(group):
     """Yield driver Variables that make the solver wait until Blender has copied the datablocks of a group's driven properties.
 
-    The solver reads the properties' keyframes from these evaluated copies. It does not wait for the properties themselves: that would
-    be a dependency cycle.
+    The solver reads the properties' keyframes from these evaluated copies. The Variables do not read the driven properties: that would be a
+    dependency cycle.
     """
     for id_data in dict.fromkeys(_datablocks(group)):
         copies.mark(id_data)
@@ -157,7 +159,7 @@ def _datablocks(group):
 
 
 def remove(system, meshes):
-    """Remove the sinks of the hubs with these meshes from all datablocks; the properties get their own values back."""
+    """Remove the drivers that read the hubs with these meshes from all properties, and set the properties to their own values."""
     for holder, curve, mesh in _sinks(meshes):
         _restore(system, holder, curve, mesh)
         holder.animation_data.drivers.remove(curve)
@@ -165,9 +167,9 @@ def remove(system, meshes):
 
 
 def remove_copies(system, owner, mesh):
-    """Remove the drivers that were copied with an owner, or with datablocks that it uses, and that read the hub of the original owner.
+    """Remove drivers that read the hub of a different owner and that were copied with this owner or with datablocks that it uses.
 
-    If the owner is a library override, its drivers that read the overridden hub are removed. mesh: mesh of that hub.
+    If the owner is a library override, its drivers that read the overridden hub are removed. mesh: mesh of the hub.
     """
     for order, note in enumerate(_notes_of(mesh)):
         if _object_key(order) in mesh:
@@ -193,9 +195,9 @@ def _tidy(holder):
 
 
 def _restore(system, holder, curve, mesh):
-    """Set a driven property to the value that it had without the driver.
+    """Set a driven property to its own value, which the Note on the hub's mesh holds; nothing happens if the driver is at rest.
 
-    curve: F-curve of the driver. mesh: mesh of the hub that it reads.
+    holder: datablock of the property. curve: F-curve of the driver. mesh: mesh of the hub that the driver reads.
     """
     note = next((one for one in _notes_of(mesh) if _reads(system, curve, one)), None)
     if note is None or curve.data_path == _REST_PATH:
@@ -217,9 +219,10 @@ def rest(system, mesh):
 
 
 def wake(system, owner, mesh):
-    """Unmute all property drivers that read a hub, and aim them at their properties again; linked drivers are changed in memory only.
+    """Unmute all resting property drivers that read a hub, and aim them at their properties again.
 
-    Drivers that Blender has copied anew to a library override are made to read the override's hub. mesh: mesh of the hub.
+    Linked drivers are changed in memory only. Drivers that Blender has copied from a library to its override are made to read the
+    override's hub. mesh: mesh of the hub.
     """
     notes = list(_notes_of(mesh))
     for order, note in enumerate(notes):
@@ -232,7 +235,7 @@ def wake(system, owner, mesh):
         for curve in resting:
             if _hub_of(curve) != mesh:
                 curve.driver.variables[VARIABLE].targets[0].id = mesh
-            notes[order] = note._replace(base=found.number.present)  # the value may have been edited since
+            notes[order] = note._replace(base=found.number.present)  # the value may have been edited while the driver was at rest
             curve.data_path, curve.array_index, curve.mute = found.data_path, max(note.index, 0), False
             if not found.id_data.library:
                 found.id_data.pop(REST_KEY, None)
@@ -249,16 +252,19 @@ def is_resting(mesh):
 
 
 def clear(mesh, box):
-    """Set the outputs of all driven properties to NaN, which means "do not set", before the solver is called. box: array of results."""
+    """Set the outputs of all driven properties to NaN, which means "do not set". This is done before the solver is called.
+
+    mesh: mesh of the hub. box: array of the outbox.
+    """
     for note in _checked(mesh, box):
         box[note.slot] = math.nan
 
 
 def blend(mesh, owner, box, frame, weight):
-    """Replace the output of each driven property by the blend of the property's own value and the output.
+    """Replace the output of each driven property by a blend of the property's own value and the output.
 
-    The weight is the share of the output. An output that is NaN or infinite gives the own value. owner: evaluated. box: array of
-    results.
+    weight: share of the output, 0 to 1. If an output is NaN or infinite, the own value replaces the output. owner: evaluated owner. box:
+    array of the outbox.
     """
     for order, note in enumerate(_checked(mesh, box)):
         value = box[note.slot]
@@ -270,16 +276,19 @@ def blend(mesh, owner, box, frame, weight):
 
 
 def blend_none(system, key, mesh, frame):
-    """Set the outputs of all driven properties to the properties' own values, for a hub that was not solved.
+    """Set the outputs of all driven properties to the properties' own values, if the solver of the hub could not compute.
 
-    Raises Damaged if the data on the hub's mesh cannot be read.
+    key: key of the group. Raises Damaged if the data on the hub's mesh cannot be read.
     """
     box = stored.doubles(mesh.get(outbox.out_key(system, key)))
     blend(mesh, mesh.get(outbox.OWNER_KEY), box, frame, 0.0)
 
 
 def _own(obj, note, frame):
-    """Return the own value of a driven property: the value of its keyframes at the frame, or Note.base if it has no usable keyframes."""
+    """Return the own value of a driven property: that of its keyframes at the frame, or Note.base if it has no usable keyframes.
+
+    obj: object from which the path in the Note starts.
+    """
     found = _found(obj, note)
     if found:
         keys = channel.Channel(found.id_data, found.data_path, note.index, is_beneath_driver=True)
@@ -291,7 +300,7 @@ def _own(obj, note, frame):
 def driven_properties(system, owner):
     """Yield (object, function) for each property that an owner drives now.
 
-    The function returns the Place of the property if it is called with the object or its evaluated copy.
+    The function, called with the object or its evaluated copy, returns the Place of the property.
     """
     for _, mesh in hub_lookup.carriers_of(system, owner):
         for order, note in enumerate(_notes_of(mesh)):
@@ -311,9 +320,9 @@ def are_driven(system, owner, mesh):
 
 
 def renamed_bones(system, owner):
-    """Return (old name, new name) for each renamed bone of the owner whose properties the owner drives.
+    """Return (old name, new name) for each renamed bone of an owner if the owner drives properties of the bone.
 
-    Blender has updated the name in the data paths of the drivers; the Notes have the old name.
+    Blender has updated the name in the data paths of the drivers. The Notes on the hub's mesh have the old name.
     """
     found = {}
     for _, mesh in hub_lookup.carriers_of(system, owner):
@@ -346,9 +355,9 @@ def _parsed(text):
 
 
 def _notes(mesh):
-    """Return a Note (which property is driven, and its own value) for each property that a hub's mesh drives, from the text on the mesh.
+    """Return the Notes of all properties that a hub drives, parsed from the text on the hub's mesh.
 
-    Raises Damaged if the text does not have the form in which add() writes it.
+    A Note says which property is driven, and its own value. Raises Damaged if the text does not have the form in which add() writes it.
     """
     text = mesh.get(KEY)
     if text is None:
@@ -360,7 +369,7 @@ def _notes(mesh):
 
 
 def _notes_of(mesh):
-    """Return the Notes of the properties that a hub's mesh drives; none if they are damaged."""
+    """Return the Notes of all properties that a hub's mesh drives, as a tuple; it is empty if the Notes are damaged."""
     try:
         return _notes(mesh)
     except stored.Damaged:
@@ -400,7 +409,7 @@ def _is_of(curve, owner, mesh):
 
 
 def _reads(system, curve, note):
-    """Whether a property driver reads the slot of the array of results that a Note names."""
+    """Whether a property driver reads the slot of an outbox that is stored in a Note. curve: F-curve of the driver."""
     found = outbox.slot_pattern(system).match(curve.driver.variables[VARIABLE].targets[0].data_path)
     return found is not None and int(found["slot"]) == note.slot
 

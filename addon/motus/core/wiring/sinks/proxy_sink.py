@@ -4,8 +4,8 @@ They serve relative objects, and relative bones whose own channels have drivers.
 own transform.
 
 In Blender's dependency graph, a bone's channels and the values of its constraints are one node. A driver that brings the solver's
-result to a constraint would have to come before the bone's own drivers, and also after the solver, which needs the results of those. So
-a hidden empty, the *proxy*, is moved, rotated and scaled by drivers, and the bone copies the proxy's transform on top of its own. A
+result to a constraint would have to come before the bone's own drivers, and also after the solver, which reads what they set. So a
+hidden empty, the *proxy*, is moved, rotated and scaled by drivers, and the bone copies the proxy's transform on top of its own. A
 relative object has a proxy whether or not its channels have drivers, unless the system requires equal matrices in all versions of
 Blender (same_bits): Copy Transforms keeps a negative scale, which a Transformation constraint does not.
 
@@ -23,7 +23,7 @@ from ..hubs import marks, outbox
 
 
 def is_needed(system, member, driven_bones):
-    """Whether a member needs a proxy. driven_bones: names of the owner's bones whose own channels have drivers."""
+    """Whether a member needs a proxy as sink. driven_bones: names of the owner's bones whose own channels have drivers."""
     if isinstance(member.thing, bpy.types.PoseBone):
         return member.is_relative and member.thing.name in driven_bones
     return member.is_relative and not system.same_bits
@@ -80,7 +80,7 @@ def proxy_of(constraint):
 
 
 def has_strange_proxies(obj):
-    """Whether an object is a copy on which, or on whose bones, constraints still read the proxies of the object it was copied from."""
+    """Whether constraints on an object, or on its bones, read proxies of a different object, from which this object was copied."""
     things = (obj, *(obj.pose.bones if obj.pose else ()))
     proxies = (proxy_of(constraint) for thing in things for constraint in thing.constraints)
     return any(proxy.get(marks.PROXY_KEY) != obj for proxy in proxies if proxy)

@@ -16,7 +16,7 @@ AIMING = {'TRACK_TO', 'DAMPED_TRACK', 'LOCKED_TRACK'}
 def add(system, owner, group, part):
     """Add the sinks of a group: drivers of its properties, and the modifier of the owner or the constraints of the members.
 
-    Each driven object that is not the owner gets a pointer to the owner, its leader, in its settings. part: Part of the owner in the hub
+    Each driven object that is not the owner gets, in its settings, a pointer to the owner, its leader. part: Part of the owner in the hub
     that computes the group.
     """
     settings = of_owner(system, owner)
@@ -50,7 +50,10 @@ def _add_constraints(system, owner, group, part):
 
 
 def places(system, owner):
-    """Return {Object or PoseBone: [(index in its constraints, whether muted) of each sink, in order]} for all that an owner drives."""
+    """Return {Object or PoseBone: [(index among its constraints, whether muted) for each sink]} for all members of an owner.
+
+    The sinks of a member are in the order of its constraints.
+    """
     ours = {}
     for thing, constraint in finding.sinks(system, owner):
         ours.setdefault(thing, []).append(constraint.name)
@@ -61,11 +64,11 @@ def places(system, owner):
 
 
 def order(system, owner, groups, before):
-    """Move new sinks, which were added behind all other constraints, to the right places among the constraints of each member.
+    """Move new sinks, which were added behind all other constraints, to the right positions among the constraints of each member.
 
-    before: result of places() for the earlier wiring, from which sinks get their earlier indices and mute states. Sinks of a member
-    that had none stay last, with two exceptions: sinks of a system that lays poses come first, and sinks that move a member come before
-    the constraints at the end that aim the member at something.
+    before: result of places() for the earlier wiring, from which sinks get their earlier indices and mute states. If a member had no sinks,
+    its new sinks stay last, with two exceptions. Sinks of a system that lays poses come first. Sinks that move a member come before the
+    constraints at the end that aim the member at something.
     """
     aimed = {member.thing for group in groups for member in group.members if _is_aimed_afterwards(member)}
     for thing, found in places(system, owner).items():
@@ -84,7 +87,10 @@ def _is_aimed_afterwards(member):
 
 
 def _first_aiming(thing, end):
-    """Return the index at which the unbroken run of aiming constraints before the index `end` begins."""
+    """Return the index at which the unbroken run of aiming constraints (AIMING) begins that ends before the index `end`.
+
+    thing: object or pose bone with the constraints. The result is `end` if there is no such constraint.
+    """
     while end and thing.constraints[end - 1].type in AIMING:
         end -= 1
     return end

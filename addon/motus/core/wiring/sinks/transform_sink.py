@@ -36,9 +36,10 @@ def add(system, group, index, part):
 
 
 def _mapped(member, channel, hub):
-    """Add a Transformation constraint whose input range is empty, so that the minimum of its output range is applied.
+    """Add to a member a Transformation constraint for one channel: "location", "rotation" or "scale".
 
-    Returns (constraint, data paths of the output's minimum, with {} for the axis).
+    Its input range is empty, so that the minimum of its output range is always applied. Returns (constraint, data paths of this minimum,
+    with {} in place of the axis).
     """
     constraint = member.thing.constraints.new('TRANSFORM')
     constraint.target = hub
