@@ -19,7 +19,7 @@ from . import overrides, readers, renaming, signature, solver_driver, unwiring, 
 
 
 def attach(system, owner):
-    """Wire `system` on `owner`: create hubs with solvers and outboxes, and sinks on all members; an earlier wiring is replaced."""
+    """Wire a system on an owner: create hubs with solvers and outboxes, and sinks on all members. An earlier wiring is replaced."""
     _wire(system, owner, {})
     refresh_others(system, owner)
 
@@ -85,7 +85,7 @@ def touch(system, owner):
 
 
 def refresh(system, owner):
-    """Wire an owner again after a change of what is driven or read: targets, members or channels.
+    """Wire an owner again, because targets, members or channels in the owner's settings have changed.
 
     Nothing happens if the object is linked or is no owner of the system.
     """

@@ -103,7 +103,10 @@ def complete_reference(owner):
 
 @persistent
 def complete_references(*_):
-    """Give the library's objects of all overrides in the file the groups of Motus settings that the overrides have."""
+    """Do the same as complete_reference() for all library overrides in the file.
+
+    The library's object of each override gets all groups of Motus settings that the override has.
+    """
     for owner in bpy.data.objects:
         if owner.override_library and not owner.library:
             complete_reference(owner)

@@ -32,7 +32,7 @@ def add(system, owner, group, part):
     call = f'motus_solve(self,"{_name(system, group)}",frame,depsgraph{expression})'
     if system.moves_points:
         # Blender assumes that a driver expression with a call or with `frame` in it changes with time, and then evaluates the mesh anew
-        # on every frame. An expression with only a subscript is neither, so a mesh that does not change is not evaluated anew.
+        # on every frame. Blender does not assume this of a subscript, so a mesh that does not change is not evaluated anew.
         call = f'motus_points[self,"{_name(system, group)}"{expression}]'
     drivers.add(part.mesh, path, call, variables, index=outbox.STATUS, use_self=True)
     copies.mark(*(variable.id for variable in variables.values() if variable.id_type == 'CURVE'))
@@ -78,7 +78,7 @@ def renamed_reads(system, owner):
         for old, (rig, new) in zip(known.reads if known else (), waits(system, owner, key)):
             if old != new and rig and rig.pose and new in rig.pose.bones:
                 # An object's copy uses the hubs of the object from which it was copied. If that object's solver reads the object
-                # itself, the copy is meant here.
+                # itself, the renamed bone is one of the copy.
                 found[owner if rig == first else rig, old] = new
     return [(rig, old, new) for (rig, old), new in found.items()]
 
@@ -184,7 +184,7 @@ def _wait_for_keys(system, owner):
 
 
 def wait_key(system):
-    """Return the name of the custom property that _wait_for_keys() creates on an owner."""
+    """Return the name of the custom property of an owner by which the system's solvers wait for the owner's F-curves."""
     return f"motus_{system.name}_wait"
 
 

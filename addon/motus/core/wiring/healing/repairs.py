@@ -38,11 +38,11 @@ AFTER_EVALUATION = EDIT, FRAME
 
 
 class Event:
-    """Call of a Blender handler.
+    """Call of a Blender handler, in which changes are looked for.
 
-    moment: EDIT, FRAME, LOADED, ARRIVED, SAVING or SAVED. depsgraph: None if Blender passes none to the handler.
-    have_collections_changed: whether objects may have been linked to collections or unlinked from them in this evaluation. has_armatures:
-    whether armatures were updated in it. Both are False without a depsgraph.
+    moment: EDIT, FRAME, LOADED, ARRIVED, SAVING or SAVED. depsgraph: dependency graph, or None if Blender passes none to the handler.
+    have_collections_changed: whether objects may have been linked to collections or unlinked from them in this evaluation; False without a
+    depsgraph. has_armatures: whether armatures were updated in this evaluation; False without a depsgraph.
     """
 
     def __init__(self, moment, depsgraph=None):
@@ -272,7 +272,7 @@ def _with_other_collection(event):
 
 
 def _edited_armatures(event):
-    """Return the original armatures that were updated in this evaluation and are not in Edit Mode."""
+    """Return the armatures that were updated in this evaluation and are not in Edit Mode, as a set of original datablocks."""
     if not event.has_armatures:
         return set()
     edited = [

@@ -23,7 +23,7 @@ class Noticed:
         self.reset()
 
     def reset(self):
-        """Discard everything that was detected, because a different file is open."""
+        """Discard everything that was detected except the number of evaluations. Called when a different file was opened."""
         self.in_use = False
         """Whether any solver was called since the file was opened; solvers set it. Until then most kinds of repairs are not looked for."""
         self.object_count = -1

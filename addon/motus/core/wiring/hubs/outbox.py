@@ -78,7 +78,7 @@ class Info:
 
     @functools.cached_property
     def layout(self):
-        """Layout of the outbox of this group."""
+        """Layout of the outbox of the group that this Info describes."""
         return Layout(FIRST_OUTPUT + len(self.outputs), len(self.members), self.has_scales, self.is_relative, self.uses_attribute)
 
     @functools.cached_property
@@ -133,12 +133,12 @@ _Mesh, _Object = bpy.types.Mesh, bpy.types.Object  # looking them up in bpy.type
 
 
 def out_key(system, group=""):
-    """Return the name of the custom property that holds the outbox of a group; group: the group's key."""
+    """Return the name of the custom property of a hub's mesh that holds the outbox of a group. group: key of the group."""
     return f"motus_{system.name}_out_{group}" if group else f"motus_{system.name}_out"
 
 
 def info_key(system, group=""):
-    """Return the name of the custom property that describes a group's outbox; group: the group's key."""
+    """Return the name of the custom property of a hub's mesh that holds the description (Info) of a group. group: key of the group."""
     return f"motus_{system.name}_info_{group}" if group else f"motus_{system.name}_info"
 
 
@@ -157,22 +157,22 @@ def slot_pattern(system):
 
 
 def pose_base(group):
-    """Return the index of the first pose's first slot in the outbox of a group."""
+    """Return the index of the slot at which the members' poses begin in the outbox of a group."""
     return FIRST_OUTPUT + len(group.outputs)
 
 
 def pose_slot(group, member):
-    """Return the index of the first of the six slots for the location and rotation of a member, given by its index."""
+    """Return the index of the first of the six slots for the location and rotation of a member. member: index of the member."""
     return pose_base(group) + POSE_SIZE * member
 
 
 def scale_slot(group, member):
-    """Return the index of the first of the three slots for the scale of a member, given by its index."""
+    """Return the index of the first of the three slots for the scale of a member. member: index of the member."""
     return pose_slot(group, len(group.members)) + SCALE_SIZE * member
 
 
 def has_scales(group):
-    """Whether the outbox of a group holds scales: any member has the channel "scale"."""
+    """Whether the outbox of a group holds scales. This is so if any member has the channel "scale"."""
     return any("scale" in member.channels for member in group.members)
 
 
@@ -273,7 +273,7 @@ def is_hub(mesh):
 
 
 def key_on_hub(system, mesh):
-    """Return the key of the system's group that a hub's mesh computes; None if the mesh computes no group of the system."""
+    """Return the key of the system's group for which a hub's mesh has the outbox; None if the mesh has none of the system."""
     if out_key(system) in mesh:
         return ""
     prefixes = out_key(system), info_key(system)

@@ -19,10 +19,10 @@ from . import outbox, sharing
 def wants_outlet(system, owner):
     """Whether an owner is to have an outlet, the custom property that repeats the solver's outputs.
 
-    An owner has no outlet if the system has no outputs, or if settings are animated: the solver would have to wait for the settings,
-    which Blender's dependency graph does not distinguish from the outlet. It also has none if the solver reads the owner's own world
-    matrix: the owner's other solvers wait for the owner's properties, and the matrix waits for those solvers, so the graph would have a
-    cycle.
+    An owner has no outlet if the system has no outputs, or if settings are animated: the solver would have to wait for the settings, which
+    Blender's dependency graph does not distinguish from the outlet. An owner also has no outlet if the solver reads the owner's own world
+    matrix: the owner's other solvers wait for the owner's properties, and the matrix waits for those solvers, so the dependency graph would
+    have a cycle.
     """
     return bool(system.outputs) and not copies.has_animated_settings(owner) and not _waits_for_itself(system, owner)
 
@@ -41,8 +41,8 @@ def create_outlet(system, owner, part):
         return
     size = outbox.FIRST_OUTPUT + len(system.outputs)
     owner[outbox.out_key(system)] = [float(outbox.SILENT)] + [0.0] * (size - 1)
-    # If the solver reads the owner, it writes the slots behind the first one itself. If not, drivers that copy all of the slots take less
-    # time than one call into Python.
+    # If the solver reads the owner, the solver writes all slots of the outlet but the first. If not, drivers copy all slots, which takes
+    # less time than one call into Python.
     for slot in (outbox.STATUS,) if part.reads_owner else range(size):
         source = Variable('MESH', part.mesh, outbox.out_path(system, part.first + slot))
         drivers.copy_value(owner, outbox.out_path(system), source, index=slot)

@@ -45,7 +45,7 @@ class Part(NamedTuple):
 
 
 def parts(system, owner):
-    """Return the Part of each hub that an owner points to, in the order of its groups."""
+    """Return a list with the Part of each hub to which an owner's settings point, in the order of the groups."""
     return [_part(system, owner, key, hub.data, hub) for key, hub in hub_lookup.hubs(system, owner)]
 
 
@@ -155,7 +155,7 @@ def _holder(system, owner, mesh):
 
 
 def claims(system, obj, mesh):
-    """Whether an object is an owner of the system that points to a hub with this mesh."""
+    """Whether an object is an owner of the system and its settings point to the hub with this mesh."""
     if not is_owner(system, obj):
         return False
     hub = pointed(of_owner(system, obj), "hub")

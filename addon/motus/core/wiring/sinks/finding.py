@@ -72,7 +72,7 @@ def renamed_bones(system, owner):
         if old == thing.name:
             at_home.add(old)
         else:
-            found.setdefault(old, thing.name)  # the first bone counts: copies of a bone come after it
+            found.setdefault(old, thing.name)  # the first bone is the renamed one: copies of a bone come after it
     return [(old, new) for old, new in found.items() if old not in at_home]
 
 
@@ -119,7 +119,7 @@ def _is_abandoned(carrier):
 def release(system, *objects):
     """Remove all sinks of the system from these objects, whichever owner drives them.
 
-    An object that is itself an owner has to be detached instead.
+    Not for owners of the system: detach() removes their wiring.
     """
     found = [one for obj in objects for one in on_object(system, obj)]
     for obj in objects:
@@ -173,7 +173,7 @@ def remove_all(system, owner, parts):
 
 
 def _remove_orphans(system, owner):
-    """Remove remains of sinks from an owner: drivers of constraints whose bone is gone, and constraints whose hub is gone.
+    """Remove from an owner the drivers of constraints whose bone is gone, and the sinks on bones whose hub is gone.
 
     Removing a bone in Edit Mode leaves the drivers of its constraints behind.
     """
@@ -191,7 +191,7 @@ def _remove_orphans(system, owner):
 def _strays(system, owner):
     """Return (PoseBone, constraint) for each sink on an owner's bones whose hub is gone.
 
-    The list is empty for library overrides, which may have lost their hubs.
+    The list is empty for a library override: its sinks may be valid although Blender has lost the pointers to their hubs.
     """
     if system.groups is None or owner.pose is None or owner.override_library:
         return []

@@ -19,7 +19,7 @@ HUB = "Hub"
 
 
 def prepare(system, mesh, settings):
-    """Add to a hub's mesh the attributes that the solver fills for an owner with these settings."""
+    """Add to a hub's mesh the attributes that the solver fills. settings: the owner's settings, which say what attributes are needed."""
     _kind(system).prepare(system, mesh, settings)
 
 

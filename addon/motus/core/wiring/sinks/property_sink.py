@@ -384,7 +384,7 @@ def _found(obj, note):
 
 
 def _sinks(meshes):
-    """Return (datablock, F-curve of the driver, mesh of the hub) for each property driver that reads one of these hubs' meshes."""
+    """Return (datablock, F-curve of the driver, mesh of the hub) for each property driver that reads the hub of one of these meshes."""
     with_notes = {mesh for mesh in meshes if KEY in mesh}
     found = drivers.targets_on(with_notes) if with_notes else ()
     return [(holder, curve, variable.targets[0].id) for holder, curve, variable, _ in found if variable.name == VARIABLE]
@@ -400,7 +400,10 @@ def _hub_of(curve):
 
 
 def _is_of(curve, owner, mesh):
-    """Whether a property driver reads this hub's mesh, or, if the owner is a library override, the hub of the library's object."""
+    """Whether a property driver reads this hub's mesh, or, if the owner is a library override, the hub of the library's object.
+
+    curve: F-curve of the driver. mesh: mesh of the hub.
+    """
     hub = _hub_of(curve)
     if hub is None or hub == mesh:
         return hub is not None

@@ -64,7 +64,7 @@ def _keep(settings, name, proxy):
 
 
 def release(settings):
-    """Remove the pointers to proxies from the settings, and each proxy that nothing else uses."""
+    """Remove the pointers to proxies from an owner's settings, and remove from the file each proxy that nothing else uses."""
     kept = {pointed(entry, "object") for entry in settings.targets} - {None}
     settings.targets.clear()
     for one in kept:
@@ -73,7 +73,7 @@ def release(settings):
 
 
 def proxy_of(constraint):
-    """Return the proxy that a constraint copies; None if the constraint copies none."""
+    """Return the proxy whose transform a constraint copies; None if the constraint copies no proxy."""
     if constraint.type != 'COPY_TRANSFORMS' or constraint.target is None or marks.PROXY_KEY not in constraint.target:
         return None
     return constraint.target

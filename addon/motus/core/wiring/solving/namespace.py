@@ -83,7 +83,7 @@ def _rest(system, key, carrier, frame):
 def _rest_slots(system, key, carrier):
     memory = memoryview(carrier[outbox.out_key(system, key)])
     box = np.frombuffer(memory, memory.format)
-    if property_sink.KEY not in carrier:  # with it, zeros would set the driven properties to 0
+    if property_sink.KEY not in carrier:  # if the hub drives properties, zeros would be set as their values
         # Neutral values even if the meaning of the slots is unknown: in a file as it was saved, all slots are 0, except scales, which
         # are 1.
         box[box != 1] = 0

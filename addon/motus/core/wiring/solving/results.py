@@ -44,7 +44,7 @@ class Poses:
         """
         scales = self.scales if has_scales else None
         native.module.pack_matrices(self.locations, self.rotations, out=self._matrices, scales=scales)
-        if self._is_checked:  # the evaluated copy for which the solver was prepared has the attribute as it was
+        if self._is_checked:  # attributes.write() has checked the attribute of this evaluated copy before
             carrier.attributes[attribute_sink.ATTRIBUTE].data.foreach_set("value", self._numbers)
         else:
             attributes.write(carrier, attribute_sink.ATTRIBUTE, 'FLOAT4X4', self._matrices)

@@ -31,7 +31,10 @@ class RowsSolver:
         self._name = mesh.name if not mesh.library else None
 
     def _context(self, index, row):
-        """Return the Context for one row; None if no owner has the row, or if the row is damaged."""
+        """Return the Context with which System.solve is called for a row; None if no owner has the row, or if the row is damaged.
+
+        index: index of the row. row: its Row, None or Damaged.
+        """
         slots, here = self._table[index], slice(index, index + 1)
         if isinstance(row, rows.Row):
             return Context(
@@ -52,7 +55,10 @@ class RowsSolver:
         return registered.get(self._system.name) is self._system
 
     def solve(self, frame, depsgraph, values):
-        """Solve all rows, and write the results into the outbox on the hub's mesh; returns the status of row 0, on which the driver is."""
+        """Solve all rows, and write the results into the outbox on the hub's mesh.
+
+        values: values of the inputs that the driver passes on. Returns the status of row 0, whose status slot has the driver.
+        """
         table, layout, poses = self._table, self._layout, self._poses
         noticed.in_use = True
         table[:, outbox.WEIGHT] = 0.0

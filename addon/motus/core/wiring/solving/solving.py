@@ -114,7 +114,7 @@ class Solver:
         )
 
     def is_current(self):
-        """Whether the owner still has the evaluated copy for which this solver was prepared."""
+        """Whether the solver can be used again: the owner still has the evaluated copy for which the solver was prepared."""
         try:
             return self._copy is not None and copies.of(self._owner) is self._copy and registered[self._system.name] is self._system
         except (KeyError, ReferenceError):  # the system was unregistered, or the owner was removed
@@ -179,7 +179,8 @@ class Solver:
     def _is_finite(self, room):
         """Whether all results are finite numbers that may reach the sinks; outputs that are not finite are set to 0.
 
-        Outputs that set properties are not checked: NaN there means that the property is left alone.
+        Outputs that set properties are not checked: NaN there means that the property is left alone. room: object with the memory of a
+        system that makes or moves points; None for other systems.
         """
         outputs = self._context.outputs
         if len(outputs) and not self._drives_properties and not finite.is_finite(outputs):
