@@ -105,9 +105,59 @@ class FarTest(support.SceneTestCase):
         _, count = self.samples(FAR, *balls)
         self.assertLess(count, 400_000)
 
-    def swinging(self, count):
+    def test_many_objects_share_the_bound(self):
+        """So that a frame of all of them takes no longer than one of a single one at its hardest."""
+        balls = [repeated(f"Ball {index}") for index in range(4)]
+        for ball in balls:
+            add(ball, damping=0.0)
+        limit = 2_000_000
+        with mock.patch.object(support.addon("core.measures.bounds"), "MANY_AT_ONCE", limit):
+            found, count = self.samples(FAR, *balls)
+            self.assertLess(10 * count, 1.1 * limit)
+            for ball in balls:
+                self.assertIn("have fewer dynamics", problem(ball).sentence)
+            again, _ = self.samples(FAR, *reversed(balls))
+            np.testing.assert_array_equal(again[::-1], found)
+            bpy.data.objects.remove(balls.pop())
+            bpy.data.objects.remove(balls.pop())
+            bpy.context.view_layer.update()
+            _, fewer = self.samples(FAR, *balls)
+        self.assertGreater(fewer, 0.9 * count, "two have what four had")
+
+    def test_many_rigs_share_the_bound(self):
+        """Of each less is sampled than of one alone, and what they make of it is the same in any order."""
+        rigs = [self.swinging(3, f"Rope {index}") for index in range(4)]
+        limit = 3_000_000  # a rope alone has four whole pieces in it
+        with mock.patch.object(support.addon("core.measures.bounds"), "MANY_AT_ONCE", limit):
+            self.assertLess(self.check_shared(rigs), 1.1 * limit)
+            found = [matrix(rig, FAR, "Tail 0 2") for rig in rigs]
+            for rig, expected in reversed(list(zip(rigs, found))):
+                go_to(FAR - 40)
+                np.testing.assert_array_equal(matrix(rig, FAR, "Tail 0 2"), expected)
+
+    def check_shared(self, rigs):
+        """The price of all samples of ropes with three bones on a frame far away."""
+        go_to(250)
+        _, count = self.samples(FAR, *rigs)
+        for rig in rigs:
+            self.assertTrue(np.isfinite(matrix(rig, FAR, "Tail 0 2")).all())
+        return count * 10 * 4
+
+    def test_many_loops_share_the_bound(self):
+        """A long loop has as many samples as there is time for."""
+        ball = moved(rows={1: (0.0, 0.0, 0.0), 101: (3.0, 0.0, 0.0), 201: (0.0, 0.0, 0.0)})
+        add(ball, use_loop=True, loop_start=1, loop_end=201)
+        counts = []
+        for limit in (16_000_000, 2000):
+            ball.update_tag()
+            with mock.patch.object(support.addon("core.measures.bounds"), "MANY_AT_ONCE", limit):
+                counts.append(self.samples(30, ball)[1])
+        # Whole frames are samples in any case.
+        self.assertEqual(counts, [1601, 201])
+
+    def swinging(self, count, name=""):
         """A rope whose bones all repeat their keys for ever, and follow them with hardly any damping."""
-        rig = rope(count, name=f"Rope {count}")
+        rig = rope(count, name=name or f"Rope {count}")
         for index in range(count):
             bone = rig.pose.bones[f"Tail 0 {index}"]
             bone.rotation_mode = 'XYZ'
@@ -130,8 +180,8 @@ class FarTest(support.SceneTestCase):
             asked.append(len(times))
             return asked_of_blender(curve, times)
 
-        def make(context, copy, scene):
-            made.append(found_of(context, copy, scene))
+        def make(*arguments):
+            made.append(found_of(*arguments))
             return made[-1]
 
         asked_of_blender, found_of = keys._asked, solve._make
@@ -147,7 +197,7 @@ class FarTest(support.SceneTestCase):
         reach, samples, asked = self.work(rig, FAR)
         self.assertEqual(asked, 0)
         # A transform at one time is 10 numbers. Keys of the rope are samples too.
-        self.assertLess(samples * 10 * (count + 1), 1.1 * support.addon("core.measures.bounds").AT_MOST)
+        self.assertLess(samples * 10 * (count + 1), 1.1 * support.addon("core.measures.bounds").MANY_AT_ONCE)
         self.assertIn("have fewer dynamics", problem(rig).sentence)
         last = f"Tail 0 {count - 1}"
         alone = matrix(rig, FAR, last)

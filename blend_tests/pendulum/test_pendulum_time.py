@@ -1,6 +1,7 @@
 """The pendulum's own time: start, speed, play and pause with keys; and dragging while it stands still."""
 
 import math
+from unittest import mock
 
 import bpy
 from mathutils import Vector
@@ -159,3 +160,68 @@ class Drag(PendulumTestCase):
         self.assertRefused("not a finite number", drag, object=pivot.name, location=(math.nan, 0, 0))
         self.link("Cube")
         self.assertRefused("Nothing here is part of a pendulum", drag, object="Cube", location=(0, 0, 0))
+
+
+class Bounds(PendulumTestCase):
+    """Nobody waits in a viewport for the motion of many pendulums far from their start."""
+
+    def setUp(self):
+        super().setUp()
+        self.solve, self.bounds = support.addon("pendulum.solve"), support.addon("core.measures.bounds")
+        self.fan = self.add(kind='FAN', count=10)
+        settings = self.fan.motus.pendulum
+        self.farthest = native().double_pendulum_longest_time(settings.angle1, settings.angle2, gravity=bpy.context.scene.gravity.length)
+        # Ten pendulums for fifty seconds.
+        limit = mock.patch.object(self.bounds, "AT_ONCE", 10 * self.solve.TABLE * 50.0 / self.farthest)
+        limit.start()
+        self.addCleanup(limit.stop)
+
+    def told(self, seconds):
+        """Whether the panel says what to lower, that many seconds after the start; and no motion is computed then."""
+        with mock.patch.object(self.solve, "_fan", wraps=self.solve._fan) as computed:
+            self.fan.motus.pendulum.angle1 += 1e-6
+            self.fan.update_tag()
+            go_to(1 + 24 * seconds)
+        is_told = "take fewer" in self.sentence(self.fan)
+        self.assertEqual(computed.called, not is_told)
+        return is_told
+
+    def test_a_fan(self):
+        self.assertEqual([self.told(seconds) for seconds in (49, 51, 1, 40_000)], [False, True, False, True])
+
+    def test_fewer_are_known_for_longer(self):
+        bpy.ops.motus.pendulum_remove(object=self.fan.name)
+        self.fan = self.add(kind='DOUBLE')
+        self.assertEqual([self.told(seconds) for seconds in (499, 501)], [False, True])
+
+    def test_all_of_a_scene_share_the_time_of_a_frame(self):
+        self.add(kind='DOUBLE')
+        self.assertEqual([self.told(seconds) for seconds in (24, 26, 49)], [False, True, True])
+
+    def test_a_formula_takes_no_longer(self):
+        for damping in (0.0, 0.1):
+            single = self.add(kind='SINGLE', angle1=1.0, damping=damping)
+            swing = self.solve.swing_of(single.motus.pendulum, bpy.context.scene)
+            self.assertEqual(math.isinf(swing.farthest), damping == 0.0)
+
+    def test_damped_ones_are_known_about_as_far_as_said(self):
+        """The native module has them farther than half the time, and no farther than twice the time, by which they are priced."""
+        for length in (0.1, 1.0, 20.0):
+            single = self.add(kind='SINGLE', angle1=1.0, length1=length, damping=0.1)
+            swing = self.solve.swing_of(single.motus.pendulum, bpy.context.scene)
+            swing.at(0.5 * swing.farthest)
+            with self.assertRaises(ValueError):
+                swing.at(2.0 * swing.farthest)
+
+    def test_renders_wait(self):
+        swing = self.solve.swing_of(self.fan.motus.pendulum, bpy.context.scene)
+        render = mock.Mock(mode='RENDER')
+        self.assertFalse(swing.takes_too_long(600.0, self.fan, render))
+
+    def test_the_trail_waits_too(self):
+        bpy.ops.motus.pendulum_trail_add(object=self.fan.name)
+        trail = support.addon("pendulum.parts").own_trail(self.fan)
+        go_to(1 + 24 * 600)
+        system = support.addon("pendulum").TRAILS
+        found = support.addon("core.wiring").problem(system, trail, bpy.context.evaluated_depsgraph_get())
+        self.assertIn("take fewer", found.sentence)

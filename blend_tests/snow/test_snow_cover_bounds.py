@@ -38,6 +38,39 @@ class Bounds(CoverTestCase):
         go_to(120)
         self.assertEqual(state(self.snow_cover), later)
 
+    def test_covers_share_the_time_of_a_frame(self):
+        """What one cover has worked out at once waits if several are to be."""
+        go_to(100)
+        price = max(self.work.price(plan) for _, plan in (place for place, _ in self.work._done.items()))
+        with mock.patch.object(self.work, "LONG", 1.5 * price):
+
+            def change():
+                self.emitter.motus.snow.seed += 1
+
+            self.assertEqual(self.done(change), 1)
+            self.square("Yard", (9.0, 0.0, 0.0))
+            second = self.cover("Yard")
+            before = state(self.snow_cover)
+            self.assertEqual(self.done(change), 0)
+            for one in (self.snow_cover, second):
+                self.assertIn("press Calculate Snow", self.cover_sentence(one))
+            self.assertEqual(state(self.snow_cover), before)
+
+    def test_smoothing_shares_the_time_of_a_frame(self):
+        lain_on = mock.Mock(area=4.0, faces=mock.Mock(triangles=range(2000)))
+        share = lambda rounds, of: self.work.share_of_smoothing((lain_on,), 0.1, rounds, of)  # noqa: E731
+        self.assertEqual(share(400, 0.25), 1.0, "far less than there is time for")
+        self.assertEqual(share(400_000, 0.25), 0.25)
+        go_to(100)
+        ((_, plan),) = [place for place, _ in self.work._done.items()][-1:]
+        bounds = support.addon("core.measures.bounds")
+        with mock.patch.object(bounds, "AT_ONCE", 8 * self.work.ROUND * len(layer(self.snow_cover)[0])):
+            done = self.work.do("Shared", plan._replace(smoothing=400, share=0.5))
+            alone = self.work.do("Alone", plan._replace(smoothing=400))
+        self.assertIs(done.fault, self.work.LESS_SMOOTH)
+        self.assertIs(alone.fault, self.work.LESS_SMOOTH)
+        self.assertFalse((done.covers[0].heights(4.0) == alone.covers[0].heights(4.0)).all())
+
     def test_renders_have_it_done(self):
         may_wait = self.work.may_wait
         modes = [mock.Mock(mode=mode) for mode in ('VIEWPORT', 'RENDER')]

@@ -60,6 +60,20 @@ class Landing(LandingCase):
         self.assertEqual(counts, sorted(counts))
         np.testing.assert_array_equal(flakes(emitter)["position"], every)
 
+    @support.in_one_blender
+    def test_emitters_share_the_time_of_a_frame(self):
+        self.board("Meadow", (0.0, 0.0, 0.0))
+        emitters = [self.add(collider="Meadow", rate=600.0, seed=seed) for seed in (1, 2)]
+        bounds, landings = support.addon("core.measures.bounds"), support.addon("snow.landings")
+        go_to(100)
+        support.addon("snow.flakes")._snows.clear()
+        for emitter in emitters:
+            emitter.motus.snow.seed += 2
+        with mock.patch.object(bounds, "AT_ONCE", 4 * landings.BLOCK):
+            go_to(100)
+            found = sum(len(flakes(emitter)["position"]) for emitter in emitters)
+        self.assertLessEqual(found, 4 * 256)
+
     def test_the_ground(self):
         emitter = self.add(use_ground=True, ground=1.0)
         go_to(121)

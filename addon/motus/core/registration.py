@@ -4,7 +4,7 @@ import bpy
 
 from . import bake, declare, keeping, settings, translations, wiring
 from .blender import handlers
-from .evaluated import read_keys
+from .evaluated import read_keys, shares
 from .file import deleted
 from .interface import baking, bone_entries, menus, overlay, panels, refreshing, ui
 from .interface.tracks import operators as track_operators, panel as track_panel
@@ -54,6 +54,7 @@ def _register(systems, languages, extra_classes, extra_add_menu):
     )
     _register_settings(systems)
     _call(deleted.register, deleted.unregister)
+    _call(shares.register, shares.unregister)
     _call(wiring.register, wiring.unregister)
     _call(read_keys.register, read_keys.unregister)
     _call(track_panel.register, track_panel.unregister)

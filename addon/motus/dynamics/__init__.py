@@ -16,6 +16,7 @@ SYSTEM = System(
     entries=groups.entries,
     bone_renamed=groups.bone_renamed,
     over_time=over_time.over_time,
+    load=lambda settings: len(settings.entries),
     extras=(menu,),
     object_menu=("motus.dynamics_add", "motus.dynamics_remove"),
     pose_menu=("motus.dynamics_add", "motus.dynamics_remove"),

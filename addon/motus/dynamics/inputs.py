@@ -111,8 +111,9 @@ def extent_of(found):
 def times_of(entry, found, scene, reach):
     """Return the frames, rising, at which the tracks of an entry's input are sampled. found: the tracks. reach: a sampling.Reach."""
     if has_loop(entry):
+        longest = sampling.FEW * reach.length
         loop = float(entry.loop_start), float(entry.loop_end)
-        return answered((tuple(found), loop, hash(scene)), lambda: np.array(sampling.between(found, *loop, scene)))
+        return answered((tuple(found), loop, longest, hash(scene)), lambda: np.array(sampling.between(found, *loop, scene, longest)))
     span = _span_of(entry, found, scene, reach)
     return answered((tuple(found), span, reach.length, hash(scene)), lambda: sampling.times(found, span, reach.length, scene))
 

@@ -40,15 +40,17 @@ class Span(NamedTuple):
     is_cut: bool
 
 
-def reach_of(scene, low, high, price):
+def reach_of(scene, low, high, price, share=1.0):
     """Return the Reach for the frames `low` to `high`, rounded to whole pieces: many frames share it, so that inputs are rarely sampled.
 
-    price: of a piece of PIECE of all inputs together. If FEW such pieces are too much work, the pieces are shorter.
+    price: of a piece of PIECE of all inputs together. share: of the limit of work, see core/evaluated/shares.py. If FEW such pieces are
+    too much work, the pieces are shorter.
     """
     first = scene_time.first(scene)
-    shares = 2 ** max(0, math.ceil(math.log2(max(FEW * price / bounds.AT_MOST, 1.0))))
-    length = max(1.0, round(PIECE * scene_time.fps(scene) / shares))
-    most = max(FEW, bounds.times(price))
+    limit = bounds.MANY_AT_ONCE * share
+    parts = 2 ** max(0, math.ceil(math.log2(max(FEW * price / limit, 1.0))))
+    length = max(1.0, round(PIECE * scene_time.fps(scene) / parts))
+    most = max(FEW, int(min(bounds.AT_ONCE, limit) // max(price, 1)))
     blocks = math.floor((low - first) / length), math.floor((high - first) / length)
     start = first + length * blocks[0] if blocks[0] > 0 else -math.inf
     return Reach(start, first + length * (max(blocks[1], 0) + 1), length, most)
@@ -83,14 +85,16 @@ def times(tracks, span, length, scene):
     return np.concatenate(found)
 
 
-def between(tracks, start, end, scene):
+def between(tracks, start, end, scene, longest=math.inf):
     """List rising frames from `start` to `end`: those at which the tracks are not smooth, and RATE a second between them.
 
-    If `start` to `end` is longer than PIECE, the distances grow, so that the number of frames stays about that of one piece.
+    If `start` to `end` is longer than PIECE, or than `longest` frames, the distances grow, so that the number of frames stays about that
+    of one piece, or of so many frames.
     """
     fps = scene_time.fps(scene)
+    longest = min(PIECE * fps, longest)
     bends = np.array(union([track.bounds(start, end) for track in tracks] or [[start, end]]))
-    length = min(1.0 / RATE, PIECE / RATE) * fps * max(1.0, (end - start) / (PIECE * fps))
+    length = min(1.0 / RATE, PIECE / RATE) * fps * max(1.0, (end - start) / longest)
     widths = np.diff(bends)
     parts = np.maximum(1, np.ceil(widths / length - 1e-6)).astype(int)
     ends = np.cumsum(parts)

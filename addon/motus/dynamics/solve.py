@@ -14,6 +14,7 @@ from ..core.animation import strips
 from ..core.declare import Problem, laying_systems, registered
 from ..core.evaluated import copies
 from ..core.evaluated.question import answered
+from ..core.evaluated.shares import share_of
 from ..core.file import stored
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
@@ -67,7 +68,7 @@ class Made(NamedTuple):
     stamp: hashable value that changes with the inputs, including those that `asked` (an Asked) names.
     parts: [motion.Part]. tails: [motion.Tails]. values: [motion.Values].
     plan: ((bone name, row of the member), ...) of the bones in `tails`. problem: the Problem to report, or None.
-    weights: of all entries; None if they are animated.
+    weights: of all entries; None if they are animated. share: of the limit of work, that the owner had (core/evaluated/shares.py).
     """
 
     stamp: Any
@@ -79,6 +80,7 @@ class Made(NamedTuple):
     plan: Any
     problem: Any
     weights: Any
+    share: float
 
 
 class Plan:
@@ -145,13 +147,15 @@ def _made(context):
     copy = copies.of(owner)
     kept = _MADE.on(copy)
     found = kept.get(context.group)
+    share = share_of(registered["dynamics"], owner, context.depsgraph)
     if (
         found is None
         or found.stamp is None
+        or found.share != share
         or not found.reach.low <= context.frame < found.reach.high
         or found.stamp != _stamp(owner, copy, scene, found.asked)
     ):
-        found = kept[context.group] = _make(context, copy, scene)
+        found = kept[context.group] = _make(context, copy, scene, share)
     return found
 
 
@@ -210,7 +214,7 @@ class _Making:
 
     def __init__(self, owner, settings, scene):
         self._owner, self._settings, self._scene = owner, settings, scene
-        self._ready, self.reach = [], None
+        self._ready, self._count, self.reach = [], 0, None
         self.parts, self.tails, self.values, self.members, self.problems, self.carriers, self.laid = [], [], [], [], [], [], []
         self._places = {
             (entry.name, entry.data_path, entry.index if entry.data_path else -1): place for place, entry in enumerate(settings.entries)
@@ -224,6 +228,7 @@ class _Making:
         places = [self._places[name, "", -1] for name in names]
         entries = [self._settings.entries[place] for place in places]
         things = [self._owner.pose.bones[name] if name else self._owner for name in names]
+        self._count += len(names)
         if any(_are_constrained(thing) for thing in things):
             self.problems.append(CONSTRAINED)
         source = Unit("", kind, entries, things).input(self._scene)
@@ -250,6 +255,7 @@ class _Making:
         """Take in a property. path, index: as in its entry. outputs: slice of the group's outputs for the property's elements."""
         place = self._places["", path, index]
         entry = self._settings.entries[place]
+        self._count += 1
         source = inputs.ValueInput(self._owner, entry, self._scene)
         if len(source.tracks) == outputs.stop - outputs.start and self._is_ready(source, [entry]):
             self._ready.append((source, [entry], functools.partial(self._make_values, source, entry, outputs, place)))
@@ -269,10 +275,14 @@ class _Making:
             return False
         return source.is_known
 
-    def make(self, frame):
-        """Make the filtered motions of all entries whose inputs are known, for the sampling.Reach (range of frames) around a frame."""
+    def make(self, frame, share):
+        """Make the filtered motions of all entries whose inputs are known, for the sampling.Reach (range of frames) around a frame.
+
+        share: that the owner has of the limit of work; the owner's groups share it in turn, in proportion to their entries.
+        """
         price = sum(inputs.price_of(source) for source, _, _ in self._ready)
-        self.reach = sampling.reach_of(self._scene, frame, frame, price)
+        share *= self._count / max(self._count, len(self._settings.entries))
+        self.reach = sampling.reach_of(self._scene, frame, frame, price, share)
         for source, entries, make in self._ready:
             if any(inputs.is_cut(entry, source.tracks, self._scene, self.reach) for entry in entries):
                 self.problems.append(TOO_LONG)
@@ -288,7 +298,7 @@ class _Making:
             self.problems.append(BAD_NUMBERS)
 
 
-def _make(context, copy, scene):
+def _make(context, copy, scene, share):
     owner, settings = context.owner, context.settings
     plan = stored.parse(context.data.get(PLAN), _FORM)
     making = _Making(owner, settings, scene)
@@ -302,7 +312,7 @@ def _make(context, copy, scene):
         slot += count
     if (row, slot) != (len(context.locations), len(context.outputs)):
         raise stored.Damaged("another number of members or outputs")
-    answered((making, "all"), lambda: making.make(context.frame))
+    answered((making, "all"), lambda: making.make(context.frame, share))
     asked = Asked(tuple(dict.fromkeys(making.carriers)), tuple(path for path, _, _ in properties), tuple(dict.fromkeys(making.laid)))
     is_still = copy is not None and not copy.has_animated_settings
     return Made(
@@ -315,6 +325,7 @@ def _make(context, copy, scene):
         tuple(making.members),
         next(iter(making.problems), None),
         _weights(settings) if is_still else None,
+        share,
     )
 
 

@@ -6,9 +6,11 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from ..core import native
-from ..core.declare import OwnMatrix, Problem, Setting
+from ..core.declare import OwnMatrix, Problem, Setting, registered
+from ..core.evaluated.shares import share_of
 from ..core.file import deleted
 from ..core.file.stored import Damaged
+from ..core.measures import bounds
 from ..core.refusals import INFINITE
 from . import clock, parts, pivot_motion
 
@@ -24,6 +26,10 @@ FAN_TOO_FAR = Problem(
     "The motion of so many pendulums is not known so far from its start: start it later, let it run more slowly, or take fewer"
 )
 TOO_EXTREME = Problem("A length, mass, angle, velocity, gravity or damping is too large or too small for the motion to be computed")
+TABLE = 200_000.0
+"""Price of the native module's longest table of one pendulum's motion: about the microseconds that it takes (core/measures/bounds.py)."""
+FARTHEST = 25_000.0
+"""Time up to which the native module has the motion of a damped single pendulum, as a multiple of the square root of length / gravity."""
 NEAR = 60.0
 """Seconds since the start within which the motion is unknown only if the settings have extreme values."""
 PROBLEMS = (
@@ -72,17 +78,29 @@ class Swing(NamedTuple):
     at(seconds, **pivot): list of the states of all pendulums at one time.
     way(times, number=0, **pivot): states of one pendulum at times (n,), one row for each time.
     pivot: keywords from pivot_motion.felt(). each: rods of one pendulum. count: number of pendulums. Both functions raise ValueError
-    if the motion is not known at a time.
+    if the motion is not known at a time. farthest: seconds up to which the native module has the motion of one pendulum; infinite if the
+    motion is a formula, which takes no longer at a later time.
     """
 
     each: int
     at: Callable
     way: Callable
     count: int = 1  # type: ignore[assignment]  # a tuple has a method of this name
+    farthest: float = math.inf
 
     def has_rods(self, numbers):
         """Whether the pendulum or fan has rods with all of these numbers. numbers: as parts.numbers() returns them."""
         return min(numbers) >= 0 and max(numbers) < self.each * self.count
+
+    def takes_too_long(self, seconds, pivot, depsgraph):
+        """Whether a viewport would have to wait too long for the states at a time, if nothing of the motion is computed yet.
+
+        pivot: object that has the settings of the pendulum. A render waits for all pendulums.
+        """
+        if depsgraph.mode == 'RENDER' or math.isinf(self.farthest):
+            return False
+        price = TABLE * self.count * min(1.0, abs(seconds) / self.farthest)
+        return price > bounds.AT_ONCE * share_of(registered["pendulum"], pivot, depsgraph)
 
 
 def solve(context, pivot, influence):
@@ -108,6 +126,8 @@ def solve(context, pivot, influence):
         felt, problem = pivot_motion.felt(context.owner, scene, now.rate)
     if not abs(now.seconds) < INFINITE:
         return NOT_FINITE
+    if swing.takes_too_long(now.seconds, context.owner, context.depsgraph):
+        return FAN_TOO_FAR
     try:
         rows = swing.at(now.seconds, **felt)
     except ValueError:
@@ -173,7 +193,12 @@ def swing_of(settings, scene):
             gravity=gravity,
             damping=damping,
         )
-        return Swing(1, lambda seconds, **felt: [way(seconds, **felt).tolist()], lambda times, number=0, **felt: way(times, **felt))
+        return Swing(
+            1,
+            lambda seconds, **felt: [way(seconds, **felt).tolist()],
+            lambda times, number=0, **felt: way(times, **felt),
+            farthest=FARTHEST * math.sqrt(settings.length1 / gravity) if damping > 0.0 < gravity else math.inf,
+        )
     if not (settings.mass1 > 0.0 and settings.mass2 > 0.0):
         return NO_MASS
     if not 1 <= settings.count <= parts.LARGEST_FAN:
@@ -199,7 +224,16 @@ def swing_of(settings, scene):
     def way(times, number=0, **felt):  # type: ignore[no-redef]
         return native.module.double_pendulum(times, *starts[number], **constants, **felt)
 
-    return Swing(2, functools.partial(_fan, starts=starts, constants=constants), way, settings.count)
+    return Swing(2, functools.partial(_fan, starts=starts, constants=constants), way, settings.count, _farthest(starts[0], constants))
+
+
+def _farthest(start, constants):
+    """Seconds up to which the native module has the motion of a double pendulum; infinite if its numbers are refused anyway."""
+    names = "mass1", "mass2", "length1", "length2", "gravity"
+    try:
+        return native.module.double_pendulum_longest_time(*start, **{name: constants[name] for name in names})
+    except ValueError:
+        return math.inf
 
 
 def _fan(seconds, starts, constants, **felt):

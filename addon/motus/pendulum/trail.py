@@ -64,6 +64,8 @@ def make(context, matrix, swing, seconds, fade, thickness):
     times = _times(now.seconds, max(seconds, 0.0))
     if len(times) < 2 or thickness <= 0.0:
         return None
+    if found.takes_too_long(now.seconds, pivot, context.depsgraph):
+        return solve.FAN_TOO_FAR
     try:
         found.at(now.seconds, **felt)  # computes all pendulums together, which is faster; raises if they are too many for so long a time
         ways = [found.way(times, number, **felt)[:, : found.each] for number in range(found.count)]

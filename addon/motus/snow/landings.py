@@ -11,11 +11,12 @@ import bpy
 
 from ..core import keeping, wiring
 from ..core.declare import is_owner, registered
+from ..core.evaluated.shares import share_of
 from ..core.interface.view import viewports
 from ..core.measures import bounds
 
 AT_ONCE = 48
-"""Number of blocks, of 256 flakes each, that one evaluation or one call of the timer searches."""
+"""Number of blocks, of 256 flakes each, that one evaluation or one call of the timer searches at most."""
 BLOCK = 2560
 """Price of searching one block: about the microseconds that it takes (see core/measures/bounds.py)."""
 PAUSE = 0.01
@@ -49,12 +50,12 @@ class Search:
         """Share of the search that is completed, from 0 to 1."""
         return 1.0 - self._left / self._first
 
-    def go_on(self):
-        """Search the next AT_ONCE blocks of flakes for their landing places.
+    def go_on(self, most):
+        """Search the next blocks of flakes, `most` at most, for their landing places.
 
         Returns (whether blocks remain to be searched, whether the viewport has to show the landing places found so far).
         """
-        before, self._left = self._left, self._snow.find_landings(self._seconds, AT_ONCE)
+        before, self._left = self._left, self._snow.find_landings(self._seconds, most)
         self.has_no_room = 0 < self._left == before
         is_over = self._left == 0 or self.has_no_room
         is_shown = is_over or time.monotonic() - self._shown > SHOWN
@@ -70,15 +71,16 @@ def are_left(context, snow, seconds):
     """
     if context.owner.library:  # a timer cannot let Blender evaluate a linked object again
         return False
+    at_once = max(1, bounds.times(BLOCK, share_of(registered["snow"], context.owner, context.depsgraph)))
     if bpy.app.background:
         before = snow.find_landings(seconds, 0)
         # If the memory for landing places is full, the number of remaining blocks stays.
-        return 0 < snow.find_landings(seconds, bounds.times(BLOCK)) < before
+        return 0 < snow.find_landings(seconds, at_once) < before
     name = context.owner.name
     search = _searches.get(name)
     if search is not None and search.has_no_room and search.is_for(snow, seconds):
         return False
-    left = snow.find_landings(seconds, AT_ONCE)
+    left = snow.find_landings(seconds, min(AT_ONCE, at_once))
     if left == 0:
         _searches.drop(name)
         return False
@@ -101,6 +103,7 @@ def settle():
 
 
 def _go_on():
+    most = max(1, AT_ONCE // max(1, len(_searches)))
     for name, search in _searches.items():
         emitter = bpy.data.objects.get((name, None))
         if emitter is None or not is_owner(registered["snow"], emitter):
@@ -108,7 +111,7 @@ def _go_on():
             continue
         if search.has_no_room:
             continue
-        goes_on, is_shown = search.go_on()
+        goes_on, is_shown = search.go_on(most)
         if not goes_on and not search.has_no_room:
             _searches.drop(name)
         if is_shown:

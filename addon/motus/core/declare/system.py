@@ -64,6 +64,8 @@ class System(Feature):
     settle: called with the owner after an evaluation in which solve() has set Context.wants_to_settle. rebuild: called with the owner by
     the operator *Refresh*, in place of wiring.refresh(). over_time: called with the owner, a driven object and the scene; returns the
     object's motion at any times, for core/tracks/solved.py, or None. unbakeable: sentence that says why there is nothing to bake, or "".
+    load: function of the settings that returns how many things of about equal work solve() may have to compute at once, at most; None if
+    its work needs no limit. All owners in a scene share the limit in proportion to it (core/evaluated/shares.py).
     shared: names of the settings that solve() reads in addition to its inputs. If solve() reads nothing else, one solver computes all
     owners with equal inputs whose settings are not animated.
     owner_of: called with an object that may belong to an owner without being driven; returns that owner or None.
@@ -93,6 +95,7 @@ class System(Feature):
     rebuild: Callable[..., Any] | None = None
     over_time: Callable[..., Any] | None = None
     unbakeable: str = ""
+    load: Callable[[Any], float] | None = None
     shared: tuple[Any, ...] = ()
     entry_settings: tuple[Any, ...] = ()
     owner_of: Callable[..., Any] | None = None

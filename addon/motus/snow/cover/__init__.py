@@ -24,6 +24,7 @@ SYSTEM = System(
     dress=look.dress,
     settle=build.settle,
     rebuild=build.wire,
+    load=lambda settings: 1,
     unbakeable=solve.UNBAKEABLE.sentence,
     object_menu=("motus.snow_cover_add", "motus.snow_cover_remove"),
 )

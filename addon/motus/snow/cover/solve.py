@@ -6,7 +6,8 @@ A Problem is a sentence that the panel shows.
 import math
 
 from ...core import wiring
-from ...core.declare import Geometries, Points, Problem, Setting
+from ...core.declare import Geometries, Points, Problem, Setting, registered
+from ...core.evaluated.shares import share_of
 from ...core.file.pointers import pointed
 from ...core.lazy import numpy as np
 from ...core.measures import scene_time
@@ -95,10 +96,14 @@ def _work(context, name, plan):
     if work.is_too_fine(plan):
         return work.TOO_FINE
     found = work.known(name, plan)
-    if found is None and work.price(plan) > work.LONG and work.may_wait(context.depsgraph, context.owner):
+    if found is None and work.may_wait(context.depsgraph, context.owner) and work.price(plan) > work.LONG * _share(context):
         work.ask(name, plan)
         return WAITING
     return found or work.do(name, plan)
+
+
+def _share(context):
+    return share_of(registered["snow_cover"], context.owner, context.depsgraph)
 
 
 def _fill(context, plan, found, influence):
@@ -151,6 +156,7 @@ def _plan(context, settings, scenery):
         falls.append(fall)
     if not falls:
         return None, NO_SNOW
+    rounds = work.rounds(settings.smoothing, settings.resolution)
     plan = work.Plan(
         lain_on,
         tuple(shelters),
@@ -159,7 +165,8 @@ def _plan(context, settings, scenery):
         tuple(falls),
         settings.lump**3,
         settings.repose,
-        work.rounds(settings.smoothing, settings.resolution),
+        rounds,
+        work.share_of_smoothing(lain_on, settings.resolution, rounds * len(falls), _share(context)),
     )
     return plan, fault
 

@@ -57,7 +57,8 @@ class Plan(NamedTuple):
 
     lain_on, shelters: meshes that carry snow, and meshes that only shelter them. resolution: edge length of the refined surface, m.
     up: direction against gravity. falls: a Fall for each emitter. volume: volume of the snow that one flake adds, m^3.
-    repose: angle of repose, radians. smoothing: number of rounds of smoothing.
+    repose: angle of repose, radians. smoothing: number of rounds of smoothing. share: of the limit of work, that the smoothing has on each
+    frame.
     """
 
     lain_on: tuple
@@ -68,6 +69,7 @@ class Plan(NamedTuple):
     volume: float
     repose: float
     smoothing: int
+    share: float = 1.0
 
 
 class Work(NamedTuple):
@@ -111,9 +113,23 @@ def is_too_fine(plan):
 def price(plan):
     """Approximate price of computing a plan: about its microseconds (see core/measures/bounds.py)."""
     triangles = sum(len(one.faces.triangles) for one in (*plan.lain_on, *plan.shelters))
+    return sum(map(_price, plan.falls)) + TRIANGLE * (triangles + min(4 * ground.MOST, _refined(plan.lain_on, plan.resolution)))
+
+
+def _refined(lain_on, resolution):
+    """Approximate number of triangles of a layer on meshes."""
     # Edges are halved until none is longer than the resolution; on average their length is 0.6 times the resolution.
-    refined = 2.0 * sum(one.area for one in plan.lain_on) / (0.6 * plan.resolution) ** 2
-    return sum(map(_price, plan.falls)) + TRIANGLE * (triangles + min(4 * ground.MOST, refined))
+    return 2.0 * sum(one.area for one in lain_on) / (0.6 * resolution) ** 2
+
+
+def share_of_smoothing(lain_on, resolution, rounds, share):
+    """Share of the limit of work that the smoothing of a cover has on each frame: 1.0 if it needs far less than the cover's share.
+
+    So most covers need not be computed again if a different cover is added to the scene. rounds: of all emitters together. share: the
+    cover's, see core/evaluated/shares.py.
+    """
+    triangles = sum(len(one.faces.triangles) for one in lain_on) + _refined(lain_on, resolution)
+    return 1.0 if 2.0 * ROUND * min(ground.MOST, triangles) * rounds < bounds.AT_ONCE * share else share
 
 
 def _price(fall):
@@ -183,7 +199,7 @@ def _steps(plan):
         return TOO_FINE
     done, covers = 1, []
     # The snow of each Fall is smoothed anew on each frame, in the time that a frame has.
-    smoothing = min(plan.smoothing, bounds.times(ROUND * place.vertex_count * len(plan.falls)))
+    smoothing = min(plan.smoothing, bounds.times(ROUND * place.vertex_count * len(plan.falls), plan.share))
     yield done
     for fall in plan.falls:
         snow = flakes.made(fall.keywords, fall.acceleration, fall.poses, fall.wind, fall.faces, fall.angles, place.collider)

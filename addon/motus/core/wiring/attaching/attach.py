@@ -13,6 +13,7 @@ a setting that determines what is read or driven, refresh() is called.
 """
 
 from ...declare import groups_of, is_owner, laid_beneath, of_owner, systems
+from ...evaluated import shares
 from ..hubs import outputs, sharing
 from ..sinks import finding, geometry_sink, property_sink, stack
 from . import overrides, readers, renaming, signature, solver_driver, unwiring, waiting
@@ -58,6 +59,7 @@ def _unwire(system, owner):
     parts = sharing.all_parts(system, owner)
     followers = readers.of(system, owner, parts)
     unwiring.unwire(system, owner, parts)
+    shares.forget()
     return followers
 
 
