@@ -1,4 +1,4 @@
-// How far snow that lies too high falls off.
+// Slopes of lying snow: what is steeper than snow holds slides to lower vertices.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace motus::snow {
 
-/// The vertices and edges of a layer, over which snow that is too high goes to other vertices. Immutable.
+/// The vertices and edges of a layer, prepared for moving snow from vertices that are too high to their
+/// neighbours. Immutable.
 class Heaps {
   public:
     /// A layer's mesh.
@@ -26,9 +27,10 @@ class Heaps {
     };
     explicit Heaps(const Net& net);
 
-    /// Makes depths, m, one for each vertex, that differ by no more than the fraction `steepest` of the way
-    /// from one vertex to the next, and rise from the line at which snow ends in a rounded slope. What is too
-    /// high goes to other vertices, so that volumes stay.
+    /// Changes `depths`, m, one for each vertex, so that those at the two ends of an edge differ by no more
+    /// than `steepest` times the length of the edge, and so that the snow rises in a rounded slope from the
+    /// line at which it ends. Snow that is too high moves to other vertices, so that the volume stays; what
+    /// is still too high after 8 rounds over all edges is removed.
     void settle(std::vector<float>& depths, float steepest) const;
 
   private:
@@ -39,15 +41,16 @@ class Heaps {
         std::array<std::uint32_t, width> x{}, y{};
         std::array<float, width> lengths{};
     };
-    /// A vertex near the line at which snow ends.
+    /// A vertex at most 31 edges away from a triangle that is crossed by the line at which snow ends.
     struct Shore {
         std::uint32_t vertex = 0;
         float distance = 0.0F;  ///< m, to the line
         float cell = 0.0F;      ///< m, from a vertex to the next about the nearest part of the line
         glm::uvec3 corners{};   ///< of the triangle that has the nearest part of the line
-        double weights = 0.0;   ///< sum of those of all vertices that what is too much goes to
+        double weights = 0.0;   ///< sum over all vertices that receive what is too much for this one
     };
-    /// Where what is too much for a shore goes: a shore that is farther from the line.
+    /// A shore, farther from the line, that receives a part of what is too much for another shore: `weight`
+    /// divided by the other's Shore::weights.
     struct Handing {
         std::uint32_t shore = 0;
         double weight = 0.0;
@@ -60,12 +63,12 @@ class Heaps {
     void find_handings(std::span<const float> distances, const Linker& linker);
     [[nodiscard]] std::size_t block_count() const { return group_starts_.size() - 1; }
 
-    static constexpr std::size_t block = 16;  ///< Ways that are gone through, or rest, together
-    static constexpr std::size_t group = 32;  ///< vertices of which is kept when one of them changed
+    static constexpr std::size_t block = 16;  ///< Ways that are checked, or skipped, together
+    static constexpr std::size_t group = 32;  ///< vertices that share one time of the last change
 
-    std::vector<Ways> ways_;    ///< the edges, those on which snow ends last
-    std::size_t whole_ = 0;     ///< of `ways_`: on which snow does not end
-    std::vector<float> areas_;  ///< m^2, of the snow on each vertex, as Cover::areas(), and 0 in the end
+    std::vector<Ways> ways_;    ///< all edges; those that the line at which snow ends crosses come last
+    std::size_t whole_ = 0;     ///< how many of `ways_`, the first ones, that line does not cross
+    std::vector<float> areas_;  ///< m^2, of each vertex, as Cover::areas(); then a 0 for missing edges
     std::vector<std::uint32_t> group_starts_, groups_;  ///< groups of vertices at the ends of each block
     std::vector<Shore> shores_;                         ///< the nearest to the line first
     std::vector<std::uint32_t> handing_starts_;

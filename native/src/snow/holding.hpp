@@ -11,10 +11,10 @@
 
 namespace motus::snow {
 
-constexpr double clear = 1e-3;  ///< m by which what falls, or is under something, is off the surface
+constexpr double clear = 1e-3;  ///< m: rays for falling and for shelter start this far off the surface
 
 struct Holding {
-    std::vector<double> margins;             ///< > 0 where a vertex is not too steep, linear in between
+    std::vector<double> margins;             ///< > 0 if snow holds on a vertex; linear along an edge
     std::vector<std::uint8_t> is_sheltered;  ///< whether something is above a vertex
 
     [[nodiscard]] bool holds(std::size_t vertex) const { return margins[vertex] > 0.0; }
@@ -43,8 +43,8 @@ class Shelter {
                                  const Collider& shelter, const glm::dvec3& up, double steepest,
                                  std::size_t threads);
 
-/// At which fraction of the way from a vertex to another one snow ends, where it lies on one of them alone:
-/// one of them is too steep, or under something.
+/// The fraction of the way from a vertex to another one at which snow ends, if snow lies on only one of them
+/// because the other one is too steep or sheltered.
 [[nodiscard]] std::optional<float> end_on_edge(const Holding& holding, std::span<const glm::vec3> positions,
                                                Shelter& shelter, std::size_t from, std::size_t to);
 
