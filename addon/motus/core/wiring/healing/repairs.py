@@ -176,10 +176,10 @@ def _look_at_rows(event):
     """
     for place, known in list(noticed.rows.items()):
         name, _ = place
-        for owner_name in rows.names_in(known):
-            owner = bpy.data.objects.get((owner_name, None))
-            if owner is None:  # the owner was renamed or removed: all rows are looked through
+        for owner_name, owner in noticed.holders_of(place, known):
+            if not _is_named(owner, owner_name):  # the owner was renamed or removed: all rows are looked through
                 noticed.rows.pop(place, None)
+                noticed.holders.pop(place, None)
                 noticed.object_count = -1
                 continue
             if event.moment == EDIT and is_mirrored(owner):
@@ -189,6 +189,14 @@ def _look_at_rows(event):
                 evaluated = owner.evaluated_get(event.depsgraph)
                 moves = bool(registered[name].outputs) and copies.has_moving_settings(evaluated)
                 noticed.note_state((name, owner_name), (copies.drivers_on(evaluated), moves))
+
+
+def _is_named(obj, name):
+    """Whether an object still has this name. obj: None, or a reference, perhaps to an object that was removed."""
+    try:
+        return obj is not None and obj.name == name
+    except ReferenceError:
+        return False
 
 
 def _refresh_changed(places, _event):

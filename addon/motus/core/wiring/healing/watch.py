@@ -8,6 +8,9 @@ several owners can share one, with a row each. Drivers of properties are at rest
 they are saved in a file.
 """
 
+import bpy
+
+from ..hubs.rows import names_in
 from ..sinks import property_sink
 
 
@@ -42,6 +45,8 @@ class Noticed:
         """(name of a system, name of an owner) of the owners whose solvers read objects of a collection."""
         self.rows = {}
         """(name of a system, name of the mesh of a hub that several owners share) -> list of the rows of the hub."""
+        self.holders = {}
+        """Key of `rows` -> (list of the rows, what holders_of() has found for the list)."""
         self.unsettled = set()
         """(name of a system, name of an owner) of the owners for which System.settle is to be called after the evaluation."""
         self.resting = set()
@@ -74,6 +79,18 @@ class Noticed:
         system: the System. name: name of the hub's mesh. rows: list of the Row of each owner, or what rows.row() returns instead.
         """
         self.rows[system.name, name] = rows
+
+    def holders_of(self, place, rows):
+        """Return (name, local object of this name or None) for each owner that has one of these rows of a shared hub.
+
+        place: key of the hub in `rows`. The names are looked up once for each list of rows, since Blender finds an object by going through
+        all objects of the file.
+        """
+        known = self.holders.get(place)
+        if known is None or known[0] is not rows:
+            local = {obj.name: obj for obj in bpy.data.objects if not obj.library}
+            known = self.holders[place] = rows, [(name, local.get(name)) for name in names_in(rows)]
+        return known[1]
 
     def note_orphan(self, hub):
         """Store that a hub's owner was deleted, and have copies of that owner looked for, since they may still depend on the hub.
