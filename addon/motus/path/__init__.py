@@ -30,6 +30,7 @@ SYSTEM = System(
     member_data=members.offsets,
     over_time=over_time.over_time,
     shared=solve.SHARED,
+    solve_rows=solve.solve_rows,
     overlay=overlay.overlay,
     extras=(edit_views,),
     add_menu=("motus.path_new_bezier",),

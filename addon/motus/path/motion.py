@@ -1,7 +1,6 @@
 """Compute a follower's distance along the path at a frame, by converting the timing settings into a Timing of the native module."""
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -31,15 +30,15 @@ INFINITE = 3.4e38  # Blender stores infinity as a number above this one
 class Motion:
     """Motion of a follower along the curve: the distance at the present frame is timing.distance(time) + offset.
 
-    problem: a Problem that does not block the solver, or None. clock: function of (context, numbers) that returns the time at the context's
-    frame, and is valid until a setting changes; None if the timing belongs to one frame.
+    problem: a Problem that does not block the solver, or None. clock: keywords of FollowPlan.add(), in the native module, by which the plan
+    computes the time at any frame until a setting changes; None if the timing belongs to one frame.
     """
 
     timing: Any
     time: float
     offset: float = 0.0
     problem: Problem | None = None
-    clock: Callable | None = None
+    clock: dict[str, float] | None = None
 
     @property
     def distance(self):
@@ -71,17 +70,13 @@ def _since_start(context, numbers):
     return (context.frame - start) / context.fps if context.frame > start else 0.0
 
 
-def _at_frame(context, _numbers):
-    return context.frame / context.fps
-
-
 def _by_duration(context, numbers, length, _past):
     duration = max(numbers["duration"], SHORTEST)
     ease_in = min(max(numbers["ease_in"], 0.0), 1.0)
     ease_out = min(max(numbers["ease_out"], 0.0), 1.0 - ease_in)
     after = AFTER_EASE[chosen(context.settings, "extend")]
     timing = native.module.Timing.eased(duration, length, ease_in, ease_out, after)
-    return Motion(timing, _since_start(context, numbers), clock=_since_start)
+    return Motion(timing, _since_start(context, numbers), clock={"start_frame": numbers["start_frame"]})
 
 
 def _by_speed(context, numbers, _length, past):
@@ -95,7 +90,7 @@ def _by_speed(context, numbers, _length, past):
             unknown = SPEED_IN_STRIPS
     if curve is None or unknown:
         timing = native.module.Timing.constant(numbers["speed"])
-        return Motion(timing, _since_start(context, numbers), problem=unknown, clock=_since_start)
+        return Motion(timing, _since_start(context, numbers), problem=unknown, clock={"start_frame": numbers["start_frame"]})
     start = numbers["start_frame"]
     now = max(start, context.frame)
     if now == start:
@@ -111,7 +106,7 @@ def _by_speed(context, numbers, _length, past):
     return Motion(timing, times[-1], distance - timing.distance(times[-1]))
 
 
-def _by_pins(context, numbers, length, _past):
+def _by_pins(context, _numbers, length, _past):
     settings = context.settings
     if not settings.pins:
         return NO_PINS
@@ -123,7 +118,7 @@ def _by_pins(context, numbers, length, _past):
     frames, distances = np.array(pins).T
     timing = native.module.Timing.pins(frames / context.fps, distances)
     problem = SAME_FRAME if len(pins) < len(settings.pins) else None
-    return Motion(timing, _at_frame(context, numbers), problem=problem, clock=_at_frame)
+    return Motion(timing, context.frame / context.fps, problem=problem, clock={})
 
 
 def _by_hand(context, numbers, length, past):

@@ -1,7 +1,7 @@
-"""Solver of Follow Path: declares its inputs and calls the native module once for the owner and all its wagons."""
+"""Solver of Follow Path: declares its inputs, and has the native module place all followers of a solver and their wagons in one call."""
 
 from ..core import native
-from ..core.declare import Deformed, Matrix, Problem, Setting, Splines
+from ..core.declare import Context, Deformed, Matrix, Problem, Setting, Splines
 from ..core.file import deleted
 from ..core.file.choices import chosen
 from ..core.lazy import numpy as np
@@ -47,28 +47,92 @@ def solve(context, matrix, splines, deformed, **numbers):
     matrix, splines, deformed: evaluated inputs from the curve object. numbers: numeric settings by name.
     Returns a Problem or None; a user's error never raises an exception.
     """
-    index = int(numbers["spline"])
-    common = context.common
-    if index not in common:
-        common[index] = _path(context, matrix, splines, index)
-    path = common[index]
+    path = _path(context, matrix, splines, int(numbers["spline"]))
     if path.__class__ is Problem:
         return path
-    length, fps = path.curve.length(), context.fps
-    key = length, fps, context.owner is not None and _is_owner_mirrored(context)
-    still = context.kept("still", key, lambda: _still(context, numbers, length))
-    if still.__class__ is Problem:
-        return still
-    moving, options, offsets, mirrored = still
-    time = moving.clock(context, numbers) if moving.clock else moving.time
-    if "tilt" in options:
-        options = options | {"tilt": path.tilt}
-    native.module.follow(path.curve, moving.timing, time, offsets, locations=context.locations, rotations=context.rotations, **options)
+    key = *_shape_of(path), context.fps, _is_owner_mirrored(context)
+    found = context.kept("plan", key, lambda: _plan(context, numbers, path))
+    if found.__class__ is Problem:
+        return found
+    plan, problem, mirrored = found
+    _follow(plan, context, [path])
     if mirrored:
         _turn_mirrored(context.rotations, mirrored, context.settings)
-    extend = 'clamp' if options["line_up"] else options["extend"]  # the first member of a train that lines up stops at the ends
-    _write_outputs(context.outputs, path.curve, length, moving, time, numbers["offset"], extend)
-    return moving.problem
+    return problem
+
+
+def solve_rows(context, rows, matrix, splines, deformed):
+    """Do for all owners that share a solver what solve() does for one of them; see System.solve_rows."""
+    indices = context.kept("splines", None, lambda: list(dict.fromkeys(_spline_of(row) for row in rows if row)))
+    paths = [_path(context, matrix, splines, index) for index in indices]
+    key = context.fps, *(path if path.__class__ is Problem else _shape_of(path) for path in paths)
+    plan, problems = context.kept("plan", key, lambda: _plan_of_rows(context, rows, indices, paths))
+    _follow(plan, context, paths)
+    return problems
+
+
+def _spline_of(row):
+    return int(row.inputs["spline"])
+
+
+def _shape_of(path):
+    """Return what a plan reads of a path when it is made; the path itself is given to the plan at each frame."""
+    return path.curve.length(), path.tilt.tobytes()
+
+
+def _plan(context, numbers, path):
+    """Return (native FollowPlan of the owner and its wagons, Problem or None, indices of mirrored objects); a Problem if it blocks."""
+    plan = native.module.FollowPlan()
+    still = _still(context, numbers, path.curve.length())
+    if isinstance(still, Problem):
+        return still
+    _add_to(plan, 0, path, still, numbers)
+    moving, _, _, mirrored = still
+    return plan, moving.problem, mirrored
+
+
+def _plan_of_rows(context, rows, indices, paths):
+    """Return (native FollowPlan of the owners in these rows, tuple with a Problem, an exception or None for each row)."""
+    plan, problems = native.module.FollowPlan(), []
+    for row in rows:
+        problem = None
+        if row is not None:
+            place = indices.index(_spline_of(row))
+            try:
+                problem = _add_row(plan, context, row, place, paths[place])
+            except Exception as error:  # of this row alone
+                problem = error
+        if row is None or isinstance(problem, Exception) or (problem is not None and problem.blocking):
+            plan.skip()
+        problems.append(problem)
+    return plan, tuple(problems)
+
+
+def _add_row(plan, context, row, place, path):
+    """Add the owner of a row to a plan, unless a Problem blocks it; returns the Problem or None."""
+    if isinstance(path, Problem):
+        return path
+    length = path.curve.length()
+    its = Context(row.settings, None, context.frame, context.depsgraph, member_data=row.member_data, memo=row.memo)
+    still = its.kept("still", (length, context.fps), lambda: _still(its, row.inputs, length))
+    if isinstance(still, Problem):
+        return still
+    _add_to(plan, place, path, still, row.inputs)
+    return still[0].problem
+
+
+def _add_to(plan, place, path, still, numbers):
+    """Add a follower to a native FollowPlan. place: index of its path in the list that the plan is given. still: result of _still()."""
+    moving, options, offsets, _ = still
+    clock = {"time": moving.time} if moving.clock is None else moving.clock
+    tilt = {"tilt": path.tilt} if "tilt" in options else {}
+    plan.add(place, moving.timing, offsets, moved=moving.offset, offset=numbers["offset"], **(options | clock | tilt))
+
+
+def _follow(plan, context, paths):
+    paths = [None if path.__class__ is Problem else path.curve for path in paths]
+    outputs = context.outputs if context.outputs.ndim > 1 else context.outputs[None]
+    plan.solve(paths, context.frame, context.fps, context.locations, context.rotations, outputs)
 
 
 def _path(context, matrix, splines, index):
@@ -182,26 +246,3 @@ def mode_options(settings, numbers, tilt):
 def axis_name(identifier):
     """Name that the native module has for an axis of the settings: 'POS_Y' becomes 'Y', 'NEG_Y' becomes '-Y'."""
     return identifier.replace("POS_", "").replace("NEG_", "-")
-
-
-def _write_outputs(outputs, curve, length, moving, time, offset, extend):
-    gone = moving.timing.distance(time) + moving.offset + offset
-    within = gone if 0.0 <= gone <= length else _within(gone, length, extend)
-    on_curve = within if 0.0 <= within <= length else min(max(within, 0.0), length)
-    # In a loop the distance goes on rising from lap to lap, so that a wheel driven by it turns on.
-    distance = gone if extend == 'loop' and length else within
-    outputs[:] = (curve.t_at_length(on_curve), within / length if length else 0.0, distance, moving.timing.speed(time), length)
-
-
-def _within(distance, length, extend):
-    """Apply the setting *Ends* to a distance along a path of this length.
-
-    The result stops at an end (clamp), wraps around (loop, ping-pong), or goes on beyond the ends (extrapolate).
-    """
-    if extend == 'extrapolate' or length == 0.0:
-        return distance
-    if extend == 'clamp':
-        return min(max(distance, 0.0), length)
-    if extend == 'loop':
-        return distance % length
-    return length - abs(distance % (2.0 * length) - length)

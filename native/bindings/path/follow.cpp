@@ -11,6 +11,7 @@
 #include "core/rotations.hpp"
 #include "core/typed.hpp"
 #include "curve/curve.hpp"
+#include "follow_plan.hpp"
 #include "options.hpp"
 
 namespace motus::bindings {
@@ -46,13 +47,8 @@ Typed<"tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.flo
     const path::Timing& motion = instance<path::Timing>(timing, "timing", "a Timing");
     const Numbers along(offsets, "offsets");
     const double at = number(time, "time");
-    path::FollowSettings settings;
-    settings.extend = extend_option(extend);
-    settings.axes = path::follower_axes(axis_option(forward, "forward"), axis_option(up, "up"));
-    settings.rotate = flag(rotate, "rotate");
-    settings.line_up = flag(line_up, "line_up");
-    settings.lag_rate = number(lag_rate, "lag_rate");
-    settings.lag_by = lag_option(lag_by);
+    const path::FollowSettings settings =
+        follow_settings(extend, forward, up, rotate, lag_rate, lag_by, line_up);
     path::FrameSettings frame = frame_settings(mode, options, false);
     if (!settings.rotate) frame = path::FrameSettings{};  // its tables are the cheapest, and not looked at
 
@@ -76,6 +72,19 @@ Typed<"tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.flo
 
 }  // namespace
 
+path::FollowSettings follow_settings(const ExtendName& extend, const AxisName& forward, const AxisName& up,
+                                     const Flag& rotate, const Number& lag_rate, const Text& lag_by,
+                                     const Flag& line_up) {
+    path::FollowSettings settings;
+    settings.extend = extend_option(extend);
+    settings.axes = path::follower_axes(axis_option(forward, "forward"), axis_option(up, "up"));
+    settings.rotate = flag(rotate, "rotate");
+    settings.line_up = flag(line_up, "line_up");
+    settings.lag_rate = number(lag_rate, "lag_rate");
+    settings.lag_by = lag_option(lag_by);
+    return settings;
+}
+
 void bind_follow(py::module_& m) {
     m.attr("LAG_MEMORY") = path::lag_memory;  // s
     m.def("follow", &follow_curve, "curve"_a, "timing"_a, "time"_a, "offsets"_a, "mode"_a,
@@ -98,6 +107,7 @@ locations, rotations: C-contiguous float64 arrays (n, 3) and (n, 4) to write int
 or offsets; new ones if None.
 Returns (locations, rotations): (n, 3) and (n, 4) quaternions w, x, y, z.
 Raises ValueError or TypeError that names the argument.)");
+    bind_follow_plan(m);
 }
 
 }  // namespace motus::bindings

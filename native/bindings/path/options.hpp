@@ -6,6 +6,7 @@
 #include "core/typed.hpp"
 #include "curve/curve.hpp"
 #include "motus/curve/extend.hpp"
+#include "motus/path/follow.hpp"
 #include "motus/path/frames.hpp"
 
 namespace motus::bindings {
@@ -26,6 +27,12 @@ namespace motus::bindings {
 /// `speed` is left to the caller if `reads_speed`.
 [[nodiscard]] path::FrameSettings frame_settings(const FrameModeName& mode, const py::kwargs& options,
                                                  bool reads_speed);
+
+/// Settings of followers by their names.
+[[nodiscard]] path::FollowSettings follow_settings(const ExtendName& extend, const AxisName& forward,
+                                                   const AxisName& up, const Flag& rotate,
+                                                   const Number& lag_rate, const Text& lag_by,
+                                                   const Flag& line_up);
 
 /// Frames of a curve, from the cache or built, without the interpreter's lock meanwhile.
 [[nodiscard]] path::Frames frames_on(const BoundCurve& curve, path::FrameSettings settings);

@@ -108,6 +108,21 @@ class Lag {
     const FollowSettings& settings_;
 };
 
+/// value modulo period > 0, in [0, period].
+double wrapped(double value, double period) {
+    const double rest = std::fmod(value, period);
+    return rest < 0.0 ? rest + period : std::abs(rest);  // never -0
+}
+
+/// A distance with the meaning that `extend` gives to those beyond the ends; extrapolate leaves it alone.
+double within(double distance, double length, curve::Extend extend) {
+    if ((distance >= 0.0 && distance <= length) || extend == curve::Extend::extrapolate || length == 0.0)
+        return distance;
+    if (extend == curve::Extend::clamp) return std::clamp(distance, 0.0, length);
+    if (extend == curve::Extend::loop) return wrapped(distance, length);
+    return length - std::abs(wrapped(distance, 2.0 * length) - length);
+}
+
 bool is_axis(const glm::dvec3& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z) == 1.0 && glm::dot(v, v) == 1.0;
 }
@@ -142,6 +157,20 @@ void follow(const Frames& frames, const Timing& timing, double time, std::span<c
         locations[i] = pose.location;
         rotations[i] = pose.rotation * settings.axes;
     }
+}
+
+Progress progress(const curve::ArcLength& path, const Timing& timing, double time, double moved,
+                  double offset, curve::Extend extend) {
+    const double length = path.length();
+    const double gone = timing.distance(time) + moved + offset;
+    const double place = within(gone, length, extend);
+    Progress found;
+    found.parameter = path.t_at_length(std::clamp(place, 0.0, length));
+    found.fraction = length > 0.0 ? place / length : 0.0;
+    found.distance = extend == curve::Extend::loop && length > 0.0 ? gone : place;
+    found.speed = timing.speed(time);
+    found.length = length;
+    return found;
 }
 
 glm::dquat follower_axes(const glm::dvec3& forward, const glm::dvec3& up) {

@@ -291,6 +291,31 @@ TEST_CASE("a curve of zero length gives its point", "[follow]") {
     }
 }
 
+TEST_CASE("the progress of a follower counts what lies beyond the ends as its extend mode says", "[follow]") {
+    const samples::Path path = samples::s_curve();
+    const double length = path->length();
+    const auto at = [&](double distance, Extend extend) {
+        return progress(*path, Timing::constant(2.0), 1.0, distance - 5.0, 3.0, extend);
+    };
+    for (const Extend extend : {Extend::clamp, Extend::loop, Extend::ping_pong, Extend::extrapolate}) {
+        const Progress inside = at(0.25 * length, extend);
+        CHECK(inside.parameter == path->t_at_length(inside.distance));
+        CHECK(std::abs(inside.distance - 0.25 * length) < 1e-12 * length);
+        CHECK(std::abs(inside.fraction - 0.25) < 1e-12);
+        CHECK(inside.speed == 2.0);
+        CHECK(inside.length == length);
+    }
+    CHECK(at(1.5 * length, Extend::clamp).distance == length);
+    CHECK(at(-length, Extend::clamp).distance == 0.0);
+    CHECK(std::abs(at(1.5 * length, Extend::loop).fraction - 0.5) < 1e-12);
+    CHECK(std::abs(at(1.5 * length, Extend::loop).distance - 1.5 * length) < 1e-12 * length);
+    CHECK(std::abs(at(-0.25 * length, Extend::loop).fraction - 0.75) < 1e-12);
+    CHECK(std::abs(at(1.25 * length, Extend::ping_pong).fraction - 0.75) < 1e-12);
+    CHECK(std::abs(at(-0.25 * length, Extend::ping_pong).fraction - 0.25) < 1e-12);
+    CHECK(std::abs(at(1.5 * length, Extend::extrapolate).fraction - 1.5) < 1e-12);
+    CHECK(at(1.5 * length, Extend::extrapolate).parameter == path->t_at_length(length));
+}
+
 TEST_CASE("follow refuses invalid arguments", "[follow]") {
     const Frames frames(samples::s_curve(), {});
     const Timing timing = Timing::constant(1.0);

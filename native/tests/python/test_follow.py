@@ -131,3 +131,92 @@ class FollowTest(unittest.TestCase):
         fresh = native.follow(self.curve, self.timing, 1.0, [0.0, 1.0], "minimal")
         np.testing.assert_array_equal(beside[0], fresh[0])
         np.testing.assert_array_equal(beside[1], fresh[1])
+
+
+class FollowPlanTest(unittest.TestCase):
+    def setUp(self):
+        rng = np.random.default_rng(6)
+        points = np.cumsum(rng.normal(size=(5, 3)) * 3.0, axis=0)
+        handles = rng.normal(size=(5, 3))
+        self.curves = [native.Spline(points, points - handles, points + handles), native.PolyLine(np.diag([1.0, 2.0, 3.0]), False)]
+
+    @staticmethod
+    def solved(plan, curves, frame, fps=24.0):
+        locations, rotations, progress = np.zeros((plan.rows, 3)), np.zeros((plan.rows, 4)), np.zeros((plan.followers, 5))
+        plan.solve(curves, frame, fps, locations, rotations, progress)
+        return locations, rotations, progress
+
+    def test_poses_are_those_of_follow_at_the_times_that_the_frames_give(self):
+        eased = native.Timing.eased(5.0, self.curves[0].length(), 0.2, 0.2)
+        cases = (
+            (0, eased, [0.0, -0.5, -1.0], "banking", {"strength": 0.5, "lag_rate": 0.2}, {"start_frame": 10.0}),
+            (1, native.Timing.constant(0.7), [0.3], "minimal", {"extend": "loop", "forward": "X"}, {}),
+            (0, native.Timing.constant(2.0), [0.0, 1.0], "world_up", {"rotate": False, "line_up": True}, {"time": 1.25}),
+        )
+        plan = native.FollowPlan()
+        for place, timing, offsets, mode, options, clock in cases:
+            plan.add(place, timing, offsets, mode, **options, **clock)
+        self.assertEqual((plan.rows, plan.followers), (6, 3))
+        for frame in (60.0, 3.0, 12.5, 60.0):
+            times = max(frame - 10.0, 0.0) / 24.0, frame / 24.0, 1.25
+            wanted = [
+                native.follow(self.curves[place], timing, time, offsets, mode, **options)
+                for (place, timing, offsets, mode, options, _), time in zip(cases, times)
+            ]
+            locations, rotations, _ = self.solved(plan, self.curves, frame)
+            np.testing.assert_array_equal(locations, np.concatenate([one for one, _ in wanted]))
+            np.testing.assert_array_equal(rotations, np.concatenate([one for _, one in wanted]))
+
+    def test_progress(self):
+        line = native.PolyLine([[0.0, 0.0, 0.0], [10.0, 0.0, 0.0]], False)
+        cases = (  # extend, line_up, distance at 24 frames, fraction of the length, distance told
+            ("clamp", False, 4.0, 0.4, 4.0),
+            ("clamp", False, 12.0, 1.0, 10.0),
+            ("loop", False, 23.0, 0.3, 23.0),
+            ("loop", False, -3.0, 0.7, -3.0),
+            ("ping_pong", False, 13.0, 0.7, 7.0),
+            ("extrapolate", False, 15.0, 1.5, 15.0),
+            ("extrapolate", True, 15.0, 1.0, 10.0),
+        )
+        plan = native.FollowPlan()
+        for extend, line_up, distance, _, _ in cases:
+            plan.add(0, native.Timing.constant(3.0), 0.0, "minimal", moved=distance - 5.0, offset=2.0, extend=extend, line_up=line_up)
+        _, _, progress = self.solved(plan, [line], 24.0)
+        for (*_, fraction, told), found in zip(cases, progress):
+            np.testing.assert_allclose(found, [min(max(fraction, 0.0), 1.0), fraction, told, 3.0, 10.0], atol=1e-12)
+
+    def test_a_follower_that_is_left_out_stays_as_it_is(self):
+        plan = native.FollowPlan()
+        plan.skip()
+        plan.add(0, native.Timing.constant(1.0), 0.0, "minimal")
+        locations, rotations, progress = np.full((2, 3), 7.0), np.full((2, 4), 7.0), np.full((2, 5), 7.0)
+        plan.solve([self.curves[1]], 24.0, 24.0, locations, rotations, progress)
+        for array in (locations, rotations, progress):
+            self.assertTrue((array[0] == 7.0).all())
+            self.assertFalse((array[1] == 7.0).any())
+
+    def test_a_distance_that_is_not_finite(self):
+        plan = native.FollowPlan()
+        plan.add(0, native.Timing.constant(1e300), 0.0, "minimal", start_frame=0.0)
+        plan.add(0, native.Timing.constant(1.0), 0.0, "minimal")
+        locations, rotations, progress = self.solved(plan, self.curves, 1e300)
+        self.assertTrue(np.isnan(locations[0]).all() and np.isnan(rotations[0]).all() and np.isnan(progress[0]).all())
+        locations, rotations, progress = self.solved(plan, self.curves, 24.0)
+        self.assertTrue(np.isfinite(locations[1]).all() and np.isfinite(rotations[1]).all() and np.isfinite(progress[1]).all())
+
+    def test_errors_name_the_argument(self):
+        plan, timing = native.FollowPlan(), native.Timing.constant(1.0)
+        plan.add(1, timing, 0.0, "minimal")
+        cases = (
+            (ValueError, "place", lambda: plan.add(-1, timing, 0.0, "minimal")),
+            (TypeError, "timing", lambda: plan.add(0, None, 0.0, "minimal")),
+            (ValueError, "mode", lambda: plan.add(0, timing, 0.0, "best")),
+            (TypeError, "start_frame", lambda: plan.add(0, timing, 0.0, "minimal", start_frame="now")),
+            (ValueError, "curves", lambda: self.solved(plan, self.curves[:1], 1.0)),
+            (TypeError, "curve", lambda: self.solved(plan, [None, None], 1.0)),
+            (ValueError, "progress", lambda: plan.solve(self.curves, 1.0, 24.0, np.zeros((1, 3)), np.zeros((1, 4)), np.zeros((2, 5)))),
+        )
+        for error, name, failing in cases:
+            with self.assertRaisesRegex(error, f"^{name}: "):
+                failing()
+        self.assertEqual((plan.rows, plan.followers), (1, 1))

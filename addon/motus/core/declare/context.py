@@ -23,7 +23,6 @@ class Context:
     points(count): for a system that makes points, returns {name of an attribute: array with room for `count` points}. solve() has to
     fill all of them. The arrays are shorter if there is no room for so many, and are Blender's own memory, valid until solve() returns.
     wants_to_settle: solve() sets it to have System.settle() called after the evaluation.
-    common: dictionary in which solve() may store results for all owners that are solved at once, from equal inputs at the same frame.
     memo, targets: see begin().
     """
 
@@ -43,16 +42,16 @@ class Context:
     wants_to_settle: bool = False
     memo: Any = None
     targets: Any = None
-    common: dict[str, Any] = field(default_factory=dict)
+    _fps: float = 0.0  # 0 until it is asked for
 
-    def begin(self, frame: float, depsgraph: Any, memo: Any, common: dict[str, Any] | None = None, targets: Any = None) -> None:
+    def begin(self, frame: float, depsgraph: Any, memo: Any, targets: Any = None) -> None:
         """Prepare the context for a call of solve() at a frame.
 
-        memo: dictionary in which kept() stores results; None while the settings are animated. common: data shared by owners that are
-        solved at once. targets: {name of a pointer setting: evaluated object}; None if target() is to read the settings.
+        memo: dictionary in which kept() stores results; None while the settings are animated. targets: {name of a pointer setting:
+        evaluated object}; None if target() is to read the settings.
         """
         self.frame, self.depsgraph, self.memo, self.targets = frame, depsgraph, memo, targets
-        self.common = {} if common is None else common
+        self._fps = 0.0
         self.wants_to_settle = False
 
     def target(self, name: str) -> Any:
@@ -79,8 +78,6 @@ class Context:
     @property
     def fps(self) -> float:
         """Frame rate of the scene that is evaluated, in frames per second."""
-        common = self.common
-        if "fps" not in common:
-            common["fps"] = scene_time.fps(self.depsgraph.scene)
-        found: float = common["fps"]
-        return found
+        if not self._fps:
+            self._fps = scene_time.fps(self.depsgraph.scene)
+        return self._fps

@@ -67,7 +67,10 @@ class System(Feature):
     load: function of the settings that returns how many things of about equal work solve() may have to compute at once, at most; None if
     its work needs no limit. All owners in a scene share the limit in proportion to it (core/evaluated/shares.py).
     shared: names of the settings that solve() reads in addition to its inputs. If solve() reads nothing else, one solver computes all
-    owners with equal inputs whose settings are not animated.
+    owners with equal inputs whose settings are not animated, by solve_rows: function (context, rows, **inputs) that does for all of them
+    what solve() does for one. rows: of each owner the Row (core/wiring/hubs/rows.py), which has its settings; None for a row to be left
+    alone. The context's arrays have an item for each row. It returns a tuple with a Problem, an exception or None for each row, and the
+    same tuple again as long as none of them can have changed.
     owner_of: called with an object that may belong to an owner without being driven; returns that owner or None.
     owner_types: types of the objects that can be owners; empty allows all. Settings that a script has given to an object of a different
     type have no effect. former_names: {former name: present name} of settings that were renamed (core/file/former_names.py).
@@ -97,6 +100,7 @@ class System(Feature):
     unbakeable: str = ""
     load: Callable[[Any], float] | None = None
     shared: tuple[Any, ...] = ()
+    solve_rows: Callable[..., Any] | None = None
     entry_settings: tuple[Any, ...] = ()
     owner_of: Callable[..., Any] | None = None
     owner_types: frozenset[str] = frozenset()

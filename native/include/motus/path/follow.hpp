@@ -45,6 +45,20 @@ inline constexpr double lag_memory = 120.0;
 void follow(const Frames& frames, const Timing& timing, double time, std::span<const double> offsets,
             const FollowSettings& settings, std::span<glm::dvec3> locations, std::span<glm::dquat> rotations);
 
+/// How far a follower has come, in the curve's unit of length and seconds.
+struct Progress {
+    double parameter = 0.0;  ///< of the curve, at the nearest place on it
+    double fraction = 0.0;   ///< of the length; 0 on a curve without length
+    double distance = 0.0;   ///< along the curve; with loop it goes on rising from lap to lap
+    double speed = 0.0;
+    double length = 0.0;  ///< of the curve
+};
+
+/// The progress at `time` seconds of a follower whose distance is that of the timing plus `moved` plus
+/// `offset`. NaN where the distance is.
+[[nodiscard]] Progress progress(const curve::ArcLength& path, const Timing& timing, double time, double moved,
+                                double offset, curve::Extend extend);
+
 /// The rotation that takes a follower's `forward` axis to +Y and its `up` axis to +Z (both one of +-X, +-Y,
 /// +-Z, and across each other, else std::invalid_argument).
 [[nodiscard]] glm::dquat follower_axes(const glm::dvec3& forward, const glm::dvec3& up);

@@ -22,7 +22,7 @@ from ...file import deleted, former_names
 from ...measures.handedness import is_mirrored
 from ..attaching import attach, overrides, signature, waiting
 from ..attaching.solver_driver import waits
-from ..hubs import hub_lookup, outbox, rows, sharing
+from ..hubs import hub_lookup, outbox, sharing
 from ..sinks import geometry_sink, property_sink, proxy_sink
 from ..sinks.finding import has_sinks, makers, release
 from . import relations, remains

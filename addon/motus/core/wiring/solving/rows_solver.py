@@ -26,26 +26,19 @@ class RowsSolver:
         self._slots, self._table, self._poses = slots, slots.reshape(count, layout.size), Poses(count)
         self._pointers = rows.pointer_names(system)
         self._inputs = arguments.read_from_driver(system)
-        self._rows = [rows.row(system, mesh, index) for index in range(count)]
-        self._contexts = [self._context(index, row) for index, row in enumerate(self._rows)]
         self._name = mesh.name if not mesh.library else None
-
-    def _context(self, index, row):
-        """Return the Context with which System.solve is called for a row; None if no owner has the row, or if the row is damaged.
-
-        index: index of the row. row: its Row, None or Damaged.
-        """
-        slots, here = self._table[index], slice(index, index + 1)
-        if isinstance(row, rows.Row):
-            return Context(
-                settings=row.settings,
-                owner=None,
-                locations=self._poses.locations[here],
-                rotations=self._poses.rotations[here],
-                outputs=slots[outbox.FIRST_OUTPUT : self._layout.base],
-                member_data=row.member_data,
-            )
-        return None
+        self._memo = {}
+        self._rows = [rows.row(system, mesh, index) for index in range(count)]
+        self._sound = [row if isinstance(row, rows.Row) else None for row in self._rows]
+        self._influences = np.array([0.0 if row is None else finite.share(row.settings.influence) for row in self._sound])
+        self._context = Context(
+            settings=None,
+            owner=None,
+            locations=self._poses.locations,
+            rotations=self._poses.rotations,
+            outputs=np.zeros((count, len(system.outputs))),
+        )
+        self._told = self._states = self._weights = None
 
     def is_current(self):
         """Whether the solver can be used again: the system for which it was prepared is still registered.
@@ -59,22 +52,21 @@ class RowsSolver:
 
         values: values of the inputs that the driver passes on. Returns the status of row 0, whose status slot has the driver.
         """
-        table, layout, poses = self._table, self._layout, self._poses
+        table, layout, poses, context = self._table, self._layout, self._poses, self._context
         noticed.in_use = True
         table[:, outbox.WEIGHT] = 0.0
         if native.module is None:
             return table[0, outbox.STATUS]
         poses.block[:] = poses.neutral
         inputs = arguments.values(self._inputs, values, None)
-        common, targets = {}, rows.targets(self._pointers, self._mesh)
         if self._name is not None:
             noticed.note_rows(self._system, self._name, self._rows)
-        for row, context, slots in zip(self._rows, self._contexts, table):
-            if context is not None:
-                context.begin(frame, depsgraph, row.memo, common, targets)
-                self._solve_row(context, inputs | row.inputs, slots)
-            elif row is Damaged:
-                slots[outbox.STATUS] = outbox.DAMAGED
+        context.begin(frame, depsgraph, self._memo, rows.targets(self._pointers, self._mesh))
+        told = self._system.solve_rows(context, self._sound, **inputs)
+        if told is not self._told:
+            self._tell(told)
+        table[:, outbox.STATUS], table[:, outbox.WEIGHT] = self._states, self._weights
+        table[:, outbox.FIRST_OUTPUT : layout.base] = context.outputs
         if not (poses.block.dot(poses.block) < ORDINARY and self._slots.dot(self._slots) < ORDINARY):
             self._check_numbers()
         if layout.has_attribute:
@@ -84,32 +76,27 @@ class RowsSolver:
             table[:, layout.base + 3 :] = native.module.euler_xyz(poses.rotations)
         return table[0, outbox.STATUS]
 
-    def _solve_row(self, context, inputs, slots):
-        system = self._system
-        try:
-            problem = system.solve(context, **inputs)
-        except Exception as error:
-            slots[outbox.STATUS] = status_of(error, self._mesh, system.name, None)
-        else:
-            slots[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
-            if problem is None or not problem.blocking:
-                influence = context.settings.influence
-                slots[outbox.WEIGHT] = influence if 0.0 <= influence <= 1.0 else finite.share(influence)
-                return
-        _make_neutral(context)
+    def _tell(self, told):
+        """Compute the status and the weight of each row from what System.solve_rows has returned."""
+        self._told = told
+        self._states, self._weights = self._table[:, outbox.STATUS].copy(), self._influences.copy()
+        for index, (row, one) in enumerate(zip(self._rows, told)):
+            if row is Damaged:
+                self._states[index] = outbox.DAMAGED
+            elif isinstance(one, Exception):
+                self._states[index] = status_of(one, self._mesh, self._system.name, None)
+            elif row is not None:
+                self._states[index] = 0.0 if one is None else self._system.problems.index(one) + 1.0
+            if isinstance(one, Exception) or (one is not None and one.blocking):
+                self._weights[index] = self._context.outputs[index] = 0.0
 
     def _check_numbers(self):
-        """Make each row neutral that contains a number which sinks must not get, such as NaN or infinity, and set the row's status."""
-        for context, slots in zip(self._contexts, self._table):
-            if context is None or all(map(finite.is_finite, (context.locations, context.rotations, context.outputs))):
+        """Check the results: a row with a number that sinks must not get, such as NaN or infinity, is made neutral, and its status says so."""
+        poses = self._poses
+        for row, slots, *found in zip(self._rows, self._table, poses.locations, poses.rotations, self._context.outputs):
+            if row is None or all(map(finite.is_finite, found)):
                 continue
             if slots[outbox.STATUS] >= 0.0:
                 slots[outbox.STATUS] = outbox.NOT_FINITE
-            slots[outbox.WEIGHT] = 0.0
-            context.outputs[:] = 0.0
-            _make_neutral(context)
-
-
-def _make_neutral(context):
-    context.locations[:] = 0.0
-    context.rotations[:] = (1.0, 0.0, 0.0, 0.0)
+            slots[outbox.WEIGHT : self._layout.base] = 0.0
+            found[0][:], found[1][:] = 0.0, (1.0, 0.0, 0.0, 0.0)
