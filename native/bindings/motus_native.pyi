@@ -11,7 +11,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'Reason', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'bone_to_pose', 'box_around', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'Reason', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'bone_to_pose', 'box_around', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -268,6 +268,43 @@ class Timing:
     def speed(self, time: numpy.typing.ArrayLike) -> typing.Any:
         """
         Derivative of distance() at a time (a number or (m,), s): a float or (m,); at a jump the speed after it.
+        """
+class FollowPlan:
+    """
+    Followers of curves, each with its members, prepared for many frames: poses as of follow(), and how far they have come.
+    """
+    def __init__(self) -> None:
+        ...
+    def add(self, place: int, timing: Timing, offsets: numpy.typing.ArrayLike, mode: typing.Literal['world_up', 'minimal', 'banking', 'curvature', 'tilt'], time: float | None = None, start_frame: float | None = None, moved: float = 0.0, offset: float = 0.0, extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp', forward: typing.Literal['X', 'Y', 'Z', '-X', '-Y', '-Z'] = 'Y', up: typing.Literal['X', 'Y', 'Z', '-X', '-Y', '-Z'] = 'Z', rotate: bool = True, lag_rate: float = 0.0, lag_by: str = 'acceleration', line_up: bool = False, **kwargs) -> None:
+        """
+        Adds a follower, whose members have the next rows.
+        
+        place: index of its curve among those that solve() is given.  time: s; None: the frame's seconds, counted from start_frame
+        and 0 before, or from frame 0 if that is None.  moved, offset: added to the timing's distance where progress is told.
+        Everything else as in follow(). Raises ValueError or TypeError that names the argument.
+        """
+    def skip(self) -> None:
+        """
+        Leaves out the next follower, of one member: solve() writes neither its pose nor its progress.
+        """
+    def solve(self, curves: list, frame: float, fps: float, locations: numpy.typing.NDArray[numpy.float64], rotations: numpy.typing.NDArray[numpy.float64], progress: numpy.typing.NDArray[numpy.float64]) -> None:
+        """
+        Writes the poses of all members at a frame, as follow() does, and the progress of all followers.
+        
+        curves: list of Curves.  frame, fps: numbers.  locations, rotations: C-contiguous float64 arrays (rows, 3) and (rows, 4).
+        progress: (followers, 5): parameter on the curve, fraction of its length, distance, speed, the curve's length.
+        What is nowhere at that time, since its distance or speed is not finite, is NaN.
+        Raises ValueError or TypeError that names the argument.
+        """
+    @property
+    def followers(self) -> int:
+        """
+        How many followers were added.
+        """
+    @property
+    def rows(self) -> int:
+        """
+        How many members all followers have together.
         """
 class TailPlan:
     """

@@ -1,5 +1,6 @@
 """Convert Blender's splines (Bézier, NURBS, poly) into curve objects of the native module."""
 
+import functools
 import threading
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -53,6 +54,11 @@ class WorldCurve:
 
     curve: Any
     tilt: Any
+
+    @functools.cached_property
+    def shape(self):
+        """(length, tilt as bytes): what a plan of followers reads of the curve when it is made; the curve is given to it at each frame."""
+        return self.curve.length(), self.tilt.tobytes()
 
 
 def read_evaluated(curve_object, depsgraph, index):

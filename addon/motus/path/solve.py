@@ -50,7 +50,7 @@ def solve(context, matrix, splines, deformed, **numbers):
     path = _path(context, matrix, splines, int(numbers["spline"]))
     if path.__class__ is Problem:
         return path
-    key = *_shape_of(path), context.fps, _is_owner_mirrored(context)
+    key = *path.shape, context.fps, _is_owner_mirrored(context)
     found = context.kept("plan", key, lambda: _plan(context, numbers, path))
     if found.__class__ is Problem:
         return found
@@ -65,7 +65,7 @@ def solve_rows(context, rows, matrix, splines, deformed):
     """Do for all owners that share a solver what solve() does for one of them; see System.solve_rows."""
     indices = context.kept("splines", None, lambda: list(dict.fromkeys(_spline_of(row) for row in rows if row)))
     paths = [_path(context, matrix, splines, index) for index in indices]
-    key = context.fps, *(path if path.__class__ is Problem else _shape_of(path) for path in paths)
+    key = context.fps, *(path if path.__class__ is Problem else path.shape for path in paths)
     plan, problems = context.kept("plan", key, lambda: _plan_of_rows(context, rows, indices, paths))
     _follow(plan, context, paths)
     return problems
@@ -73,11 +73,6 @@ def solve_rows(context, rows, matrix, splines, deformed):
 
 def _spline_of(row):
     return int(row.inputs["spline"])
-
-
-def _shape_of(path):
-    """Return what a plan reads of a path when it is made; the path itself is given to the plan at each frame."""
-    return path.curve.length(), path.tilt.tobytes()
 
 
 def _plan(context, numbers, path):

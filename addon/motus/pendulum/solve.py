@@ -110,7 +110,7 @@ def solve(context, pivot, influence):
     Returns a Problem or None. A user's error never raises an exception.
     """
     settings = context.settings
-    if deleted.is_deleted(context.owner):
+    if context.kept("deleted", deleted.changes(), lambda: deleted.is_deleted(context.owner)):
         return PIVOT_DELETED
     scene = context.depsgraph.scene
     swing = context.kept("swing", gravity_of(settings, scene), lambda: swing_of(settings, scene))

@@ -13,9 +13,9 @@ import support
 
 WARM, COUNTED = range(1, 6), range(6, 16)
 MOST = {
-    "one follower": 90,
-    "50 followers, one curve": 960,
-    "50 followers, 50 curves": 3000,
+    "one follower": 84,
+    "50 followers, one curve": 250,
+    "50 followers, 50 curves": 2700,
     "one rig, four limbs": 140,
     "10 pendulums": 540,
     "10 objects with dynamics": 600,
