@@ -101,13 +101,15 @@ class FollowPlan {
         const auto rows = static_cast<py::ssize_t>(rows_);
         auto location_rows = output<double>(locations, "locations", {rows, 3});
         auto rotation_rows = output<double>(rotations, "rotations", {rows, 4});
-        auto progress_rows = output<double>(
-            progress, "progress", {static_cast<py::ssize_t>(count_), static_cast<py::ssize_t>(progress_size)});
+        auto progress_rows =
+            output<double>(progress, "progress",
+                           {static_cast<py::ssize_t>(count_), static_cast<py::ssize_t>(progress_size)});
         require_apart(values_of(location_rows), "locations", values_of(rotation_rows), "rotations");
         require_apart(values_of(location_rows), "locations", values_of(progress_rows), "progress");
         require_apart(values_of(rotation_rows), "rotations", values_of(progress_rows), "progress");
         for (Planned& one : followers_) {
-            if (one.place >= curves.size()) value_error("curves", "one for each place of a follower is needed");
+            if (one.place >= curves.size())
+                value_error("curves", "one for each place of a follower is needed");
             const BoundCurve& curve = curve_argument(curves[one.place]);
             place(one, curve, one.seconds(at_frame, rate), points_of(location_rows),
                   quaternions_in(rotation_rows.mutable_data(), rows_),
@@ -132,7 +134,8 @@ class FollowPlan {
             }
             const path::Frames frames = *one.frames;  // another thread may exchange them meanwhile
             {
-                const ReleaseGil released(one.offsets.size(), one.settings.lag_rate > 0.0 ? lagging_cost : cost);
+                const ReleaseGil released(one.offsets.size(),
+                                          one.settings.lag_rate > 0.0 ? lagging_cost : cost);
                 follow(frames, one.timing, time, one.offsets, one.settings, places, turns);
             }
             rows_from_quaternions(turns);
