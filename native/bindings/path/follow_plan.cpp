@@ -32,7 +32,7 @@ constexpr std::size_t progress_size = 5;  // numbers of path::Progress
 
 /// A follower with its members, which stand at offsets along the curve, and what it needs at any time.
 // The move may allocate, as that of a std::vector of what it holds may; nobody relies on it not to throw.
-struct Planned {  // NOLINT(bugprone-exception-escape)
+struct Planned {               // NOLINT(bugprone-exception-escape)
     std::size_t row = 0;       // of its first member's pose
     std::size_t follower = 0;  // row of its progress
     std::size_t place = 0;     // of its curve among those that solve() is given
