@@ -145,11 +145,11 @@ template <int power>
 
 /// The swing of an elastic way: its height, how much of it counts, and by how many frames it is late.
 struct Swing {
-    float height, share, shift, period;
+    float height, share = 1.0f, shift = 0.0f, period;
 
     /// t: from -1, a whole way from the end that does not swing, to 0.
     Swing(const Key& key, const Way& way, float period_of_way, float t)
-        : height(key.amplitude), share(1.0f), shift(0.0f), period(key.period) {
+        : height(key.amplitude), period(key.period) {
         if (period == 0.0f) period = period_of_way;
         if (height != 0.0f && !(height < std::abs(way.change))) {
             shift = period / (2.0f * pi) * std::asin(way.change / height);

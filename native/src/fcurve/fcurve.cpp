@@ -192,13 +192,11 @@ struct Side {
     }
     const float rest = std::fmod(frame - edge, period);
     const bool is_mirrored = side.mode == Repeat::mirror;
-    float found;
+    float found = first.place.x + rest;
     if (rest == 0.0f)
         found = side.is_before == (is_mirrored && beyond.is_odd) ? last.place.x : first.place.x;
     else if (is_mirrored && beyond.is_next_odd)
         found = edge - rest;
-    else
-        found = first.place.x + rest;
     if (found < first.place.x) found += period;
     return {found, offset};
 }
