@@ -61,7 +61,7 @@ py::object matrix_rows(const ArrayLike& locations, const ArrayLike& rotations,
 }
 
 [[nodiscard]] py::array rows_of_matrices(const py::object& given, const char* name) {
-    const py::array array = py::array::ensure(given);
+    py::array array = py::array::ensure(given);
     if (!array || array.ndim() != 3) value_error(name, "must have the shape (n, k, m)");
     return array;
 }
