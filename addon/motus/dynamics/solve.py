@@ -12,9 +12,8 @@ from mathutils import Matrix, Vector
 from ..core import keeping, native, rigs, wiring
 from ..core.animation import strips
 from ..core.declare import Problem, laying_systems, registered
-from ..core.evaluated import copies
+from ..core.evaluated import copies, shares
 from ..core.evaluated.question import answered
-from ..core.evaluated.shares import share_of
 from ..core.file import stored
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
@@ -68,7 +67,8 @@ class Made(NamedTuple):
     stamp: hashable value that changes with the inputs, including those that `asked` (an Asked) names.
     parts: [motion.Part]. tails: [motion.Tails]. values: [motion.Values].
     plan: ((bone name, row of the member), ...) of the bones in `tails`. problem: the Problem to report, or None.
-    weights: of all entries; None if they are animated. share: of the limit of work, that the owner had (core/evaluated/shares.py).
+    weights: of all entries; None if they are animated. share: of the limit of work, that the owner had (core/evaluated/shares.py). edits:
+    shares.edits() when that was looked up.
     """
 
     stamp: Any
@@ -81,6 +81,7 @@ class Made(NamedTuple):
     problem: Any
     weights: Any
     share: float
+    edits: int
 
 
 class Plan:
@@ -132,12 +133,12 @@ def _turn(context, made, seconds, weights):
     text, members = context.data[PLAN], made.plan
     plan = rigs.plan(rig, f"{text} {members}", lambda rig, rows: Plan(rig, rows, members))
     arrays = rigs.read(rig, plan.still)
-    places, shares = np.zeros((len(members), 3)), np.zeros(len(members))
+    places, influences = np.zeros((len(members), 3)), np.zeros(len(members))
     for tails in made.tails:
         places[tails.rows] = tails.track.evaluate(seconds - tails.delay).reshape(-1, 3)
-        shares[tails.rows] = [weights[place] for place in tails.places]
+        influences[tails.rows] = [weights[place] for place in tails.places]
     context.rotations[plan.members] = plan.solver.solve(
-        arrays.rest, arrays.poses, arrays.basis, arrays.inheritance, arrays.world, places, shares
+        arrays.rest, arrays.poses, arrays.basis, arrays.inheritance, arrays.world, places, influences
     )
 
 
@@ -147,7 +148,8 @@ def _made(context):
     copy = copies.of(owner)
     kept = _MADE.on(copy)
     found = kept.get(context.group)
-    share = share_of(registered["dynamics"], owner, context.depsgraph)
+    edits = shares.edits()
+    share = found.share if found and found.edits == edits else shares.share_of(registered["dynamics"], owner, context.depsgraph)
     if (
         found is None
         or found.stamp is None
@@ -156,6 +158,8 @@ def _made(context):
         or found.stamp != _stamp(owner, copy, scene, found.asked)
     ):
         found = kept[context.group] = _make(context, copy, scene, share)
+    elif found.edits != edits:
+        found = kept[context.group] = found._replace(edits=edits)
     return found
 
 
@@ -326,6 +330,7 @@ def _make(context, copy, scene, share):
         next(iter(making.problems), None),
         _weights(settings) if is_still else None,
         share,
+        shares.edits(),
     )
 
 

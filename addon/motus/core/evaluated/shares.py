@@ -22,6 +22,12 @@ _loads = keeping.OfFile(
     most=1024,
     until="something is edited, an owner is wired, or a different file is opened",
 )
+_edits = [0]
+
+
+def edits() -> int:
+    """Counter that increases whenever the share of any owner may have changed, which playback does not do."""
+    return _edits[0]
 
 
 def share_of(system: System, owner: Any, depsgraph: bpy.types.Depsgraph) -> float:
@@ -54,6 +60,7 @@ def _load(system: System, owner: Any) -> float:
 def forget(*_: Any) -> None:
     """Have the loads summed anew by the next evaluation, since owners may have come or gone, or their settings changed."""
     _loads.clear()
+    _edits[0] += 1
 
 
 def _watched() -> list[handlers.Pair]:
