@@ -28,8 +28,8 @@ def attach(system, owner):
 def _wire(system, owner, before):
     """Wire a system on an owner, and replace the earlier wiring.
 
-    before: {object or pose bone: positions of its sinks among its constraints}, as stack.places() returned it for the earlier wiring. The
-    new sinks get the same positions.
+    before: {object or pose bone: positions of the owner's sinks among the constraints}, as stack.places() returned it for the earlier
+    wiring. The new sinks get the same positions.
     """
     followers = _unwire(system, owner)
     settings = of_owner(system, owner)
@@ -52,7 +52,7 @@ def _wire(system, owner, before):
 
 
 def _unwire(system, owner):
-    """Remove the wiring of an owner; returns the Readers: the users' drivers that read the owner's outputs.
+    """Remove the wiring of an owner; returns the Readers: the drivers, not made by Motus, that read the owner's outputs.
 
     readers.point() later makes these drivers read the outputs of the next wiring.
     """
@@ -78,8 +78,8 @@ def detach(system, owner):
 def touch(system, owner):
     """Have an owner solved again after a script has changed the owner's settings.
 
-    The owner is wired again if it is a copy that uses another owner's hubs, if it can no longer share its hub, or if the number of its
-    members has changed.
+    The owner is wired again in three cases: the owner is a copy that still uses the hubs of the object from which it was copied, the owner
+    can no longer share its hub, or the number of the owner's members has changed.
     """
     parts = sharing.parts(system, owner)
     if signature.has_strange_carriers(system, owner, parts) or not sharing.store_settings(system, owner, parts):
@@ -89,7 +89,7 @@ def touch(system, owner):
 def refresh(system, owner):
     """Wire an owner again, because targets, members or channels in the owner's settings have changed.
 
-    Nothing happens if the object is linked or is no owner of the system.
+    Nothing happens if the object is linked or if the system is not set up on it.
     """
     if owner.library or not is_owner(system, owner):
         return
@@ -106,8 +106,8 @@ def _wire_anew(system, owner):
 def refresh_others(system, owner):
     """Wire the other systems of an owner again if they depend on this system.
 
-    A system that starts from poses of this system is wired in any case, since this system's hubs are new. A different system is wired only
-    if its groups have changed.
+    A system that starts from poses of this system is always wired again, since this system's hubs are new. Any other system is wired again
+    only if its groups have changed.
     """
     if system.entries is None:
         return
@@ -118,9 +118,9 @@ def refresh_others(system, owner):
 
 
 def refresh_changed(system, owner):
-    """Wire an owner again if its groups have changed, or if bones that it does not drive have copies of its sinks.
+    """Wire an owner again if its groups have changed, or if bones that the owner does not drive have copies of its sinks.
 
-    Returns whether the owner was wired.
+    Returns whether the owner was wired again.
     """
     is_same = of_owner(system, owner).wired == signature.of(system, owner, groups_of(system, owner))
     if is_same and not finding.has_strays(system, owner):
@@ -132,7 +132,7 @@ def refresh_changed(system, owner):
 def refresh_edited(system, owner):
     """Wire an owner again after bones were edited, if bones that the owner drives or reads were renamed, or if its groups have changed.
 
-    The system gets the new names of renamed bones by System.bone_renamed.
+    System.bone_renamed informs the system about the new names of renamed bones.
     """
     if renaming.renamed(system, owner):
         _wire_anew(system, owner)

@@ -68,7 +68,7 @@ def depends(obj, bone, rig, bones):
 
 
 def hanging(rig, places):
-    """Return {place: [each different place in the list on which the transform of the place depends]}.
+    """Return {place: [the other places in `places` on which its transform depends]}.
 
     places: list of (object, name of a bone or ""). Dependencies through entries of the owner `rig` are included.
     """
@@ -125,7 +125,10 @@ class _Graph:
         self._add(owner)
 
     def _add(self, owner):
-        """Add the entries of an owner to the graph of dependencies between bones and objects, unless they were added before."""
+        """Add to the graph an owner's entries, and which bones and objects they drive, unless the owner was added before.
+
+        An entry is an item in an owner's list of settings.
+        """
         if owner in self._owners:
             return
         self._owners.add(owner)
@@ -257,9 +260,10 @@ class _Graph:
         return self._solved[obj]
 
     def _is_sink(self, obj, constraint):
-        """Whether a constraint of an object, or of its bone, is a sink: it applies a solver's result.
+        """Whether a constraint of an object, or of its bone, is a sink: a constraint that applies a solver's result.
 
-        The targets of a sink are hidden objects. What a sink depends on is taken from the entry whose result it applies.
+        The targets of a sink are hidden objects, so they are not followed. What a sink depends on is taken from the entry whose result it
+        applies.
         """
         found = (marks.read(system, constraint) for system in _with_entries())
         if any(self._has_entries(mesh) for mesh, _ in filter(None, found)):
@@ -284,7 +288,7 @@ class _Graph:
         return "constraints[" in path and any(target.id and self._has_entries(target.id) for target in targets)
 
     def _has_entries(self, hub):
-        """Whether the mesh of a hub has an owner with Motus settings; adds the entries of this owner to the dependency graph."""
+        """Whether a hub, given by its mesh, has an owner with Motus settings; if so, add that owner's entries to the graph."""
         owner = hub.get(outbox.OWNER_KEY)
         if not isinstance(owner, bpy.types.Object) or not owner.is_property_set("motus"):
             return False

@@ -2,8 +2,8 @@
 
 Blender identifies the drivers of an override by their positions in the list. When a file is loaded, the saved targets of a driver's
 variables are given to the driver at that position in the library. If the wiring (the setting up of a system on an object) had removed
-drivers and added new ones at the end, the targets could reach one of the user's drivers. So drivers are put back into the library's
-order. If the library has a driver of Motus that the override does not need, a muted driver without variables takes its position.
+drivers and added new ones at the end, the targets could reach a driver that an artist has added. Drivers are therefore put back into the
+library's order. If the library has a driver of Motus that the override does not need, a muted driver without variables takes its position.
 """
 
 PREFIX = '["motus_'

@@ -1,11 +1,13 @@
 """Detect library overrides whose wiring, the set-up that Motus has added to them, Blender has lost when the file was loaded.
 
 Of an overridden object Blender saves the properties and list items that are declared overridable, and added constraints and modifiers.
-Everything else is the library's again when the file is loaded: custom properties (the arrays of results among them), and drivers that
-were added or given different variables, if the library's object has drivers. Changed settings would then meet wiring that was made for
-the library's settings. So each object gets a mark: a custom property with a hash of what was wired on it. Blender loses the mark
-together with the wiring. If the mark does not match the settings, the owner (the object whose settings a system solves) is wired again
-(see the folder healing).
+Everything else is the library's again when the file is loaded: custom properties (the arrays of results among them), and drivers that were
+added or given different variables, if the library's object has drivers. Changed settings would then meet wiring that was made for the
+library's settings.
+
+To detect this, each object gets a mark: a custom property with a hash of what was wired on it. Blender loses the mark together with the
+wiring. If the mark does not match the settings, the owner (the object whose settings a system solves) is wired again (see the folder
+healing).
 """
 
 import hashlib
@@ -48,7 +50,7 @@ def unmark(system, obj):
 
 
 def is_lost(system, owner):
-    """Whether Blender has lost the wiring of a library override: the owner, or an object that the owner drives.
+    """Whether Blender has lost the wiring of a library override, which is either the owner or an object that the owner drives.
 
     The wiring is lost if the override's mark, a custom property with a hash of its wiring, does not match the owner's settings.
     """
@@ -89,10 +91,10 @@ def forget():
 
 
 def complete_reference(owner):
-    """Give the library's object of an override all groups of Motus settings (PropertyGroups) that the override has.
+    """Give the linked object from which a library override was made all groups of Motus settings that the override has.
 
-    If only the override has a group, Blender 5 mistakes the group for a replaced pointer, which Blender can write to a file but not read.
-    owner: the override.
+    If only the override has a group (PropertyGroup), Blender 5 mistakes the group for an overridden pointer: Blender can write such a
+    pointer to a file but cannot read it again. owner: the override; the linked object is its override_library.reference.
     """
     reference = owner.override_library.reference
     for name in [one.name for one in registered.values() if one.settings is not None]:
@@ -103,9 +105,9 @@ def complete_reference(owner):
 
 @persistent
 def complete_references(*_):
-    """Do the same as complete_reference() for all library overrides in the file.
+    """Call complete_reference() for all library overrides in the file.
 
-    The library's object of each override gets all groups of Motus settings that the override has.
+    The linked object from which each override was made gets all groups of Motus settings that the override has.
     """
     for owner in bpy.data.objects:
         if owner.override_library and not owner.library:

@@ -1,11 +1,10 @@
-"""Keep users' own drivers that read a system's outputs working when the owner is wired again and its outputs move.
+"""Keep drivers that an artist or a script has made working if they read a system's outputs, and the owner is wired again.
 
-Outputs may move to a different hub or slot. If an output is no longer computed, the driver is made to read a property that does not
-exist and that is named after the output: Blender marks the driver as invalid, and it is pointed to the output again when the output
-comes back.
+Outputs may move to a different hub or slot. If an output is no longer computed, the driver is made to read a property that does not exist
+and that is named after the output. Blender marks the driver as invalid. The driver reads the output again when the output comes back.
 
-The owner is the object whose settings the system solves. Its outputs are numbers in the outbox, an array of results on the mesh of a
-hidden object, the hub. The outlet is a custom property of the owner that repeats them. A carrier is a datablock with outputs: the owner
+The owner is the object whose settings the system solves. Its outputs are numbers in the outbox, an array of results on the mesh of a hidden
+object, the hub. The outlet is a custom property of the owner that repeats the outputs. A carrier is a datablock with outputs: the owner
 with an outlet, or a hub's mesh.
 """
 
@@ -36,11 +35,11 @@ class Reader(NamedTuple):
 
 
 def of(system, owner, parts):
-    """Return a Reader for each driver variable of the user that reads an output of an owner's system.
+    """Return a Reader for each target of a driver variable, anywhere in the file, that reads an output of an owner's system.
 
-    Drivers that read an output which is no longer computed are included (see absent_path()). If the owner is a copy that uses the hub of
-    the object from which it was copied, only the copy's own drivers are taken: other drivers that read this hub belong to that object.
-    parts: Parts of the owner.
+    The wiring's own drivers are left out. Drivers that read an output which is no longer computed are included (see absent_path()). If the
+    owner is a copy that uses the hub of the object from which it was copied, only the copy's own drivers are taken: other drivers that read
+    this hub belong to that object. parts: Parts of the owner.
     """
     carriers = _carriers(system, owner, parts)
     names = {(carrier, key): outputs.output_names(system, carrier, key) for key, carrier, _ in carriers}
@@ -62,9 +61,10 @@ def of(system, owner, parts):
 
 
 def _carriers(system, owner, parts):
-    """Return (key of the group, datablock, index of the owner's first slot) for each datablock with outputs of an owner.
+    """Return (key of the group, carrier, index of the owner's first slot) for each carrier: datablock with outputs of an owner.
 
-    The datablocks are the meshes of its hubs, and the owner itself if it has an outlet, a custom property that repeats the outputs.
+    The carriers are the meshes of the owner's hubs. The owner itself is one if it has an outlet, a custom property that repeats the
+    outputs.
     """
     outlet = [("", owner, 0)] if outputs.has_outlet(system, owner) else []
     return outlet + [(part.key, part.mesh, part.first) for part in parts]
@@ -89,8 +89,8 @@ def absent_path(system, output):
 def _output(names, carrier, slot, first):
     """Return the name of the output in a slot of an outbox; None if the slot holds no output.
 
-    names: {(carrier, key of the group): names of its outputs}. slot: match of outbox.slot_pattern() with the data path of the slot. first:
-    index at which the owner's slots begin.
+    names: {(carrier, key of the group): names of the outputs}; a carrier is a hub's mesh, or the owner with an outlet (custom property that
+    repeats the outputs). slot: re.Match of outbox.slot_pattern() for the slot's data path. first: index of the owner's first slot.
     """
     known = names.get((carrier, slot["key"] or ""), ())
     place = int(slot["slot"]) - first - outbox.FIRST_OUTPUT
@@ -98,7 +98,7 @@ def _output(names, carrier, slot, first):
 
 
 def point(system, owner, parts, readers):
-    """Make users' drivers read their outputs where the present wiring has them. readers: Readers of the drivers.
+    """Make the drivers of Readers read their outputs from the present wiring. readers: result of of() for the earlier wiring.
 
     A driver whose output is no longer computed gets the path of a property that does not exist, absent_path(). parts: present Parts of the
     owner.

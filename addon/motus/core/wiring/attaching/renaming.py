@@ -1,7 +1,6 @@
-"""Follow the renaming of bones after an owner was wired: the system is told, and keys and drivers of its settings are adapted.
+"""Follow the renaming of bones after an owner was wired: inform the system, and adapt F-curves and drivers of the settings.
 
-The owner is the object whose settings the system solves. Its settings contain a list of entries, one for each bone, named after the
-bone.
+The owner is the object whose settings the system solves. Its settings contain a list of entries, one for each bone, named after the bone.
 """
 
 import bpy
@@ -22,7 +21,7 @@ def renamed(system, owner):
 
 
 def follow(system, owner):
-    """Tell the system of an owner's renamed bones, and adapt F-curves and drivers of the owner's settings.
+    """Inform the system about the renamed bones of an owner, and put the new names into F-curves and drivers of the settings.
 
     This has to be done before the owner is wired again, because the new wiring stores the new names, and the old ones are then unknown.
     """

@@ -20,10 +20,10 @@ VERSION = 3
 
 
 def has_strange_carriers(system, owner, parts):
-    """Whether an owner depends on hubs or proxies that are not its own, such as those of the object from which it was copied.
+    """Whether an owner uses hubs or proxies that are not its own, such as those of the object from which it was copied.
 
-    Hubs and proxies are hidden objects that compute and bring results for one owner. A shared hub is not the owner's own if it is linked or
-    overridden. parts: Parts of the owner.
+    A hub is a hidden object that computes for owners; a proxy is a hidden empty that brings a result to a bone or object. A hub is also not
+    the owner's own if it is overridden, or if it comes from a different file than the owner. parts: Parts of the owner.
     """
     return not all(part.is_own for part in parts) or (system.groups is not None and proxy_sink.has_strange_proxies(owner))
 

@@ -1,9 +1,9 @@
 """Create the driver that calls a solver, with the driver variables by which it waits for everything the solver reads.
 
-The owner is the object whose settings are solved. The driver is on the outbox, an array of results on the mesh of a hidden object, the
-hub. Sinks are the constraints, drivers and modifiers that bring results to members, the objects or bones that the owner drives; the
-result of a relative member is applied on top of its own transform, that of an absolute one replaces it. The outlet is a custom property
-of the owner that repeats outputs of the solver.
+The owner is the object whose settings are solved. The driver is on the outbox, an array of results on the mesh of a hidden object, the hub.
+Sinks are the constraints, drivers and modifiers that bring results to members, the objects or bones that the owner drives. The result of a
+relative member is applied on top of its own transform, that of an absolute member in place of its own transform. The outlet is a custom
+property of the owner that repeats outputs of the solver.
 """
 
 import bpy
@@ -86,10 +86,11 @@ def renamed_reads(system, owner):
 def _awaited(group):
     """Yield the inputs of a group for which the solver can wait, and has to wait.
 
-    A bone's own transform (BonesOwn) is left out if the bone has no drivers, since nothing has to be waited for, and if the bone is an
-    absolute member of the group. The sinks of an absolute member set values of its constraints, and in Blender's dependency graph these
-    values and the bone's channels are one node: waiting for the bone's drivers would be a cycle. Relative members have sinks without this
-    problem (see proxy_sink and attribute_sink).
+    A bone's own transform (BonesOwn) is left out in either of two cases: the bone has no drivers (nothing to wait for), or the bone is an
+    absolute member of the group (its result is applied in place of its own transform). Waiting for the drivers of an absolute member would
+    be a cycle: its sinks set values of its constraints, and in Blender's dependency graph these values and the bone's channels are one
+    node. Relative members (result applied on top of their own transform) have sinks without this problem (see proxy_sink and
+    attribute_sink).
     """
     kept = {member.thing for member in group.members if not member.is_relative}
     driven = {}
@@ -138,9 +139,10 @@ def _call(system, owner, group, part):
 def _settings_path(system, owner, group):
     """Return the data path of the owner's property that a solver's driver reads, to be evaluated after the owner's settings.
 
-    In Blender's dependency graph, all plain properties of an object are one node, which comes after the F-curves and drivers of these
-    properties, and after the owner's outlet, which waits for the solver. So if an owner has no outlet, the solver waits for one of its
-    settings. If an owner has an outlet, its settings are not animated, and the solver waits for a custom property that nothing writes.
+    If the solver has to avoid waiting for the settings (waits_apart()), the path is chosen by way_to_wait(). If the owner has an outlet
+    (custom property that repeats the outputs), the path is that of a custom property that nothing animates. Waiting for a setting would
+    then be a cycle: all plain properties of an object are one node in Blender's dependency graph, which waits for the outlet, which waits
+    for the solver. In all other cases it is the path of one of the settings.
     """
     way = way_to_wait(owner, [group])
     if way == "keys":
@@ -151,20 +153,20 @@ def _settings_path(system, owner, group):
 
 
 def waits_apart(owner, groups):
-    """Whether a solver of the owner must not wait for all plain properties of the owner, which are one node in the dependency graph.
+    """Whether solvers of the owner must avoid waiting for the one node of all plain (not custom) properties of the owner.
 
-    If solvers drive some of the properties, waiting for this node would be a dependency cycle. On a camera no solver may wait for it:
-    Blender evaluates the properties of a camera object after those of the camera's data, which may be driven by a solver that waits for the
-    camera.
+    In Blender's dependency graph these properties of an object, the settings among them, are one node. way_to_wait() tells how such solvers
+    wait for the settings. If solvers drive some of the properties, waiting for the node would be a dependency cycle. On a camera, Blender
+    evaluates the node after the camera's data, which may be driven by a solver that waits for the camera.
     """
     return owner.type == 'CAMERA' or any(group.properties for group in groups)
 
 
 def way_to_wait(owner, groups):
-    """Return how a solver waits for animated settings if waits_apart() is true: "", "keys" or "settings".
+    """Return how a solver waits for animated settings if it must not wait for all plain properties (waits_apart()).
 
-    "": there is nothing to wait for. "keys": the solver waits for the property of _wait_for_keys(). "settings": a driver sets a setting, so
-    the solver waits for the settings themselves.
+    "keys": by the custom property wait_key(), which comes after the settings' F-curves. "settings": for the settings themselves in spite of
+    the possible cycle, because a driver sets one of them. "": not at all, because the settings are not animated or waits_apart() is false.
     """
     if not waits_apart(owner, groups) or not copies.has_animated_settings(owner):
         return ""
@@ -174,8 +176,9 @@ def way_to_wait(owner, groups):
 def _wait_for_keys(system, owner):
     """Give the owner a custom property by which a solver waits for the owner's F-curves; returns the data path of the property.
 
-    A driver on the property makes Blender evaluate it after the owner's keyframes, and after nothing else. The settings cannot be used for
-    this: all plain properties of an object are one node in Blender's dependency graph, and sinks may drive some of these properties.
+    A driver on the property makes Blender evaluate the property after the owner's keyframes, and after nothing else. The settings cannot be
+    used for this: all plain (not custom) properties of an object are one node in Blender's dependency graph, and sinks may drive some of
+    these properties.
     """
     key = wait_key(system)
     owner[key] = 0.0
@@ -189,10 +192,10 @@ def wait_key(system):
 
 
 def _laid(system, owner, group):
-    """Return driver Variables by which a group's solver waits for the systems that lay poses beneath this system.
+    """Return driver Variables by which a group's solver waits for the systems that lay poses (set bones' own transforms, as keys do).
 
-    Each Variable reads the status in the outbox of such a system on the same owner. The list is empty if no member of the group is a bone.
-    A system that lays poses sets the bones' own transforms, before all other systems.
+    All other systems start from these poses. Each Variable reads the status in the outbox of such a system on the same owner. The list is
+    empty if no member of the group is a bone.
     """
     if not any(isinstance(one.thing, bpy.types.PoseBone) for one in group.members):
         return []

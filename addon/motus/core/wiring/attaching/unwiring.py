@@ -20,8 +20,10 @@ from . import override_drivers, overrides, solver_driver, waiting
 def unwire(system, owner, parts):
     """Remove the hubs, sinks, outlet and proxies of an owner, and the markers of the datablocks that the owner read or drove.
 
-    Markers are custom properties that Motus gives to such datablocks. The owner keeps its own markers, since it is usually wired again at
-    once; release() removes them. parts: Parts of the owner, including those of hubs whose hub object was deleted.
+    The outlet is a custom property that repeats the outputs; proxies are hidden empties that bring a result to a bone or object; markers
+    are custom properties by which evaluated copies are told apart. The owner keeps its own markers, since it is usually wired again at
+    once; release() removes them. parts: all Parts of the owner, also those whose hub object was deleted and of which only the hub's mesh
+    remains.
     """
     settings = of_owner(system, owner)
     drop_dead_copy(owner)

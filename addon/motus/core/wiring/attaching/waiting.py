@@ -5,7 +5,7 @@ nothing, but Blender evaluates its target, an object or bone, before the transfo
 solver's driver has a variable that reads the hub's transform.
 
 Geometry: a Follow Path or Shrinkwrap constraint at influence 0 also moves nothing, but makes Blender evaluate its target's geometry
-before the transform of the empty that carries the constraint, the *order proxy*.
+before the transform of the hidden empty that carries the constraint, the *order proxy*.
 
 The settings are those of an owner, the object for which a system is solved.
 """
@@ -30,22 +30,27 @@ def geometries(system, settings):
 def waited_for(settings):
     """Return {original object: evaluated object} for the objects whose geometry Blender evaluates before a solver.
 
-    settings: evaluated settings of the owner, with which the solver was called.
+    These are the targets of the owner's order proxy (hidden object that makes Blender evaluate geometries before the solver). settings:
+    evaluated settings of the owner, with which the solver was called.
     """
     proxy = pointed(settings, "order_proxy")
     return {one.original: one for one in _waits_for(proxy) if one} if proxy else {}
 
 
 def is_stale(system, settings):
-    """Whether the order proxy in an owner's settings waits for objects different from those whose geometry the system reads now."""
+    """Whether the order proxy of an owner waits for objects different from those whose geometry the system reads now.
+
+    The order proxy is the hidden object that makes Blender evaluate geometries before the solver. settings: settings of the owner.
+    """
     proxy = pointed(settings, "order_proxy")
     return (_waits_for(proxy) if proxy else []) != geometries(system, settings)
 
 
 def set_proxy(system, settings):
-    """Store an order proxy in an owner's settings, which waits for the geometries that the system reads; nothing if it reads none.
+    """Store in an owner's settings a pointer to an order proxy for the geometries that the system reads, if it reads any.
 
-    Owners that read the same objects share one order proxy.
+    An order proxy is a hidden object that makes Blender evaluate the geometries before the solver. Owners that read the same objects share
+    one order proxy.
     """
     targets = geometries(system, settings)
     if targets:
@@ -65,7 +70,10 @@ def _proxy_for(targets):
 
 
 def release_proxy(settings):
-    """Clear the pointer to the order proxy in an owner's settings, and remove the proxy from the file if nothing else uses it."""
+    """Clear an owner's pointer to its order proxy, and remove the proxy from the file if nothing else uses it.
+
+    The order proxy is the hidden object that makes Blender evaluate geometries before the solver. settings: settings of the owner.
+    """
     proxy = pointed(settings, "order_proxy")
     settings.property_unset("order_proxy")
     if proxy and proxy.users == 0:

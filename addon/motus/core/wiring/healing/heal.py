@@ -19,9 +19,10 @@ log = logging.getLogger(__name__)
 
 
 def heal(moment, depsgraph=None):
-    """Make the repairs of repairs.TABLE that belong to a moment, such as repairs.EDIT, and whose change is detected.
+    """Make those repairs of repairs.TABLE that are due at a moment and for which a change that needs the repair is detected.
 
-    depsgraph: dependency graph that Blender has passed to the handler, or None. An exception in a repair is logged, not raised.
+    moment: such as repairs.EDIT. depsgraph: dependency graph that Blender has passed to the handler, or None. An exception in a repair is
+    logged, not raised.
     """
     event = repairs.Event(moment, depsgraph)
     for repair in repairs.AT[moment]:
@@ -36,7 +37,10 @@ def heal(moment, depsgraph=None):
 
 
 def reset():
-    """Forget everything that was detected in the open file."""
+    """Forget all stored states of the open file by which changes to repair are detected.
+
+    This is done when a different file was loaded, and when the add-on is disabled.
+    """
     noticed.reset()
     overrides.forget()
     relations.forget()

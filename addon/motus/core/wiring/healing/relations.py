@@ -1,7 +1,7 @@
 """Detect that objects were given different parents, constraints or drivers, which may change the order in which entries are solved.
 
-An entry is an item in an owner's list of settings. Blender tells handlers which objects were updated but not why, so the relations of
-each object are stored and compared.
+An entry is an item in an owner's list of settings. Blender tells handlers which objects were updated but not why. The relations of each
+object are therefore stored and compared.
 """
 
 import bpy

@@ -1,8 +1,8 @@
 """Remove owners that were deleted, with their helpers.
 
-An owner is an object whose settings Motus solves; its helpers are hidden objects. Blender removes a deleted object when nothing uses it
-any more. An owner and its hub (the helper with the solver's driver) use each other, so both would stay in the file and in Blender's
-pickers for good. Objects that something else uses stay, as they do in Blender.
+An owner is an object whose settings Motus solves; its helpers are hidden objects. Blender removes a deleted object when nothing uses the
+object any more. An owner and its hub (the helper with the solver's driver) use each other: without this module, both would stay in the file
+and in Blender's pickers for good. Objects that something else uses stay, as they do in Blender.
 """
 
 import bpy
@@ -53,8 +53,9 @@ def _deleted_owners():
 def _unneeded(owners):
     """Return the objects to remove from the file, in a set. owners: the owners that were deleted.
 
-    These are the owners, the objects that they drive or point to, and helpers, except those that an object outside the set uses or that
-    have a fake user.
+    Candidates are the deleted owners, all helpers of the file (objects that Motus has made for its own use, such as hubs), and the objects
+    that these drive or point to. A candidate is left out if it has a fake user, or if an object that is no candidate uses it. This is
+    repeated until no candidate is left out.
     """
     found = _reached(owners | {obj for obj in bpy.data.objects if helpers.is_helper(obj) and not obj.library})
     while True:

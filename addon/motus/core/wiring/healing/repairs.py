@@ -6,7 +6,7 @@ which owner was evaluated first.
 
 The owner is the object whose settings a system solves; a *place* is the pair (name of the system, name of the owner). Hubs are hidden
 objects whose meshes carry a solver's driver and results; several owners can share one, with a row each. Sinks are constraints, drivers
-and modifiers that apply the results. Proxies are hidden empties for the wiring.
+and modifiers that apply the results. Proxies are hidden empties that bring a result to an object or bone.
 """
 
 from collections.abc import Callable
@@ -40,9 +40,11 @@ AFTER_EVALUATION = EDIT, FRAME
 class Event:
     """Call of a Blender handler, in which changes are looked for.
 
-    moment: EDIT, FRAME, LOADED, ARRIVED, SAVING or SAVED. depsgraph: dependency graph, or None if Blender passes none to the handler.
-    have_collections_changed: whether objects may have been linked to collections or unlinked from them in this evaluation; False without a
-    depsgraph. has_armatures: whether armatures were updated in this evaluation; False without a depsgraph.
+    moment: EDIT or FRAME when the evaluation after an edit or after a change of the frame has ended; LOADED after a file was loaded;
+    ARRIVED after undo, redo or an import; SAVING before a file is saved, and SAVED after that. depsgraph: dependency graph, or None if
+    Blender passes none to the handler. have_collections_changed: whether objects may have been linked to collections or unlinked from them
+    in this evaluation; False without a depsgraph. has_armatures: whether armatures were updated in this evaluation; False without a
+    depsgraph.
     """
 
     def __init__(self, moment, depsgraph=None):
@@ -119,7 +121,7 @@ def _refresh_each(found, _event):
         attach.refresh(system, owner)
 
 
-# --- Drivers of properties, which are at rest in a file ------------------------------------------------------------------------------
+# --- Drivers of properties, which are at rest (muted, and aimed at a placeholder property) in a file ---------------------------------
 
 
 def _resting(_event):
@@ -164,12 +166,12 @@ def _rest_each(meshes, _event):
 
 def _changed(event):
     if noticed.rows and event.depsgraph is not None:
-        _look_at_rows(event)
+        _check_rows(event)
     return noticed.changed
 
 
-def _look_at_rows(event):
-    """Detect owners that must leave a shared hub, since the solver of a shared hub does not read its owners.
+def _check_rows(event):
+    """Detect owners that must leave a shared hub; the hub's solver cannot, because it does not read the owners.
 
     An owner must leave the hub if its settings have become animated, or if it has become mirrored by a negative scale. Mirroring is looked
     for only after an edit. Changed owners are stored in `noticed.changed`.
@@ -220,7 +222,7 @@ def _renamed_settings(event):
 
 
 def _move_renamed(found, _event):
-    """Store settings that an earlier version has saved under other names under their present names.
+    """Move settings that an earlier version of Motus has saved under old names to their present names.
 
     found: systems whose settings were renamed. Settings of linked objects are included.
     """
@@ -248,7 +250,7 @@ def _part_copies(_found, _event):
 
 
 def _is_borrowing(system, owner):
-    """Whether an owner is a copy that still depends on the hubs or proxies of the object from which it was copied."""
+    """Whether an owner is a copy that still uses hubs or proxies (hidden helper objects) of the object from which it was copied."""
     return signature.has_strange_carriers(system, owner, sharing.parts(system, owner))
 
 
@@ -316,7 +318,7 @@ def _release_joined(grown, _event):
 
 
 def _discard(rig):
-    """Remove a rig that is in no collection, together with its hubs and proxies: hidden helper objects that only the rig uses."""
+    """Remove a rig that is in no collection, together with its hubs and proxies (hidden helper objects that only the rig uses)."""
     for system in systems():
         for part in [part for part in sharing.parts(system, rig) if part.is_own]:
             bpy.data.meshes.remove(part.mesh)
@@ -339,7 +341,8 @@ def _follow_bones(edited, _event):
 def _armatures(system, owner):
     """Return the armatures of an owner and of all rigs that the owner's solvers read, in a set.
 
-    The set also contains Object.data of owners and read objects that are no rigs: the caller only asks which armatures are in the set.
+    If the owner, or an object that its solvers read, is not a rig, the set contains that object's data (such as a mesh) instead. This is
+    harmless: the caller only asks which armatures are in the set.
     """
     read = [pair[0] for group_key, _ in hub_lookup.carriers_of(system, owner) for pair in waits(system, owner, group_key)]
     return {owner.data, *(obj.data for obj in read if obj)}

@@ -1,8 +1,8 @@
-"""Make Blender evaluate drivers and F-curves again that it has switched off while the add-on was disabled.
+"""Make Blender evaluate drivers and F-curves again that Blender has switched off while the add-on was disabled.
 
-Blender marks a driver as invalid if its function or a property that it reads is missing, and no longer evaluates it. The dependency
-graph lacks relations to properties that were missing when it was built. Editors that list an F-curve of a missing property switch the
-F-curve off. All of this remains after the add-on is enabled; without this module only loading a file would end it.
+Blender marks a driver as invalid if its function or a property that the driver reads is missing, and no longer evaluates the driver. The
+dependency graph lacks relations to properties that were missing when the graph was built. Editors that list an F-curve of a missing
+property switch the F-curve off. All of this remains after the add-on is enabled; without this module only loading a file would end it.
 """
 
 import itertools

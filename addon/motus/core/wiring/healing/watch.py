@@ -4,8 +4,8 @@ Solvers run in Blender's evaluation threads and must not change the file, so the
 datablocks: linked objects are wired in their own file.
 
 The owner is the object whose settings a system solves. A hub is a hidden object whose mesh carries the driver and results of a solver;
-several owners can share one, with a row each. Drivers of properties are at rest if they are muted and aimed at a custom property, as
-they are saved in a file.
+several owners can share one, with a row each. Drivers of properties are at rest if they are muted and drive a placeholder custom
+property, as they are saved in a file.
 """
 
 import bpy
@@ -50,33 +50,34 @@ class Noticed:
         self.unsettled = set()
         """(name of a system, name of an owner) of the owners for which System.settle is to be called after the evaluation."""
         self.resting = set()
-        """(name, name of the library or None) of the hubs' meshes whose drivers of properties are at rest."""
+        """(name, name of the library or None) of the hubs' meshes whose drivers of properties are at rest (muted)."""
         self.given_up = set()
-        """(name of a system, name of an owner) of the copied owners that could not get hubs of their own; this is tried only once."""
+        """(name of a system, name of an owner) of the copied owners that could not get hubs of their own; Motus tries only once."""
 
     def note_state(self, place, state):
         """Store the state of an owner; if it differs from the state stored before, add the owner to `changed`.
 
         place: (name of the system, name of the owner). state: (number of the owner's drivers, whether relevant settings are animated). The
-        owner's solver calls this method. If several owners share the solver, a repair calls it after the evaluation.
+        owner's solver calls this method; for owners that share a solver, a repair calls this method instead, after the evaluation.
         """
         if self.states.get(place) != state:
             self.states[place] = state
             self.changed.add(place)
 
     def note_properties(self, hub):
-        """Add a hub to `resting` if its drivers of properties are at rest, so that they are switched on after the evaluation.
+        """Add a hub to `resting` if the drivers that bring its results to properties are at rest, as in a saved file.
 
-        At rest means that the drivers are muted and aimed at a custom property, as they are saved in a file. hub: evaluated mesh of the
-        hub, whose solver calls this method.
+        At rest, the drivers are muted, and each drives a placeholder custom property instead of its own property. A handler switches them
+        on after the evaluation. hub: evaluated mesh of the hub, whose solver calls this method.
         """
         if property_sink.is_resting(hub):
             self.resting.add(key(hub))
 
     def note_rows(self, system, name, rows):
-        """Store the rows of a hub that several owners share. The hub's solver calls this method.
+        """Store the rows of a hub that several owners share, so that repairs can look at these owners after the evaluation.
 
-        system: the System. name: name of the hub's mesh. rows: list of the Row of each owner, or what rows.row() returns instead.
+        The hub's solver calls this method. system: the System. name: name of the hub's mesh. rows: for each row its Row, None if no owner
+        has the row, or the class Damaged.
         """
         self.rows[system.name, name] = rows
 
@@ -93,7 +94,7 @@ class Noticed:
         return known[1]
 
     def note_orphan(self, hub):
-        """Store that a hub's owner was deleted, and have copies of that owner looked for, since they may still depend on the hub.
+        """Store that a hub's owner was deleted, and have copies of that owner looked for, since they may still use the hub.
 
         hub: evaluated mesh of the hub.
         """

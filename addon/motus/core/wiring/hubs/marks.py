@@ -1,12 +1,12 @@
-"""Identify sinks among an object's constraints, whatever name the user gives them: by the hub and the member that a sink notes.
+"""Identify sinks among an object's constraints, however an artist renames them: by the hub and the member stored in each sink.
 
-A sink is a constraint that brings a solver's result to a member, an object or bone that an owner drives. The hub is noted as the
+A sink is a constraint that brings a solver's result to a member, an object or bone that an owner drives. The hub is stored as the
 constraint's custom space (space_object), and the index of the member as that object's subtarget. Blender saves and copies both with the
 constraint, and reads them only for the custom space, which sinks do not use.
 
-A file may hold anything there, so the data is checked: a constraint counts as a sink only if its type is in KINDS and its space_object
-is a mesh object with an outbox (array of results) of the system. If the hub is gone, only the constraint's name and type identify a
-sink.
+A file may hold anything there. The data is therefore checked: a constraint counts as a sink only if its type is in KINDS and its
+space_object is a mesh object with an outbox (array of results) of the system. If the hub is gone, only the constraint's name and type
+identify a sink.
 """
 
 import re
@@ -30,8 +30,8 @@ def name(system, channel=""):
 def put(constraint, hub, index):
     """Store in a sink, a constraint, which member of which hub it drives.
 
-    index: index of the member, or row of a shared hub. The constraint is collapsed in the interface, because Blender draws a dashed line
-    from the object to the hub at the origin if it is not.
+    index: index of the member, or row of a shared hub. The constraint is collapsed in the interface, because for an expanded one Blender
+    draws a dashed line from the object to the hub, which is at the origin.
     """
     constraint.show_expanded = False
     constraint.space_object = hub
@@ -62,7 +62,7 @@ def index_of(constraint):
 
 
 def is_bereft(system, constraint):
-    """Whether a constraint is a sink of the system that has lost its hub, as its name and type tell."""
+    """Whether a constraint has the type and name of one of the system's sinks, but its hub is gone."""
     if constraint.type not in KINDS or read(system, constraint) is not None:
         return False
     if constraint.type == 'COPY_TRANSFORMS' and constraint.target and PROXY_KEY not in constraint.target:

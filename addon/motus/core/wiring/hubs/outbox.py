@@ -64,8 +64,9 @@ class Info:
     """Description of a group, stored on the hub's mesh when the owner was wired.
 
     outputs: names of the outputs. members: for each member the name of its bone, "" for the owner itself, OTHER for a different object.
-    has_scales: whether the outbox holds scales. is_relative: whether any member is relative. uses_attribute: whether the poses are in an
-    attribute of the mesh instead of the outbox. data: the dictionary Group.data. reads: names of the bones in Group.reads, "" for objects.
+    has_scales: whether the outbox holds scales. is_relative: whether any member is relative (its result is applied on top of its own
+    transform, not in place of it). uses_attribute: whether the poses are in an attribute of the mesh instead of the outbox. data: the
+    dictionary Group.data. reads: names of the bones in Group.reads, "" for objects.
     """
 
     outputs: tuple
@@ -91,8 +92,9 @@ class Layout(NamedTuple):
     """Arrangement of the values in an outbox, the float array with a solver's results, or in one row of a shared outbox.
 
     base: index of the first pose, behind status, weight and outputs. members: number of members. has_scales: whether scales follow the
-    poses. is_relative: whether any member is relative. has_attribute: whether the poses are in an attribute of the hub's mesh instead of
-    the array.
+    poses. is_relative: whether any member is relative (its result is applied on top of its own transform); it does not change the size, but
+    such members ignore the weight, so that their poses must be neutral if nothing was solved. has_attribute: whether the poses are in an
+    attribute of the hub's mesh instead of the array.
     """
 
     base: int
@@ -172,15 +174,15 @@ def scale_slot(group, member):
 
 
 def has_scales(group):
-    """Whether the outbox of a group holds scales. This is so if any member has the channel "scale"."""
+    """Whether the outbox of a group holds scales: whether any member has the channel "scale"."""
     return any("scale" in member.channels for member in group.members)
 
 
 def uses_attribute(system):
     """Whether a system's members get their poses from an attribute of the hub's mesh, which Geometry Attribute constraints sample.
 
-    If not, the poses are in the outbox. The constraint needs Blender 5, and a system that neither uses a modifier nor requires equal
-    matrices in all versions of Blender (same_bits).
+    The constraint exists in Blender 5 and later. The attribute is not used for a system that uses a modifier or that requires equal
+    matrices in all versions of Blender (same_bits). If the attribute is not used, the poses are in the outbox.
     """
     return capabilities.has_geometry_attribute_constraint() and not (system.has_modifier or system.same_bits)
 
@@ -322,14 +324,18 @@ def _layout_without_info(system, carrier, size):
 def is_in_place(system, carrier, group=""):
     """Whether the outbox of a group is still an array in a custom property of the original of a hub's mesh (carrier).
 
-    A script may delete the property, which has the solver's driver, or replace it by a group of properties. Blender's dependency graph then
-    evaluates nothing after the driver: the solver may run while other threads read what it writes.
+    A script may delete this property, or replace it by a group of properties. The property has the solver's driver: without the array,
+    nothing in Blender's dependency graph waits for the driver any more. The solver would then write the results while other threads read
+    them.
     """
     return isinstance(carrier, _Mesh) and hasattr(carrier.original.get(out_key(system, group)), "typecode")
 
 
 def has_room(mesh, count):
-    """Whether a hub's mesh can take `count` numbers of member data: its custom property for them has this length or does not exist."""
+    """Whether a hub's mesh can take `count` numbers as the members' data, which solve() reads.
+
+    The custom property MEMBER_DATA_KEY of the mesh must either have this length already or not exist yet.
+    """
     if MEMBER_DATA_KEY not in mesh:
         return True
     try:
@@ -339,7 +345,10 @@ def has_room(mesh, count):
 
 
 def owner_of(system, carrier):
-    """Return the owner whose settings the solver on a hub's mesh (carrier) computes. Raises Damaged if there is no such object."""
+    """Return the owner for which the solver on a hub's mesh (carrier) computes, from the owner's settings.
+
+    Raises Damaged if the mesh names no object with settings of the system.
+    """
     owner = carrier.get(OWNER_KEY)
     if not isinstance(owner, _Object) or not has_settings(system, owner):
         raise Damaged("no owner")
@@ -377,7 +386,7 @@ def _parsed(text, version):
 def info(system, carrier, group=""):
     """Return the Info of a group that create() has stored beside the outbox on a hub's mesh (carrier).
 
-    Returns None if there is none, as for a system without groups that drives no scales, or if the outbox or the description is damaged.
+    Returns None if the outbox or the Info is damaged, or if no Info was stored because the system declares no groups and drives no scales.
     """
     try:
         return opened(system, carrier, group).info

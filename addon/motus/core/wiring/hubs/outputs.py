@@ -1,4 +1,4 @@
-"""Outputs of solvers for scripts and users' own drivers: numbers in the hub's outbox, repeated in the owner's outlet.
+"""Outputs of solvers, for scripts and for drivers that artists add: numbers in the hub's outbox, repeated in the owner's outlet.
 
 The outbox is an array of results on the mesh of a hidden object, the hub. The outlet is a custom property of the owner itself.
 
@@ -21,8 +21,8 @@ def wants_outlet(system, owner):
 
     An owner has no outlet if the system has no outputs, or if settings are animated: the solver would have to wait for the settings, which
     Blender's dependency graph does not distinguish from the outlet. An owner also has no outlet if the solver reads the owner's own world
-    matrix: the owner's other solvers wait for the owner's properties, and the matrix waits for those solvers, so the dependency graph would
-    have a cycle.
+    matrix, because the dependency graph would have a cycle: the owner's other solvers wait for the owner's properties, and the matrix waits
+    for those solvers.
     """
     return bool(system.outputs) and not copies.has_animated_settings(owner) and not _waits_for_itself(system, owner)
 
@@ -34,8 +34,8 @@ def _waits_for_itself(system, owner):
 def create_outlet(system, owner, part):
     """Create the outlet of an owner: a custom property that repeats status, weight and System.outputs from the hub's mesh.
 
-    Nothing happens if the owner is to have none. Drivers on the outlet copy the values, which scripts and users' own drivers read there.
-    part: Part of the owner.
+    Nothing happens if wants_outlet() is false. Drivers on the outlet copy the values; scripts, and drivers that artists add, read the
+    values there. part: Part of the owner.
     """
     if not wants_outlet(system, owner):
         return
@@ -49,7 +49,7 @@ def create_outlet(system, owner, part):
 
 
 def has_outlet(system, owner):
-    """Whether an owner, original or evaluated, has an outlet: the custom property that repeats status, weight and outputs of its hub."""
+    """Whether an owner, original or evaluated, has an outlet: the custom property that repeats its status, weight and outputs."""
     found = owner.get(outbox.out_key(system)) if system.outputs else None
     return hasattr(found, "typecode") and len(found) == outbox.FIRST_OUTPUT + len(system.outputs)
 
@@ -65,7 +65,7 @@ def outlet(system, owner):
 def output_names(system, carrier, group=""):
     """Return the names of a group's outputs, in the order of their slots in the outbox.
 
-    They are read from the hub's mesh (carrier) if the system declares groups. Otherwise, and if the carrier is None or damaged,
+    The names are read from the hub's mesh (carrier) if the system declares groups. If not, or if the carrier is None or damaged,
     System.outputs is returned.
     """
     known = outbox.info(system, carrier, group) if carrier and system.groups is not None else None
@@ -73,7 +73,7 @@ def output_names(system, carrier, group=""):
 
 
 def output_path(system, name, owner=None, group=""):
-    """Return the data path of an output on the hub's mesh, for users' own drivers. name: name of the output.
+    """Return the data path of an output on the hub's mesh, for drivers that artists add. name: name of the output.
 
     owner: object whose hub has the mesh; required if the system declares groups, or if owners share a hub. group: key of the group.
     """
@@ -85,7 +85,10 @@ def output_path(system, name, owner=None, group=""):
 
 
 def output(system, owner, name, depsgraph, group=""):
-    """Return the value of an owner's output at the last evaluation; None if it was not evaluated or is not finite. group: its key."""
+    """Return the value of an owner's output at the last evaluation; None if the output was not evaluated or is not finite.
+
+    name: name of the output. group: key of the group.
+    """
     part = sharing.part_of(system, owner, group)
     if part is None:
         return None
@@ -94,10 +97,11 @@ def output(system, owner, name, depsgraph, group=""):
 
 
 def outputs_of(system, owner, entry, names, depsgraph):
-    """Return the values of an owner's outputs "<entry>.<name>" at the last evaluation, in the order of `names`.
+    """Return the values of an owner's outputs as last evaluated, in the order of `names`; None if no group has evaluated them all.
 
-    Returns None if no group has all of these outputs evaluated. The function is for systems whose members are relative: their weight is 0
-    only if nothing was solved.
+    The outputs are those with the names "<entry>.<name>". Only for systems with relative members (result applied on top of the member's own
+    transform): the weight in a group's outbox is 1 for these, or 0 if nothing was solved. Outputs of a group with weight 0 count as not
+    evaluated.
     """
     wanted = [f"{entry}.{name}" for name in names]
     for part in sharing.parts(system, owner):

@@ -1,8 +1,8 @@
 """Rows: what a solver that computes several owners knows of each of them, as texts on the mesh of the hub that the owners share.
 
-If the solver of a shared hub read the settings of the owners, it would have to wait for every owner. So each row holds, as a text in a
-custom property of the mesh, the settings that solve() reads and the owner's name; the text is written whenever the settings are edited.
-The objects that the owners' settings point to are the same for all rows, and stand in custom properties of the mesh too.
+If the solver of a shared hub read the settings of the owners, the solver would have to wait for every owner. To avoid this, each row holds,
+as a text in a custom property of the mesh, the settings that solve() reads and the owner's name. The text is written whenever the settings
+are edited. The objects that the owners' settings point to are the same for all rows, and are in custom properties of the mesh too.
 """
 
 import json
@@ -26,8 +26,9 @@ _known = keeping.OfFile(
 class Row(NamedTuple):
     """What the solver of a shared hub knows of one owner, parsed from the text of the owner's row.
 
-    name: the owner's name. settings: namespace with the settings that System.shared names. inputs: {name: value} of the inputs that are
-    settings. member_data: array of System.member_data, or None. memo: dictionary for Context.kept.
+    name: the owner's name. settings: namespace with the settings listed in System.shared. inputs: {name: value} of the inputs that are
+    settings. member_data: array of the numbers that System.member_data has returned for the owner, or None. memo: dictionary in which
+    Context.kept keeps values from one solve to the next, until the row's text changes.
     """
 
     name: str

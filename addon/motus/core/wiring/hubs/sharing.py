@@ -27,10 +27,11 @@ class Part(NamedTuple):
 
     key: key of the owner's group that is computed there. hub: hub object; None if it was deleted and only its mesh is left. mesh: the hub's
     mesh. row: index of the owner's row, which is also the index of its first member; 0 in a whole hub. first: index of the owner's first
-    slot in the outbox. maker: object whose settings are computed there; if the owner is a copy that still uses the hub of the object from
-    which it was copied, that object; None or no object in a damaged file. is_own: whether the part computes for this owner, in a hub that
-    is neither overridden nor of a different file. reads_owner: whether the solver reads the settings of the evaluated owner; if not, it
-    reads the text that store_settings() writes. partner: different owner that has to be wired again in order to share the hub; else None.
+    slot in the outbox. maker: object for which the hub or row was made: the owner, or, if the owner is a copy that still uses the hub of
+    the object from which it was copied, that object; in a damaged file None or a value that is not an object. is_own: whether the part
+    computes for this owner, in a hub that is not overridden and in the same file as the owner. reads_owner: whether the solver reads the
+    settings of the evaluated owner; if not, the solver reads the text that store_settings() writes. partner: different owner that has to be
+    wired again in order to share the hub; else None.
     """
 
     key: str
@@ -74,7 +75,10 @@ def _part(system, owner, key, mesh, hub, partner=None):
 
 
 def opened(system, part, evaluated):
-    """Return the checked Outbox of an owner's Part. evaluated: the hub's mesh, original or evaluated. Raises Damaged if it is invalid."""
+    """Return the checked Outbox of an owner's Part. evaluated: the hub's mesh, original or evaluated.
+
+    Raises Damaged if the data on the mesh is invalid.
+    """
     return outbox.opened(system, evaluated, part.key, None if part.reads_owner else part.row)
 
 
@@ -89,7 +93,10 @@ def status_of(system, part, evaluated):
 
 
 def has_rows(mesh):
-    """Whether a hub is shared: one solver computes a row for each of several owners, and reads none of them. mesh: the hub's mesh."""
+    """Whether a hub is shared: its one solver computes a row for each of several owners. mesh: the hub's mesh.
+
+    The solver reads the stored texts of the rows, not the owners themselves.
+    """
     return outbox.SHARED_KEY in mesh
 
 
@@ -116,10 +123,10 @@ def store_settings(system, owner, found):
 
 
 def _store_member_data(mesh, values):
-    """Store the numbers that System.member_data has returned on a hub's mesh; returns False, and stores none, if their number differs.
+    """Store on a hub's mesh the numbers that System.member_data has returned.
 
-    The numbers are stored as an array, because reading a collection of settings item by item in every solve is slow if there are many
-    members.
+    Returns False, and stores nothing, if their count is not that of the array already stored there. The numbers are stored as an array,
+    because reading a collection of settings item by item in every solve is slow if there are many members.
     """
     data = [float(value) for value in values]
     if not outbox.has_room(mesh, len(data)):
@@ -132,7 +139,8 @@ def can_share(system, owner):
     """Whether an owner may share a hub with other owners of the system.
 
     The owner may if it drives only itself, its settings are not animated, all numbers in them are finite, and it is neither linked nor an
-    override. The owner must not be mirrored: solve() does not see an owner that shares a hub, and so cannot find out about mirroring.
+    override. The owner must not be mirrored (by a negative scale of its own or of a parent object): solve() does not see an owner that
+    shares a hub, and so cannot find out about mirroring.
     """
     if not system.shared or owner.library or owner.override_library or copies.has_animated_settings(owner) or is_mirrored(owner):
         return False
@@ -233,8 +241,8 @@ def _join(system, owner):
 def held_meshes(found):
     """Return the meshes of those hubs that an owner has to leave when it is unwired, each mesh once. found: Parts of the owner.
 
-    These are the hubs that compute for the owner, the hubs whose object was deleted, and shared hubs of this file. A damaged file may name
-    the same hub twice.
+    These are the hubs that compute for the owner, the hubs whose object was deleted, and the local shared hubs to which the owner's
+    settings point. A damaged file may name the same hub twice.
     """
     return list(dict.fromkeys(part.mesh for part in found if _is_held(part)))
 

@@ -1,11 +1,11 @@
 """Geometry Attribute constraints (Blender 5) as sinks: one constraint for each member, an object or bone that the owner drives.
 
-The solver writes one 4x4 matrix for each member into an attribute of the evaluated hub's mesh, and each constraint samples the matrix
-of its member. A driver on a constraint's influence would cost more time than the constraint. So two kinds of members have no such
-driver. The matrix of a relative member is the identity if the solver has no influence. A member of kind STILL is an object without
-parent, keys, drivers and constraints of its own: the solver blends the matrix with the member's own transform, which the solver may read
-at any time because nothing changes that transform. The owner itself has a driver in any case. The original mesh also holds these own
-transforms and identities, for a Blender without the add-on.
+The solver writes one 4x4 matrix for each member into an attribute of the evaluated hub's mesh, and each constraint samples the matrix of
+its member. A driver on a constraint's influence would cost more time than the constraint. So two kinds of members have no such driver. The
+matrix of a relative member (result applied on top of its own transform) is the identity if the solver has no influence. A member of kind
+STILL is an object without parent, keys, drivers and constraints of its own: the solver blends the matrix with the member's own transform,
+which the solver may read at any time because nothing changes that transform. If the owner itself is a member that is not relative, its
+constraint always has the driver. The original mesh also holds these own transforms and identities, for a Blender without the add-on.
 """
 
 from contextlib import suppress
@@ -34,9 +34,9 @@ MOVES, STILL, RELATIVE = 0, 1, 2
 
 
 def prepare(system, group, part):
-    """Give a hub's mesh a vertex, and in the matrix attribute a 4x4 matrix, for each member of a group that has none yet.
+    """Add to a hub's mesh what is missing for the members of a group: a vertex each, with a 4x4 matrix in the matrix attribute.
 
-    Call this function before add(). part: Part of the owner in the hub.
+    Also stores the kind of each member (STILL_KEY). Call this function before add(). part: Part of the owner in the hub.
     """
     mesh, first = part.mesh, part.row
     if ATTRIBUTE not in mesh.attributes:
@@ -76,7 +76,10 @@ def add(system, group, index, part):
 
 
 def _kinds(mesh):
-    """Return the list of MOVES, STILL or RELATIVE of each member, as stored on a hub's mesh; None if it is missing or damaged."""
+    """Return the list of MOVES, STILL or RELATIVE of each member, from a hub's mesh; None if the list is missing or damaged.
+
+    RELATIVE: the member's result is applied on top of its own transform.
+    """
     try:
         return stored.whole_numbers(mesh.get(STILL_KEY), len(mesh.vertices))
     except Damaged:
@@ -104,8 +107,8 @@ def write_rest(mesh, members):
     """Fill the matrix attribute of an evaluated hub's mesh with matrices that leave the members at their own transforms.
 
     A member of kind STILL gets its own transform as matrix, since its constraint acts with full influence. A member of kind RELATIVE gets
-    the identity. The matrix of a member of kind MOVES does not matter, because a driver sets the influence of its constraint to 0. members:
-    function that returns the evaluated members.
+    the identity, since its result is applied on top of its own transform. The matrix of a member of kind MOVES does not matter, because a
+    driver sets the influence of its constraint to 0. members: function that returns the evaluated members.
     """
     kinds = _kinds(mesh)
     if kinds is not None and STILL in kinds:

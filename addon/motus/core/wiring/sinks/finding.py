@@ -58,7 +58,8 @@ def is_sink(system, constraint):
 def has_sinks(system, obj):
     """Whether an object has sinks of the system, whichever owner drives them.
 
-    They may be driven by the object's own hubs, by its leader's, or be copied with the object.
+    The sinks may read the object's own hubs, or those of its leader (the owner to which the object's setting `leader` points), or may have
+    been copied with the object.
     """
     return any(True for _ in on_object(system, obj))
 
@@ -77,7 +78,10 @@ def renamed_bones(system, owner):
 
 
 def has_strays(system, owner):
-    """Whether bones that the system does not drive have copies of its sinks, as made by Blender's tools that copy bones."""
+    """Whether bones that the system does not drive have copies of its sinks, as made by Blender's tools that copy bones.
+
+    A sink is a constraint that brings a solver's result to a bone.
+    """
     if owner.pose is None or owner.override_library:
         return False
     return any(old != thing.name for thing, old in _as_wired(system, owner)) or bool(_strays(system, owner))
@@ -123,7 +127,7 @@ def release(system, *objects):
     """
     found = [one for obj in objects for one in on_object(system, obj)]
     for obj in objects:
-        # When a rig is joined into a different one, Blender merges their drivers, including the drivers of the joined rig's outlet.
+        # When a rig is joined into a different one, Blender merges their drivers, including those of the joined rig's outlet (its outputs).
         drivers.remove_under(obj, f'["{outbox.out_key(system)}')
     remove([(thing, constraint) for thing, constraint, _, _ in found])
     for obj in objects:
@@ -135,7 +139,10 @@ def release(system, *objects):
 
 
 def makers(system, obj):
-    """Return the owners for which the hubs and proxies were made that the sinks on an object read, in a set."""
+    """Return the set of owners for which the hubs and proxies were made that the sinks on an object read.
+
+    A proxy is a hidden empty whose transform a sink copies.
+    """
     found = {proxy_sink.proxy_of(constraint) or carrier for _, constraint, carrier, _ in on_object(system, obj)}
     owners = [one.get(marks.PROXY_KEY) or one.get(outbox.OWNER_KEY) for one in found]
     return {owner for owner in owners if isinstance(owner, bpy.types.Object)}
@@ -159,10 +166,10 @@ def remove(found):
 
 
 def remove_all(system, owner, parts):
-    """Remove the sinks of an owner, and their remains, from all objects.
+    """Remove the sinks of an owner from all objects, and what broken sinks have left on the owner.
 
-    Returns the objects different from the owner that it drove. parts: Parts of the owner, including those of hubs whose hub object was
-    deleted.
+    The latter are drivers of constraints whose bone is gone, and sinks on bones whose hub is gone. Returns the objects, other than the
+    owner itself, that the owner drove. parts: all Parts of the owner, also those whose hub object was deleted.
     """
     remove(_sinks(system, owner, parts))
     _remove_orphans(system, owner)

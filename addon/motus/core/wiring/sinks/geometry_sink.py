@@ -65,7 +65,7 @@ def remove(system, owner):
 
 
 def is_stale(system, owner):
-    """Whether the owner has been given a different mesh since the solver's driver on its hub was made, which reads the mesh."""
+    """Whether the owner has been given a different mesh datablock since its solver's driver, which reads that mesh, was made."""
     hub = hub_lookup.hub_of(system, owner)
     if hub is None or not hub.data.animation_data or owner.type != 'MESH':
         return False
@@ -94,9 +94,10 @@ def is_cut_off(system, owner):
 
 
 def room(system, carrier, inputs, context):
-    """Return a Room, an object with the memory that the solver fills by means of `context`, for one call of the solver.
+    """Return a Room for one call of the solver: it holds the arrays for points that solve() gets through its argument `context`.
 
-    write(weight) of the Room stores the results in the evaluated hub's mesh (carrier). inputs: {name: value} of the system's inputs.
+    write(weight) of the Room then stores the results in the evaluated hub's mesh (carrier). inputs: {name: value} of the system's inputs.
+    context: Context of this call.
     """
     return _kind(system).Room(system, carrier, inputs, context)
 
@@ -122,7 +123,7 @@ def set_points_object(system, owner, instanced):
 def set_points_collection(system, owner, instanced):
     """Put an instance of an object of a collection on each point that a system makes on an owner.
 
-    The point's id determines which object of the collection it is.
+    The point's id determines which object of the collection is instanced.
     """
     _set_form(system, owner, made_points.COLLECTION, instanced)
 

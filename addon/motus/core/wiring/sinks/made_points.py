@@ -1,8 +1,8 @@
 """Make points on the owner: the evaluated mesh of the hub has the points, and a Geometry Nodes modifier of the owner brings them in.
 
-The hub is a hidden object that belongs to the owner. In the file, its mesh has attributes but no points. At each solve, the evaluated
-mesh is emptied to this form and given the required number of points. Their memory is new, and shared with neither the original mesh nor
-earlier evaluated copies, so the solver writes into it directly.
+The hub is a hidden object that belongs to the owner. In the file, its mesh has attributes but no points. At each solve, the evaluated mesh
+is emptied to this form and given the required number of points. The memory of these points is new, and shared with neither the original
+mesh nor earlier evaluated copies. The solver therefore writes into it directly.
 
 The weight is the influence of the results; no points are shown if it is 0.
 """
@@ -20,7 +20,7 @@ from ...measures import finite
 from . import attributes
 
 IS_FIRST = False
-"""Whether the modifier is put before the owner's modifiers. It is put after them, so that they shape only the owner's own geometry."""
+"""Whether the modifier is put before the owner's modifiers: no, so that those shape only the owner's own geometry."""
 MATERIAL, OBJECT, COLLECTION = "Material", "Object", "Collection"
 FORMS = {name: ((name, 'INPUT', f"NodeSocket{name}"),) for name in (MATERIAL, OBJECT, COLLECTION)}
 """Variants of the node group -> additional input sockets; each variant is named by the input that determines what is made of the points.
@@ -100,7 +100,11 @@ class Room:
         return self._found is None or all(finite.is_finite(self._found[name]) for name in placing if name in self._found)
 
     def write(self, weight):
-        """Complete the points in the evaluated hub's mesh. Remove all points if the weight is 0 or if the solver has requested none."""
+        """Finish the points that the solver has filled in: store what could not be filled in place, and join points of curves by edges.
+
+        Remove all points from the evaluated hub's mesh if the weight (influence of the results) is 0 or if the solver has requested none.
+        Any other weight is ignored: points are not blended.
+        """
         if weight == 0.0 or self._found is None:
             _clear(self._carrier)
             return

@@ -12,7 +12,7 @@ from . import attributes
 
 ATTRIBUTE = "motus_offset"
 IS_FIRST = True
-"""Whether the modifier is put before the owner's modifiers. It is, so that its points are those of the mesh, in the same order."""
+"""Whether the modifier is put before the owner's modifiers: yes, so that its points are those of the mesh, in the same order."""
 FORMS = {"": ()}
 """Variants of the node group -> additional input sockets. There is one variant, without additional inputs."""
 
@@ -36,7 +36,10 @@ class Room:
         return False
 
     def write(self, weight):
-        """Store the vectors, multiplied by the weight, in the evaluated hub's mesh."""
+        """Store the vectors by which the solver moves the points in the attribute of the evaluated hub's mesh.
+
+        weight: influence of the results, 0 to 1, by which the vectors are multiplied.
+        """
         if weight != 1.0:
             self._offsets *= np.float32(weight)
         _write(self._carrier, self._offsets)

@@ -4,9 +4,9 @@ A driver takes precedence over keyframes, so the property's own value and keyfra
 influence blends with the output, is computed from its keyframes. If it has no keyframes, it is the value that the property had when it
 was wired, because Blender also writes a driver's result to the original.
 
-In a file the driver is *at rest*: muted, and its data path is that of a custom property, so that a Blender without the add-on animates
-the property by its keyframes. Drivers are put to rest before a file is saved. They are woken after saving, after loading, and by the
-first call of the solver if they were linked or appended.
+In a file the driver is *at rest*: muted, and its data path is that of a placeholder custom property. A Blender without the add-on then
+animates the property by its keyframes. Drivers are put to rest before a file is saved. They are woken after saving, after loading, and
+by the first call of the solver if they were linked or appended.
 
 The owner is the object whose settings are solved. Its hub is a hidden object whose mesh has the outbox, the array with the solver's
 results.
@@ -31,11 +31,14 @@ from ...translations import tr
 from ..hubs import hub_lookup, outbox
 
 VARIABLE = "motus"
-"""Name of the variable in drivers that are sinks; renewing the wiring removes these drivers and adds them again."""
+"""Name of the variable in drivers that are sinks. When an owner is wired again, these drivers are removed and added again."""
 KEY = "motus_properties"
 """Custom property of a hub's mesh: the Notes of all properties that the hub's solver drives, as text."""
 REST_KEY = "motus_resting"
-"""Custom property of a hub's mesh whose drivers are at rest, and of the datablocks with these drivers, which then drive it."""
+"""Custom property of a hub's mesh whose property drivers are at rest (muted), and of the datablocks with these drivers.
+
+On these datablocks it is the placeholder that the drivers at rest drive instead of their own properties.
+"""
 _OF_BONE = re.compile(r'pose\.bones\["((?:[^"\\]|\\.)*)"\]')
 
 _known = keeping.OfProcess("parsed lists of driven properties, stored on hubs' meshes (Note), or Damaged", "text of the list", most=256)
@@ -56,7 +59,11 @@ class Note(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Where a property is: its datablock (id_data), its path from the datablock (data_path), and its number (animation.Number)."""
+    """Where a property is.
+
+    id_data: its datablock. data_path: its path from the datablock. number: animation.channel.Number, the description of the float, or of
+    the item of a float array, that is animated.
+    """
 
     id_data: Any
     data_path: str
@@ -169,7 +176,8 @@ def remove(system, meshes):
 def remove_copies(system, owner, mesh):
     """Remove drivers that read the hub of a different owner and that were copied with this owner or with datablocks that it uses.
 
-    If the owner is a library override, its drivers that read the overridden hub are removed. mesh: mesh of the hub.
+    If the owner is a library override, its drivers that read the overridden hub are removed. mesh: mesh of that hub, whose own owner keeps
+    its drivers.
     """
     for order, note in enumerate(_notes_of(mesh)):
         if _object_key(order) in mesh:
@@ -195,9 +203,10 @@ def _tidy(holder):
 
 
 def _restore(system, holder, curve, mesh):
-    """Set a driven property to its own value, which the Note on the hub's mesh holds; nothing happens if the driver is at rest.
+    """Set a driven property to its own value, which the Note on the hub's mesh holds.
 
-    holder: datablock of the property. curve: F-curve of the driver. mesh: mesh of the hub that the driver reads.
+    Nothing happens if the driver is at rest (it then drives a placeholder custom property). holder: datablock of the property. curve:
+    F-curve of the driver. mesh: mesh of the hub that the driver reads.
     """
     note = next((one for one in _notes_of(mesh) if _reads(system, curve, one)), None)
     if note is None or curve.data_path == _REST_PATH:
@@ -209,7 +218,10 @@ def _restore(system, holder, curve, mesh):
 
 
 def rest(system, mesh):
-    """Put all property drivers that read a hub to rest: mute them and aim them at a custom property. mesh: mesh of the hub."""
+    """Put all property drivers that read a hub to rest: mute them, and let them drive a placeholder custom property.
+
+    mesh: mesh of the hub.
+    """
     for holder, curve, _ in _sinks([mesh]):
         _restore(system, holder, curve, mesh)
         holder[REST_KEY] = [0.0]
@@ -219,7 +231,7 @@ def rest(system, mesh):
 
 
 def wake(system, owner, mesh):
-    """Unmute all resting property drivers that read a hub, and aim them at their properties again.
+    """Unmute all property drivers at rest (muted, driving a placeholder) that read a hub, and let them drive their properties again.
 
     Linked drivers are changed in memory only. Drivers that Blender has copied from a library to its override are made to read the
     override's hub. mesh: mesh of the hub.
@@ -235,7 +247,7 @@ def wake(system, owner, mesh):
         for curve in resting:
             if _hub_of(curve) != mesh:
                 curve.driver.variables[VARIABLE].targets[0].id = mesh
-            notes[order] = note._replace(base=found.number.present)  # the value may have been edited while the driver was at rest
+            notes[order] = note._replace(base=found.number.present)  # the value may have been edited while the driver was muted
             curve.data_path, curve.array_index, curve.mute = found.data_path, max(note.index, 0), False
             if not found.id_data.library:
                 found.id_data.pop(REST_KEY, None)
@@ -247,12 +259,15 @@ def wake(system, owner, mesh):
 
 
 def is_resting(mesh):
-    """Whether the property drivers that read a hub are at rest (muted). mesh: the hub's mesh, original or evaluated."""
+    """Whether the property drivers that read a hub are at rest: muted, and driving a placeholder custom property.
+
+    mesh: the hub's mesh, original or evaluated.
+    """
     return REST_KEY in mesh
 
 
 def clear(mesh, box):
-    """Set the outputs of all driven properties to NaN, which means "do not set". This is done before the solver is called.
+    """Set the outputs of all driven properties to NaN, which means "do not set"; called before the solver.
 
     mesh: mesh of the hub. box: array of the outbox.
     """
@@ -276,7 +291,7 @@ def blend(mesh, owner, box, frame, weight):
 
 
 def blend_none(system, key, mesh, frame):
-    """Set the outputs of all driven properties to the properties' own values, if the solver of the hub could not compute.
+    """Set the outputs of all driven properties to the properties' own values; called when the hub's solver could not compute.
 
     key: key of the group. Raises Damaged if the data on the hub's mesh cannot be read.
     """
@@ -285,7 +300,7 @@ def blend_none(system, key, mesh, frame):
 
 
 def _own(obj, note, frame):
-    """Return the own value of a driven property: that of its keyframes at the frame, or Note.base if it has no usable keyframes.
+    """Return the own value of a driven property: that of its keyframes at the frame, or Note.base if there are no usable keyframes.
 
     obj: object from which the path in the Note starts.
     """
@@ -412,7 +427,7 @@ def _is_of(curve, owner, mesh):
 
 
 def _reads(system, curve, note):
-    """Whether a property driver reads the slot of an outbox that is stored in a Note. curve: F-curve of the driver."""
+    """Whether a property driver reads the outbox slot whose index is Note.slot. curve: F-curve of the driver."""
     found = outbox.slot_pattern(system).match(curve.driver.variables[VARIABLE].targets[0].data_path)
     return found is not None and int(found["slot"]) == note.slot
 

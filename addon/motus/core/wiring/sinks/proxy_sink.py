@@ -1,7 +1,7 @@
 """Copy Transforms constraints with proxies as sinks, for Blender versions without the Geometry Attribute constraint.
 
-They serve relative objects, and relative bones whose own channels have drivers. Relative means that the result is applied on top of the
-own transform.
+These sinks serve relative objects, and relative bones whose own channels have drivers. Relative means that the result is applied on top
+of the member's own transform, not in place of it.
 
 In Blender's dependency graph, a bone's channels and the values of its constraints are one node. A driver that brings the solver's
 result to a constraint would have to come before the bone's own drivers, and also after the solver, which reads what they set. So a
@@ -23,16 +23,22 @@ from ..hubs import marks, outbox
 
 
 def is_needed(system, member, driven_bones):
-    """Whether a member needs a proxy as sink. driven_bones: names of the owner's bones whose own channels have drivers."""
+    """Whether a member needs a proxy as sink: a hidden empty that drivers move and whose transform the member copies.
+
+    A relative bone (result applied on top of its own transform) needs one if its own location, rotation or scale has a driver. A relative
+    object needs one unless the system requires equal matrices in all versions of Blender (same_bits). driven_bones: names of the owner's
+    bones whose own channels have drivers.
+    """
     if isinstance(member.thing, bpy.types.PoseBone):
         return member.is_relative and member.thing.name in driven_bones
     return member.is_relative and not system.same_bits
 
 
 def add(system, settings, group, index, hub):
-    """Drive a relative member of a group by a proxy whose drivers read the member's slots of the hub's outbox.
+    """Drive a relative member (result applied on top of its own transform) by a proxy, a hidden empty whose transform it copies.
 
-    index: index of the member. settings: settings of the owner, which get a pointer that keeps the proxy in the file.
+    Drivers of the proxy read the member's slots of the hub's outbox. index: index of the member in the group. settings: settings of the
+    owner, which get a pointer that keeps the proxy in the file.
     """
     member = group.members[index]
     thing = member.thing
@@ -64,7 +70,10 @@ def _keep(settings, name, proxy):
 
 
 def release(settings):
-    """Remove the pointers to proxies from an owner's settings, and remove from the file each proxy that nothing else uses."""
+    """Remove the pointers to proxies from an owner's settings, and remove from the file each proxy that nothing else uses.
+
+    Proxies are hidden empties that bring a result to a member.
+    """
     kept = {pointed(entry, "object") for entry in settings.targets} - {None}
     settings.targets.clear()
     for one in kept:
@@ -73,14 +82,17 @@ def release(settings):
 
 
 def proxy_of(constraint):
-    """Return the proxy whose transform a constraint copies; None if the constraint copies no proxy."""
+    """Return the proxy, a hidden empty moved by drivers, whose transform a member's constraint copies; None if it copies none."""
     if constraint.type != 'COPY_TRANSFORMS' or constraint.target is None or marks.PROXY_KEY not in constraint.target:
         return None
     return constraint.target
 
 
 def has_strange_proxies(obj):
-    """Whether constraints on an object, or on its bones, read proxies of a different object, from which this object was copied."""
+    """Whether constraints on an object, or on its bones, copy proxies that were made for a different object.
+
+    A proxy is a hidden empty that brings a result to a member. Such constraints were copied with this object from the different one.
+    """
     things = (obj, *(obj.pose.bones if obj.pose else ()))
     proxies = (proxy_of(constraint) for thing in things for constraint in thing.constraints)
     return any(proxy.get(marks.PROXY_KEY) != obj for proxy in proxies if proxy)

@@ -16,8 +16,8 @@ AIMING = {'TRACK_TO', 'DAMPED_TRACK', 'LOCKED_TRACK'}
 def add(system, owner, group, part):
     """Add the sinks of a group: drivers of its properties, and the modifier of the owner or the constraints of the members.
 
-    Each driven object that is not the owner gets, in its settings, a pointer to the owner, its leader. part: Part of the owner in the hub
-    that computes the group.
+    Each driven object that is not the owner gets, in its settings, a pointer to the owner, named `leader`. part: Part of the owner in the
+    hub that computes the group.
     """
     settings = of_owner(system, owner)
     property_sink.add(system, owner, group, part.hub, is_off=settings.is_baked)
@@ -67,8 +67,8 @@ def order(system, owner, groups, before):
     """Move new sinks, which were added behind all other constraints, to the right positions among the constraints of each member.
 
     before: result of places() for the earlier wiring, from which sinks get their earlier indices and mute states. If a member had no sinks,
-    its new sinks stay last, with two exceptions. Sinks of a system that lays poses come first. Sinks that move a member come before the
-    constraints at the end that aim the member at something.
+    its new sinks stay last, with two exceptions. Sinks of a system that lays poses (sets the bones' own transforms, as keys do) come first.
+    Sinks that change the member's location come before the constraints at the end of its stack that aim the member at something.
     """
     aimed = {member.thing for group in groups for member in group.members if _is_aimed_afterwards(member)}
     for thing, found in places(system, owner).items():
@@ -87,9 +87,9 @@ def _is_aimed_afterwards(member):
 
 
 def _first_aiming(thing, end):
-    """Return the index at which the unbroken run of aiming constraints (AIMING) begins that ends before the index `end`.
+    """Return the index of the first of the consecutive aiming constraints (AIMING) that stand directly before the index `end`.
 
-    thing: object or pose bone with the constraints. The result is `end` if there is no such constraint.
+    thing: object or pose bone with the constraints. The result is `end` if no aiming constraint stands there.
     """
     while end and thing.constraints[end - 1].type in AIMING:
         end -= 1

@@ -1,8 +1,9 @@
 """Transformation constraints as sinks, for Blender versions without the Geometry Attribute constraint.
 
-A sink brings a solver's result to a member, an object or bone that the owner drives. Drivers copy the numbers from the outbox, the
-array of results on a hub's mesh, to the constraint; they need no Python. An absolute member without rotation has a Limit Location
-constraint with min = max instead: this keeps a negative scale and shear, which a Transformation constraint loses.
+A sink brings a solver's result to a member, an object or bone that the owner drives. Drivers copy the numbers from the outbox, the array of
+results on a hub's mesh, to the constraint; they need no Python. An absolute member (result applied in place of its own transform) without
+rotation has a Limit Location constraint with min = max instead: this keeps a negative scale and shear, which a Transformation constraint
+loses. A relative member is one whose result is applied on top of its own transform.
 """
 
 from ...blender import drivers

@@ -12,8 +12,8 @@ from ..hubs import outbox
 def read_from_driver(system):
     """Return (index, name, plain, read) for each input of a system that the solver's driver passes on: for all but Settings.
 
-    index: position among the values that the driver passes. name: name of the input. plain: class whose instances are values of the input
-    already; None if there is no such class. read: function (passed value, settings) that returns the value of the input otherwise.
+    index: position among the values that the driver passes. name: name of the input. plain: class; a passed value of this class is used
+    unchanged (None: never). read: function (passed value, settings) that converts any other passed value into the input's value.
     """
     declared = [(index, one) for index, one in enumerate(system.inputs) if not isinstance(one, Setting)]
     return [(index, one.name, mathutils.Matrix if one.read is Matrix.read else None, one.read) for index, one in declared]

@@ -25,9 +25,9 @@ from . import results, solving
 def motus_solve(*arguments):
     """Solve one group of a system, and write the results into the outbox on an evaluated hub's mesh; returns the status, never raises.
 
-    arguments: the evaluated mesh, which the driver passes as `self`; the system's name, followed by a dot and the group's key if the
-    group has one; the frame; the depsgraph; the values of the driver's variables. The driver's expression may have been edited by
-    somebody, so the arguments are checked.
+    arguments: the evaluated mesh, which the driver passes as `self`; the system's name, followed by a dot and the group's key if the group
+    has one; the frame; the depsgraph; the values of the driver's variables. The arguments are checked, because anybody may have edited the
+    driver's expression.
     """
     # An exception would make Blender mark the driver as invalid until it is edited; the panel shows the status instead.
     try:

@@ -52,9 +52,10 @@ class Poses:
 
 
 def do_nothing(box, layout):
-    """Fill an outbox with values that leave the members at their own transforms: weight 0, and neutral poses for relative members.
+    """Fill an outbox with values that leave the members at their own transforms.
 
-    box: array of the outbox's numbers. layout: Layout of the outbox.
+    These are weight 0, and neutral poses if any member is relative (result applied on top of its own transform), because the sinks of
+    relative members ignore the weight. box: array of the outbox's numbers. layout: Layout of the outbox.
     """
     box[outbox.WEIGHT] = 0.0
     if layout.is_relative and not layout.has_attribute:
@@ -66,8 +67,8 @@ def do_nothing(box, layout):
 def status_of(error, carrier, name, settings):
     """Return the status for an error that a solver raised.
 
-    The error is logged, unless it is Damaged or a setting is not finite. carrier: mesh of the hub. name: system, and group if any, for the
-    log. settings: settings of the owner, or None if they cannot be read.
+    The error is logged, unless the error is Damaged or a setting is not finite. carrier: mesh of the hub. name: system, and group if any,
+    for the log. settings: settings of the owner, or None if they cannot be read.
     """
     # The panel reports damaged data; a log entry would be repeated at every frame.
     if isinstance(error, Damaged):

@@ -50,7 +50,8 @@ class RowsSolver:
     def solve(self, frame, depsgraph, values):
         """Solve all rows, and write the results into the outbox on the hub's mesh.
 
-        values: values of the inputs that the driver passes on. Returns the status of row 0, whose status slot has the driver.
+        values: values of the inputs that the driver passes on. Returns the status of row 0, because the solver's driver is on row 0's
+        status slot and Blender stores the driver's value there.
         """
         table, layout, poses, context = self._table, self._layout, self._poses, self._context
         noticed.in_use = True
@@ -91,7 +92,7 @@ class RowsSolver:
                 self._weights[index] = self._context.outputs[index] = 0.0
 
     def _check_numbers(self):
-        """Check the results: a row with a number that sinks must not get, such as NaN or infinity, is made neutral, and its status says so."""
+        """Make a row neutral, and its status outbox.NOT_FINITE, if it has a number that sinks must not get, such as NaN or infinity."""
         poses = self._poses
         for row, slots, *found in zip(self._rows, self._table, poses.locations, poses.rotations, self._context.outputs):
             if row is None or all(map(finite.is_finite, found)):

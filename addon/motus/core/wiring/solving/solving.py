@@ -48,7 +48,7 @@ def called(name):
 
 
 def solver_of(carrier, name):
-    """Return the Solver or RowsSolver that computes for a driver; it is prepared if there is none yet.
+    """Return the Solver or RowsSolver that computes for a driver; a new one is prepared if there is none yet.
 
     carrier: evaluated mesh of the hub. name: text "<system>" or "<system>.<key of the group>" in the driver's expression. Raises Damaged if
     there is no such system, or if the mesh has no valid outbox.
@@ -177,10 +177,10 @@ class Solver:
         return box[outbox.STATUS]
 
     def _is_finite(self, room):
-        """Whether all results are finite numbers that may reach the sinks; outputs that are not finite are set to 0.
+        """Whether all results are finite numbers that may reach the sinks.
 
-        Outputs that set properties are not checked: NaN there means that the property is left alone. room: object with the memory of a
-        system that makes or moves points; None for other systems.
+        If outputs are not finite, they are set to 0 and the result is False. Outputs that set properties are not checked: NaN there means
+        that the property is left alone. room: object with the memory of a system that makes or moves points; None for other systems.
         """
         outputs = self._context.outputs
         if len(outputs) and not self._drives_properties and not finite.is_finite(outputs):
@@ -200,7 +200,9 @@ class Solver:
     def _store(self, weight):
         """Write the poses to the attribute of the hub's mesh, or to the outbox, whichever the members' sinks read.
 
-        weight: influence of the sinks, by which members without a driver on the influence are blended with their own transforms.
+        weight: 0 to 1. In the attribute, members of kind STILL (no driver sets the influence of their constraint) are blended with their
+        own transforms by this weight. In the outbox, nothing is written if the weight is 0 and no member is relative (result applied on top
+        of its own transform).
         """
         context, layout = self._context, self._layout
         if layout.has_attribute:
