@@ -285,7 +285,8 @@ class _Making:
         share: that the owner has of the limit of work; the owner's groups share it in turn, in proportion to their entries.
         """
         price = sum(inputs.price_of(source) for source, _, _ in self._ready)
-        share *= self._count / max(self._count, len(self._settings.entries))
+        count = max(1, self._count)  # a script may have removed all entries
+        share *= count / max(count, len(self._settings.entries))
         self.reach = sampling.reach_of(self._scene, frame, frame, price, share)
         for source, entries, make in self._ready:
             if any(inputs.is_cut(entry, source.tracks, self._scene, self.reach) for entry in entries):

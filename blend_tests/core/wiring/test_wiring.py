@@ -19,6 +19,7 @@ from core.wiring.wiring_cases import (
 
 wiring = support.addon("core.wiring")
 solver = support.addon("core.wiring.solving.namespace")
+results = support.addon("core.wiring.solving.results")
 solving = support.addon("core.wiring.solving.solving")
 per_thread = support.addon("core.evaluated.per_thread")
 capabilities = support.addon("core.blender.capabilities")
@@ -238,7 +239,7 @@ class OutputTest(WiringTestCase):
     @each_kind
     def test_error_of_our_own(self, build):
         owner, things = build(toy_system.new_target())
-        with mock.patch.object(toy_system, "pose", side_effect=RuntimeError), self.assertLogs(solving.log, "ERROR"):
+        with mock.patch.object(toy_system, "pose", side_effect=RuntimeError), self.assertLogs(results.log, "ERROR"):
             frame_set(6)
         problem = wiring.problem(toy_system.SYSTEM, owner, bpy.context.evaluated_depsgraph_get())
         self.assertTrue(problem.blocking)

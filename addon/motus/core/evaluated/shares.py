@@ -18,9 +18,8 @@ from ..declare import System, is_owner, of_owner
 
 _loads = keeping.OfFile(
     "sums of the loads (System.load) of all owners of a system in a scene",
-    "name of the system, address of the scene",
-    most=1024,
-    until="something is edited, an owner is wired, or a different file is opened",
+    "name of the system, address of the scene, number of edits since the add-on was enabled",
+    most=64,
 )
 _edits = [0]
 
@@ -41,7 +40,7 @@ def share_of(system: System, owner: Any, depsgraph: bpy.types.Depsgraph) -> floa
         return 1.0
     evaluated: Any = depsgraph.scene
     scene = evaluated.original
-    total = _loads.made((system.name, scene.as_pointer()), lambda: _sum(system, scene))
+    total = _loads.made((system.name, scene.as_pointer(), _edits[0]), lambda: _sum(system, scene))
     own = _load(system, owner)
     return 1.0 if total <= own else 2.0 ** -math.ceil(math.log2(total / own))
 
@@ -59,7 +58,6 @@ def _load(system: System, owner: Any) -> float:
 @persistent
 def forget(*_: Any) -> None:
     """Have the loads summed anew by the next evaluation, since owners may have come or gone, or their settings changed."""
-    _loads.clear()
     _edits[0] += 1
 
 

@@ -12,7 +12,7 @@ from core.wiring.wiring_cases import assert_playback_equals_jumps, frame_set
 
 wiring = support.addon("core.wiring")
 hub_lookup = support.addon("core.wiring.hubs.hub_lookup")
-solving = support.addon("core.wiring.solving.solving")
+results = support.addon("core.wiring.solving.results")
 capabilities = support.addon("core.blender.capabilities")
 SYSTEM, NOD = toy_bone_system.SYSTEM, toy_bone_system.NOD
 
@@ -81,7 +81,7 @@ class EvaluationTest(BoneTestCase):
     def test_error_of_our_own_leaves_the_animation(self, build):
         rig = build()
         frame_set(4)
-        with mock.patch.object(toy_bone_system, "angle", side_effect=RuntimeError), self.assertLogs(solving.log, "ERROR"):
+        with mock.patch.object(toy_bone_system, "angle", side_effect=RuntimeError), self.assertLogs(results.log, "ERROR"):
             frame_set(6)
             problem = wiring.problem(SYSTEM, rig, bpy.context.evaluated_depsgraph_get())
             found = poses(rig)

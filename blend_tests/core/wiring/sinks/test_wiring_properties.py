@@ -11,7 +11,7 @@ from core.wiring.wiring_cases import assert_playback_equals_jumps, frame_set
 
 wiring = support.addon("core.wiring")
 outbox = support.addon("core.wiring.hubs.outbox")
-solving = support.addon("core.wiring.solving.solving")
+results = support.addon("core.wiring.solving.results")
 refusals = support.addon("core.refusals")
 
 
@@ -60,7 +60,7 @@ class EvaluationTest(PropertyTestCase):
     def test_an_error_of_our_own_leaves_the_own_values(self):
         owner = build()
         own = self.own_values(owner)
-        with mock.patch.object(toy_dial_system, "shown", side_effect=RuntimeError), self.assertLogs(solving.log, "ERROR"):
+        with mock.patch.object(toy_dial_system, "shown", side_effect=RuntimeError), self.assertLogs(results.log, "ERROR"):
             self.assert_own(owner, own)
 
     def test_edited_keys_show_below_a_problem(self):
