@@ -10,6 +10,7 @@ DIST/motus-VERSION-legacy.zip     add-on, Blender 3.4-4.1: a folder motus/, with
 import argparse
 import ast
 import hashlib
+import re
 import shutil
 import subprocess
 import sys
@@ -19,14 +20,23 @@ from pathlib import Path
 
 CLONE = Path(__file__).resolve().parents[1]
 SOURCES = CLONE / "addon" / "motus"
-IGNORED = shutil.ignore_patterns("__pycache__", ".*")
+IGNORED = shutil.ignore_patterns("__pycache__", ".*", "*.in")
+MANIFEST = "blender_manifest.toml"
 EPOCH = (1980, 1, 1, 0, 0, 0)  # fixed times: the same content gives the same zip
+
+
+def version():
+    """The version of everything, which CMakeLists.txt states."""
+    text = (CLONE / "CMakeLists.txt").read_text(encoding="utf-8")
+    return re.search(r"^project\(motus VERSION ([0-9.]+)", text, re.MULTILINE)[1]
 
 
 def stage(folder, modules):
     """Fills `folder` with what an installed add-on consists of."""
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(SOURCES, folder, ignore=IGNORED)
+    template = (SOURCES / f"{MANIFEST}.in").read_text(encoding="utf-8")
+    (folder / MANIFEST).write_text(template.replace("@MOTUS_VERSION@", version()), encoding="utf-8")
     for source in (CLONE / "LICENSE", *(CLONE / "native" / "bindings").glob("*.pyi"), *modules):
         shutil.copy2(source, folder)
 
@@ -99,10 +109,8 @@ def main(arguments):
     parser.add_argument("blender", nargs="*", help="command that runs a Blender of 4.2 or later")
     options = parser.parse_args(arguments)
 
-    manifest = tomllib.loads((SOURCES / "blender_manifest.toml").read_text(encoding="utf-8"))
-    version = manifest["version"]
-    extension = options.dist / f"motus-{version}-extension.zip"
-    legacy = options.dist / f"motus-{version}-legacy.zip"
+    extension = options.dist / f"motus-{version()}-extension.zip"
+    legacy = options.dist / f"motus-{version()}-legacy.zip"
 
     stamp = options.stage / "stamp"
     extension_stage, legacy_stage = options.stage / "extension", options.stage / "legacy"
@@ -113,6 +121,7 @@ def main(arguments):
 
     stamp.unlink(missing_ok=True)
     stage(legacy_stage, options.modules)
+    manifest = tomllib.loads((legacy_stage / MANIFEST).read_text(encoding="utf-8"))
     package = legacy_stage / "__init__.py"
     package.write_text(insert_bl_info(package.read_text(encoding="utf-8"), manifest), encoding="utf-8")
     options.dist.mkdir(parents=True, exist_ok=True)

@@ -20,9 +20,9 @@ def texts():
 class References(unittest.TestCase):
     def test_named_files_are_there(self):
         every = [
-            "/" + path.relative_to(ROOT).as_posix()
+            "/" + path.relative_to(ROOT).as_posix().removesuffix(".in")
             for folder in ("addon", "blend_tests", "docs", ".ci", "native")
-            for kind in ("py", "hpp", "cpp")
+            for kind in ("py", "hpp", "cpp", "hpp.in")
             for path in (ROOT / folder).rglob(f"*.{kind}")
         ]
         for path in texts():

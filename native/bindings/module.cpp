@@ -1,7 +1,10 @@
 // motus_native: the table of contents.
 #include <pybind11/pybind11.h>
 
+#include <string>
+
 #include "areas.hpp"
+#include "motus/version.hpp"
 
 PYBIND11_MODULE(motus_native, m) {
     m.doc() = R"(
@@ -10,7 +13,7 @@ Native core of Motus.
 Arrays are NumPy float64 unless said; (m, 3) means m rows of x, y, z. Metres, radians and seconds; quaternions w, x, y, z.
 A wrong shape, type or value raises ValueError or TypeError that names the argument. Parameters and lengths outside a
 curve's interval never raise: extend = "clamp" | "extrapolate" | "loop" | "ping_pong" says what they mean.)";
-    m.attr("__version__") = MOTUS_VERSION;
+    m.attr("__version__") = std::string(motus::version);
 
     // All classes are local to the module: a second copy of it, of another package, has classes of its own.
     using namespace motus::bindings;

@@ -4,6 +4,8 @@
 #pragma once
 #include <glm/mat4x4.hpp>
 
+#include "motus/config.hpp"
+
 namespace motus::bones {
 
 /// How a bone takes its parent's scale (Blender's Bone.inherit_scale, in its order).

@@ -4,6 +4,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "motus/config.hpp"
+
 namespace motus::bones {
 
 /// Euler angles (rad) of a unit quaternion in the order XYZ, as mathutils' Quaternion.to_euler('XYZ') gives

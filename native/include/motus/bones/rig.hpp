@@ -5,6 +5,7 @@
 #include <span>
 
 #include "motus/bones/bone.hpp"
+#include "motus/config.hpp"
 
 namespace motus::bones {
 

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "motus/bones/bone.hpp"
+#include "motus/config.hpp"
 
 namespace motus::bones {
 

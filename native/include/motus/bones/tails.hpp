@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "motus/bones/rig.hpp"
+#include "motus/config.hpp"
 
 namespace motus::bones {
 

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
+#include "motus/config.hpp"
 #include "motus/core/numeric.hpp"
 
 namespace motus::bones {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <span>
 
+#include "motus/config.hpp"
+
 namespace motus::colour {
 
 /// Rows of pixels: red, green, blue (scene-linear, finite) and alpha. Has at least one pixel.

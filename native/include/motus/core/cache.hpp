@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "motus/config.hpp"
+
 namespace motus {
 
 /// Hash of a key's numbers, for a Cache. Equal bits give equal hashes.

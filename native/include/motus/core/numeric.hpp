@@ -11,6 +11,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "motus/config.hpp"
+
 namespace motus {
 
 /// Throws std::invalid_argument with the problem if the condition does not hold.

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <utility>
 
+#include "motus/config.hpp"
 #include "motus/curve/curve.hpp"
 
 namespace motus::curve {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "motus/config.hpp"
 #include "motus/curve/curve.hpp"
 
 namespace motus::curve {

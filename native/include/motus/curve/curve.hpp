@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "motus/config.hpp"
 #include "motus/curve/extend.hpp"
 
 namespace motus::curve {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 
+#include "motus/config.hpp"
 #include "motus/curve/curve.hpp"
 
 namespace motus::curve {

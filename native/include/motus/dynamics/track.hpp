@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "motus/config.hpp"
 #include "motus/dynamics/second_order.hpp"
 
 namespace motus::dynamics {

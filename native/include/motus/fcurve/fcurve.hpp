@@ -11,6 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "motus/config.hpp"
+
 namespace motus::fcurve {
 
 /// How the value goes on after a key; Blender's numbers.

@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "motus/config.hpp"
+
 namespace motus::lattice {
 
 /// How many places each lattice point acts on along one axis. With n points at equal steps:

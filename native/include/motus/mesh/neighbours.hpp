@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "motus/config.hpp"
+
 namespace motus::mesh {
 
 /// The triangles and edges around each vertex, packed one vertex after the other. They depend on the mesh's

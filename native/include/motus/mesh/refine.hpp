@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "motus/config.hpp"
+
 namespace motus::mesh {
 
 struct Refined {

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "motus/config.hpp"
 #include "motus/mesh/neighbours.hpp"
 #include "motus/mesh/reach.hpp"
 

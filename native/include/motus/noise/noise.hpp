@@ -13,6 +13,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "motus/config.hpp"
+
 namespace motus::noise {
 
 /// Noise at a place, in [-1, 1]; its standard deviation is 0.31 in one dimension, 0.25 in two and

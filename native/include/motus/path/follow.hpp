@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "motus/config.hpp"
 #include "motus/curve/extend.hpp"
 #include "motus/path/frames.hpp"
 #include "motus/path/timing.hpp"

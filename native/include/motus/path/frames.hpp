@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "motus/config.hpp"
 #include "motus/core/cache.hpp"
 #include "motus/curve/arc_length.hpp"
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "motus/config.hpp"
 #include "motus/mesh/reach.hpp"
 #include "motus/sculpt/falloff.hpp"
 

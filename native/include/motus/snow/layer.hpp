@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "motus/config.hpp"
 #include "motus/snow/collider.hpp"
 
 namespace motus::snow {

@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+#include "motus/config.hpp"
 #include "motus/core/parallel.hpp"
 #include "motus/snow/births.hpp"
 #include "motus/snow/collider.hpp"

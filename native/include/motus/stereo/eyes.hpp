@@ -6,6 +6,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "motus/config.hpp"
+
 namespace motus::stereo {
 
 /// How the two images are made to meet on the screen.

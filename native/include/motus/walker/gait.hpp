@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "motus/config.hpp"
+
 namespace motus::walker {
 
 /// The order of steps of legs in two rows; L1 is the left front leg, R1 the right one:

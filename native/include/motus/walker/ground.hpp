@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "motus/config.hpp"
 #include "motus/core/parallel.hpp"
 #include "motus/mesh/picker.hpp"
 

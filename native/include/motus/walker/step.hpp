@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "motus/config.hpp"
 #include "motus/core/numeric.hpp"
 
 namespace motus::walker {

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "motus/config.hpp"
 #include "motus/core/parallel.hpp"
 #include "motus/dynamics/track.hpp"
 #include "motus/walker/body_trajectory.hpp"

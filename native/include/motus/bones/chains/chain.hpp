@@ -14,6 +14,7 @@
 #include <span>
 
 #include "motus/bones/reason.hpp"
+#include "motus/config.hpp"
 
 namespace motus::bones::chains {
 

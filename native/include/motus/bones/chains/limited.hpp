@@ -10,6 +10,7 @@
 #include <span>
 
 #include "motus/bones/chains/chain.hpp"
+#include "motus/config.hpp"
 
 namespace motus::bones::chains {
 

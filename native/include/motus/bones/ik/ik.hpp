@@ -15,6 +15,7 @@
 
 #include "motus/bones/chains/limited.hpp"
 #include "motus/bones/rig.hpp"
+#include "motus/config.hpp"
 
 namespace motus::bones::ik {
 

@@ -6,6 +6,7 @@
 
 #include "motus/bones/layers/spin.hpp"
 #include "motus/bones/layers/transform.hpp"
+#include "motus/config.hpp"
 #include "motus/fcurve/fcurve.hpp"
 
 namespace motus::bones::layers {

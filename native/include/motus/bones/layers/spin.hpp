@@ -4,6 +4,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <span>
 
+#include "motus/config.hpp"
+
 namespace motus::bones::layers {
 
 /// What the numbers of a bone's rotation are: Blender's rotation modes.

@@ -8,6 +8,7 @@
 #include "motus/bones/layers/clip.hpp"
 #include "motus/bones/layers/timing.hpp"
 #include "motus/bones/layers/transform.hpp"
+#include "motus/config.hpp"
 
 namespace motus::bones::layers {
 

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "motus/bones/turns.hpp"
+#include "motus/config.hpp"
 
 namespace motus::bones::layers {
 

@@ -16,6 +16,7 @@
 #include <numbers>
 
 #include "motus/bones/reason.hpp"
+#include "motus/config.hpp"
 
 namespace motus::bones::look_at {
 

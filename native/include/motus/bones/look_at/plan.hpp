@@ -11,6 +11,7 @@
 #include "motus/bones/look_at/gaze.hpp"
 #include "motus/bones/reason.hpp"
 #include "motus/bones/rig.hpp"
+#include "motus/config.hpp"
 
 namespace motus::bones::look_at {
 

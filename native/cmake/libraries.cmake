@@ -1,0 +1,55 @@
+# What other programs link: a static library a topic, Motus::curve and so on, and Motus::motus, which stands for all of them.
+# They are made of the topics' objects. Included by ../CMakeLists.txt.
+
+# motus_topic_library(topic_target): Motus::<topic>, with its public headers and the libraries that it needs.
+function(motus_topic_library objects)
+    string(REPLACE "motus_" "" topic ${objects})
+    get_target_property(headers ${objects} MOTUS_HEADERS)
+    get_target_property(lower ${objects} MOTUS_LOWER)
+    set(target motus_library_${topic})
+    motus_static_library(${target} $<TARGET_OBJECTS:${objects}>)
+    target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS include ${MOTUS_GENERATED} FILES ${headers})
+    target_compile_features(${target} PUBLIC cxx_std_20)
+    list(TRANSFORM lower REPLACE "^motus_" "motus_library_")
+    target_link_libraries(${target} PUBLIC ${lower})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${topic} OUTPUT_NAME motus_${topic})
+    add_library(Motus::${topic} ALIAS ${target})
+    set(MOTUS_LIBRARY_TARGETS ${MOTUS_LIBRARY_TARGETS} ${target} PARENT_SCOPE)
+endfunction()
+
+set(MOTUS_LIBRARY_TARGETS "")
+foreach(topic IN LISTS MOTUS_TOPICS)
+    motus_topic_library(${topic})
+endforeach()
+target_link_libraries(motus_library_core PUBLIC glm::glm Threads::Threads)
+
+add_library(motus INTERFACE)
+target_link_libraries(motus INTERFACE ${MOTUS_LIBRARY_TARGETS})
+add_library(Motus::motus ALIAS motus)
+add_custom_target(motus_libraries DEPENDS ${MOTUS_LIBRARY_TARGETS})
+
+if(NOT MOTUS_INSTALL)
+    return()
+endif()
+
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/Motus)
+install(TARGETS motus ${MOTUS_LIBRARY_TARGETS} EXPORT MotusTargets FILE_SET HEADERS)
+install(EXPORT MotusTargets NAMESPACE Motus:: DESTINATION ${folder})
+configure_package_config_file(cmake/MotusConfig.cmake.in MotusConfig.cmake INSTALL_DESTINATION ${folder})
+# Until 1.0 a minor version may change what programs rely on.
+write_basic_package_version_file(MotusConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/MotusConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/MotusConfigVersion.cmake DESTINATION ${folder})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+set(CPACK_PACKAGE_NAME libmotus-dev)
+set(CPACK_PACKAGE_VENDOR "The Motus developers")
+set(CPACK_PACKAGE_CONTACT "The Motus developers <motus@example.invalid>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_GENERATOR DEB TGZ)
+set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS libglm-dev)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+include(CPack)
