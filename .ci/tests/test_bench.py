@@ -90,7 +90,8 @@ class Rows(unittest.TestCase):
         path = self.written()
         (path.parent / "table.cpp").write_text(TABLE, encoding="utf-8")
         native = CI.parent / "native"
-        command = ["g++", "-std=c++20", f"-I{native / 'bench'}", f"-I{native / 'include'}", "table.cpp", "-o", "table"]
+        headers = [f"-I{native / folder}" for folder in ("bench", "include", "internal")]
+        command = ["g++", "-std=c++20", *headers, "table.cpp", "-o", "table"]
         subprocess.run(command, cwd=path.parent, check=True)
         environment = dict(os.environ, MOTUS_BENCH_ROWS=str(path))
         shown = subprocess.run([path.parent / "table"], env=environment, check=True, capture_output=True, text=True).stdout
