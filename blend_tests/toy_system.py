@@ -99,10 +99,7 @@ def unregister():
 
 def new_object(name, location=(0.0, 0.0, 0.0), data=None):
     """An object, an empty unless data is given, in the scene."""
-    made = bpy.data.objects.new(name, data)
-    made.location = location
-    bpy.context.scene.collection.objects.link(made)
-    return made
+    return support.link(name, data, location)
 
 
 def new_rig(name="Rig", bones=3):

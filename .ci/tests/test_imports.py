@@ -10,6 +10,10 @@ ROOT = Path(__file__).resolve().parents[2]
 ADDON = ROOT / "addon" / "motus"
 MOST_FILES = 12
 """Python files in a room."""
+FLAGS = {"is_relative", "lays_pose", "moves_points", "same_bits"}
+"""Fields of System that say how its results reach the scene."""
+READ_FLAGS = ("core.declare", "core.wiring.hubs.traits")
+"""The only modules, or rooms of modules, that read FLAGS."""
 
 
 def modules():
@@ -68,6 +72,15 @@ def uses_other_systems(path):
         ):
             found.add(node.slice.value)
     return found
+
+
+def flags_read(path):
+    """Names of the FLAGS that a module reads from a system. Members and layouts have fields of the same names, which do not count."""
+    return {
+        node.attr
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Attribute) and node.attr in FLAGS and ast.unparse(node.value).lower().endswith("system")
+    }
 
 
 class Imports(unittest.TestCase):
@@ -149,6 +162,12 @@ class Imports(unittest.TestCase):
             if own in self.systems:
                 others = {one for one in uses_other_systems(path) if one != own and not one.startswith(f"{own}_")}
                 self.assertEqual(others, set(), f"{name} reaches into another system: let that offer a function (Feature.offers)")
+
+    def test_flags_of_a_system_are_read_in_one_place(self):
+        found = {name: flags_read(path) for name, path in self.known.items()}
+        inside = {name for name in found if name.startswith(READ_FLAGS)}
+        self.assertGreaterEqual(set().union(*(found[name] for name in inside)), FLAGS - {"lays_pose", "moves_points"})
+        self.assertEqual({name: flags for name, flags in found.items() if flags and name not in inside}, {})
 
 
 if __name__ == "__main__":

@@ -17,11 +17,7 @@ def native():
     return support.addon("core.native").module
 
 
-def link(name, data=None, parent=None):
-    obj = bpy.data.objects.new(name, data)
-    bpy.context.scene.collection.objects.link(obj)
-    obj.parent = parent
-    return obj
+link = support.link
 
 
 def key(thing, path, rows, prefix="", interpolation=None):

@@ -54,9 +54,7 @@ class PendulumTestCase(support.SceneTestCase):
         return bpy.context.object
 
     def link(self, name, location=(0.0, 0.0, 0.0), data=None):
-        obj = bpy.data.objects.new(name, data)
-        obj.location = location
-        bpy.context.scene.collection.objects.link(obj)
+        obj = support.link(name, data, location)
         bpy.context.view_layer.update()
         return obj
 

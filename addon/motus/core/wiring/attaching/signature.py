@@ -11,7 +11,7 @@ from typing import Any
 import bpy
 
 from ...blender import drivers
-from ..hubs import outbox, outputs, sharing
+from ..hubs import outputs, sharing, traits
 from ..sinks import proxy_sink
 from . import solver_driver
 
@@ -54,7 +54,7 @@ def of(system, owner, groups):
         )
         for group in (groups if system.groups is not None else ())
     ]
-    ways: tuple[Any, ...] = outbox.uses_attribute(system), outputs.wants_outlet(system, owner), sharing.can_share(system, owner)
+    ways: tuple[Any, ...] = traits.uses_attribute(system), outputs.wants_outlet(system, owner), sharing.can_share(system, owner)
     properties = [(group.key, one.output, _name(one.object, owner), one.path, one.index) for group in groups for one in group.properties]
     if solver_driver.waits_apart(owner, groups):
         ways = *ways, solver_driver.way_to_wait(owner, groups), properties

@@ -11,7 +11,7 @@ import bpy
 from ...blender import drivers
 from ...declare import BonesOwn, Transform, Variable, input_variables, laid_beneath, of_owner
 from ...evaluated import copies
-from ..hubs import hub_lookup, outbox, outputs
+from ..hubs import hub_lookup, outbox, outputs, traits
 from ..sinks import property_sink
 from . import waiting
 
@@ -30,9 +30,7 @@ def add(system, owner, group, part):
         return
     expression, variables = _call(system, owner, group, part)
     call = f'motus_solve(self,"{_name(system, group)}",frame,depsgraph{expression})'
-    if system.moves_points:
-        # Blender assumes that a driver expression with a call or with `frame` in it changes with time, and then evaluates the mesh anew
-        # on every frame. Blender does not assume this of a subscript, so a mesh that does not change is not evaluated anew.
+    if traits.is_read_by_subscript(system):
         call = f'motus_points[self,"{_name(system, group)}"{expression}]'
     drivers.add(part.mesh, path, call, variables, index=outbox.STATUS, use_self=True)
     copies.mark(*(variable.id for variable in variables.values() if variable.id_type == 'CURVE'))
@@ -163,10 +161,11 @@ def waits_apart(owner, groups):
 
 
 def way_to_wait(owner, groups):
-    """Return how a solver waits for animated settings if it must not wait for all plain properties (waits_apart()).
+    """Return by which dependency a solver is evaluated after the owner's animated settings, if waits_apart() is true.
 
-    "keys": by the custom property wait_key(), which comes after the settings' F-curves. "settings": for the settings themselves in spite of
-    the possible cycle, because a driver sets one of them. "": not at all, because the settings are not animated or waits_apart() is false.
+    "keys": a custom property of the owner (wait_key()) that Blender evaluates after the keyframes of the settings. "settings": the settings
+    themselves, because a driver sets one of them; the dependency graph may then have a cycle. "": none, because the settings are not
+    animated, or because waits_apart() is false and the solver waits for all properties of the owner anyway.
     """
     if not waits_apart(owner, groups) or not copies.has_animated_settings(owner):
         return ""

@@ -30,10 +30,10 @@ from typing import NamedTuple
 import bpy
 
 from ... import keeping
-from ...blender import capabilities
 from ...declare import has_settings
 from ...file import stored
 from ...file.stored import Damaged, Newer
+from . import traits
 
 STATUS, WEIGHT, FIRST_OUTPUT = 0, 1, 2
 POSE_SIZE = 6
@@ -178,22 +178,13 @@ def has_scales(group):
     return any("scale" in member.channels for member in group.members)
 
 
-def uses_attribute(system):
-    """Whether a system's members get their poses from an attribute of the hub's mesh, which Geometry Attribute constraints sample.
-
-    The constraint exists in Blender 5 and later. The attribute is not used for a system that uses a modifier or that requires equal
-    matrices in all versions of Blender (same_bits). If the attribute is not used, the poses are in the outbox.
-    """
-    return capabilities.has_geometry_attribute_constraint() and not (system.has_modifier or system.same_bits)
-
-
 def create(system, carrier, group):
     """Give a hub's mesh (carrier) a new outbox with neutral values and slots for the members of a group.
 
     The outbox has no slots for members if their poses go to an attribute of the mesh. If the system declares groups or drives scales, a
     description (Info) is stored beside the outbox.
     """
-    members = 0 if uses_attribute(system) else len(group.members)
+    members = 0 if traits.uses_attribute(system) else len(group.members)
     slots = [float(SILENT)] + [0.0] * (pose_slot(group, members) - 1)
     if members and has_scales(group):
         slots += [1.0] * (SCALE_SIZE * members)
@@ -204,7 +195,7 @@ def create(system, carrier, group):
             tuple(_noted(member.thing, carrier) for member in group.members),
             has_scales(group),
             any(member.is_relative for member in group.members),
-            uses_attribute(system),
+            traits.uses_attribute(system),
             group.data,
             tuple(bone for _, bone in group.reads),
         )
@@ -223,7 +214,7 @@ def is_shared(system, mesh):
 
 
 def has_attribute(mesh):
-    """Whether the members of a shared hub sample an attribute of its mesh, as is recorded on the mesh.
+    """Whether members of a shared hub get their poses from the matrix attribute of its mesh, in place of its outbox, as the mesh records.
 
     Raises Damaged if the record is missing or invalid.
     """
@@ -258,7 +249,7 @@ def is_whole(system, mesh):
 
 def create_shared(system, mesh):
     """Give the mesh of a new hub, which owners will share, an outbox without rows."""
-    mesh[SHARED_KEY] = [int(uses_attribute(system))]
+    mesh[SHARED_KEY] = [int(traits.uses_attribute(system))]
     mesh[out_key(system)] = [0.0]
 
 
@@ -316,9 +307,9 @@ def _layout_without_info(system, carrier, size):
     base = FIRST_OUTPUT + len(system.outputs)
     if system.has_modifier:
         return Layout(base, 0, False, False, False)
-    if size == base and not system.same_bits:
-        return Layout(base, len(carrier.vertices), False, system.is_relative, True)
-    return Layout(base, max(0, size - base) // POSE_SIZE, False, system.is_relative, False)
+    if size == base and traits.may_use_attribute(system):
+        return Layout(base, len(carrier.vertices), False, traits.has_relative_members(system), True)
+    return Layout(base, max(0, size - base) // POSE_SIZE, False, traits.has_relative_members(system), False)
 
 
 def is_in_place(system, carrier, group=""):

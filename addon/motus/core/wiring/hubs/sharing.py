@@ -19,7 +19,7 @@ from ...evaluated import copies
 from ...file.pointers import pointed
 from ...file.stored import Damaged
 from ...measures.handedness import is_mirrored
-from . import hub_lookup, outbox, rows
+from . import hub_lookup, outbox, rows, traits
 
 
 class Part(NamedTuple):
@@ -273,7 +273,7 @@ def _hub_for(system, owner):
         named = {name: mesh.get(rows.target_key(name)) for name in rows.pointers(system, owner)}
         if (
             outbox.is_whole(system, mesh)
-            and outbox.has_attribute(mesh) == outbox.uses_attribute(system)
+            and outbox.has_attribute(mesh) == traits.uses_attribute(system)
             and named == rows.pointers(system, owner)
             and _reads_the_same(system, owner, mesh)
         ):

@@ -34,9 +34,10 @@ MOVES, STILL, RELATIVE = 0, 1, 2
 
 
 def prepare(system, group, part):
-    """Add to a hub's mesh what is missing for the members of a group: a vertex each, with a 4x4 matrix in the matrix attribute.
+    """Give a hub's mesh the vertices that the members of a group need: one each, with a 4x4 matrix in the matrix attribute.
 
-    Also stores the kind of each member (STILL_KEY). Call this function before add(). part: Part of the owner in the hub.
+    Also stores on the mesh whether each member moves or keeps its place (STILL_KEY). Call this function before add(). part: Part of the
+    owner in the hub.
     """
     mesh, first = part.mesh, part.row
     if ATTRIBUTE not in mesh.attributes:

@@ -10,7 +10,7 @@ The owner is the object whose settings are solved, and whose geometry the modifi
 import bpy
 
 from ...blender import capabilities, node_groups
-from ..hubs import hub_lookup
+from ..hubs import hub_lookup, traits
 from . import made_points, moved_points
 
 KEY = "motus_system"
@@ -147,7 +147,7 @@ def _drop_unused(group):
 
 
 def _kind(system):
-    return moved_points if system.moves_points else made_points
+    return moved_points if traits.moves_points(system) else made_points
 
 
 def _is_sink(system, one):

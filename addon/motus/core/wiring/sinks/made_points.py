@@ -128,10 +128,10 @@ def write_nothing(_system, carrier):
 
 
 def add_nodes(system, group, start, form):
-    """Add to a node group of the modifier the nodes that bring in the points; start: its Group Input node.
+    """Add to the modifier's node group the nodes that read the points from the hub's mesh and turn them into geometry.
 
-    form: variant of the node group, a key of FORMS. Returns the output socket with the owner's own geometry joined with what is made of the
-    points.
+    start: Group Input node of the node group. form: variant of the node group, a key of FORMS. Returns the output socket that has the
+    owner's own geometry and the geometry made of the points.
     """
     made = system.makes_points
     hub = node_groups.add_node(group, "GeometryNodeObjectInfo", transform_space='RELATIVE' if made.space == 'WORLD' else 'ORIGINAL')

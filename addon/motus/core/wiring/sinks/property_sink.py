@@ -203,10 +203,10 @@ def _tidy(holder):
 
 
 def _restore(system, holder, curve, mesh):
-    """Set a driven property to its own value, which the Note on the hub's mesh holds.
+    """Set a driven property back to the value that it had before it was driven, which the Note on the hub's mesh holds.
 
-    Nothing happens if the driver is at rest (it then drives a placeholder custom property). holder: datablock of the property. curve:
-    F-curve of the driver. mesh: mesh of the hub that the driver reads.
+    Nothing happens if the driver has been pointed to a placeholder custom property, since the driven property then has that value already.
+    holder: datablock of the property. curve: F-curve of the driver. mesh: mesh of the hub that the driver reads.
     """
     note = next((one for one in _notes_of(mesh) if _reads(system, curve, one)), None)
     if note is None or curve.data_path == _REST_PATH:

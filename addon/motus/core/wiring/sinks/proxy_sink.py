@@ -19,7 +19,7 @@ import bpy
 from ...blender import drivers, helpers
 from ...declare import Variable
 from ...file.pointers import pointed
-from ..hubs import marks, outbox
+from ..hubs import marks, outbox, traits
 
 
 def is_needed(system, member, driven_bones):
@@ -31,7 +31,7 @@ def is_needed(system, member, driven_bones):
     """
     if isinstance(member.thing, bpy.types.PoseBone):
         return member.is_relative and member.thing.name in driven_bones
-    return member.is_relative and not system.same_bits
+    return member.is_relative and traits.may_use_proxies(system)
 
 
 def add(system, settings, group, index, hub):

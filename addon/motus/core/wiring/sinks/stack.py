@@ -7,7 +7,7 @@ The results come from the hub, a hidden object whose mesh carries the solver's d
 
 from ...blender import drivers
 from ...declare import laying_systems, of_owner
-from ..hubs import outbox
+from ..hubs import traits
 from . import attribute_sink, finding, geometry_sink, property_sink, proxy_sink, transform_sink
 
 AIMING = {'TRACK_TO', 'DAMPED_TRACK', 'LOCKED_TRACK'}
@@ -35,7 +35,7 @@ def add(system, owner, group, part):
 
 def _add_constraints(system, owner, group, part):
     """Add the constraints that drive the members of a group. The active constraint of each member stays active."""
-    uses_attribute, driven = outbox.uses_attribute(system), drivers.driven_bones(owner)
+    uses_attribute, driven = traits.uses_attribute(system), drivers.driven_bones(owner)
     if uses_attribute:
         attribute_sink.prepare(system, group, part)
     for index, member in enumerate(group.members):

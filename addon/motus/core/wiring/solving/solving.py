@@ -17,7 +17,7 @@ from ...file.stored import Damaged
 from ...lazy import numpy as np
 from ...measures import finite
 from ..healing.watch import noticed
-from ..hubs import outbox, outputs, sharing
+from ..hubs import outbox, outputs, sharing, traits
 from ..sinks import attribute_sink, geometry_sink, property_sink
 from . import arguments
 from .results import ORDINARY, Poses, do_nothing
@@ -231,7 +231,7 @@ class Solver:
             noticed.moved_points.add(self._place)
         if self._reads_several:
             noticed.gathering.add(self._place)
-        if not self._system.moves_points:
+        if traits.watches_drivers(self._system):
             drivers = copies.drivers_on(self._owner) if self._copy is None else self._copy.drivers
             state = drivers, self._counts and moves
             if noticed.states.get(self._place) != state:
