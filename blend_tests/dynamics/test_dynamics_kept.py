@@ -150,6 +150,23 @@ class DynamicsKeptTest(support.SceneTestCase):
         self.assertGreater(computed(lambda: self.lengthen(rig)), 0)
         self.assertSeen(rig, "Tail 0 2", before, 24)
 
+    def test_what_an_edit_of_a_setting_looks_through(self):
+        """No keys, since the animation is the same; and the entries once, whoever asks for what they drive."""
+        rig = cases.rope(3)
+        cases.add(rig, bones="Tail 0 0", whole_chains=True, chain_delay=0.1, style='FLOPPY')
+        keys, groups, entries = support.addon("core.animation.keys"), support.addon("dynamics.groups"), rig.motus.dynamics.entries
+        for frequency in (3.5, 3.6):
+            entries["Tail 0 0"].frequency = frequency
+            bpy.context.view_layer.update()
+        with (
+            mock.patch.object(keys, "extent", wraps=keys.extent) as extents,
+            mock.patch.object(keys, "bounds", wraps=keys.bounds) as bounds,
+            mock.patch.object(groups, "_tail_units", wraps=groups._tail_units) as chains,
+        ):
+            entries["Tail 0 0"].frequency = 3.7
+            bpy.context.view_layer.update()
+        self.assertEqual((extents.call_count, bounds.call_count, chains.call_count), (0, 0, 1))
+
     def lengthen(self, rig):
         bpy.context.view_layer.objects.active = rig
         bpy.ops.object.mode_set(mode='EDIT')

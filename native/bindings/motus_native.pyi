@@ -11,7 +11,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'Reason', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'bone_to_pose', 'box_around', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'bone_to_pose', 'box_around', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -316,7 +316,7 @@ class TailPlan:
     """
     def __init__(self, parents: numpy.typing.ArrayLike, bones: numpy.typing.ArrayLike) -> None:
         ...
-    def solve(self, rest: numpy.typing.NDArray[numpy.float32], poses: numpy.typing.NDArray[numpy.float32], basis: numpy.typing.NDArray[numpy.float32], inheritance: numpy.typing.NDArray[numpy.int32], world: numpy.typing.NDArray[numpy.float64], targets: numpy.typing.NDArray[numpy.float64], weights: numpy.typing.NDArray[numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+    def solve(self, rest: numpy.typing.NDArray[numpy.float32], poses: numpy.typing.NDArray[numpy.float32], basis: numpy.typing.NDArray[numpy.float32], inheritance: numpy.typing.NDArray[numpy.int32], world: numpy.typing.ArrayLike, targets: numpy.typing.NDArray[numpy.float64], weights: numpy.typing.NDArray[numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
         """
         Rotations (n, 4), w, x, y, z, of the bones on top of their own: the identity if a tail points to its place already.
         
@@ -479,7 +479,7 @@ class LookAtPlan:
     SETTINGS: typing.ClassVar[tuple] = ('weight', 'body_weight', 'head_weight', 'eyes_weight', 'clamp', 'body_limit', 'head_limit', 'eyes_limit', 'is_on')
     def __init__(self, parents: numpy.typing.ArrayLike, bodies: typing.Sequence[numpy.typing.ArrayLike], heads: numpy.typing.ArrayLike, eyes: typing.Sequence[numpy.typing.ArrayLike]) -> None:
         ...
-    def solve(self, rest: numpy.typing.NDArray[numpy.float32], poses: numpy.typing.NDArray[numpy.float32], basis: numpy.typing.NDArray[numpy.float32], inheritance: numpy.typing.NDArray[numpy.int32], world: numpy.typing.NDArray[numpy.float64], settings: numpy.typing.NDArray[numpy.float64], targets: numpy.typing.NDArray[numpy.float64], head_forward: numpy.typing.NDArray[numpy.float64], eyes_forward: numpy.typing.NDArray[numpy.float64], rotations: numpy.typing.NDArray[numpy.float64] | None = None, up: numpy.typing.NDArray[numpy.float64] | None = None) -> numpy.typing.NDArray[numpy.float64]:
+    def solve(self, rest: numpy.typing.NDArray[numpy.float32], poses: numpy.typing.NDArray[numpy.float32], basis: numpy.typing.NDArray[numpy.float32], inheritance: numpy.typing.NDArray[numpy.int32], world: numpy.typing.ArrayLike, settings: numpy.typing.NDArray[numpy.float64], targets: numpy.typing.NDArray[numpy.float64], head_forward: numpy.typing.NDArray[numpy.float64], eyes_forward: numpy.typing.NDArray[numpy.float64], rotations: numpy.typing.NDArray[numpy.float64] | None = None, up: numpy.typing.NDArray[numpy.float64] | None = None) -> numpy.typing.NDArray[numpy.float64]:
         """
         Rotations that turn body, head and eyes of each entry to its target.
         
@@ -564,6 +564,28 @@ class LayerStack:
         part of the way where the layer counts for a part; without it all rotations go the shorter way.
         Raises ValueError or TypeError that names the argument; transforms that are not finite stay as they are.
         """
+class RigGoals:
+    """
+    Goals that bones of a rig reach for: bones of the rig itself, and things whose world matrices are given. Immutable.
+    
+    count: of the goals.  own: (k, 2) goal and bone of the rig.  others: (m, 2) goal and row of `things`. A goal that is in neither
+    is nowhere.
+    Raises ValueError or TypeError that names the argument.
+    """
+    def __init__(self, count: int, own: numpy.typing.ArrayLike, others: numpy.typing.ArrayLike) -> None:
+        ...
+    def matrices(self, poses: numpy.typing.NDArray[numpy.float32], world: numpy.typing.ArrayLike, things: numpy.typing.NDArray[numpy.float32]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        World matrices of the goals, (count, 16) float64, column by column; the identity for one that is nowhere.
+        
+        poses: (b, 16) float32, PoseBone.matrix as foreach_get gives it.  world: the rig's matrix_world, as in IkPlan.solve().  Both are read
+        if a goal is a bone of the rig.  things: (n, 16) float32, world matrices, column by column.
+        Raises ValueError or TypeError that names the argument; numbers that are not finite do not raise.
+        """
+    def points(self, poses: numpy.typing.NDArray[numpy.float32], world: numpy.typing.ArrayLike, things: numpy.typing.NDArray[numpy.float32]) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        World positions of the goals, (count, 3) float64; NaN for one that is nowhere. Arguments as in matrices().
+        """
 class IkRest:
     """
     Bones at rest, of one IkPlan; made by IkPlan.rest(). Immutable.
@@ -595,7 +617,7 @@ class IkPlan:
         rest: a result of rest().  basis: (b, 16) float32, PoseBone.matrix_basis as foreach_get gives it.
         Wrong shapes and types raise ValueError or TypeError that names the argument.
         """
-    def match(self, bones: IkBones, poses: numpy.typing.NDArray[numpy.float32], world: numpy.typing.NDArray[numpy.float64], settings: numpy.typing.NDArray[numpy.float64]) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+    def match(self, bones: IkBones, poses: numpy.typing.NDArray[numpy.float32], world: numpy.typing.ArrayLike, settings: numpy.typing.NDArray[numpy.float64]) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
         """
         Targets and poles for which the solution is the animated pose: ((c, 16), (c, 3)), as solve() takes them.
         
@@ -609,7 +631,7 @@ class IkPlan:
         number of Bone.inherit_scale (FULL 0, FIX_SHEAR 1, ALIGNED 2, AVERAGE 3, NONE 4, NONE_LEGACY 5), + 8 if it inherits
         rotation, + 16 if its location is local.  Wrong shapes and types raise ValueError or TypeError that names the argument.
         """
-    def solve(self, bones: IkBones, poses: numpy.typing.NDArray[numpy.float32], world: numpy.typing.NDArray[numpy.float64], settings: numpy.typing.NDArray[numpy.float64], targets: numpy.typing.NDArray[numpy.float64], poles: numpy.typing.NDArray[numpy.float64], limits: numpy.typing.NDArray[numpy.float64] | None = None, rotations: numpy.typing.NDArray[numpy.float64] | None = None, scales: numpy.typing.NDArray[numpy.float64] | None = None) -> typing.Any:
+    def solve(self, bones: IkBones, poses: numpy.typing.NDArray[numpy.float32], world: numpy.typing.ArrayLike, settings: numpy.typing.NDArray[numpy.float64], targets: numpy.typing.NDArray[numpy.float64], poles: numpy.typing.NDArray[numpy.float64], limits: numpy.typing.NDArray[numpy.float64] | None = None, rotations: numpy.typing.NDArray[numpy.float64] | None = None, scales: numpy.typing.NDArray[numpy.float64] | None = None) -> typing.Any:
         """
         Turns the chains from their animated (FK) pose to their targets.
         

@@ -5,12 +5,14 @@ like a mass on a spring.
 """
 
 import json
+import operator
 from typing import NamedTuple
 
 import bpy
 
 from ..core import rigs, wiring
 from ..core.declare import BonesOwn, Entry, Group, Member, Property, Transform
+from ..core.evaluated.question import answered
 from ..core.settings.entries import unwired
 from ..core.tracks import in_world
 from . import inputs
@@ -82,6 +84,10 @@ def unit_reads(owner, bone):
 
 def units(owner):
     """List the Units of an owner. Entries of missing bones, and further entries of one object or bone, are skipped."""
+    return answered((hash(owner), "dynamics", "units"), lambda: _units(owner))
+
+
+def _units(owner):
     found, tails, taken = [], {}, set()
     for entry in owner.motus.dynamics.entries:
         if entry.data_path:
@@ -106,17 +112,20 @@ def _tail_units(owner, tails, others):
 
     tails: {bone name: entry}. others: names of bones with a different kind of entry, at which chains end.
     """
-    by_top = {}
+    tops, depths, by_top = {"": ""}, {"": 0}, {}
     for name in tails:
-        top = name
-        for above in owner.pose.bones[name].parent_recursive:
-            if above.name in others:
-                break
-            if above.name in tails:
-                top = above.name
-        by_top.setdefault(top, []).append(name)
+        way, bone = [], owner.pose.bones[name]
+        while bone is not None and bone.name not in depths:
+            way.append(bone)
+            bone = bone.parent
+        above = bone.name if bone is not None else ""
+        for one in map(operator.attrgetter("name"), reversed(way)):
+            depths[one] = depths[above] + 1
+            tops[one] = ("" if above in others else tops[above]) or (one if one in tails else "")
+            above = one
+        by_top.setdefault(tops[name], []).append(name)
     for top, names in by_top.items():
-        names.sort(key=lambda name: len(owner.pose.bones[name].parent_recursive))
+        names.sort(key=depths.__getitem__)
         yield Unit(f"bone {top}", 'TAILS', tuple(tails[name] for name in names), tuple(owner.pose.bones[name] for name in names))
 
 
@@ -135,6 +144,11 @@ def groups(owner):
 
     Each group is solved by one call. A level holds bones that do not depend on each other's results.
     """
+    # One question, so that the units are found once: the levels ask for the entries too.
+    return answered((hash(owner), "dynamics", "groups"), lambda: _groups(owner))
+
+
+def _groups(owner):
     present = units(owner)
     levels = wiring.levels(owner)
     placed = [(levels.get(("dynamics", unit.name)), unit) for unit in present if unit.kind != 'PROPERTY']

@@ -80,19 +80,28 @@ class _Input:
         """Whether the whole input can be read."""
         return self.reason is None and all(track.is_known for track, _ in self.listed)
 
-    @property
+    @functools.cached_property
     def tracks(self):
-        """List of all tracks from which the input is computed."""
-        return [track for track, _ in self.listed]
+        """Tuple of all tracks from which the input is computed."""
+        return tuple(track for track, _ in self.listed)
 
-    @property
+    @functools.cached_property
     def extent(self):
         """First and last frame between which any of the input's tracks changes; None if no track changes."""
-        return extent_of(self.tracks)
+        return self.kept("extent", lambda: keys.united(track.extent for track in self.tracks))
 
-    def times(self, reach):
-        """Return the frames, rising, at which the input is sampled for a sampling.Reach."""
-        return times_of(self._entry, self.tracks, self._scene, reach)
+    def kept(self, name, make):
+        """Return make(), which depends on the tracks and on `name` alone. Inputs that share their tracks find it once for one question."""
+        return answered((self.tracks, name), make)
+
+    def times(self, reach, entry=None):
+        """Return the frames, rising, at which the input is sampled for a sampling.Reach. entry: by whose settings; None: the input's own."""
+        return times_of(self, entry or self._entry, self._scene, reach)
+
+    def is_cut(self, reach, entries):
+        """Whether any of several entries would need more samples of the input than a sampling.Reach allows."""
+        pasts = {past_of(entry) for entry in entries if not has_loop(entry)}
+        return self.extent is not None and any(_span_of(self, past, self._scene, reach).is_cut for past in pasts)
 
 
 def has_loop(entry):
@@ -100,31 +109,20 @@ def has_loop(entry):
     return entry.use_loop and entry.loop_end > entry.loop_start
 
 
-def extent_of(found):
-    """Return the first and last frame between which any of several tracks changes; None if no track changes.
-
-    The bones of a chain share their tracks: the answer for these tracks is found once.
-    """
-    return answered((tuple(found), "extent"), lambda: keys.united(track.extent for track in found))
-
-
-def times_of(entry, found, scene, reach):
-    """Return the frames, rising, at which the tracks of an entry's input are sampled. found: the tracks. reach: a sampling.Reach."""
+def times_of(source, entry, scene, reach):
+    """Return the frames, rising, at which the tracks of an input are sampled for an entry. reach: a sampling.Reach."""
+    found, fps = source.tracks, scene_time.fps(scene)
     if has_loop(entry):
         longest = sampling.FEW * reach.length
         loop = float(entry.loop_start), float(entry.loop_end)
-        return answered((tuple(found), loop, longest, hash(scene)), lambda: np.array(sampling.between(found, *loop, scene, longest)))
-    span = _span_of(entry, found, scene, reach)
-    return answered((tuple(found), span, reach.length, hash(scene)), lambda: sampling.times(found, span, reach.length, scene))
+        return source.kept(("loop", *loop, longest, fps), lambda: np.array(sampling.between(found, *loop, scene, longest)))
+    span = _span_of(source, past_of(entry), scene, reach)
+    return source.kept(("span", span, reach.length, fps), lambda: sampling.times(found, span, reach.length, scene))
 
 
-def is_cut(entry, found, scene, reach):
-    """Whether an entry's input would need more samples than a sampling.Reach allows. found: tracks of the input."""
-    return not has_loop(entry) and extent_of(found) is not None and _span_of(entry, found, scene, reach).is_cut
-
-
-def _span_of(entry, found, scene, reach):
-    return sampling.span_of(extent_of(found), scene, reach, past_of(entry) * scene_time.fps(scene))
+def _span_of(source, past, scene, reach):
+    """Return the sampling.Span of an input for a sampling.Reach. past: seconds before that, which count too."""
+    return sampling.span_of(source.extent, scene, reach, past * scene_time.fps(scene))
 
 
 def price_of(source):
@@ -273,6 +271,8 @@ class TailInput(_Input):
 
     def __init__(self, bones, entry, scene):
         super().__init__(bones, entry, scene)
+        self._names = tuple(bone.name for bone in bones)
+        self._found = {}
 
     @property
     def _rig(self):
@@ -289,7 +289,7 @@ class TailInput(_Input):
         names = {bone.name for bone in self._thing}
         for bone in self._thing:
             while bone is not None and bone.name not in found:
-                if names.isdisjoint(one.name for one in (bone, *bone.parent_recursive)):
+                if bone.name not in names and names.isdisjoint(one.name for one in bone.parent_recursive):
                     # The first bone above all bones that follow.
                     found[bone.name] = (
                         tracks.world_track(bone, scene, registered["dynamics"]),
@@ -316,13 +316,18 @@ class TailInput(_Input):
         return [*found, *([""] if len(rig.constraints) else [PARENT] if rig.parent else [])]
 
     def tails(self, frames):
-        """Return {bone name: positions of its tail in world space, (n, 3)} at frames (n,).
+        """Return {bone name: positions of its tail in world space, (n, 3)} at frames (n,)."""
+        return dict(zip(self._names, self.kept(("tails", frames.tobytes()), lambda: self._tails(frames))))
 
-        They are kept until the animation or the armature changes, so that an edit of the entries does not compute them again.
-        """
-        names = tuple(bone.name for bone in self._thing)
-        stamp = strips.together((self._rest_stamp, *(track.stamp for track in self.tracks)))
-        return dict(zip(names, tracks.kept_by(stamp, ("tails", names, frames.tobytes()), lambda: self._tails(frames))))
+    def kept(self, name, make):
+        """Return make(), kept until the animation or the armature changes, so that an edit of the entries does not compute it again."""
+        if name not in self._found:
+            self._found[name] = tracks.kept_by(self._stamp, (name, self._names), make)
+        return self._found[name]
+
+    @functools.cached_property
+    def _stamp(self):
+        return strips.together((self._rest_stamp, *(track.stamp for track in self.tracks)))
 
     @property
     def _rest_stamp(self):

@@ -190,10 +190,10 @@ def _closed(turns):
     return turns
 
 
-def tails_of(bones, entries, rows, places, scene, reach):
+def tails_of(source, bones, entries, rows, places, scene, reach):
     """Make a list of Tails, one for the bones that share the filter, delay, loop and jump of their entries; [] if nothing moves.
 
-    bones, entries, rows, places: of equal length; rows: indices for Tails.rows, places: indices of the entries.
+    source: the TailInput of the bones. bones, entries, rows, places: of equal length; rows: indices for Tails.rows, places: indices of the entries.
     Raises ValueError if the numbers of an entry make no filter.
     """
     ways = {}
@@ -202,11 +202,10 @@ def tails_of(bones, entries, rows, places, scene, reach):
         way = filters.numbers(entry), entry.delay, loop, entry.jump
         ways.setdefault(way, []).append(index)
     found, known = [], {}
-    source = inputs.TailInput(bones, entries[0], scene)
     if source.extent is None:
         return []
     for (numbers, delay, loop, jump), members in ways.items():
-        frames = inputs.times_of(entries[members[0]], source.tracks, scene, reach)
+        frames = source.times(reach, entries[members[0]])
         place = frames.tobytes()
         if place not in known:
             known[place] = source.tails(frames)

@@ -210,7 +210,9 @@ class _Tail(_OverTime):
         count, places = len(times), [setup.find(self._owner.motus.dynamics, name) for name in names]
         try:
             tails = (
-                motion.tails_of(self._unit.things, self._unit.entries, range(len(names)), places, self._scene, self._reach(times))
+                motion.tails_of(
+                    self._input, self._unit.things, self._unit.entries, range(len(names)), places, self._scene, self._reach(times)
+                )
                 if count
                 else []
             )

@@ -144,8 +144,7 @@ def _turn(context, made, seconds, weights):
 
 def _made(context):
     """Return the Made of the context's group from the cache; make it anew if its inputs have changed or the frame is out of reach."""
-    owner, scene = context.owner, context.depsgraph.scene
-    copy = copies.of(owner)
+    owner, copy, scene = context.owner, context.copy, context.depsgraph.scene
     kept = _MADE.on(copy)
     found = kept.get(context.group)
     edits = shares.edits()
@@ -239,12 +238,12 @@ class _Making:
         self.carriers += source.carriers
         self.laid += source.laid
         if self._is_ready(source, entries):
-            make = self._make_tails if kind == 'TAILS' else self._make_part
+            make = functools.partial(self._make_tails, source) if kind == 'TAILS' else self._make_part
             self._ready.append((source, entries, functools.partial(make, things, entries, rows, places)))
 
-    def _make_tails(self, things, entries, rows, places):
+    def _make_tails(self, source, things, entries, rows, places):
         first = len(self.members)
-        made = motion.tails_of(things, entries, range(first, first + len(things)), places, self._scene, self.reach)
+        made = motion.tails_of(source, things, entries, range(first, first + len(things)), places, self._scene, self.reach)
         if made:
             self.members += zip([thing.name for thing in things], rows)
         self.tails += made
@@ -289,7 +288,7 @@ class _Making:
         share *= count / max(count, len(self._settings.entries))
         self.reach = sampling.reach_of(self._scene, frame, frame, price, share)
         for source, entries, make in self._ready:
-            if any(inputs.is_cut(entry, source.tracks, self._scene, self.reach) for entry in entries):
+            if source.is_cut(self.reach, entries):
                 self.problems.append(TOO_LONG)
             self._try(make)
 

@@ -62,13 +62,13 @@ class Solver:
 
     def __init__(self, evaluated, group, depsgraph):
         found = reading.gather(evaluated, group.data[groups.PLAN], depsgraph)
-        # The arrays that were read are valid only until the next rig is read.
-        self._posed = found.posed._replace(poses=found.posed.poses.copy())
+        # What was read is valid only until the rig is read at the next frame.
+        self._posed = reading.Posed(found.posed.poses.copy(), rigs.columns(evaluated.matrix_world))
         self._basis = rigs.basis(evaluated, found.wired.still).copy()
         self._plan, self._own, self._limits = found.wired.plan, found.bones, found.limits
         self.settings, self.targets, self.poles = map(np.array, (found.settings, found.targets, found.poles))
         self.columns = {name: column for column, name in enumerate(self._plan.SETTINGS)}
-        self.world = Matrix(found.posed.world.reshape(4, 4).T.tolist())
+        self.world = evaluated.matrix_world.copy()
         self._rows = {name: row for row, name in enumerate(found.wired.still.names)}
         self._armature = evaluated.original.data
         self.rotations = np.zeros((len(self._plan.rows), 4))

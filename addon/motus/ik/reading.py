@@ -6,9 +6,8 @@ taken from the arrays of bones that are read anyway.
 
 from typing import Any, NamedTuple
 
-from ..core import native, rigs
+from ..core import rigs
 from ..core.evaluated import copies
-from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from .goals import blend_targets, places as goal_places
 from .groups import PLAN
@@ -33,8 +32,8 @@ Further settings that may be animated, such as the chain's length, are read in d
 class Posed(NamedTuple):
     """Pose of a rig's bones, and the rig's world matrix.
 
-    poses: PoseBone.matrix of the bones, (B, 16) float32, column by column; valid until the thread reads the next rig.
-    world: (16,) float64, column by column.
+    poses: PoseBone.matrix of the bones, (B, 16) float32, column by column; valid until the rig is read at the next frame.
+    world: as native functions take it, see rigs.world().
     """
 
     poses: Any
@@ -62,20 +61,20 @@ class Gathered(NamedTuple):
 
 def gather(rig, text, depsgraph):
     """Read the Gathered of a group from an evaluated rig. text: from groups.plan_of(). Raises RigChanged if the bones have changed."""
-    return _source(rig, text).gather(depsgraph, None)
+    return _source(rig, copies.of(rig), text).gather(depsgraph, None)
 
 
-def gather_wired(rig, data, depsgraph):
-    """Read the Gathered of a group from an evaluated rig, with only the poses that IkPlan.solve reads.
+def gather_wired(context):
+    """Read the Gathered of the group that a Context is for, with only the poses that IkPlan.solve reads.
 
-    data: the group's data (Group.data) as the wiring has stored it. Raises RigChanged if the bones have changed.
+    Raises RigChanged if the bones have changed.
     """
-    found = _source(rig, data.get(PLAN))
-    return found.gather(depsgraph, found.wired.posed)
+    found = _source(context.owner, context.copy, context.data.get(PLAN))
+    return found.gather(context.depsgraph, found.wired.posed)
 
 
-def _source(rig, text):
-    return rigs.source(rig, text, lambda rig, rows: Wired(rig, rows, text), _Source)
+def _source(rig, copy, text):
+    return rigs.source(rig, copy, text, lambda rig, rows: Wired(rig, rows, text), _Source)
 
 
 class _Settings(NamedTuple):
@@ -97,13 +96,13 @@ class _Settings(NamedTuple):
 class _Source:
     """Reads the entries of a group from one evaluated copy of a rig. What is not animated is read only once."""
 
-    def __init__(self, rig, wired):
-        self._rig, self.wired, self._copy = rig, wired, copies.of(rig)
+    def __init__(self, rig, copy, wired):
+        self._rig, self.wired, self._copy = rig, wired, copy
+        self._reader = rigs.Reader(rig, copy, wired.still)
         every = rig.motus.ik.entries
         self._places = _places(every, wired.names)
         self._entries = entries = list(every) if self._places is None else [every[place] for place in self._places]
-        self._targets = goal_places.Others(wired.targets, [pointed(entries[row], "target") for row in wired.targets.other_rows])
-        self._poles = goal_places.Others(wired.poles, [pointed(entries[row], "pole") for row in wired.poles.other_rows])
+        self._goals = goal_places.Places(wired, entries)
         self._further = blend_targets.Further(entries)
         self._still_settings = self._still_bones = None
 
@@ -111,9 +110,8 @@ class _Source:
         """Gathered of the group at the evaluated frame. rows: rows of the bones whose poses are read; None reads all bones."""
         rig, wired = self._rig, self.wired
         known = self._settings()
-        posed = Posed(rigs.poses(rig, wired.still, rows), rigs.columns(rig.matrix_world))
-        off = {}
-        targets = goal_places.read_targets(wired, self._targets, posed, depsgraph, off)
+        posed = Posed(self._reader.poses(rows), rigs.world(rig))
+        targets, poles, off = self._goals.read(posed, depsgraph)
         is_astray = wired.is_blended and goal_places.blend(targets, self._entries, self._further, off)
         if known.weights is not None:
             goal_places.turn(targets, known.offsets, known.weights)
@@ -122,8 +120,7 @@ class _Source:
         numbers = known.numbers
         if off:
             numbers = numbers.copy()
-            numbers[list(off), native.module.IkPlan.SETTINGS.index("is_on")] = 0.0
-        poles = goal_places.read_poles(wired, self._poles, posed, depsgraph)
+            numbers[list(off), wired.columns["is_on"]] = 0.0
         bounds = limits(rig, wired) if known.has_limits else None
         return Gathered(wired, self._bones(), posed, numbers, targets, poles, bounds, off, known.is_stiff, is_astray)
 
@@ -137,7 +134,7 @@ class _Source:
     def _bones(self):
         is_still = self._copy is not None and not (rigs.is_laid(self._copy) or self._copy.has_animated_poses(self.wired.moved))
         if not is_still or self._still_bones is None:
-            self._still_bones = self.wired.bones(self._rig)
+            self._still_bones = self.wired.bones_of(self._reader.basis())
         return self._still_bones
 
 

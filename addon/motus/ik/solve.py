@@ -21,9 +21,8 @@ def solve(context):
     They are written into context.rotations and context.scales, and the report into context.outputs. Returns a Problem, or None if
     there is none. A user's error never raises an exception.
     """
-    rig = context.owner
     try:
-        found = reading.gather_wired(rig, context.data, context.depsgraph)
+        found = reading.gather_wired(context)
     except reading.RigChanged:
         return NOT_WIRED
     wired = found.wired

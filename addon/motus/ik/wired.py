@@ -58,8 +58,6 @@ class Wired:
         self.all_bones = np.array([row for chain in bones for row in chain])
         self.targets = _Goals(rows, chains, "target")
         self.poles = _Goals(rows, chains, "pole")
-        self.no_targets = np.tile(np.eye(4).ravel(), (len(chains), 1))
-        self.no_poles = np.full((len(chains), 3), np.nan)
         report = native.module.IkPlan.REPORT
         self.told_numbers = len(OUTPUTS) * len(chains)
         self.told = np.array([report.index(name) for name in OUTPUTS])  # columns of the report that are outputs
@@ -76,10 +74,6 @@ class Wired:
         self.moved = frozenset(names[row] for row in self.plan.rows)
 
         self._known_rest = None, None
-
-    def bones(self, rig):
-        """IkBones of the native plan, with the own transforms (matrix_basis) of the bones of an evaluated rig."""
-        return self.bones_of(rigs.basis(rig, self.still))
 
     def bones_of(self, basis):
         """IkBones of the native plan, with given own transforms. basis: (B, 16) float32, column by column, for all B bones of the rig."""
@@ -114,9 +108,8 @@ class _Goals:
         found = [(index, chain[key], chain[key + "_bone"]) for index, chain in enumerate(chains)]
         own = [(index, rows[bone]) for index, where, bone in found if where == 'OWN' and bone in rows]
         self.own = tuple(np.array(own, dtype=int).reshape(-1, 2).T)
-        self.has_own = len(own) > 0
         mine = {index for index, _ in own}
         self.other_rows = [index for index, where, _ in found if where and index not in mine]
         self.other_bones = {index: bone for index, where, bone in found if bone and where and index not in mine}
-        self.are_any = bool(self.has_own or self.other_rows)
+        self.are_any = bool(own or self.other_rows)
         self.none = [index for index, where, _ in found if not where]

@@ -131,7 +131,7 @@ class OverTime(SolvedBone):
         owner = self._owner
         text = groups.plan_of(owner, names, driven_bones(owner))
         wired = rigs.plan(owner, text, lambda rig, rows: solve.Wired(rig, rows, text))
-        source = solve.Source(owner, wired)
+        source = solve.Source(owner, None, wired)
         clips = source.clips()
         rows = [row for row, clip in enumerate(clips) if clip is not None]
         settings, weights = solve.still_settings(self._layers, clips)[rows], self._weights(times)[:, rows]

@@ -49,20 +49,21 @@ class Wired:
 class Source:
     """Data of an evaluated rig's layers that change only by edits, so that they can be cached between frames.
 
-    entries: settings of the L layers. modes: rotation modes of all bones. masks: (L, bones) weights of all bones in the masks.
+    entries: settings of the L layers. playing: (action or None, slot) of each. modes: rotation modes of all bones. masks: (L, bones)
+    weights of all bones in the masks.
     """
 
-    def __init__(self, rig, wired):
-        self.wired = wired
+    def __init__(self, rig, copy, wired):
+        self.wired, self.reader = wired, rigs.Reader(rig, copy, wired.still)
         self.entries = list(rig.motus.layers.entries)
+        self.playing = [(pointed(entry, "action"), entry.slot) for entry in self.entries]
         self.modes = tuple(bone.rotation_mode for bone in rig.pose.bones)
         masks = [native.module.layer_mask(wired.parents, mask.chosen(rig, entry, wired.places), entry.feather) for entry in self.entries]
         self.masks = np.array(masks).reshape(len(masks), len(wired.places))
 
     def clips(self):
         """List the Clip of each layer; None for a layer without an action. Not cached, because an action can be edited without the rig."""
-        playing = [(pointed(entry, "action"), entry.slot) for entry in self.entries]
-        return [action and clips.clip_of(action, slot, self.wired.still.names, self.modes) for action, slot in playing]
+        return [action and clips.clip_of(action, slot, self.wired.still.names, self.modes) for action, slot in self.playing]
 
 
 def solve(context):
@@ -73,34 +74,32 @@ def solve(context):
     text, looped = context.data.get(PLAN), context.data.get(LOOPED)
     rig = context.owner
     try:
-        source = rigs.source(rig, text, lambda rig, rows: Wired(rig, rows, text), Source)
+        source = rigs.source(rig, context.copy, text, lambda rig, rows: Wired(rig, rows, text), Source)
     except KeyError:
-        rigs.lay(rig, context.group, [], np.empty((0, 16), np.float32))
+        rigs.lay(context.copy, context.group, [], np.empty((0, 16), np.float32))
         return BONES_CHANGED
     wired = source.wired
     if len(wired.rows) != len(context.rotations):
         raise stored.Damaged("another number of members")
     found = source.clips()
-    settings = context.kept("layers", (source, tuple(found)), lambda: _settings(context.settings, found))
-    laid = lay(
-        source, found, settings, context.frame, rigs.own_basis(rig, wired.still), context.locations, context.rotations, context.scales
-    )
-    rigs.lay(rig, context.group, wired.rows, laid)
-    if any(clip is None or not clip.native.bones for clip in found):
+    playing, settings, some_are_off = context.kept("playing", (source, *found), lambda: _playing(context.settings, source, found))
+    laid = np.empty((len(wired.rows), 16), np.float32)  # a new one, since other threads may read the present one
+    playing.lay(context.frame, settings, source.reader.own_basis(), context.locations, context.rotations, context.scales, laid)
+    rigs.lay(context.copy, context.group, wired.rows, laid)
+    if some_are_off:
         return SOME_ARE_OFF
     return LOOPED_BONES if looped else None
 
 
-def lay(source, found, settings, frame, basis, locations, rotations, scales):
-    """Fill locations, rotations and scales with the changes by which the layers move the source's n wired bones at a frame.
+def _playing(settings, source, found):
+    """(Playing of the layers with an effect, their rows of still_settings() with the rig's influence, whether some layers have no clip).
 
-    Returns the bones' own matrices with the layers applied, (n, 16) float32.
-    found: Clip or None of each layer. settings: array as still_settings() makes it. basis: own matrices of all bones.
+    found: Clip or None of each layer of the Source.
     """
-    playing = [row for row, clip in enumerate(found) if clip is not None and settings[row, WEIGHT] > 0.0]
-    laid = np.empty((len(source.wired.rows), 16), np.float32)
-    Playing(source, found, playing).lay(frame, settings[playing], basis, locations, rotations, scales, laid)
-    return laid
+    values = still_settings(settings.entries, found)
+    values[:, WEIGHT] *= settings.influence
+    rows = [row for row, clip in enumerate(found) if clip is not None and values[row, WEIGHT] > 0.0]
+    return Playing(source, found, rows), values[rows], any(clip is None or not clip.native.bones for clip in found)
 
 
 class Playing:
@@ -167,13 +166,6 @@ def span(entry, frames):
     if not entry.use_range:
         return frames
     return entry.first_frame, max(entry.first_frame, entry.last_frame)
-
-
-def _settings(settings, found):
-    """Return the array of still_settings() for a rig's layers, with the weights multiplied by the rig's influence."""
-    values = still_settings(settings.entries, found)
-    values[:, WEIGHT] *= settings.influence
-    return values
 
 
 def still_settings(entries, found):

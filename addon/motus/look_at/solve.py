@@ -13,6 +13,7 @@ TARGET_LOOPS = Problem("The target moves with the head that looks at it: choose 
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
 PROBLEMS = (SOME_ARE_OFF, TARGET_LOOPS, BONES_CHANGED)
 
+ANGLE, REASON = OUTPUTS.index("angle"), OUTPUTS.index("reason")
 NUMBERS = ("weight", "body_weight", "head_weight", "eyes_weight", "clamp", "body_limit", "head_limit", "eyes_limit")
 
 
@@ -58,7 +59,7 @@ class Wired:
         self.columns = {name: column for column, name in enumerate(native.module.LookAtPlan.SETTINGS)}
         self.members = len(self.plan.rows)
         report = native.module.LookAtPlan.REPORT
-        self.told = [report.index(name) for name in OUTPUTS]
+        self.told = np.array([report.index(name) for name in OUTPUTS])
 
 
 def _eye_axes(head):
@@ -73,13 +74,14 @@ def _eye_axes(head):
 class _Source:
     """Entries of a group of heads in an evaluated copy of the rig. Raises KeyError if one of them no longer exists."""
 
-    def __init__(self, rig, wired):
-        self.wired = wired
+    def __init__(self, rig, copy, wired):
+        self.wired, self.reader = wired, rigs.Reader(rig, copy, wired.still)
         every = rig.motus.look_at.entries
         self.places = [every.find(name) for name in wired.names]
         if -1 in self.places:
             raise KeyError
-        self.entries = [every[place] for place in self.places]
+        entries = [every[place] for place in self.places]
+        self.targets = [(pointed(entry, "target"), entry.target_bone) for entry in entries]
 
 
 def solve(context):
@@ -89,10 +91,10 @@ def solve(context):
     """
     text, looped = context.data.get(PLAN), context.data.get(LOOPED)
     try:
-        source = rigs.source(context.owner, text, lambda rig, rows: Wired(rig, rows, text), _Source)
+        source = rigs.source(context.owner, context.copy, text, lambda rig, rows: Wired(rig, rows, text), _Source)
     except (KeyError, ValueError):  # bones were removed, or have different parents
         return BONES_CHANGED
-    if source.entries:
+    if source.targets:
         problem = _solve(context, source)
         if problem:
             return problem
@@ -100,23 +102,20 @@ def solve(context):
 
 
 def _solve(context, source):
-    wired, count = source.wired, len(source.entries)
+    wired, count = source.wired, len(source.targets)
     if (wired.members, count * len(OUTPUTS)) != (len(context.rotations), len(context.outputs)):
         raise stored.Damaged("another number of members or outputs")
-    points, found = _targets(source.entries)
-    settings = context.kept("heads", source, lambda: _settings(context.settings, source.places, wired.columns))
-    muted = settings[:, wired.columns["is_on"]] == 0.0
-    is_off = found != reasons.REACHED
-    if is_off.any():
+    points, off = _places(source.targets)
+    settings, muted = context.kept("heads", source, lambda: _settings(context.settings, source.places, wired.columns))
+    if off:
         settings = settings.copy()
-        settings[is_off, wired.columns["is_on"]] = 0.0
-    arrays = rigs.read(context.owner, wired.still)
+        settings[list(off), wired.columns["is_on"]] = 0.0
     report = wired.plan.solve(
-        arrays.rest,
-        arrays.poses,
-        arrays.basis,
-        arrays.inheritance,
-        arrays.world,
+        wired.still.rest,
+        source.reader.poses(),
+        source.reader.basis(),
+        wired.still.inheritance,
+        rigs.world(context.owner),
         settings,
         points,
         wired.head_forward,
@@ -125,16 +124,20 @@ def _solve(context, source):
         up=wired.up,
     )
     told = context.outputs.reshape(count, len(OUTPUTS))
-    told[:] = report[:, wired.told]
-    reason = told[:, OUTPUTS.index("reason")]
-    reason[is_off] = found[is_off]
-    reason[muted] = reasons.MUTED
-    told[reason < 0.0, OUTPUTS.index("angle")] = 0.0
+    report.take(wired.told, axis=1, out=told, mode='clip')  # mode 'raise' would copy the array first
+    reason = told[:, REASON]
+    if off:
+        reason[list(off)] = list(off.values())
+    if muted:
+        reason[muted] = reasons.MUTED
+    if reason[reason.argmin()] >= 0.0:  # argmin() is the fastest way to the lowest number
+        return None
+    told[reason < 0.0, ANGLE] = 0.0
     return SOME_ARE_OFF if ((reason < 0.0) & (reason != reasons.MUTED)).any() else None
 
 
 def _settings(settings, places, columns):
-    """Settings of the heads as LookAtPlan.solve() reads them, (heads, len(LookAtPlan.SETTINGS)) float64.
+    """(settings of the heads as LookAtPlan.solve() reads them, (heads, len(LookAtPlan.SETTINGS)) float64, list of the muted heads).
 
     places: index of each head's entry. columns: {name of a setting: column}.
     """
@@ -146,25 +149,27 @@ def _settings(settings, places, columns):
         values[:, columns[name]] = column[places]
     muted = np.empty(len(entries), bool)
     entries.foreach_get("is_muted", muted)
-    values[:, columns["is_on"]] = ~muted[places]
+    muted = muted[places]
+    values[:, columns["is_on"]] = ~muted
     values[:, columns["weight"]] *= settings.influence
-    return values
+    return values, np.flatnonzero(muted).tolist()
 
 
-def _targets(entries):
-    """World positions of the heads' targets, (heads, 3), and for each head a reason (heads,): REACHED, or why it has no target."""
-    points = np.zeros((len(entries), 3))
-    found = np.full(len(entries), reasons.REACHED)
-    for row, entry in enumerate(entries):
-        target = pointed(entry, "target")
+def _places(targets):
+    """World positions of the heads' targets, (heads, 3), and {row of a head that has none: reason}.
+
+    targets: (evaluated object or None, name of its bone or "") of each head.
+    """
+    points, off = np.zeros((len(targets), 3)), {}
+    for row, (target, bone) in enumerate(targets):
         if target is None:
-            found[row] = reasons.NO_TARGET
+            off[row] = reasons.NO_TARGET
         elif deleted.is_deleted(target):
-            found[row] = reasons.TARGET_DELETED
-        elif not entry.target_bone or target.pose is None:  # on an object without bones, a bone's name is left from an earlier target
+            off[row] = reasons.TARGET_DELETED
+        elif not bone or target.pose is None:  # on an object without bones, a bone's name is left from an earlier target
             points[row] = target.matrix_world.translation
-        elif entry.target_bone in target.pose.bones:
-            points[row] = target.matrix_world @ target.pose.bones[entry.target_bone].head
+        elif bone in target.pose.bones:
+            points[row] = target.matrix_world @ target.pose.bones[bone].head
         else:
-            found[row] = reasons.NO_TARGET_BONE
-    return points, found
+            off[row] = reasons.NO_TARGET_BONE
+    return points, off

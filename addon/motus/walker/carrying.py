@@ -37,7 +37,8 @@ def moved(owner, times, digest):
 
 
 def _stamped(matrices, count):
-    if np.allclose(matrices, np.eye(4), atol=1e-6):
+    rest = np.eye(4)
+    if (np.abs(matrices - rest) <= 1e-6 + 1e-5 * rest).all():
         return None, None
     return np.broadcast_to(matrices, (count, 4, 4)), hashlib.blake2b(np.ascontiguousarray(matrices), digest_size=16).digest()
 

@@ -3,7 +3,9 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,8 +49,35 @@ template <class T>
     return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
-/// (16,) float64, column by column, as it is.
+/// The matrix in the memory that an object lends as (4, 4) floats, which a mathutils.Matrix does from Blender
+/// 5 on; nothing if it lends none.
+[[nodiscard]] inline std::optional<glm::dmat4> lent_matrix(py::handle object) {
+    Py_buffer lent;
+    if (PyObject_GetBuffer(object.ptr(), &lent, PyBUF_STRIDES | PyBUF_FORMAT) != 0) {
+        PyErr_Clear();
+        return std::nullopt;
+    }
+    std::optional<glm::dmat4> result;
+    if (lent.ndim == 2 && lent.shape[0] == 4 && lent.shape[1] == 4 && std::string_view(lent.format) == "f") {
+        result.emplace();
+        const auto* const memory = static_cast<const std::byte*>(lent.buf);
+        for (int row = 0; row < 4; ++row) {
+            for (int column = 0; column < 4; ++column) {
+                float value = 0.0F;
+                std::memcpy(&value, memory + row * lent.strides[0] + column * lent.strides[1], sizeof(value));
+                (*result)[column][row] = static_cast<double>(value);
+            }
+        }
+    }
+    PyBuffer_Release(&lent);
+    return result;
+}
+
+/// (16,) float64, column by column, or a mathutils.Matrix that lends its memory.
 [[nodiscard]] inline glm::dmat4 matrix_of_columns(py::handle object, std::string_view name) {
+    if (!py::isinstance<py::array>(object)) {
+        if (const std::optional<glm::dmat4> lent = lent_matrix(object)) return *lent;
+    }
     const std::span<const double> values = elements<double>(object, name, {16});
     glm::dmat4 matrix;
     for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = values[static_cast<std::size_t>(i)];

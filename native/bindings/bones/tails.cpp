@@ -21,7 +21,7 @@ constexpr double bone_cost = 300.0;  // ns, rough
 
 [[nodiscard]] DoubleArray solve_tails(const bones::TailPlan& plan, const Float32Array& rest,
                                       const Float32Array& poses, const Float32Array& basis,
-                                      const Int32Array& inheritance, const Float64Array& world,
+                                      const Int32Array& inheritance, const ArrayLike& world,
                                       const Float64Array& targets, const Float64Array& weights) {
     const std::size_t count = plan.size();
     const CopiedRig rig(plan.parents(), rest, poses, basis, inheritance);

@@ -1,4 +1,4 @@
-"""IkPlan, bone_to_pose and pack_matrices' scales through the binding."""
+"""IkPlan, RigGoals, bone_to_pose and pack_matrices' scales through the binding."""
 
 import unittest
 
@@ -70,6 +70,46 @@ class Arm:
 
     def arguments(self, plan):
         return {**self.rig(plan), "targets": columns(self.target[None], np.float64), "poles": self.pole}
+
+
+class RigGoalsTest(unittest.TestCase):
+    def setUp(self):
+        self.poses = np.array([turn_x(0.3 * i) @ translation(i, 1, 2) for i in range(3)])
+        self.things = np.array([translation(5, i, 0) @ turn_x(i) for i in range(2)])
+        self.world = translation(0, 0, 7) @ turn_x(1.0)
+        self.given = columns(self.poses), columns(self.world[None], float)[0], columns(self.things)
+        self.goals = native.RigGoals(4, [(2, 1)], [(0, 1), (3, 0)])
+
+    def test_where_goals_are(self):
+        expected = np.array([self.things[1], np.eye(4), self.world @ self.poses[1], self.things[0]])
+        found = self.goals.matrices(*self.given)
+        np.testing.assert_allclose(found.reshape(4, 4, 4).swapaxes(1, 2), expected, atol=1e-6)
+        points = self.goals.points(*self.given)
+        np.testing.assert_array_equal(points[[0, 2, 3]], found[[0, 2, 3], 12:15])
+        self.assertTrue(np.isnan(points[1]).all())
+
+    def test_what_no_goal_reads(self):
+        """Nothing is asked of arrays from which no goal comes."""
+        np.testing.assert_array_equal(native.RigGoals(1, [], []).matrices(None, None, None), np.eye(4).reshape(1, 16))
+
+    def test_wrong_arguments_are_named(self):
+        for name, arguments in {
+            "count": (-1, [], []),
+            "own": (1, [(1, 0)], []),
+            "others": (1, [], [(0, -1)]),
+        }.items():
+            with self.subTest(name), self.assertRaisesRegex(ValueError, f"^{name}: "):
+                native.RigGoals(*arguments)
+        poses, world, things = self.given
+        for name, arguments, error in (
+            ("poses", (poses[:1], world, things), ValueError),
+            ("poses", (poses.astype(float), world, things), TypeError),
+            ("world", (poses, np.eye(4), things), ValueError),
+            ("things", (poses, world, things[:, :12]), TypeError),
+            ("things", (poses, world, things[:1]), ValueError),
+        ):
+            with self.subTest(name), self.assertRaisesRegex(error, f"^{name}: "):
+                self.goals.matrices(*arguments)
 
 
 class RigIkTest(unittest.TestCase):
@@ -179,6 +219,16 @@ class RigIkTest(unittest.TestCase):
         for made_by_plans in (native.IkRest, native.IkBones):
             with self.assertRaises(TypeError):
                 made_by_plans()
+
+    def test_the_world_from_lent_memory(self):
+        """As a mathutils.Matrix lends it: column by column, in single precision."""
+        world = translation(3, -2, 0.5) @ turn_x(0.3)
+        expected = self.solve(world=columns(world[None])[0].astype(float))
+        lent = memoryview(np.asfortranarray(world, np.float32))
+        np.testing.assert_array_equal(self.solve(world=lent), expected)
+        for wrong in (memoryview(np.eye(4)), memoryview(b"world"), None, "world"):
+            with self.assertRaisesRegex(TypeError, "^world: "):
+                self.solve(world=wrong)
 
     def test_bones_stay_as_they_were_read(self):
         arguments, basis = self.arm.at_rest(), columns(self.arm.basis)

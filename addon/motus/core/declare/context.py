@@ -16,8 +16,9 @@ class Context:
 
     The owner is the object whose settings are solved, its members are the objects and bones that are driven.
 
-    To read: settings, owner: the settings and the object, evaluated. frame: of the scene, with its fraction. depsgraph: dependency graph
-    that is evaluated. member_data: (members,) numbers that System.member_data returned. group, data: Group.key and Group.data.
+    To read: settings, owner: the settings and the object, evaluated. copy: the owner's Copy (core/evaluated/copies.py), None if it has
+    none. frame: of the scene, with its fraction. depsgraph: dependency graph that is evaluated. member_data: (members,) numbers that
+    System.member_data returned. group, data: Group.key and Group.data.
     To fill: locations, rotations, scales: (members, 3 or 4) arrays with a row for each member, preset to neutral values, which leave a
     member alone. outputs: list of numbers in the order of the declared names. offsets: (points, 3), if the system moves points.
     points(count): for a system that makes points, returns {name of an attribute: array with room for `count` points}. solve() has to
@@ -42,6 +43,7 @@ class Context:
     wants_to_settle: bool = False
     memo: Any = None
     targets: Any = None
+    copy: Any = None
     _fps: float = 0.0  # 0 until it is asked for
 
     def begin(self, frame: float, depsgraph: Any, memo: Any, targets: Any = None) -> None:

@@ -4,6 +4,7 @@ from .arrays import (
     HAS_LOCAL_LOCATION,
     INHERITS_ROTATION,
     Arrays,
+    Reader,
     Still,
     basis,
     bytes_of,
@@ -18,6 +19,7 @@ from .arrays import (
     poses,
     read,
     still,
+    world,
 )
 from .plans import fingerprint, plan, source
 from .world_matrices import WorldMatrixReader, world_matrices
@@ -26,6 +28,7 @@ __all__ = (
     "HAS_LOCAL_LOCATION",
     "INHERITS_ROTATION",
     "Arrays",
+    "Reader",
     "Still",
     "WorldMatrixReader",
     "basis",
@@ -44,5 +47,6 @@ __all__ = (
     "read",
     "source",
     "still",
+    "world",
     "world_matrices",
 )

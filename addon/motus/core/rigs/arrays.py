@@ -109,25 +109,53 @@ FEW = 60
 """To read one pose by itself takes as long as to read at least this many poses by one foreach_get, in all versions of Blender."""
 
 
-def poses(rig, known, rows=None):
-    """Pose matrices (PoseBone.matrix) of the bones in armature space, (B, 16) float32, column by column.
+class Reader:
+    """Reads poses and own transforms of the bones of one evaluated rig, at every frame into the same arrays.
 
-    rows: list of the rows that are needed; the values of the remaining rows are then undefined. None reads all rows.
-    known: the rig's Still.
+    rig: evaluated. copy: the rig's Copy (core/evaluated/copies.py). known: the rig's Still.
     """
-    pose, count = rig.pose.bones, len(known.names)
-    if rows is None or FEW * len(rows) > count:
-        return _matrices("poses", pose, "matrix", count)
-    found = scratch("rig_few_poses", (count, 16), np.float32)
-    for row in rows:
-        found[row] = columns(pose[known.names[row]].matrix)
-    return found
+
+    def __init__(self, rig, copy, known):
+        self._rig, self._copy, self._names = rig, copy, known.names
+        self._poses, self._basis = (np.empty((len(known.names), 16), np.float32) for _ in range(2))
+        self._flat_poses, self._flat_basis = self._poses.reshape(-1), self._basis.reshape(-1)
+
+    def poses(self, rows=None):
+        """Pose matrices (PoseBone.matrix) of the bones in armature space, (B, 16) float32, column by column.
+
+        rows: list of the rows that are needed; the values of the remaining rows are then undefined. None reads all rows.
+        """
+        bones = self._rig.pose.bones
+        if rows is None or FEW * len(rows) > len(self._names):
+            bones.foreach_get("matrix", self._flat_poses)
+        else:
+            for row in rows:
+                self._poses[row] = columns(bones[self._names[row]].matrix)
+        return self._poses
+
+    def basis(self):
+        """Own transforms of all bones, (B, 16) float32: PoseBone.matrix_basis, or the transforms that lay() has stored for some bones."""
+        return _lay_over(self.own_basis(), self._copy)
+
+    def own_basis(self):
+        """PoseBone.matrix_basis of all bones, (B, 16) float32, as keys and drivers set it, without the transforms that lay() has stored."""
+        self._rig.pose.bones.foreach_get("matrix_basis", self._flat_basis)
+        return self._basis
+
+
+def poses(rig, known):
+    """Pose matrices (PoseBone.matrix) of the bones in armature space, (B, 16) float32, column by column. known: the rig's Still."""
+    return _matrices("poses", rig.pose.bones, "matrix", len(known.names))
 
 
 def basis(rig, known):
     """Own transforms of all bones, (B, 16) float32: PoseBone.matrix_basis, or the transforms that lay() has stored for some bones."""
-    found = own_basis(rig, known)
-    laid = _LAID.on(copies.of(rig))
+    return _lay_over(own_basis(rig, known), copies.of(rig))
+
+
+def _lay_over(found, copy):
+    """Replace rows of `found`, own transforms (B, 16), by the transforms that lay() has stored for them. copy: the rig's Copy."""
+    laid = _LAID.on(copy)
     if laid:
         for rows, matrices in laid["laid"].values():
             found[rows] = matrices
@@ -139,14 +167,14 @@ def own_basis(rig, known):
     return _matrices("basis", rig.pose.bones, "matrix_basis", len(known.names))
 
 
-def lay(rig, key, rows, matrices):
+def lay(copy, key, rows, matrices):
     """Store transforms that replace the own transforms (matrix_basis) of some bones of an evaluated rig, for solvers that run later.
 
-    rows: rows of these bones. matrices: (n, 16) float32, column by column. key: name of the caller's layer of transforms; a later
-    call with the same key replaces the transforms of the earlier call. Only for systems that lay poses (System.lays_pose): all solvers
-    of different systems on the rig run after the solvers of such systems.
+    copy: the rig's Copy (core/evaluated/copies.py). rows: rows of these bones. matrices: (n, 16) float32, column by column. key: name of
+    the caller's layer of transforms; a later call with the same key replaces the transforms of the earlier call. Only for systems that
+    lay poses (System.lays_pose): all solvers of different systems on the rig run after the solvers of such systems.
     """
-    kept = _LAID.on(copies.of(rig))
+    kept = _LAID.on(copy)
     # A new dictionary each time, since other threads may iterate over the present one.
     kept["laid"] = kept.get("laid", {}) | {key: (rows, matrices)}
 
@@ -166,6 +194,11 @@ def is_laid(copy):
 def bytes_of(matrix):
     """The bytes of a 4 x 4 mathutils.Matrix, which differ if its numbers do."""
     return memoryview(matrix).tobytes('A') if LENDS_MEMORY else columns(matrix).tobytes()
+
+
+def world(rig):
+    """The rig's matrix_world as native functions take it: a mathutils.Matrix if it lends its memory, else (16,) float64."""
+    return rig.matrix_world if LENDS_MEMORY else columns(rig.matrix_world)
 
 
 def columns(matrix):

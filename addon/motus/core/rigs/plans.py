@@ -53,19 +53,19 @@ def plan(rig, key, make):
     return found
 
 
-def source(rig, key, make, read):
-    """Data that a solver reads from an evaluated rig, kept between frames: the result of `read(rig, plan)`.
+def source(rig, copy, key, make, read):
+    """Data that a solver reads from an evaluated rig, kept between frames: the result of `read(rig, copy, plan)`.
 
-    The second argument of `read` is the rig's plan, plan(rig, key, make).
+    copy: the rig's Copy (core/evaluated/copies.py). The third argument of `read` is the rig's plan, plan(rig, key, make).
     The result is kept as long as Blender keeps the evaluated copies of the rig and of its armature. If the armature's copy cannot
     be identified, the result is kept as long as the rest pose and inheritance of the bones stay the same.
     """
     armature = rig.data and copies.stamp_of_data(rig)
-    kept = _SOURCES.on(copies.of(rig))
+    kept = _SOURCES.on(copy)
     found = kept.get(key)
     if found is None or found.armature != armature or (armature is None and not is_still(rig, found.still)):
         planned = plan(rig, key, make)
-        found = kept[key] = _Source(armature, planned.still, read(rig, planned))
+        found = kept[key] = _Source(armature, planned.still, read(rig, copy, planned))
     return found.made
 
 
@@ -73,7 +73,7 @@ class _Source(NamedTuple):
     """Data that a solver has read from an evaluated rig, with the signs by which source() knows whether they still hold.
 
     armature: number of the evaluated copy of the armature; None if copies cannot be told apart. still: the rig's Still, its names, rest
-    pose and inheritance, when it was read. made: the data, which the caller's function read(rig, plan) has returned.
+    pose and inheritance, when it was read. made: the data, which the caller's function read(rig, copy, plan) has returned.
     """
 
     armature: Any

@@ -8,65 +8,65 @@ import math
 
 from mathutils import Euler, Matrix
 
-from ...core import rigs
-from ...core.file import deleted
+from ...core import native, rigs
 from ...core.file.pointers import pointed
 from ...core.lazy import numpy as np
 from ..reasons import NO_TARGET, NO_TARGET_BONE, NOT_FINITE, TARGET_DELETED
 from . import blend_targets
 
 
-class Others:
-    """Targets or poles of chains that are not bones of the rig itself, but different objects or bones of different rigs; read together."""
+class Places:
+    """Reads the targets and poles of a group's C chains from one evaluated copy of a rig. entries: evaluated, one for each chain."""
 
-    def __init__(self, goals, objects):
-        """Note the objects to read. goals: Wired.targets or Wired.poles. objects: evaluated object or None for each of goals.other_rows."""
-        pairs = [(row, one) for row, one in zip(goals.other_rows, objects) if one is not None]
-        self.missing = [row for row, one in zip(goals.other_rows, objects) if one is None]
-        self.rows, self.objects = [row for row, _ in pairs], [one for _, one in pairs]
-        self._reader = rigs.WorldMatrixReader(self.objects)
-        self._bones = [(row, one, goals.other_bones[row]) for row, one in pairs if row in goals.other_bones]
+    def __init__(self, wired, entries):
+        targets, poles = (
+            [(row, pointed(entries[row], name)) for row in goals.other_rows]
+            for name, goals in (("target", wired.targets), ("pole", wired.poles))
+        )
+        self._missing = {row: NO_TARGET for row, one in targets if one is None} | dict.fromkeys(wired.targets.none, NO_TARGET)
+        targets, poles = ([(row, one) for row, one in pairs if one is not None] for pairs in (targets, poles))
+        self._rows = [row for row, _ in targets]
+        objects = [one for _, one in (*targets, *poles)]
+        self._reader = rigs.WorldMatrixReader(objects)
+        bones = [goals.other_bones.get(row) for goals, pairs in ((wired.targets, targets), (wired.poles, poles)) for row, _ in pairs]
+        self._bones = [(index, objects[index], bone) for index, bone in enumerate(bones) if bone]
+        self._targets = _goals(len(entries), wired.targets, targets, 0)
+        self._poles = _goals(len(entries), wired.poles, poles, len(targets)) if wired.poles.are_any else None
+        self._no_poles = np.full((len(entries), 3), np.nan)
 
-    def take(self, found, depsgraph, gone, lost):
-        """Write the world matrices of these targets or poles into `found`, (C, 16).
+    def read(self, posed, depsgraph):
+        """Return (world matrices of the targets (C, 16), world positions of the poles (C, 3), {row of a chain without a target: reason}).
 
-        gone(row) is called for each chain whose object was deleted, lost(row) for each chain whose object lacks the bone.
+        A pole is NaN if the chain has none, or if it is missing. posed: reading.Posed of the rig.
         """
-        if not self.rows:
-            return
-        matrices = self._reader.matrices(depsgraph)
-        if matrices is None:
-            for index in deleted.which(self.objects):
-                gone(self.rows[index])
-            matrices = rigs.world_matrices(self.objects)
-        found[self.rows] = matrices
-        for row, one, bone in self._bones:
+        off = self._missing.copy()
+        gone = self._reader.read(depsgraph)
+        things = self._reader.found
+        for index in gone:
+            self._leave_out(index, TARGET_DELETED, off)
+        for index, one, bone in self._bones:
             matrix = world_matrix(one, bone)
             if matrix is None:
-                lost(row)
-            else:
-                found[row] = rigs.columns(matrix)
+                self._leave_out(index, NO_TARGET_BONE, off)
+            elif index not in gone:
+                things[index] = rigs.columns(matrix)
+        targets = self._targets.matrices(*posed, things)
+        return targets, self._no_poles if self._poles is None else self._poles.points(*posed, things), off
+
+    def _leave_out(self, index, reason, off):
+        if index < len(self._rows):
+            off.setdefault(self._rows[index], reason)
+        else:
+            self._reader.found[index] = np.nan
 
 
-def read_targets(wired, others, posed, depsgraph, off):
-    """World matrices (C, 16) of the targets of all C chains of a group. off: {row: reason} gets the chains whose target is missing."""
-    found = wired.no_targets.copy()
-    if wired.targets.has_own:
-        _take_own(found, wired.targets, posed)
-    others.take(found, depsgraph, lambda row: off.update({row: TARGET_DELETED}), lambda row: off.setdefault(row, NO_TARGET_BONE))
-    for row in others.missing:
-        off[row] = NO_TARGET
-    if wired.targets.none:
-        off.update(dict.fromkeys(wired.targets.none, NO_TARGET))
-    return found
+def _goals(count, goals, others, first):
+    """The native RigGoals for the targets or poles of a group's chains.
 
-
-def _take_own(found, goals, posed):
-    """Write the world matrices of those targets that are bones of the rig itself into `found`, (C, 16)."""
-    rows, bones = goals.own
-    # Stored column by column, matrices appear transposed here, so their product has the opposite order.
-    matrices = posed.poses[bones].reshape(-1, 4, 4) @ posed.world.reshape(4, 4)
-    found[rows] = matrices.reshape(-1, 16)
+    goals: Wired.targets or Wired.poles. others: (row of the chain, object) of those that are no bones of the rig itself; the first of them
+    has the row `first` in the array of the objects' matrices.
+    """
+    return native.module.RigGoals(count, np.stack(goals.own, axis=1), [(row, first + index) for index, (row, _) in enumerate(others)])
 
 
 def world_matrix(target, bone=""):
@@ -143,21 +143,3 @@ def turn(targets, offsets, weights):
         turn = np.array(Euler(offsets[row].tolist()).to_matrix())
         axes = targets[row].reshape(4, 4)[:3]
         axes[:] = turn.T @ axes
-
-
-def read_poles(wired, others, posed, depsgraph):
-    """World positions (C, 3) of the poles of all C chains of a group; NaN for a chain that has no pole, or whose pole is missing."""
-    goals = wired.poles
-    if not goals.are_any:
-        return wired.no_poles
-    found = wired.no_poles.copy()
-    if goals.has_own:
-        rows, bones = goals.own
-        heads = posed.poses[bones, 12:16] @ posed.world.reshape(4, 4)
-        found[rows] = heads[:, :3]
-    if others.rows:
-        matrices, none = np.empty((len(found), 16)), []
-        others.take(matrices, depsgraph, none.append, none.append)
-        matrices[none] = np.nan
-        found[others.rows] = matrices[others.rows, 12:15]
-    return found

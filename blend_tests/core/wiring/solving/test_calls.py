@@ -16,9 +16,11 @@ MOST = {
     "one follower": 84,
     "50 followers, one curve": 250,
     "50 followers, 50 curves": 2700,
-    "one rig, four limbs": 140,
+    "one rig, four limbs": 116,
     "10 pendulums": 540,
     "10 objects with dynamics": 600,
+    "10 look-ats": 810,
+    "10 rigs with a layer": 850,
 }
 """Most calls a frame for each scene of the benchmark typical_bench, of Python's functions and of built-in ones.
 

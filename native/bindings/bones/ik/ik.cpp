@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "areas.hpp"
+#include "bones/goals.hpp"
 #include "bones/rig_arrays.hpp"
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
@@ -118,7 +119,7 @@ struct CopiedInput {
 
     /// The arguments that solve() and match() have in common.
     CopiedInput(const ik::Plan& plan, const ik::Bones& bones, const Float32Array& given_poses,
-                const Float64Array& world, const Float64Array& given_settings)
+                const ArrayLike& world, const Float64Array& given_settings)
         : poses(copied(elements<float>(given_poses, "poses", {plan.parents().size(), 16}))),
           settings(copied(rows_of<ik::ChainSettings>(given_settings, "settings", plan.chain_count()))) {
         input.bones = bones;
@@ -134,7 +135,7 @@ struct CopiedInput {
 };
 
 py::object solve(const ik::Plan& plan, const Typed<"motus_native.IkBones">& bones, const Float32Array& poses,
-                 const Float64Array& world, const Float64Array& settings, const Float64Array& targets,
+                 const ArrayLike& world, const Float64Array& settings, const Float64Array& targets,
                  const Float64Array& poles, const OptionalFloat64Array& limits,
                  const OptionalFloat64Array& rotations, const OptionalFloat64Array& scales) {
     const std::size_t chains = plan.chain_count();
@@ -165,7 +166,7 @@ py::object solve(const ik::Plan& plan, const Typed<"motus_native.IkBones">& bone
 
 Typed<"tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"> match(
     const ik::Plan& plan, const Typed<"motus_native.IkBones">& bones, const Float32Array& poses,
-    const Float64Array& world, const Float64Array& settings) {
+    const ArrayLike& world, const Float64Array& settings) {
     const std::size_t chains = plan.chain_count();
     const CopiedInput given(plan, instance<ik::Bones>(bones, "bones", "an IkBones"), poses, world, settings);
     DoubleArray targets, poles;
@@ -231,6 +232,7 @@ py::object pose_to_bone(const ArrayLike& rest, const OptionalArrayLike& parent_r
 }  // namespace
 
 void bind_rig_ik(py::module_& m) {
+    bind_goals(m);
     const py::class_<ik::Rest> rest(m, "IkRest", py::module_local(),
                                     "Bones at rest, of one IkPlan; made by IkPlan.rest(). Immutable.");
     const py::class_<ik::Bones> bones(

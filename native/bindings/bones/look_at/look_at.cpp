@@ -179,7 +179,7 @@ constexpr std::size_t report_count = 4;
 }
 
 DoubleArray solve_plan(const look_at::Plan& plan, const Float32Array& rest, const Float32Array& poses,
-                       const Float32Array& basis, const Int32Array& inheritance, const Float64Array& world,
+                       const Float32Array& basis, const Int32Array& inheritance, const ArrayLike& world,
                        const Float64Array& settings, const Float64Array& targets,
                        const Float64Array& head_forward, const Float64Array& eyes_forward,
                        const OptionalFloat64Array& rotations, const OptionalFloat64Array& up) {

@@ -132,12 +132,12 @@ def refresh_changed(system, owner):
 def refresh_edited(system, owner):
     """Wire an owner again after bones were edited, if bones that the owner drives or reads were renamed, or if its groups have changed.
 
-    System.bone_renamed informs the system about the new names of renamed bones.
+    System.bone_renamed informs the system about the new names of renamed bones. Returns whether the owner was wired again.
     """
-    if renaming.renamed(system, owner):
-        _wire_anew(system, owner)
-    else:
-        refresh_changed(system, owner)
+    if not renaming.renamed(system, owner):
+        return refresh_changed(system, owner)
+    _wire_anew(system, owner)
+    return True
 
 
 def set_muted(system, owner, muted):

@@ -330,10 +330,9 @@ def _follow_bones(edited, _event):
     touched = [
         (system, owner) for system, owner in _attached() if system.groups is not None and not edited.isdisjoint(_armatures(system, owner))
     ]
-    for system, owner in touched:
-        attach.refresh_edited(system, owner)
+    wired = [attach.refresh_edited(system, owner) for system, owner in touched]
     # A second pass: only now do all systems of an owner know the new names, by which their entries depend on each other.
-    for system, owner in touched:
+    for system, owner in touched if any(wired) else ():
         if system.entries is not None:
             attach.refresh_changed(system, owner)
 

@@ -104,6 +104,7 @@ class Solver:
         self._context = Context(
             settings=settings,
             owner=owner,
+            copy=self._copy,
             locations=self._poses.locations,
             rotations=self._poses.rotations,
             scales=self._poses.scales,
