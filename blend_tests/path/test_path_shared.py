@@ -3,11 +3,15 @@
 from unittest import mock
 
 import bpy
+import mathutils
+import numpy as np
 
 import support
-from path.path_cases import PathTestCase
+from path.path_cases import CLIMB, PathTestCase, dense, length_of, positions_at
 
 FRAMES = (1, 60, 12.5, 97, 30)
+PACKS = "pack_matrices" if bpy.app.version >= (5, 0) else "euler_xyz"
+"""Native function by which poses become what the members' constraints read."""
 
 
 class SharedTestCase(PathTestCase):
@@ -56,6 +60,72 @@ class Sharing(SharedTestCase):
         with mock.patch.object(kind, "solve", autospec=True, side_effect=kind.solve) as solve:
             bpy.context.scene.frame_set(5)
         self.assertEqual(solve.call_count, 1)
+
+    def plans_made(self, frames):
+        """How many native plans of followers are made while frames are evaluated."""
+        native = support.addon("core.native").module
+        with mock.patch.object(native, "FollowPlan", wraps=native.FollowPlan) as made:
+            for frame in frames:
+                self.go_to(frame)
+        return made.call_count
+
+    def test_a_curve_that_moves_needs_no_new_plan(self):
+        curve, points = self.cubic(name="Bend"), dense(np.array(CLIMB))
+        for frame, scale, place in ((1, 1.0, (0.0, 0.0, 0.0)), (60, 2.0, (10.0, 7.0, -3.0))):
+            curve.scale, curve.location, curve.rotation_euler = (scale, scale, scale), place, place
+            for path in ("scale", "location", "rotation_euler"):
+                curve.keyframe_insert(path, frame=frame)
+        alone = self.follow("Alone", curve="Bend", timing='SPEED', speed=2.0)
+        along = 2.0 * 11.0 / 24.0 / length_of(points)
+        for count in (1, 3):  # alone, and with two more that share its hub
+            with self.subTest(followers=count):
+                for index in range(1, count):
+                    self.follow(f"Car {index}", curve="Bend", timing='SPEED', speed=2.0)
+                self.assertEqual(self.is_shared(alone), count > 1)
+                self.at(alone, 2)
+                self.assertEqual(self.plans_made(range(3, 13)), 0)
+                (wanted,) = positions_at(points, along / self.at(curve).to_scale().x)
+                self.assertPlace(alone, np.array(self.at(curve) @ mathutils.Vector(wanted)), tolerance=1e-6)
+
+    def test_a_curve_that_grows_moves_what_reads_its_length(self):
+        curve = self.line(20.0, "Bend")
+        for frame, scale in ((1, 1.0), (49, 2.0)):
+            curve.scale = scale, scale, scale
+            curve.keyframe_insert("scale", frame=frame)
+        keywords = {"by hand": {"timing": 'MANUAL', "distance_factor": 0.5}, "by duration": {"timing": 'DURATION', "duration": 4.0}}
+        cars = {name: self.follow(name, curve="Bend", **one) for name, one in keywords.items()}
+        self.follow("By Speed", curve="Bend", timing='SPEED', speed=1.0)
+        for frame in (1, 25, 49, 13):
+            length = 20.0 * self.at(curve, frame).to_scale().x
+            self.assertPlace(cars["by hand"], np.array((0.5 * length, 0.0, 0.0)), frame, 1e-6)
+            self.assertPlace(cars["by duration"], np.array((length * (frame - 1.0) / 96.0, 0.0, 0.0)), frame, 1e-6)
+
+    def test_what_stands_still_is_written_once(self):
+        for count in (1, 3):  # alone, and with two more that share its hub
+            with self.subTest(followers=count):
+                cars = [self.follow(f"Car {index}", timing='MANUAL', distance_factor=0.1 + 0.2 * index) for index in range(count)]
+                self.at(cars[0], 2)
+                self.assertEqual(self.poses_packed(range(3, 9)), 0)
+                cars[0].motus.path.distance_factor = 0.6
+                self.assertEqual(self.poses_packed((9, 10, 11)), 1)
+                self.assertAlmostEqual(self.place(cars[0])[0], 12.0, places=5)
+                cars[0].motus.path.distance_factor = 0.1
+
+    def test_what_stands_still_comes_back_after_a_fault(self):
+        car = self.follow(timing='MANUAL', distance_factor=0.5)
+        self.at(car, 2)
+        solving = support.addon("core.wiring.solving.solving")
+        with mock.patch.object(solving, "solver_of", side_effect=KeyError("a fault")), self.assertLogs(level='ERROR'):
+            self.at(car, 3)
+        self.assertAlmostEqual(self.place(car, 4)[0], 10.0, places=5)
+
+    def poses_packed(self, frames):
+        """How many times poses are packed for the hubs' meshes or outboxes while frames are evaluated."""
+        native = support.addon("core.native").module
+        with mock.patch.object(native, PACKS, wraps=getattr(native, PACKS)) as packed:
+            for frame in frames:
+                self.go_to(frame)
+        return packed.call_count
 
     def test_shared_followers_get_the_same_bits_as_alone(self):
         keywords = {"orientation": 'BANKING', "extend": 'LOOP', "lag_rate": 0.3}

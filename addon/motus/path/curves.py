@@ -1,6 +1,5 @@
 """Convert Blender's splines (Bézier, NURBS, poly) into curve objects of the native module."""
 
-import functools
 import threading
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -55,10 +54,9 @@ class WorldCurve:
     curve: Any
     tilt: Any
 
-    @functools.cached_property
-    def shape(self):
-        """(length, tilt as bytes): what a plan of followers reads of the curve when it is made; the curve is given to it at each frame."""
-        return self.curve.length(), self.tilt.tobytes()
+    def told(self, reads_length, reads_tilt):
+        """Return what a plan of followers is made from of the curve: (length, tilt as bytes), None in place of what the plan does not read."""
+        return self.curve.length() if reads_length else None, self.tilt.tobytes() if reads_tilt else None
 
 
 def read_evaluated(curve_object, depsgraph, index):
@@ -80,11 +78,11 @@ def read(curve_object, splines, depsgraph, index, matrix):
     copy = None if is_deformed or is_edited else copies.of(splines.id_data)  # the splines of a hidden object belong to its original data
     if copy is None or copy.has_animated_splines:
         return _in_world(*_read(curve_object, splines, depsgraph, index, is_deformed), matrix)  # type: ignore[call-arg]
-    kept, kept_in_world = _CURVES.on(copy), _IN_WORLD.on(copy)
-    if index not in kept:
-        kept[index] = _read(curve_object, splines, depsgraph, index, is_deformed)
-    place = rigs.bytes_of(matrix)
+    kept_in_world, place = _IN_WORLD.on(copy), rigs.bytes_of(matrix)
     if index not in kept_in_world or kept_in_world[index][0] != place:
+        kept = _CURVES.on(copy)
+        if index not in kept:
+            kept[index] = _read(curve_object, splines, depsgraph, index, is_deformed)
         kept_in_world[index] = place, _in_world(*kept[index], matrix)  # type: ignore[call-arg]
     return kept_in_world[index][1]
 

@@ -60,6 +60,12 @@ def motion(context, numbers, length, past):
     return _BY_TIMING[chosen(context.settings, "timing")](context, numbers, length, past)
 
 
+def reads_length(settings):
+    """Whether the Motion of a follower whose settings are not animated depends on the length of the path."""
+    timing = chosen(settings, "timing")
+    return timing in {'DURATION', 'MANUAL'} or (timing == 'PINS' and chosen(settings, "pins_by") == 'FRACTION')
+
+
 def is_finite(value):
     """Whether a number from a setting is finite. Blender stores infinity as the largest single-precision number."""
     return abs(value) < INFINITE
@@ -110,7 +116,7 @@ def _by_pins(context, _numbers, length, _past):
     settings = context.settings
     if not settings.pins:
         return NO_PINS
-    by_fraction = settings.pins_by == 'FRACTION'
+    by_fraction = reads_length(settings)
     places = {pin.frame: pin.fraction * length if by_fraction else pin.distance for pin in settings.pins}
     pins = sorted(places.items())
     if not all(map(is_finite, (value for pin in pins for value in pin))):

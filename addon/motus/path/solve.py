@@ -50,7 +50,8 @@ def solve(context, matrix, splines, deformed, **numbers):
     path = _path(context, matrix, splines, int(numbers["spline"]))
     if path.__class__ is Problem:
         return path
-    key = *path.shape, context.fps, _is_owner_mirrored(context)
+    reads = context.kept("reads", None, lambda: _reads(context.settings))
+    key = path.told(*reads), context.fps, _is_owner_mirrored(context)
     found = context.kept("plan", key, lambda: _plan(context, numbers, path))
     if found.__class__ is Problem:
         return found
@@ -63,16 +64,33 @@ def solve(context, matrix, splines, deformed, **numbers):
 
 def solve_rows(context, rows, matrix, splines, deformed):
     """Do for all owners that share a solver what solve() does for one of them; see System.solve_rows."""
-    indices = context.kept("splines", None, lambda: list(dict.fromkeys(_spline_of(row) for row in rows if row)))
-    paths = [_path(context, matrix, splines, index) for index in indices]
-    key = context.fps, *(path if path.__class__ is Problem else path.shape for path in paths)
-    plan, problems = context.kept("plan", key, lambda: _plan_of_rows(context, rows, indices, paths))
+    reads = context.kept("reads", None, lambda: _reads_of_rows(rows))
+    paths = [_path(context, matrix, splines, index) for index in reads]
+    key = context.fps, *(path if path.__class__ is Problem else path.told(*read) for path, read in zip(paths, reads.values()))
+    plan, problems = context.kept("plan", key, lambda: _plan_of_rows(context, rows, list(reads), paths))
     _follow(plan, context, paths)
     return problems
 
 
 def _spline_of(row):
     return int(row.inputs["spline"])
+
+
+def _reads(settings):
+    """Return (whether a plan with these settings is made from the path's length, whether it is made from the path's tilt).
+
+    A curve that moves as a whole changes its length in the last digits: a plan that does not read the length is kept then.
+    """
+    return motion.reads_length(settings), chosen(settings, "orientation") == 'TILT'
+
+
+def _reads_of_rows(rows):
+    """Return {index of a spline: what _reads() says of all followers of the spline together}. rows: as in solve_rows()."""
+    found = {}
+    for row in filter(None, rows):
+        before, now = found.get(_spline_of(row), (False, False)), _reads(row.settings)
+        found[_spline_of(row)] = before[0] or now[0], before[1] or now[1]
+    return found
 
 
 def _plan(context, numbers, path):
@@ -109,7 +127,8 @@ def _add_row(plan, context, row, place, path):
         return path
     length = path.curve.length()
     its = Context(row.settings, None, context.frame, context.depsgraph, member_data=row.member_data, memo=row.memo)
-    still = its.kept("still", (length, context.fps), lambda: _still(its, row.inputs, length))
+    key = length if motion.reads_length(row.settings) else None, context.fps
+    still = its.kept("still", key, lambda: _still(its, row.inputs, length))
     if isinstance(still, Problem):
         return still
     _add_to(plan, place, path, still, row.inputs)

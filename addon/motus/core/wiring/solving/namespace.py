@@ -66,6 +66,7 @@ def _fail(error, carrier=None, name="", frame=0.0):
         with suppress(Damaged):
             settings = of_owner(system, outbox.owner_of(system, carrier))
         if outbox.is_in_place(system, carrier, key):
+            solving.forget_solver(carrier, name)
             _rest(system, key, carrier, frame)
     return results.status_of(error, carrier, name, settings)
 

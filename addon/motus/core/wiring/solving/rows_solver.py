@@ -58,7 +58,7 @@ class RowsSolver:
         table[:, outbox.WEIGHT] = 0.0
         if native.module is None:
             return table[0, outbox.STATUS]
-        poses.block[:] = poses.neutral
+        poses.begin()
         inputs = arguments.values(self._inputs, values, None)
         if self._name is not None:
             noticed.note_rows(self._system, self._name, self._rows)
@@ -73,8 +73,10 @@ class RowsSolver:
         if layout.has_attribute:
             poses.store(self._mesh, has_scales=False)
         else:
-            table[:, layout.base : layout.base + 3] = poses.locations
-            table[:, layout.base + 3 :] = native.module.euler_xyz(poses.rotations)
+            if poses.are_new():
+                table[:, layout.base : layout.base + 3] = poses.locations
+                table[:, layout.base + 3 :] = native.module.euler_xyz(poses.rotations)
+            poses.note_stored()
         return table[0, outbox.STATUS]
 
     def _tell(self, told):

@@ -63,6 +63,11 @@ def solver_of(carrier, name):
     return _new_solver(carrier, name)
 
 
+def forget_solver(carrier, name):
+    """Have a driver's solver prepared anew at the next call, because its results on the evaluated mesh were replaced. See solver_of()."""
+    _SOLVERS.on(copies.of(carrier)).pop(name, None)
+
+
 def _new_solver(carrier, name):
     system, key = called(name)
     if not outbox.is_in_place(system, carrier, key):
@@ -117,8 +122,9 @@ class Solver:
     def is_current(self):
         """Whether the solver can be used again: the owner still has the evaluated copy for which the solver was prepared."""
         try:
-            return self._copy is not None and copies.of(self._owner) is self._copy and registered[self._system.name] is self._system
-        except (KeyError, ReferenceError):  # the system was unregistered, or the owner was removed
+            return self._owner.get(copies.KEY)[0] == self._copy.number and registered[self._system.name] is self._system
+        # The system was unregistered, the owner was removed, or its evaluated copies cannot be told apart.
+        except (AttributeError, IndexError, KeyError, ReferenceError, TypeError):
             return False
 
     def solve(self, frame, depsgraph, values):
@@ -141,7 +147,7 @@ class Solver:
         context = self._context
         context.begin(frame, depsgraph, None if moves else self._memo)
         poses = self._poses
-        poses.block[:] = poses.neutral
+        poses.begin()
         inputs = self._read(values)
         room = geometry_sink.room(system, carrier, inputs, context) if self._has_modifier else None
         if self._drives_properties:
@@ -161,7 +167,7 @@ class Solver:
         weight = 0.0 if is_blocked else 1.0 if self._layout.is_relative else influence
         box[outbox.WEIGHT] = weight
         if is_blocked:
-            poses.block[:] = poses.neutral
+            poses.rest()
         if room is None and weight == 1.0 and self._layout.has_attribute:
             poses.store(carrier, self._layout.has_scales)
         elif room is None:
@@ -216,12 +222,14 @@ class Solver:
                 weight,
             )
         elif weight > 0.0 or layout.is_relative:
-            end = layout.base + outbox.POSE_SIZE * layout.members
-            poses = self._box[layout.base : end].reshape(layout.members, outbox.POSE_SIZE)
-            poses[:, :3] = context.locations
-            poses[:, 3:] = native.module.euler_xyz(context.rotations)
-            if layout.has_scales:
-                self._box[end:] = context.scales.ravel()
+            if self._poses.are_new():
+                end = layout.base + outbox.POSE_SIZE * layout.members
+                poses = self._box[layout.base : end].reshape(layout.members, outbox.POSE_SIZE)
+                poses[:, :3] = context.locations
+                poses[:, 3:] = native.module.euler_xyz(context.rotations)
+                if layout.has_scales:
+                    self._box[end:] = context.scales.ravel()
+            self._poses.note_stored()
 
     def _tell_healing(self, moves):
         if self._drives_properties:
