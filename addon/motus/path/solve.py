@@ -50,8 +50,10 @@ def solve(context, matrix, splines, deformed, **numbers):
     path = _path(context, matrix, splines, int(numbers["spline"]))
     if path.__class__ is Problem:
         return path
-    reads = context.kept("reads", None, lambda: _reads(context.settings))
-    key = path.told(*reads), context.fps, _is_owner_mirrored(context)
+    reads, is_mirrored_owner = context.kept("fixed", None, lambda: _fixed(context))
+    if is_mirrored_owner is None:
+        is_mirrored_owner = is_mirrored(context.owner)
+    key = path.told(*reads), context.fps, is_mirrored_owner
     found = context.kept("plan", key, lambda: _plan(context, numbers, path))
     if found.__class__ is Problem:
         return found
@@ -176,9 +178,9 @@ def _followed(context):
     return followed, deleted.is_deleted(followed)
 
 
-def _is_owner_mirrored(context):
-    known = context.kept("mirrored", None, lambda: is_mirrored(context.owner) if is_constant(context.owner) else None)
-    return is_mirrored(context.owner) if known is None else known
+def _fixed(context):
+    """Return (result of _reads(), whether the owner is mirrored; None if that may change without an edit of the settings)."""
+    return _reads(context.settings), is_mirrored(context.owner) if is_constant(context.owner) else None
 
 
 def _still(context, numbers, length):

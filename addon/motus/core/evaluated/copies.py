@@ -139,6 +139,7 @@ class Copy:
         self._action = animation and animation.action
         self._has_strips = animation is not None and bool(animation.nla_tracks)
         self._acted: tuple[int | None, Reach] = None, _NOTHING  # number of the action's copy that was read, and what it sets
+        self._is_acted_on = bool(self._action or self._has_strips)
 
     @property
     def _acting(self) -> Reach:
@@ -161,16 +162,16 @@ class Copy:
     @property
     def has_animated_settings(self) -> bool:
         """Whether an action, the NLA or a driver sets any setting of Motus on the datablock."""
-        return self._driven.settings or self._acting.settings
+        return self._driven.settings or (self._is_acted_on and self._acting.settings)
 
     @property
     def has_animated_splines(self) -> bool:
         """Whether an action, the NLA or a driver sets a property of a curve's splines or their points."""
-        return self._driven.splines or self._acting.splines
+        return self._driven.splines or (self._is_acted_on and self._acting.splines)
 
     def has_animated_poses(self, names: frozenset[str] | None) -> bool:
         """Whether an action, the NLA or a driver sets the own transform of a bone among `names`, a frozenset; None stands for all bones."""
-        return self._driven.poses(names) or self._acting.poses(names)
+        return self._driven.poses(names) or (self._is_acted_on and self._acting.poses(names))
 
 
 def prepare(owner: Any) -> None:

@@ -13,11 +13,11 @@ import support
 
 WARM, COUNTED = range(1, 6), range(6, 16)
 MOST = {
-    "one follower": 84,
-    "50 followers, one curve": 250,
-    "50 followers, 50 curves": 2700,
+    "one follower": 80,
+    "50 followers, one curve": 150,
+    "50 followers, 50 curves": 2550,
     "one rig, four limbs": 116,
-    "10 pendulums": 540,
+    "10 pendulums": 530,
     "10 objects with dynamics": 600,
     "10 look-ats": 810,
     "10 rigs with a layer": 850,

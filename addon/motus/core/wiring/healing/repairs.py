@@ -176,29 +176,27 @@ def _check_rows(event):
     An owner must leave the hub if its settings have become animated, or if it has become mirrored by a negative scale. Mirroring is looked
     for only after an edit. Changed owners are stored in `noticed.changed`.
     """
-    for place, known in list(noticed.rows.items()):
-        name, _ = place
-        for owner_name, owner in noticed.holders_of(place, known):
-            if not _is_named(owner, owner_name):  # the owner was renamed or removed: all rows are looked through
-                noticed.rows.pop(place, None)
-                noticed.holders.pop(place, None)
+    states, is_edit = noticed.states, event.moment == EDIT
+    for hub, known in list(noticed.rows.items()):
+        for place, owner in noticed.holders_of(hub, known):
+            try:
+                is_there = owner is not None and owner.name == place[1]
+            except ReferenceError:
+                is_there = False
+            if not is_there:  # the owner was renamed or removed: all rows are looked through
+                noticed.rows.pop(hub, None)
+                noticed.holders.pop(hub, None)
                 noticed.object_count = -1
                 continue
-            if event.moment == EDIT and is_mirrored(owner):
-                noticed.changed.add((name, owner_name))
-            animation, seen = owner.animation_data, noticed.states.get((name, owner_name))
-            if animation and (animation.action or animation.nla_tracks or seen is None or seen[0] != len(animation.drivers)):
+            if is_edit and is_mirrored(owner):
+                noticed.changed.add(place)
+            animation = owner.animation_data
+            if animation and (
+                animation.action or animation.nla_tracks or place not in states or states[place][0] != len(animation.drivers)
+            ):
                 evaluated = owner.evaluated_get(event.depsgraph)
-                moves = bool(registered[name].outputs) and copies.has_moving_settings(evaluated)
-                noticed.note_state((name, owner_name), (copies.drivers_on(evaluated), moves))
-
-
-def _is_named(obj, name):
-    """Whether an object still has this name. obj: None, or a reference, perhaps to an object that was removed."""
-    try:
-        return obj is not None and obj.name == name
-    except ReferenceError:
-        return False
+                moves = bool(registered[place[0]].outputs) and copies.has_moving_settings(evaluated)
+                noticed.note_state(place, (copies.drivers_on(evaluated), moves))
 
 
 def _refresh_changed(places, _event):

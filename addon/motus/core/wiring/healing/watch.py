@@ -81,16 +81,16 @@ class Noticed:
         """
         self.rows[system.name, name] = rows
 
-    def holders_of(self, place, rows):
-        """Return (name, local object of this name or None) for each owner that has one of these rows of a shared hub.
+    def holders_of(self, hub, rows):
+        """Return (place, local object of the place's name or None) for each owner that has one of these rows of a shared hub.
 
-        place: key of the hub in `rows`. The names are looked up once for each list of rows, since Blender finds an object by going through
+        hub: key of the hub in `rows`. The names are looked up once for each list of rows, since Blender finds an object by going through
         all objects of the file.
         """
-        known = self.holders.get(place)
+        known = self.holders.get(hub)
         if known is None or known[0] is not rows:
             local = {obj.name: obj for obj in bpy.data.objects if not obj.library}
-            known = self.holders[place] = rows, [(name, local.get(name)) for name in names_in(rows)]
+            known = self.holders[hub] = rows, [((hub[0], name), local.get(name)) for name in names_in(rows)]
         return known[1]
 
     def note_orphan(self, hub):

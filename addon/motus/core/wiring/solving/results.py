@@ -18,17 +18,18 @@ ORDINARY = 1e30
 class Poses:
     """Memory for the poses of `count` members that a solver computes.
 
-    block: one array with all numbers. locations (n, 3), rotations (n, 4; quaternions) and scales (n, 3) are views of `block`.
+    block: one array with all numbers. neutral: array of the same form, with poses that change nothing. locations (n, 3), rotations (n, 4;
+    quaternions) and scales (n, 3) are views of `block`.
     """
 
     def __init__(self, count):
-        self.block, self._neutral = np.empty(10 * count), np.zeros(10 * count)
+        self.block, self.neutral = np.empty(10 * count), np.zeros(10 * count)
         self._matrices = np.empty((count, 16), np.float32)
         self._numbers = self._matrices.reshape(-1)
         self._is_checked = False
-        self._before = self._stored = self._now = None  # bytes of `block`
+        self._stored = None  # bytes of `block` when it was last written
         self.locations, self.rotations, self.scales = self._parts(self.block)
-        _, rotations, scales = self._parts(self._neutral)
+        _, rotations, scales = self._parts(self.neutral)
         rotations[:, 0] = 1.0
         scales.fill(1.0)
 
@@ -37,36 +38,27 @@ class Poses:
         locations, rotations, scales = np.split(block, [3 * len(block) // 10, 7 * len(block) // 10])
         return locations.reshape(-1, 3), rotations.reshape(-1, 4), scales.reshape(-1, 3)
 
-    def begin(self):
-        """Fill the memory with neutral poses, which change nothing, before a solver computes the poses of a frame."""
-        self.rest()
-        # What was stored still stands there only if the previous solve has stored it: other functions write rest poses.
-        self._before, self._stored = self._stored, None
+    def are_new(self):
+        """Whether the poses differ from those of the last call, so that they have to be written to where the members' sinks read them.
 
-    def rest(self):
-        """Fill the memory with neutral poses, which change nothing."""
-        self.block[:] = self._neutral
+        A caller that does not write them, or writes others there, has to call forget(). Nobody needs to after an exception: the solver, and
+        these Poses with it, is then prepared anew.
+        """
+        before, self._stored = self._stored, self.block.tobytes()
+        return self._stored != before
+
+    def forget(self):
+        """Have the next poses count as new, whatever they are."""
+        self._stored = None
 
     def store(self, carrier, has_scales):
-        """Write the poses as 4x4 matrices to the attribute of a hub's evaluated mesh that the members' constraints sample.
+        """Write the poses, if they are new, as 4x4 matrices to the attribute of a hub's evaluated mesh that the members' constraints sample.
 
-        Nothing is written if the previous solve has stored the same poses. carrier: the mesh. has_scales: whether the solver sets scales;
-        if not, the scales are 1.
+        carrier: the mesh. has_scales: whether the solver sets scales; if not, the scales are 1.
         """
-        if self.are_new():
-            self._write(carrier, has_scales)
-        self.note_stored()
-
-    def are_new(self):
-        """Whether the poses differ from those that the previous solve has stored, or it has stored none."""
-        self._now = self.block.tobytes()
-        return self._now != self._before
-
-    def note_stored(self):
-        """Remember the poses of the last call of are_new() as those that stand where the members' sinks read them."""
-        self._stored = self._now
-
-    def _write(self, carrier, has_scales):
+        before, self._stored = self._stored, self.block.tobytes()
+        if self._stored == before:
+            return
         scales = self.scales if has_scales else None
         native.module.pack_matrices(self.locations, self.rotations, out=self._matrices, scales=scales)
         if self._is_checked:  # attributes.write() has checked the attribute of this evaluated copy before

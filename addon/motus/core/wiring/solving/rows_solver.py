@@ -58,7 +58,7 @@ class RowsSolver:
         table[:, outbox.WEIGHT] = 0.0
         if native.module is None:
             return table[0, outbox.STATUS]
-        poses.begin()
+        poses.block[:] = poses.neutral
         inputs = arguments.values(self._inputs, values, None)
         if self._name is not None:
             noticed.note_rows(self._system, self._name, self._rows)
@@ -72,11 +72,9 @@ class RowsSolver:
             self._check_numbers()
         if layout.has_attribute:
             poses.store(self._mesh, has_scales=False)
-        else:
-            if poses.are_new():
-                table[:, layout.base : layout.base + 3] = poses.locations
-                table[:, layout.base + 3 :] = native.module.euler_xyz(poses.rotations)
-            poses.note_stored()
+        elif poses.are_new():
+            table[:, layout.base : layout.base + 3] = poses.locations
+            table[:, layout.base + 3 :] = native.module.euler_xyz(poses.rotations)
         return table[0, outbox.STATUS]
 
     def _tell(self, told):

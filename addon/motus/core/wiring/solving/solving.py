@@ -96,11 +96,13 @@ class Solver:
         self._slots, self._box, self._layout = found.slots, np.frombuffer(found.slots), layout
         self._outputs = self._box[outbox.FIRST_OUTPUT : layout.base]
         self._outlet = outputs.outlet(system, owner)
+        self._told = self._slots[: 0 if self._outlet is None else len(self._outlet)]  # the slots that the outlet repeats
         self._poses = Poses(layout.members)
         self._drives_properties = property_sink.KEY in carrier
         self._reading = read_keys.reading_of(carrier, system.name) if system.reads_keys or self._drives_properties else None
         # Owners without outputs and driven properties need not be wired again if their settings become animated.
         self._counts = bool(system.outputs) or self._drives_properties
+        self._watches_drivers = traits.watches_drivers(system)
         self._place = None if owner.library else (system.name, owner.name)
         self._has_modifier = system.has_modifier
         self._reads_mesh, self._reads_several = system.reads_mesh, system.reads_several
@@ -147,7 +149,7 @@ class Solver:
         context = self._context
         context.begin(frame, depsgraph, None if moves else self._memo)
         poses = self._poses
-        poses.begin()
+        poses.block[:] = poses.neutral
         inputs = self._read(values)
         room = geometry_sink.room(system, carrier, inputs, context) if self._has_modifier else None
         if self._drives_properties:
@@ -167,7 +169,7 @@ class Solver:
         weight = 0.0 if is_blocked else 1.0 if self._layout.is_relative else influence
         box[outbox.WEIGHT] = weight
         if is_blocked:
-            poses.rest()
+            poses.block[:] = poses.neutral
         if room is None and weight == 1.0 and self._layout.has_attribute:
             poses.store(carrier, self._layout.has_scales)
         elif room is None:
@@ -179,7 +181,7 @@ class Solver:
             if context.wants_to_settle:
                 noticed.note_unsettled(system, owner)
         if self._outlet is not None:
-            self._outlet[:] = box[: len(self._outlet)]
+            self._outlet[:] = self._told
         self._tell_healing(moves)
         return box[outbox.STATUS]
 
@@ -213,6 +215,7 @@ class Solver:
         """
         context, layout = self._context, self._layout
         if layout.has_attribute:
+            self._poses.forget()
             attribute_sink.write(
                 self._carrier,
                 lambda: groups_of(self._system, self._owner)[0].members,
@@ -221,15 +224,13 @@ class Solver:
                 context.scales if layout.has_scales else None,
                 weight,
             )
-        elif weight > 0.0 or layout.is_relative:
-            if self._poses.are_new():
-                end = layout.base + outbox.POSE_SIZE * layout.members
-                poses = self._box[layout.base : end].reshape(layout.members, outbox.POSE_SIZE)
-                poses[:, :3] = context.locations
-                poses[:, 3:] = native.module.euler_xyz(context.rotations)
-                if layout.has_scales:
-                    self._box[end:] = context.scales.ravel()
-            self._poses.note_stored()
+        elif (weight > 0.0 or layout.is_relative) and self._poses.are_new():
+            end = layout.base + outbox.POSE_SIZE * layout.members
+            poses = self._box[layout.base : end].reshape(layout.members, outbox.POSE_SIZE)
+            poses[:, :3] = context.locations
+            poses[:, 3:] = native.module.euler_xyz(context.rotations)
+            if layout.has_scales:
+                self._box[end:] = context.scales.ravel()
 
     def _tell_healing(self, moves):
         if self._drives_properties:
@@ -240,7 +241,7 @@ class Solver:
             noticed.moved_points.add(self._place)
         if self._reads_several:
             noticed.gathering.add(self._place)
-        if traits.watches_drivers(self._system):
+        if self._watches_drivers:
             drivers = copies.drivers_on(self._owner) if self._copy is None else self._copy.drivers
             state = drivers, self._counts and moves
             if noticed.states.get(self._place) != state:
