@@ -19,8 +19,8 @@ MOST = {
     "one rig, four limbs": 116,
     "10 pendulums": 530,
     "10 objects with dynamics": 600,
-    "10 look-ats": 810,
-    "10 rigs with a layer": 850,
+    "10 look-ats": 660,
+    "10 rigs with a layer": 660,
 }
 """Most calls a frame for each scene of the benchmark typical_bench, of Python's functions and of built-in ones.
 
