@@ -1,0 +1,51 @@
+"""The pages of docs/cpp are what the public headers say."""
+
+import re
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "docs" / "scripts"))
+
+import cpp_reference  # noqa: E402  (found by the line above)
+
+WRONG = re.compile(r"^\s*(?:private|protected):|;;|NOLINT|\breturn\b.*;$", re.MULTILINE)
+"""What a page shows if more or less of a header was left out than should be."""
+
+
+class CppReference(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.pages = cpp_reference.pages()
+
+    def test_pages_are_what_the_headers_say(self):
+        kept = {path.name: path.read_text(encoding="utf-8") for path in cpp_reference.PAGES.glob("*.md")}
+        self.assertEqual(kept.keys(), self.pages.keys(), "run ./motus docs cpp")
+        for name, text in self.pages.items():
+            self.assertEqual(kept[name], text, f"run ./motus docs cpp: {name}")
+
+    def test_every_public_header_has_a_purpose_and_a_place(self):
+        for header in cpp_reference.INCLUDE.rglob("*.hpp"):
+            name = cpp_reference.name_of(header)
+            self.assertTrue(cpp_reference.purpose(header), name)
+            self.assertEqual(sum(f"\n## {name}\n" in text for text in self.pages.values()), 1, name)
+
+    def test_bodies_and_private_parts_are_not_shown(self):
+        for name, text in self.pages.items():
+            for block in re.findall(r"```cpp\n(.*?)```", text, re.DOTALL):
+                self.assertIsNone(WRONG.search(block), f"{name}:\n{block}")
+                self.assertEqual(block.count("{"), block.count("}"), f"{name}:\n{block}")
+
+    def test_what_a_page_shows_of_a_class(self):
+        text = self.pages["curve.md"]
+        (block,) = re.findall(r"### Curve\n.*?```cpp\n(.*?)```", text, re.DOTALL)
+        self.assertIn("A chain of Bézier segments of one degree.", text)
+        self.assertIn("    [[nodiscard]] int degree() const noexcept;\n", block)
+        self.assertIn("    ~Curve() = default;\n", block)
+        self.assertIn("    Curve(Curve&& other) noexcept;\n", block)
+        self.assertNotIn("degree_", block)
+
+
+if __name__ == "__main__":
+    unittest.main()
