@@ -37,9 +37,20 @@ class CppReference(unittest.TestCase):
                 self.assertIsNone(WRONG.search(block), f"{name}:\n{block}")
                 self.assertEqual(block.count("{"), block.count("}"), f"{name}:\n{block}")
 
+    def test_markdown_reads_sentences_as_sentences(self):
+        for name, text in self.pages.items():
+            prose = re.sub(r"```.*?```|`[^`\n]*`", "", text, flags=re.DOTALL)
+            self.assertEqual(re.findall(r"^(?:[>+] ?.*|.*<\w.*)$", prose, re.MULTILINE), [], name)
+
+    def test_each_heading_of_a_page_has_an_anchor_of_its_own(self):
+        for name, text in self.pages.items():
+            headings = re.findall(r"^#+ (.*)$", re.sub(r"```.*?```", "", text, flags=re.DOTALL), re.MULTILINE)
+            anchors = [re.sub(r"[^\w\- ]", "", heading.lower()) for heading in headings]
+            self.assertEqual(sorted(anchors), sorted(set(anchors)), name)
+
     def test_what_a_page_shows_of_a_class(self):
         text = self.pages["curve.md"]
-        (block,) = re.findall(r"### Curve\n.*?```cpp\n(.*?)```", text, re.DOTALL)
+        (block,) = re.findall(r"### class Curve\n.*?```cpp\n(.*?)```", text, re.DOTALL)
         self.assertIn("A chain of Bézier segments of one degree.", text)
         self.assertIn("    [[nodiscard]] int degree() const noexcept;\n", block)
         self.assertIn("    ~Curve() = default;\n", block)

@@ -18,7 +18,7 @@ SYSTEMS = ("path", "layers", "ik", "look_at", "pull", "lattice", "drivers", "dyn
 
 def pages():
     """Files of the manual."""
-    return [*sorted(DOCS.glob("*.md")), ROOT / "README.md", ROOT / "CONTRIBUTING.md"]
+    return [*sorted(DOCS.glob("*.md")), *sorted((DOCS / "cpp").glob("*.md")), ROOT / "README.md", ROOT / "CONTRIBUTING.md"]
 
 
 def without_code(text):

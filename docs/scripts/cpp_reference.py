@@ -5,10 +5,12 @@ cpp_reference.py [FOLDER]    writes the pages into FOLDER instead
 A declaration is shown as it stands in its header, without bodies and private parts; its comment stands above it as text.
 """
 
+import os
 import re
 import subprocess
 import sys
 import textwrap
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -25,13 +27,17 @@ MANUAL = {
     "sculpt": "pull", "snow": "snow", "stereo": "stereo", "walker": "walker",
 }  # fmt: skip
 """Topic -> page of the manual that tells what the add-on does with it."""
-TYPES = {CursorKind.CLASS_DECL, CursorKind.STRUCT_DECL, CursorKind.CLASS_TEMPLATE, CursorKind.ENUM_DECL}
-SHOWN = TYPES | {CursorKind.FUNCTION_DECL, CursorKind.FUNCTION_TEMPLATE, CursorKind.VAR_DECL, CursorKind.TYPE_ALIAS_DECL}
+TYPES = {
+    CursorKind.CLASS_DECL: "class", CursorKind.STRUCT_DECL: "struct", CursorKind.CLASS_TEMPLATE: "template", CursorKind.ENUM_DECL: "enum",
+}  # fmt: skip
+"""Kinds of types -> what headings call them."""
+SHOWN = TYPES.keys() | {CursorKind.FUNCTION_DECL, CursorKind.FUNCTION_TEMPLATE, CursorKind.VAR_DECL, CursorKind.TYPE_ALIAS_DECL}
 
 
 def compiler_folders() -> list[str]:
     """Folders of the standard library's headers, as g++ names them."""
-    said = subprocess.run(("g++", "-E", "-x", "c++", "-", "-v"), input="", capture_output=True, text=True, check=True).stderr
+    command, in_english = ("g++", "-E", "-x", "c++", "-", "-v"), os.environ | {"LC_ALL": "C"}
+    said = subprocess.run(command, env=in_english, input="", capture_output=True, text=True, check=True).stderr
     return said.split("#include <...> search starts here:")[1].split("End of search list.")[0].split()
 
 
@@ -76,7 +82,7 @@ def source(cursor: Cursor) -> str:
 def left_out(cursor: Cursor, end: int) -> Iterator[tuple[int, int, bytes]]:
     """(first byte, byte after the last, what stands there instead) of each part of a declaration that is nobody's business."""
     text = Path(cursor.location.file.name).read_bytes()
-    if cursor.kind in TYPES - {CursorKind.ENUM_DECL}:
+    if cursor.kind in TYPES.keys() - {CursorKind.ENUM_DECL}:
         hidden = None
         for member in cursor.get_children():
             if member.kind == CursorKind.CXX_ACCESS_SPEC_DECL:
@@ -101,8 +107,9 @@ def left_out(cursor: Cursor, end: int) -> Iterator[tuple[int, int, bytes]]:
 
 
 def comment(cursor: Cursor) -> str:
-    """The comment above a declaration, as text."""
-    return textwrap.dedent(re.sub(r"^\s*///<?", "", cursor.raw_comment or "", flags=re.MULTILINE)).strip()
+    """The comment above a declaration, as Markdown: a line that begins with "> 0" or "+ 1" is neither a quotation nor an item of a list."""
+    text = textwrap.dedent(re.sub(r"^\s*///<?", "", cursor.raw_comment or "", flags=re.MULTILINE)).strip()
+    return re.sub(r"^(?=[>+])", r"\\", text, flags=re.MULTILINE)
 
 
 def purpose(header: Path) -> str:
@@ -134,13 +141,16 @@ def page(topic: str, headers: dict[Path, list[Cursor]]) -> str:
     about = f"Namespace `{namespace}`, CMake target {target}. [All topics](README.md), [the library](../library.md)"
     if topic in MANUAL:
         about += f", [what the add-on does with it](../{MANUAL[topic]}.md)"
-    parts = [f"# {topic}", GENERATED, about + "."]
+    parts, headings = [f"# {topic}", GENERATED, about + "."], Counter((topic,))
     for header, cursors in headers.items():
         parts += [f"## {name_of(header)}", purpose(header)]
         last = ""
         for name, says, together in groups(cursors):
             if name != last:
-                parts.append(f"### {name}")
+                # No two headings may differ by case alone: GitHub and MkDocs number what is the same in ways of their own.
+                heading = f"{TYPES[together[0].kind]} {name}" if together[0].kind in TYPES else name
+                headings[heading] += 1
+                parts.append(f"### {heading}" + (f" ({headings[heading]})" if headings[heading] > 1 else ""))
             last = name
             parts += [says, "```cpp\n" + "\n".join(map(source, together)) + "\n```"]
     return "\n\n".join(part for part in parts if part) + "\n"
