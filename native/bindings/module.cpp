@@ -43,4 +43,5 @@ curve's interval never raise: extend = "clamp" | "extrapolate" | "loop" | "ping_
     bind_second_order(m);
     bind_thread_state(m);
     bind_instruction_set(m);
+    bind_memory(m);
 }

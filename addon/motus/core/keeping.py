@@ -318,6 +318,21 @@ class OfProcess(OfFile):
     until = "the add-on is disabled"
 
 
+class OfLibrary(_Declaration):
+    """Declaration of values that the native library keeps by itself. let_go: function without arguments that removes them."""
+
+    lifetime = "the process"
+    until = "the add-on is disabled"
+
+    def __init__(self, what: str, key: str, bound: str, let_go: Callable[[], None]) -> None:
+        super().__init__(what, key, bound, "")
+        self._let_go = let_go
+
+    def clear(self) -> None:
+        """Remove the values of all scenes and threads."""
+        self._let_go()
+
+
 LIFETIMES = OfEvaluation, OfThread, OfFile, OfProcess
 
 

@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from . import keeping
 from .translations import tr
 
 OK = 'OK'
@@ -84,3 +85,11 @@ def _load() -> tuple[Any, Status]:
 
 
 module, status = _load()
+
+if module is not None:
+    keeping.OfLibrary(
+        "arc length tables, frames along curves, motions of pendulums, landing places of flakes, in the native library",
+        "the whole input of the table",
+        f"{module.cache_budget() >> 20:,} MiB",
+        module.clear_caches,
+    )

@@ -7,6 +7,7 @@
 
 #include "inverse_table.hpp"
 #include "motus/core/numeric.hpp"
+#include "motus/curve/arc_length_cache.hpp"
 #include "speed_table.hpp"
 
 namespace motus::curve {
@@ -14,9 +15,6 @@ namespace {
 
 // About 100 kB each: a shot with as many paths, or as many steps back of one that is being edited.
 constexpr std::size_t cached_tables = 128;
-// For curves of many thousand segments, of which at least one of 10,000 has room: with the frame tables'
-// limit and the inverses that are built later, no more than 512 MB in all.
-constexpr std::size_t cached_bytes = std::size_t{96} << 20;
 
 }  // namespace
 
@@ -93,7 +91,7 @@ void positions_at_length(const ArcLength& path, std::span<const double> s, Exten
     for (std::size_t i = 0; i < s.size(); ++i) out[i] = position_at_length(path, s[i], extend);
 }
 
-std::size_t Hash::operator()(const Curve& curve) const noexcept {
+std::size_t CurveHash::operator()(const Curve& curve) const noexcept {
     ContentHash hash;
     hash.add(static_cast<std::uint64_t>(curve.degree()) * 2 + (curve.cyclic() ? 1 : 0));
     hash.add(curve.control_points());
@@ -106,7 +104,7 @@ std::size_t ArcLengthBytes::operator()(const Curve& curve, const ArcLength& path
 
 ArcLengthCache& arc_length_cache() {
     // Never destroyed: threads may still look up tables while the program exits.
-    static ArcLengthCache& cache = *new ArcLengthCache(cached_tables, cached_bytes);
+    static ArcLengthCache& cache = *new ArcLengthCache(cached_tables);
     return cache;
 }
 

@@ -37,17 +37,16 @@ using MotionCache =
     Cache<MotionSettings<System>, MotionTable<System>, MotionHash<System>, MotionBytes<System>>;
 
 inline constexpr std::size_t most_tables = 4096;
-inline constexpr std::size_t most_table_bytes = std::size_t{512} << 20U;
-/// Most tables of motions that are asked for together. If these had too little room in the cache, each
-/// question would drop the tables that the next one needs.
+/// Most tables of motions that are asked for together, and their bytes. If these had too little room in the
+/// cache, with the budget that it has at first, each question would drop the tables that the next one needs.
 inline constexpr std::size_t most_tables_together = most_tables / 2;
-inline constexpr std::size_t most_bytes_together = most_table_bytes / 8 * 7;
+inline constexpr std::size_t most_bytes_together = std::size_t{448} << 20U;
 
 /// The one cache of a system's tables. It is never destroyed: other threads may still use it when the process
 /// ends.
 template <class System>
 [[nodiscard]] MotionCache<System>& motion_cache() {
-    static auto& cache = *new MotionCache<System>(most_tables, most_table_bytes);
+    static auto& cache = *new MotionCache<System>(most_tables);
     return cache;
 }
 

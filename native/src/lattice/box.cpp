@@ -151,31 +151,34 @@ void drop_inside(Plane& points) {
 }
 
 /// The points that lie farthest in some direction or other; all of them if they are few.
-[[nodiscard]] std::vector<glm::vec3> extremes(std::span<const glm::vec3> points) {
+[[nodiscard]] std::vector<glm::vec3> extremes(std::span<const glm::vec3> points, const Executor& executor) {
     constexpr std::size_t few = 256, directions = 64;
     if (points.size() <= few) return {points.begin(), points.end()};
     std::vector<glm::vec3> result(2 * directions, points[0]);
-    in_parts(directions, 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            // Evenly over the half sphere: both ends of each line are looked for.
-            const double z = (static_cast<double>(i) + 0.5) / directions, r = std::sqrt(1.0 - z * z);
-            const double angle = 2.0 * std::numbers::pi * std::numbers::phi * static_cast<double>(i);
-            const glm::vec3 direction(r * std::cos(angle), r * std::sin(angle), z);
-            const auto along = [&](const glm::vec3& point) { return glm::dot(point, direction); };
-            float low = along(points[0]), high = low;
-            for (const glm::vec3& point : points) {
-                const float place = along(point);
-                if (place < low) {
-                    low = place;
-                    result[2 * i] = point;
-                }
-                if (place > high) {
-                    high = place;
-                    result[2 * i + 1] = point;
+    in_parts(
+        directions, 1,
+        [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                // Evenly over the half sphere: both ends of each line are looked for.
+                const double z = (static_cast<double>(i) + 0.5) / directions, r = std::sqrt(1.0 - z * z);
+                const double angle = 2.0 * std::numbers::pi * std::numbers::phi * static_cast<double>(i);
+                const glm::vec3 direction(r * std::cos(angle), r * std::sin(angle), z);
+                const auto along = [&](const glm::vec3& point) { return glm::dot(point, direction); };
+                float low = along(points[0]), high = low;
+                for (const glm::vec3& point : points) {
+                    const float place = along(point);
+                    if (place < low) {
+                        low = place;
+                        result[2 * i] = point;
+                    }
+                    if (place > high) {
+                        high = place;
+                        result[2 * i + 1] = point;
+                    }
                 }
             }
-        }
-    });
+        },
+        executor);
     return result;
 }
 
@@ -268,10 +271,10 @@ OrientedBox box_along(std::span<const glm::vec3> points, const glm::dmat3& axes)
     return box_around(points, axes);
 }
 
-OrientedBox small_box(std::span<const glm::vec3> points, const glm::dmat3& axes) {
+OrientedBox small_box(std::span<const glm::vec3> points, const glm::dmat3& axes, const Executor& executor) {
     check(points, axes);
     if (points.empty()) return box_around(points, axes);
-    std::vector<glm::vec3> chosen = extremes(points);
+    std::vector<glm::vec3> chosen = extremes(points, executor);
     OrientedBox small = shrunk(chosen, box_around(chosen, axes));
     for (const glm::dmat3& turn : starts()) {
         const OrientedBox found = shrunk(chosen, box_around(chosen, axes * turn));

@@ -83,7 +83,7 @@ template <std::size_t Taps>
 }  // namespace
 
 void deform(const Lattice& lattice, std::span<const glm::vec3> displacements, const Influence& influence,
-            std::span<const glm::vec3> positions, std::span<glm::vec3> out) {
+            std::span<const glm::vec3> positions, std::span<glm::vec3> out, const Executor& executor) {
     const Grid grid(lattice);
     const std::size_t points = point_count(lattice);
     require(displacements.size() == points, "displacements: one for each lattice point is wanted");
@@ -95,19 +95,22 @@ void deform(const Lattice& lattice, std::span<const glm::vec3> displacements, co
     in_ieee_floats([&] {
         const std::vector<Four> values = packed(displacements, influence.points);
         const bool fades = !influence.points.empty();
-        in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i) {
-                const float factor = influence.positions.empty() ? 1.0f : influence.positions[i];
-                if (factor == 0.0f) {
-                    out[i] = positions[i];
-                    continue;
+        in_parts(
+            positions.size(), grain,
+            [&](std::size_t first, std::size_t last) {
+                for (std::size_t i = first; i < last; ++i) {
+                    const float factor = influence.positions.empty() ? 1.0f : influence.positions[i];
+                    if (factor == 0.0f) {
+                        out[i] = positions[i];
+                        continue;
+                    }
+                    const Rows rows(grid, grid.coordinates(glm::dvec3(positions[i])));
+                    Four change = factor * blend(rows, values);
+                    if (fades) change *= change[3];
+                    out[i] = positions[i] + glm::vec3(change[0], change[1], change[2]);
                 }
-                const Rows rows(grid, grid.coordinates(glm::dvec3(positions[i])));
-                Four change = factor * blend(rows, values);
-                if (fades) change *= change[3];
-                out[i] = positions[i] + glm::vec3(change[0], change[1], change[2]);
-            }
-        });
+            },
+            executor);
     });
 }
 

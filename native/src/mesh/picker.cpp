@@ -32,7 +32,7 @@ bool is_somewhere(const PickerPoint& point) noexcept {
 }
 
 void check_input(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
-                 std::size_t threads) {
+                 const Executor& executor) {
     constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() - fan_out;
     if (positions.size() >= most || triangles.size() >= most)
         throw std::invalid_argument("positions and triangles must each be fewer than 2^32 - 1");
@@ -45,7 +45,7 @@ void check_input(std::span<const glm::vec3> positions, std::span<const glm::ivec
         if (largest >= positions.size())
             throw std::invalid_argument("triangles: one names a vertex that the mesh does not have");
     };
-    in_parts(triangles.size(), triangle_grain, check, threads);
+    in_parts(triangles.size(), triangle_grain, check, executor);
 }
 
 }  // namespace
@@ -67,8 +67,8 @@ void Picker::Tree::sort_in(std::span<const glm::ivec3> triangles) {
             keyed[i] = Keyed{middle / fan_out} << 32 | i;
         }
     };
-    in_parts(triangles.size(), triangle_grain, find_leaves, threads);
-    sort_by_key(keyed, static_cast<int>(std::bit_width(leaves)), threads);
+    in_parts(triangles.size(), triangle_grain, find_leaves, executor);
+    sort_by_key(keyed, static_cast<int>(std::bit_width(leaves)), executor);
 
     starts = Array<std::uint32_t>(leaves + 1);
     names = Array<std::uint32_t>(triangles.size());
@@ -82,15 +82,15 @@ void Picker::Tree::sort_in(std::span<const glm::ivec3> triangles) {
                 starts[leaf] = static_cast<std::uint32_t>(slot);
         }
     };
-    in_parts(triangles.size(), triangle_grain, take_over, threads);
+    in_parts(triangles.size(), triangle_grain, take_over, executor);
     const std::size_t leaf_after = keyed.empty() ? 0 : (keyed.back() >> 32) + 1;
     std::fill(starts.begin() + static_cast<std::ptrdiff_t>(leaf_after), starts.end(),
               static_cast<std::uint32_t>(triangles.size()));
 }
 
 void Picker::Tree::refit() {
-    around_vertices.refit([this](std::size_t leaf) { return vertex_box(leaf); }, threads);
-    around_triangles.refit([this](std::size_t leaf) { return triangle_box(leaf); }, threads);
+    around_vertices.refit([this](std::size_t leaf) { return vertex_box(leaf); }, executor);
+    around_triangles.refit([this](std::size_t leaf) { return triangle_box(leaf); }, executor);
 }
 
 void Picker::Tree::refit_touching(const PickerBox& box) {
@@ -99,11 +99,11 @@ void Picker::Tree::refit_touching(const PickerBox& box) {
 }
 
 Picker::Picker(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
-               std::size_t threads)
+               const Executor& executor)
     : tree_(std::make_unique<Tree>()) {
-    check_input(positions, triangles, threads);
-    tree_->threads = threads;
-    tree_->order = hilbert_order(positions, threads);
+    check_input(positions, triangles, executor);
+    tree_->executor = executor;
+    tree_->order = hilbert_order(positions, executor);
     tree_->places = Array<std::uint32_t>(positions.size());
     for (std::size_t place = 0; place < positions.size(); ++place)
         tree_->places[tree_->order[place]] = static_cast<std::uint32_t>(place);
@@ -148,7 +148,7 @@ void Picker::refit(std::span<const glm::vec3> positions) {
         }
         if (!finite) all_finite = false;
     };
-    in_parts(positions.size(), vertex_grain, take_over, tree_->threads);
+    in_parts(positions.size(), vertex_grain, take_over, tree_->executor);
     tree_->all_finite = all_finite;
     tree_->refit();
 }

@@ -96,7 +96,7 @@ class PickerBoxes {
 
     /// Computes all boxes, beginning with those of the leaves.
     template <class LeafBox>
-    void refit(const LeafBox& leaf_box, std::size_t threads) {
+    void refit(const LeafBox& leaf_box, const Executor& executor) {
         constexpr std::size_t grain = 64;
         for (std::size_t level = 0; level < levels_.size(); ++level) {
             const std::size_t children = level == 0 ? leaves_ : levels_[level - 1].size();
@@ -104,7 +104,7 @@ class PickerBoxes {
                 for (std::size_t child = first * fan_out; child < std::min(children, last * fan_out); ++child)
                     set(level, child, level == 0 ? leaf_box(child) : box(level - 1, child));
             };
-            in_parts(levels_[level].size(), grain, refit_nodes, threads);
+            in_parts(levels_[level].size(), grain, refit_nodes, executor);
         }
     }
 

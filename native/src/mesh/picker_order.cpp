@@ -75,7 +75,7 @@ struct Bounds {
 };
 
 /// Bounds of the finite points.
-Bounds bounds_of(std::span<const glm::vec3> points, std::size_t threads) {
+Bounds bounds_of(std::span<const glm::vec3> points, const Executor& executor) {
     Bounds all;
     std::mutex merging;
     in_parts(
@@ -93,7 +93,7 @@ Bounds bounds_of(std::span<const glm::vec3> points, std::size_t threads) {
             all.low = glm::min(all.low, part.low);
             all.high = glm::max(all.high, part.high);
         },
-        threads);
+        executor);
     return all;
 }
 
@@ -129,7 +129,7 @@ std::uint64_t hilbert_place(std::uint32_t x, std::uint32_t y, std::uint32_t z) n
     return place;
 }
 
-void sort_by_key(Array<Keyed>& items, int bits, std::size_t threads) {
+void sort_by_key(Array<Keyed>& items, int bits, const Executor& executor) {
     // Counted and dealt out in blocks of fixed number, which several threads may share.
     constexpr int digit_bits = 10;
     constexpr std::size_t digits = std::size_t{1} << digit_bits, blocks = 16;
@@ -144,7 +144,7 @@ void sort_by_key(Array<Keyed>& items, int bits, std::size_t threads) {
                 work(std::span(items).subspan(first, last - first), counts[block]);
             }
         };
-        in_parts(blocks, 1, work_on, items.size() < 16384 ? 1 : threads);
+        in_parts(blocks, 1, work_on, items.size() < 16384 ? Executor{1} : executor);
     };
     for (int shift = 0; shift < bits; shift += digit_bits) {
         const auto digit = [shift](const Keyed& item) { return item >> (32 + shift) & (digits - 1); };
@@ -162,8 +162,8 @@ void sort_by_key(Array<Keyed>& items, int bits, std::size_t threads) {
     }
 }
 
-Array<std::uint32_t> hilbert_order(std::span<const glm::vec3> points, std::size_t threads) {
-    const Bounds bounds = bounds_of(points, threads);
+Array<std::uint32_t> hilbert_order(std::span<const glm::vec3> points, const Executor& executor) {
+    const Bounds bounds = bounds_of(points, executor);
     const glm::dvec3 low(bounds.low), size = glm::dvec3(bounds.high) - low;
     const double longest = std::max({size.x, size.y, size.z});
     constexpr double last_cell = (1u << hilbert_bits) - 1;
@@ -185,8 +185,8 @@ Array<std::uint32_t> hilbert_order(std::span<const glm::vec3> points, std::size_
             keyed[i] = keys[i] >> (3 * hilbert_bits - coarse_bits) << 32 | i;
         }
     };
-    in_parts(points.size(), grain, find_keys, threads);
-    sort_by_key(keyed, coarse_bits, threads);
+    in_parts(points.size(), grain, find_keys, executor);
+    sort_by_key(keyed, coarse_bits, executor);
 
     Array<std::uint32_t> order(points.size());
     const auto index_of = [](Keyed item) { return static_cast<std::uint32_t>(item); };
@@ -205,7 +205,7 @@ Array<std::uint32_t> hilbert_order(std::span<const glm::vec3> points, std::size_
             first = end;
         }
     };
-    in_parts(points.size(), grain, refine, threads);
+    in_parts(points.size(), grain, refine, executor);
     return order;
 }
 

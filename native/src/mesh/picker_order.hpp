@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "motus/core/executor.hpp"
+
 namespace motus::mesh {
 
 /// Memory for large arrays in large pages, if the system has them: an array that is read here and there
@@ -52,10 +54,10 @@ constexpr int hilbert_bits = 20;
 using Keyed = std::uint64_t;
 
 /// Sorts by the lowest `bits` of the key, others being 0; equal keys stay in order.
-void sort_by_key(Array<Keyed>& items, int bits, std::size_t threads);
+void sort_by_key(Array<Keyed>& items, int bits, const Executor& executor);
 
 /// The indices of the points along the Hilbert curve through their bounding cube; those of one cell
 /// ascending. Points that are not finite lie anywhere.
-[[nodiscard]] Array<std::uint32_t> hilbert_order(std::span<const glm::vec3> points, std::size_t threads);
+[[nodiscard]] Array<std::uint32_t> hilbert_order(std::span<const glm::vec3> points, const Executor& executor);
 
 }  // namespace motus::mesh

@@ -13,6 +13,7 @@
 #include <span>
 #include <utility>
 
+#include "motus/core/executor.hpp"
 #include "motus/mesh/picker.hpp"
 #include "picker_boxes.hpp"
 #include "picker_order.hpp"
@@ -23,7 +24,7 @@ struct Picker::Tree {
     /// Places of a triangle's corners, in the order in which they were given.
     using Corners = std::array<std::uint32_t, 3>;
 
-    std::size_t threads = 1;
+    Executor executor{1};
     bool all_finite = true;       ///< false: a vertex may be not finite
     Array<std::uint32_t> order;   ///< vertex at each place along the curve
     Array<std::uint32_t> places;  ///< place of each vertex

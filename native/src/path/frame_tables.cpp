@@ -3,6 +3,9 @@
 #include <limits>
 #include <utility>
 
+#include "motus/curve/arc_length_cache.hpp"
+#include "motus/path/frame_tables_cache.hpp"
+
 namespace motus::path {
 namespace {
 
@@ -11,7 +14,6 @@ constexpr double upright_threshold =
 constexpr double bend_threshold = 0.02;  // of the mean curvature: from here on the bend defines a direction
 constexpr double least_turning = 1e-6;   // rad over the whole length: below, the curve is straight
 constexpr std::size_t cached_tables = 64;
-constexpr std::size_t cached_bytes = std::size_t{320} << 20;  // of these and their paths; see arc_length.cpp
 
 DirectionTrack bend_track(const ParallelFrames& frames, const BendField& bend) {
     const bool straight = bend.mean() * frames.length() < least_turning;
@@ -43,7 +45,7 @@ std::size_t FrameTables::bytes() const noexcept {
 
 std::size_t FrameTablesHash::operator()(const FrameTablesKey& key) const noexcept {
     ContentHash hash;
-    hash.add(static_cast<std::uint64_t>(curve::Hash{}(key.curve)));
+    hash.add(static_cast<std::uint64_t>(curve::CurveHash{}(key.curve)));
     hash.add(static_cast<std::uint64_t>(key.mode));
     hash.add(key.smoothing);
     return hash.value();
@@ -56,7 +58,7 @@ std::size_t FrameTablesBytes::operator()(const FrameTablesKey& key,
 
 FrameTablesCache& frame_tables_cache() {
     // Never destroyed: threads may still look up tables while the program exits.
-    static FrameTablesCache& cache = *new FrameTablesCache(cached_tables, cached_bytes);
+    static FrameTablesCache& cache = *new FrameTablesCache(cached_tables);
     return cache;
 }
 

@@ -9,6 +9,7 @@
 
 #include "frame_tables.hpp"
 #include "motus/core/numeric.hpp"
+#include "motus/path/frame_tables_cache.hpp"
 #include "polish.hpp"
 
 namespace motus::path {

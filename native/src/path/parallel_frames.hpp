@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "motus/core/cache.hpp"
 #include "motus/curve/arc_length.hpp"
 
 namespace motus::path {

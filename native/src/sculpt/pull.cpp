@@ -36,20 +36,26 @@ void ask_for(std::span<const glm::vec3> positions) {
     for (std::size_t i = 0; i < bytes.size(); i += cache_line) __builtin_prefetch(&bytes[i], 1, 2);
 }
 
-void bring(std::span<const glm::vec3> positions, std::span<glm::vec3> out) {
+void bring(std::span<const glm::vec3> positions, std::span<glm::vec3> out, const Executor& executor) {
     if (out.data() == positions.data()) return;
-    in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
-        std::copy(positions.begin() + static_cast<std::ptrdiff_t>(first),
-                  positions.begin() + static_cast<std::ptrdiff_t>(last),
-                  out.begin() + static_cast<std::ptrdiff_t>(first));
-    });
+    in_parts(
+        positions.size(), grain,
+        [&](std::size_t first, std::size_t last) {
+            std::copy(positions.begin() + static_cast<std::ptrdiff_t>(first),
+                      positions.begin() + static_cast<std::ptrdiff_t>(last),
+                      out.begin() + static_cast<std::ptrdiff_t>(first));
+        },
+        executor);
 }
 
 void check_among(const Puller& puller, const Shapes& shapes, std::span<const float> weights,
-                 std::span<const std::uint32_t> vertices) {
-    in_parts(vertices.size(), scattered_grain, [&](std::size_t first, std::size_t last) {
-        puller.check_among(shapes, pointer(weights), vertices.subspan(first, last - first));
-    });
+                 std::span<const std::uint32_t> vertices, const Executor& executor) {
+    in_parts(
+        vertices.size(), scattered_grain,
+        [&](std::size_t first, std::size_t last) {
+            puller.check_among(shapes, pointer(weights), vertices.subspan(first, last - first));
+        },
+        executor);
 }
 
 void check(std::span<const mesh::Reach> reaches, std::size_t images, std::size_t vertex_count) {
@@ -91,41 +97,52 @@ std::vector<PullImage> images_of(const Dab& dab) {
 }
 
 void pull(std::span<const glm::vec3> positions, const Dab& dab, std::span<const float> weights,
-          std::span<glm::vec3> out, std::span<const glm::vec3> shape, std::span<glm::vec3> copy) {
+          std::span<glm::vec3> out, std::span<const glm::vec3> shape, std::span<glm::vec3> copy,
+          const Executor& executor) {
     in_ieee_floats([&] {
         const Puller puller(dab, positions.size(), weights.size(), out.size());
         const Shapes shapes = shapes_of(positions, shape);
         if (!copy.empty() && copy.size() != positions.size())
             throw std::invalid_argument("copy: must be as long as positions");
-        in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
-            puller.check_whole(shapes, pointer(weights), first, last);
-        });
-        in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
-            for (std::size_t begin = first; begin < last; begin += part) {
-                const std::size_t end = std::min(begin + part, last);
-                if (!copy.empty()) ask_for(copy.subspan(end, std::min(part, last - end)));
-                puller.act_whole(shapes, pointer(weights), begin, end, out.data());
-                if (!copy.empty()) std::copy_n(out.data() + begin, end - begin, copy.data() + begin);
-            }
-        });
+        in_parts(
+            positions.size(), grain,
+            [&](std::size_t first, std::size_t last) {
+                puller.check_whole(shapes, pointer(weights), first, last);
+            },
+            executor);
+        in_parts(
+            positions.size(), grain,
+            [&](std::size_t first, std::size_t last) {
+                for (std::size_t begin = first; begin < last; begin += part) {
+                    const std::size_t end = std::min(begin + part, last);
+                    if (!copy.empty()) ask_for(copy.subspan(end, std::min(part, last - end)));
+                    puller.act_whole(shapes, pointer(weights), begin, end, out.data());
+                    if (!copy.empty()) std::copy_n(out.data() + begin, end - begin, copy.data() + begin);
+                }
+            },
+            executor);
     });
 }
 
 void pull_among(std::span<const glm::vec3> positions, const Dab& dab, std::span<const std::uint32_t> vertices,
-                std::span<const float> weights, std::span<glm::vec3> out, std::span<const glm::vec3> shape) {
+                std::span<const float> weights, std::span<glm::vec3> out, std::span<const glm::vec3> shape,
+                const Executor& executor) {
     in_ieee_floats([&] {
         const Puller puller(dab, positions.size(), weights.size(), out.size());
         const Shapes shapes = shapes_of(positions, shape);
-        check_among(puller, shapes, weights, vertices);
-        bring(positions, out);
-        in_parts(vertices.size(), scattered_grain, [&](std::size_t first, std::size_t last) {
-            puller.act_among(shapes, pointer(weights), vertices.subspan(first, last - first), out.data());
-        });
+        check_among(puller, shapes, weights, vertices, executor);
+        bring(positions, out, executor);
+        in_parts(
+            vertices.size(), scattered_grain,
+            [&](std::size_t first, std::size_t last) {
+                puller.act_among(shapes, pointer(weights), vertices.subspan(first, last - first), out.data());
+            },
+            executor);
     });
 }
 
 void pull_along(std::span<const glm::vec3> positions, const Dab& dab, std::span<const mesh::Reach> reaches,
-                std::span<const float> weights, std::span<glm::vec3> out) {
+                std::span<const float> weights, std::span<glm::vec3> out, const Executor& executor) {
     in_ieee_floats([&] {
         const Puller puller(dab, positions.size(), weights.size(), out.size());
         check(reaches, puller.images().size(), positions.size());
@@ -133,12 +150,15 @@ void pull_along(std::span<const glm::vec3> positions, const Dab& dab, std::span<
             reaches.size() > 1 ? united(reaches) : std::vector<std::uint32_t>{};
         const std::span<const std::uint32_t> vertices =
             reaches.size() > 1 ? several : reaches.front().vertices;
-        check_among(puller, {positions.data(), positions.data()}, weights, vertices);
-        bring(positions, out);
-        in_parts(vertices.size(), scattered_grain, [&](std::size_t first, std::size_t last) {
-            puller.act_along(positions.data(), pointer(weights), vertices.subspan(first, last - first),
-                             reaches, out.data());
-        });
+        check_among(puller, {positions.data(), positions.data()}, weights, vertices, executor);
+        bring(positions, out, executor);
+        in_parts(
+            vertices.size(), scattered_grain,
+            [&](std::size_t first, std::size_t last) {
+                puller.act_along(positions.data(), pointer(weights), vertices.subspan(first, last - first),
+                                 reaches, out.data());
+            },
+            executor);
     });
 }
 

@@ -79,7 +79,7 @@ using Beyond = std::vector<std::array<Neighbour, 3>>;
 }
 
 [[nodiscard]] mesh::Picker picker_of(std::span<const glm::vec3> positions,
-                                     std::span<const glm::ivec3> triangles, std::size_t threads) {
+                                     std::span<const glm::ivec3> triangles, const Executor& executor) {
     constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
     require(positions.size() < most, "collider_positions must be fewer");
     require(triangles.size() < most, "collider_triangles must be fewer");
@@ -89,15 +89,15 @@ using Beyond = std::vector<std::array<Neighbour, 3>>;
         for (int i = 0; i < 3; ++i)
             require(triangle[i] >= 0 && static_cast<std::size_t>(triangle[i]) < positions.size(),
                     "collider_triangles must name vertices of collider_positions");
-    return {positions, triangles, threads};
+    return {positions, triangles, executor};
 }
 
 }  // namespace
 
 struct Collider::Mesh {
     Mesh(std::span<const glm::vec3> given_positions, std::span<const glm::ivec3> given_triangles,
-         std::size_t threads)
-        : picker(picker_of(given_positions, given_triangles, threads)),
+         const Executor& executor)
+        : picker(picker_of(given_positions, given_triangles, executor)),
           positions(given_positions.begin(), given_positions.end()),
           triangles(given_triangles.begin(), given_triangles.end()) {
         for (const glm::ivec3& triangle : triangles) {
@@ -171,8 +171,8 @@ Neighbour Collider::Mesh::across(std::uint32_t triangle, std::size_t side, const
 }
 
 Collider::Collider(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
-                   std::size_t threads)
-    : mesh_(in_ieee_floats([&] { return std::make_unique<const Mesh>(positions, triangles, threads); })) {}
+                   const Executor& executor)
+    : mesh_(in_ieee_floats([&] { return std::make_unique<const Mesh>(positions, triangles, executor); })) {}
 Collider::~Collider() = default;
 
 std::span<const glm::vec3> Collider::positions() const noexcept {

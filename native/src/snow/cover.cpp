@@ -12,6 +12,7 @@
 #include "kernel.hpp"
 #include "motus/core/ieee_floats.hpp"
 #include "motus/core/numeric.hpp"
+#include "motus/core/parallel.hpp"
 #include "motus/core/sine.hpp"
 #include "motus/mesh/neighbours.hpp"
 #include "philox.hpp"
@@ -153,7 +154,7 @@ struct Cover::Deposit {
     bool lies = false;
 };
 
-Cover::Cover(const Snow& snow, const CoverSettings& settings, std::size_t threads)
+Cover::Cover(const Snow& snow, const CoverSettings& settings, const Executor& executor)
     : flake_volume_(settings.flake_volume), rounds_(settings.smoothing) {
     require(snow.collider() != nullptr, "snow must have a collider");
     require(settings.flake_volume > 0.0 && settings.flake_volume <= 1e30,
@@ -162,7 +163,7 @@ Cover::Cover(const Snow& snow, const CoverSettings& settings, std::size_t thread
             "repose must be from 0 to less than pi / 2");
     require(settings.smoothing >= 0 && settings.smoothing <= CoverSettings::most_rounds,
             "smoothing must be from 0 to 1000");
-    std::vector<Touchdown> downs = snow.touchdowns(settings.end, threads);
+    std::vector<Touchdown> downs = snow.touchdowns(settings.end, executor);
     std::erase_if(downs, [](const Touchdown& down) { return down.triangle < 0; });
 
     in_ieee_floats([&] {
@@ -171,7 +172,7 @@ Cover::Cover(const Snow& snow, const CoverSettings& settings, std::size_t thread
         const double hold = tangent(settings.repose);
         const glm::dvec3 up = -unit_vector(pull);
         const Holding holding = holding_of(collider.positions(), collider.triangles(), collider, up,
-                                           steepest_slope(settings.repose), threads);
+                                           steepest_slope(settings.repose), executor);
         std::vector<Deposit> deposits(downs.size());
         const auto find = [&](std::size_t first, std::size_t last) {
             std::vector<Slide> slides;
@@ -193,7 +194,7 @@ Cover::Cover(const Snow& snow, const CoverSettings& settings, std::size_t thread
                 }
             }
         };
-        in_parts(downs.size(), grain, find, threads);
+        in_parts(downs.size(), grain, find, executor);
         std::size_t kept = 0;
         for (std::size_t i = 0; i < downs.size(); ++i) {
             if (!deposits[i].lies) continue;
@@ -255,7 +256,7 @@ std::size_t Cover::lying(double time) const {
     return static_cast<std::size_t>(std::ranges::upper_bound(times_, time) - times_.begin());
 }
 
-void Cover::heights(double time, std::span<float> out, std::size_t threads) const {
+void Cover::heights(double time, std::span<float> out, const Executor& executor) const {
     require(out.size() == vertex_count(), "out must have a height for each vertex");
     const std::size_t count = lying(time);
     in_ieee_floats([&] {
@@ -268,7 +269,7 @@ void Cover::heights(double time, std::span<float> out, std::size_t threads) cons
                     out[i] = next == events.begin() ? 0.0F : (next - 1)->height;
                 }
             },
-            threads);
+            executor);
         std::vector<float> before;
         for (int round = 0; round < rounds_; ++round) {
             before.assign(out.begin(), out.end());
@@ -279,7 +280,7 @@ void Cover::heights(double time, std::span<float> out, std::size_t threads) cons
                         for (std::size_t link = link_starts_[i]; link < link_starts_[i + 1]; ++link)
                             out[i] += shares_[link] * (before[links_[link]] - before[i]);
                 },
-                threads);
+                executor);
         }
     });
 }

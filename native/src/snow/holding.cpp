@@ -43,7 +43,7 @@ bool Shelter::is_last_over(const glm::dvec3& start) const {
 }
 
 Holding holding_of(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
-                   const Collider& shelter, const glm::dvec3& up, double steepest, std::size_t threads) {
+                   const Collider& shelter, const glm::dvec3& up, double steepest, const Executor& executor) {
     const auto place = [&](int vertex) { return glm::dvec3(positions[static_cast<std::size_t>(vertex)]); };
     std::vector<glm::dvec3> normals(positions.size());
     for (const glm::ivec3& corners : triangles) {
@@ -69,7 +69,7 @@ Holding holding_of(std::span<const glm::vec3> positions, std::span<const glm::iv
                 if (found.holds(i)) found.is_sheltered[i] = above.is_over(glm::dvec3(positions[i])) ? 1 : 0;
             }
         },
-        threads);
+        executor);
     return found;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "motus/core/executor.hpp"
 #include "motus/snow/collider.hpp"
 
 namespace motus::snow {
@@ -41,7 +42,7 @@ class Shelter {
 /// `up`: unit. `steepest`: tangent of the steepest slope on which snow lies.
 [[nodiscard]] Holding holding_of(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
                                  const Collider& shelter, const glm::dvec3& up, double steepest,
-                                 std::size_t threads);
+                                 const Executor& executor);
 
 /// The fraction of the way from a vertex to another one at which snow ends, if snow lies on only one of them
 /// because the other one is too steep or sheltered.

@@ -12,7 +12,6 @@ namespace motus::snow {
 namespace {
 
 constexpr std::size_t most_pages = std::size_t{1} << 20U;
-constexpr std::size_t most_bytes = std::size_t{1} << 30U;
 
 /// Rows of a block, and what loops over whole vectors read beyond them.
 template <class T>
@@ -48,7 +47,7 @@ Landings::~Landings() {
 
 Landings::Pages& Landings::pages() {
     // Never destroyed: other threads may still use it when the process ends.
-    static auto& all = *new Pages(most_pages, most_bytes);
+    static auto& all = *new Pages(most_pages);
     return all;
 }
 

@@ -41,7 +41,7 @@ void check(std::span<const glm::vec3> positions, std::span<const glm::ivec3> tri
 }  // namespace
 
 Layer::Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
-             const glm::dvec3& up, const Collider* shelter, double hold) {
+             const glm::dvec3& up, const Collider* shelter, double hold, const Executor& executor) {
     check(positions, triangles);
     require(direction_of(up).has_value(), "up must be finite and not 0");
     number(positions, triangles);
@@ -49,7 +49,7 @@ Layer::Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> t
     find_edges();
     ends_.assign(edges_.size(), -1.0F);
     in_ieee_floats([&] {
-        if (shelter != nullptr) find_ends(*shelter, unit_vector(up), hold);
+        if (shelter != nullptr) find_ends(*shelter, unit_vector(up), hold, executor);
         heaps_ = std::make_shared<const Heaps>(
             Heaps::Net{positions_, numbers_, triangles_, edges_, sides_, ends_});
     });
@@ -143,17 +143,20 @@ void Layer::find_edges() {
     });
 }
 
-void Layer::find_ends(const Collider& shelter, const glm::dvec3& up, double hold) {
-    const Holding holding = holding_of(positions_, triangles_, shelter, up, hold, thread_count());
+void Layer::find_ends(const Collider& shelter, const glm::dvec3& up, double hold, const Executor& executor) {
+    const Holding holding = holding_of(positions_, triangles_, shelter, up, hold, executor);
     constexpr std::size_t grain = 256;
-    in_parts(edges_.size(), grain, [&](std::size_t first, std::size_t last) {
-        Shelter above(shelter, up);
-        for (std::size_t i = first; i < last; ++i) {
-            const auto from = static_cast<std::size_t>(edges_[i].x),
-                       to = static_cast<std::size_t>(edges_[i].y);
-            ends_[i] = end_on_edge(holding, positions_, above, from, to).value_or(-1.0F);
-        }
-    });
+    in_parts(
+        edges_.size(), grain,
+        [&](std::size_t first, std::size_t last) {
+            Shelter above(shelter, up);
+            for (std::size_t i = first; i < last; ++i) {
+                const auto from = static_cast<std::size_t>(edges_[i].x),
+                           to = static_cast<std::size_t>(edges_[i].y);
+                ends_[i] = end_on_edge(holding, positions_, above, from, to).value_or(-1.0F);
+            }
+        },
+        executor);
 }
 
 /// Triangles that are lines or points show no snow, though snow that ends at their sides has no wall there.

@@ -12,6 +12,7 @@
 #include "landings.hpp"
 #include "motus/core/ieee_floats.hpp"
 #include "motus/core/numeric.hpp"
+#include "motus/core/parallel.hpp"
 #include "motus/core/unfilled.hpp"
 
 namespace motus::snow {
@@ -134,7 +135,7 @@ class Snow::Rows {
         return living;
     }
 
-    static void count_living(const Parts& snow, Living::Parts& living, std::size_t threads) {
+    static void count_living(const Parts& snow, Living::Parts& living, const Executor& executor) {
         const Rows rows(snow, living);
         std::vector<std::size_t> counts(rows.block_count() + 1);
         in_parts(
@@ -146,7 +147,7 @@ class Snow::Rows {
                     counts[i + 1] = block.count();
                 }
             },
-            threads);
+            executor);
         for (std::size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
         living.count = counts.back();
         living.before = std::move(counts);
@@ -190,31 +191,31 @@ class Snow::Rows {
 Snow::Snow(const SnowSettings& settings)
     : parts_(in_ieee_floats([&] { return std::make_shared<const Parts>(settings); })) {}
 
-Living Snow::living(double time, std::size_t threads) const {
+Living Snow::living(double time, const Executor& executor) const {
     const Landings& landings = parts_->landings;
     return in_ieee_floats([&] {
         Living::Parts living = Rows::candidates(parts_, time);
         const bool may_rest =
             landings.are_any() && landings.rest_time() < std::numeric_limits<double>::infinity();
-        if (parts_->model.random_lifetime || may_rest) Rows::count_living(*parts_, living, threads);
+        if (parts_->model.random_lifetime || may_rest) Rows::count_living(*parts_, living, executor);
         return Living(std::move(living));
     });
 }
 
-Living Snow::known(double time, std::size_t threads) const {
+Living Snow::known(double time, const Executor& executor) const {
     const Landings& landings = parts_->landings;
-    if (!landings.are_any()) return living(time, threads);
+    if (!landings.are_any()) return living(time, executor);
     return in_ieee_floats([&] {
         Living::Parts living = Rows::candidates(parts_, time);
         const Rows rows(*parts_, living);
         for (std::size_t block = 0; block < rows.block_count(); ++block)
             living.pages.push_back(landings.kept(rows.number_of(block)));
-        Rows::count_living(*parts_, living, threads);
+        Rows::count_living(*parts_, living, executor);
         return Living(std::move(living));
     });
 }
 
-std::size_t Snow::find_landings(double time, std::size_t most, std::size_t threads) const {
+std::size_t Snow::find_landings(double time, std::size_t most, const Executor& executor) const {
     const Landings& landings = parts_->landings;
     return in_ieee_floats([&] {
         const Living::Parts living = Rows::candidates(parts_, time);
@@ -228,12 +229,12 @@ std::size_t Snow::find_landings(double time, std::size_t most, std::size_t threa
             [&](std::size_t from, std::size_t to) {
                 for (std::size_t i = from; i < to; ++i) static_cast<void>(landings.page(missing[i]));
             },
-            threads);
+            executor);
         return missing.size() - found;
     });
 }
 
-void Snow::evaluate(const Living& living, const Fields& out, std::size_t threads) const {
+void Snow::evaluate(const Living& living, const Fields& out, const Executor& executor) const {
     require(living.parts_ != nullptr && living.parts_->snow == parts_, "living must be of this snow");
     const auto fits = [&](const auto& field) { return field.empty() || field.size() == living.count(); };
     require(fits(out.position) && fits(out.velocity) && fits(out.size) && fits(out.color) && fits(out.age) &&
@@ -255,10 +256,10 @@ void Snow::evaluate(const Living& living, const Fields& out, std::size_t threads
     };
     constexpr std::size_t grain = 32;  // of blocks: some 50 us
     in_ieee_floats(
-        [&] { in_parts(rows.block_count(), landings.are_any() ? landing_grain : grain, fill, threads); });
+        [&] { in_parts(rows.block_count(), landings.are_any() ? landing_grain : grain, fill, executor); });
 }
 
-std::vector<Touchdown> Snow::touchdowns(double end, std::size_t threads) const {
+std::vector<Touchdown> Snow::touchdowns(double end, const Executor& executor) const {
     require(std::isfinite(end), "end must be finite");
     const Landings& landings = parts_->landings;
     return in_ieee_floats([&] {
@@ -281,7 +282,7 @@ std::vector<Touchdown> Snow::touchdowns(double end, std::size_t threads) const {
                     }
                 }
             },
-            threads);
+            executor);
         for (const std::vector<Touchdown>& some : of_blocks) all.insert(all.end(), some.begin(), some.end());
         std::ranges::sort(all, {}, [](const Touchdown& one) { return std::tuple(one.time, one.id); });
         return all;

@@ -10,7 +10,7 @@ namespace motus::walker {
 namespace {
 
 [[nodiscard]] mesh::Picker picker_of(std::span<const glm::vec3> positions,
-                                     std::span<const glm::ivec3> triangles, std::size_t threads) {
+                                     std::span<const glm::ivec3> triangles, const Executor& executor) {
     constexpr std::size_t most = std::numeric_limits<int>::max();
     require(positions.size() < most, "positions must be fewer");
     require(triangles.size() < most, "triangles must be fewer");
@@ -18,7 +18,7 @@ namespace {
         for (int corner = 0; corner < 3; ++corner)
             require(triangle[corner] >= 0 && static_cast<std::size_t>(triangle[corner]) < positions.size(),
                     "triangles must name vertices of positions");
-    return in_ieee_floats([&] { return mesh::Picker(positions, triangles, threads); });
+    return in_ieee_floats([&] { return mesh::Picker(positions, triangles, executor); });
 }
 
 [[nodiscard]] std::optional<Plane> checked(const std::optional<Plane>& plane) {
@@ -36,9 +36,9 @@ namespace {
 }  // namespace
 
 Ground::Ground(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
-               const std::optional<Plane>& plane, std::size_t threads)
+               const std::optional<Plane>& plane, const Executor& executor)
     : mesh_(std::make_shared<const Mesh>(
-          Mesh{picker_of(positions, triangles, threads), {positions.begin(), positions.end()}})),
+          Mesh{picker_of(positions, triangles, executor), {positions.begin(), positions.end()}})),
       plane_(checked(plane)) {}
 
 Ground Ground::with_plane(const std::optional<Plane>& plane) const {

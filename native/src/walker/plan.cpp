@@ -8,6 +8,7 @@
 
 #include "lean.hpp"
 #include "motus/core/numeric.hpp"
+#include "motus/core/parallel.hpp"
 
 namespace motus::walker {
 namespace {
@@ -45,12 +46,12 @@ Correction corrected(const WalkSettings& settings, const glm::dvec3& lean, const
 }
 
 Planner::Planner(const WalkSettings& settings, const BodyTrajectory& trajectory, const Ground* ground,
-                 std::size_t threads)
+                 const Executor& executor)
     : settings_(settings),
       trajectory_(trajectory),
       ground_(ground != nullptr && !ground->is_empty() ? ground : nullptr),
       reach_{settings.reach_up, settings.reach_down},
-      threads_(threads),
+      executor_(executor),
       hips_(settings.hips) {
     require(expected_steps(trajectory) <= most_steps,
             "poses must go slower, or the stride be longer, or the cadence lower: more than 1,000,000 steps "
@@ -71,7 +72,7 @@ void Planner::for_legs(const Work& work) const {
     const auto part = [&](std::size_t first, std::size_t last) {
         for (std::size_t leg = first; leg < last; ++leg) work(leg);
     };
-    in_parts(legs, grain, part, threads_);
+    in_parts(legs, grain, part, executor_);
 }
 
 void Planner::find_place(Footfall& fall) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "footing.hpp"
+#include "motus/core/executor.hpp"
 #include "motus/walker/walker.hpp"
 
 namespace motus::walker {
@@ -22,7 +23,7 @@ struct Plan {
 class Planner {
   public:
     Planner(const WalkSettings& settings, const BodyTrajectory& trajectory, const Ground* ground,
-            std::size_t threads);
+            const Executor& executor);
     [[nodiscard]] Plan plan();
 
   private:
@@ -75,7 +76,7 @@ class Planner {
     const BodyTrajectory& trajectory_;
     const Ground* ground_;  ///< none if it is empty
     Reach reach_;
-    std::size_t threads_;
+    Executor executor_;
     std::vector<glm::dvec3> hips_;           ///< the settings', or the middle of all feet for each leg
     std::vector<Footfalls> falls_;           ///< by row()
     std::vector<Correction> corrections_{};  ///< at samples

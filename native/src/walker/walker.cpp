@@ -47,10 +47,10 @@ constexpr double largest_number = 1e12;
 
 }  // namespace
 
-Walker::Walker(Way way, WalkSettings settings, const Ground* ground, std::size_t threads)
+Walker::Walker(Way way, WalkSettings settings, const Ground* ground, const Executor& executor)
     : trajectory_(in_ieee_floats([&] { return BodyTrajectory(std::move(way)); })),
       settings_(checked(std::move(settings), leg_count(), trajectory_.way().times.size())) {
-    Plan plan = in_ieee_floats([&] { return Planner(settings_, trajectory_, ground, threads).plan(); });
+    Plan plan = in_ieee_floats([&] { return Planner(settings_, trajectory_, ground, executor).plan(); });
     steps_ = std::move(plan.steps);
     leans_ = std::move(plan.leans);
     problems_ = std::move(plan.problems);

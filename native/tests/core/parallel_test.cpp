@@ -3,6 +3,7 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <cstddef>
+#include <functional>
 #include <mutex>
 #include <numeric>
 #include <set>
@@ -99,4 +100,41 @@ TEST_CASE("work may be shared out again inside a part", "[parallel]") {
         },
         3);
     CHECK(sum == 1000);
+}
+
+TEST_CASE("a host's function runs the work, and no more of it at once than it was given", "[parallel]") {
+    std::vector<std::size_t> asked;
+    const Executor::Run run = [&](std::size_t times, const std::function<void()>& work) {
+        asked.push_back(times);
+        for (std::size_t i = 0; i < times; ++i) work();
+    };
+    const Executor executor(3, run);
+    CHECK(executor.threads() == 3);
+    std::vector<int> calls(100'000);
+    const auto work = [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) ++calls[i];
+    };
+    in_parts(calls.size(), 1, work, executor);
+    CHECK(asked == std::vector<std::size_t>{3});
+    in_parts(calls.size(), calls.size(), work, executor);
+    CHECK(asked.size() == 1);
+    CHECK(calls == std::vector<int>(calls.size(), 2));
+}
+
+TEST_CASE("what a host's function leaves undone is done by the caller's thread", "[parallel]") {
+    const Executor idle(8, [](std::size_t /*times*/, const std::function<void()>& /*work*/) {});
+    std::vector<int> calls(100'000);
+    in_parts(
+        calls.size(), 1,
+        [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) ++calls[i];
+        },
+        idle);
+    CHECK(calls == std::vector<int>(calls.size(), 1));
+}
+
+TEST_CASE("an executor has at least one thread, and its host's function is there", "[parallel]") {
+    CHECK(Executor(0).threads() == 1);
+    CHECK(Executor().threads() == thread_count());
+    CHECK_THROWS_WITH(Executor(2, {}), "run: must be a function");
 }

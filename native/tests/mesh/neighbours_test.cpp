@@ -69,7 +69,7 @@ TEST_CASE("indices outside the mesh are refused", "[neighbours]") {
     CHECK_THROWS_AS(Neighbours(2, none, std::vector<glm::ivec2>{{0, 2}}), std::invalid_argument);
     CHECK(Neighbours(0, none).vertex_count() == 0);
     CHECK(Neighbours().vertex_count() == 0);
-    CHECK(Neighbours(4, none, {}).fan(3).empty());
+    CHECK(Neighbours(4, none, std::vector<glm::ivec2>{}).fan(3).empty());
 }
 
 TEST_CASE("a large mesh has the neighbours that its triangles say", "[neighbours]") {

@@ -8,6 +8,7 @@
 
 #include "curve/samples.hpp"
 #include "frame_checks.hpp"
+#include "motus/path/frame_tables_cache.hpp"
 #include "random.hpp"
 
 using namespace motus;

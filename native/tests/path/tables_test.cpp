@@ -7,7 +7,10 @@
 
 #include "curve/checks.hpp"
 #include "frame_tables.hpp"
+#include "motus/core/memory.hpp"
 #include "motus/curve/arc_length.hpp"
+#include "motus/curve/arc_length_cache.hpp"
+#include "motus/path/frame_tables_cache.hpp"
 #include "motus/path/frames.hpp"
 
 using namespace motus;
@@ -31,29 +34,29 @@ class CacheOff {
 
 }  // namespace
 
-TEST_CASE("animated curves of many segments hold no more memory than stated", "[cache]") {
-    ArcLengthCache& paths = arc_length_cache();
-    FrameTablesCache& frames = frame_tables_cache();
-    const std::size_t most = std::size_t{512} << 20;
-    const std::size_t before = paths.size();
+TEST_CASE("animated curves of many segments hold no more memory than the budget", "[cache]") {
+    const std::size_t usual = cache_budget();
+    constexpr std::size_t budget = std::size_t{96} << 20;
+    set_cache_budget(budget);
+    const std::size_t before = arc_length_cache().size();
     std::vector<glm::dvec3> points = RandomCurves(7).points(40'000);
     constexpr std::size_t shots = 8;
     std::vector<std::shared_ptr<const ArcLength>> used;
     for (std::size_t i = 0; i < shots; ++i) {
         points[0].x += 0.001;
         const auto path = shared_arc_length(Curve::chain(3, points, false));
-        CHECK(paths.bytes() <= paths.byte_limit());
+        CHECK(cached_bytes() <= budget);
         CHECK(path->bytes() >= path->curve().control_points().size_bytes() + 8 * 10'000);
         used.push_back(path);
     }
-    CHECK(paths.size() < before + shots);
+    CHECK(arc_length_cache().size() < before + shots);
     for (const auto& path : used) (void)path->interval_count();
-    CHECK(paths.bytes() + frames.byte_limit() <= most);
     FrameSettings settings;
     settings.mode = FrameMode::banking;
     settings.smoothing = 0.1;
     (void)shared_frames(shared_arc_length(Curve::chain(3, {points.data(), 4'000}, false)), settings);
-    CHECK(frames.bytes() <= frames.byte_limit());
+    CHECK(arc_length_cache().bytes() + frame_tables_cache().bytes() <= budget);
+    set_cache_budget(usual);
 }
 
 TEST_CASE("the tables of a tangled curve of 10,000 segments have room in the caches", "[cache]") {
@@ -71,13 +74,13 @@ TEST_CASE("the tables of a tangled curve of 10,000 segments have room in the cac
     }
     const auto path = std::make_shared<const ArcLength>(Curve::chain(3, points, false));
     (void)path->interval_count();
-    CHECK(10 * ArcLengthBytes{}(path->curve(), *path) <= arc_length_cache().byte_limit());
+    CHECK(10 * ArcLengthBytes{}(path->curve(), *path) <= cache_budget());
     for (const FrameMode mode : {FrameMode::world_up, FrameMode::minimal, FrameMode::banking,
                                  FrameMode::curvature, FrameMode::tilt}) {
         const FrameTablesKey key{path->curve(), mode, 0.5};
         const FrameTables tables(path, mode, key.smoothing);
         CAPTURE(static_cast<int>(mode));
-        CHECK(10 * FrameTablesBytes{}(key, tables) <= frame_tables_cache().byte_limit());
+        CHECK(10 * FrameTablesBytes{}(key, tables) <= cache_budget());
     }
 }
 

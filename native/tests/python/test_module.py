@@ -46,6 +46,34 @@ print("both work")
 """
 
 
+
+class CachesTest(unittest.TestCase):
+    def setUp(self):
+        self.addCleanup(native.set_cache_budget, native.cache_budget())
+        native.clear_caches()
+
+    def test_tables_are_kept_within_a_budget_and_let_go(self):
+        self.assertEqual((native.cache_budget(), native.cached_bytes()), (1 << 30, 0))
+        curve = native.Bezier([[0, 0, 0], [1, 2, 0], [3, 1, 1], [4, 0, 0]])
+        length = curve.length()
+        kept = native.cached_bytes()
+        self.assertGreater(kept, 1000)
+        native.set_cache_budget(kept - 1)
+        self.assertEqual(native.cached_bytes(), 0)
+        self.assertEqual(native.Bezier([[0, 0, 0], [1, 2, 0], [3, 1, 1], [4, 0, 0]]).length(), length)
+        self.assertEqual(native.cached_bytes(), 0)
+        native.set_cache_budget(kept)
+        native.Bezier([[0, 0, 0], [1, 2, 0], [3, 1, 1], [4, 0, 0]]).length()
+        self.assertEqual(native.cached_bytes(), kept)
+        native.clear_caches()
+        self.assertEqual(native.cached_bytes(), 0)
+
+    def test_a_budget_is_a_whole_number(self):
+        for wrong in (-1, 1.5, "much", None):
+            with self.assertRaises(TypeError):
+                native.set_cache_budget(wrong)
+
+
 class SecondCopyTest(unittest.TestCase):
     def test_a_copy_under_another_package_is_imported_beside_the_first(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -6,7 +6,6 @@
 #include <mutex>
 #include <span>
 
-#include "motus/core/cache.hpp"
 #include "motus/curve/curve.hpp"
 
 namespace motus::curve {
@@ -75,17 +74,6 @@ class ArcLength {
 /// Positions at many distances. Allocates nothing. Throws std::invalid_argument if the sizes differ.
 void positions_at_length(const ArcLength& path, std::span<const double> s, Extend extend,
                          std::span<glm::dvec3> out);
-
-struct Hash {
-    [[nodiscard]] std::size_t operator()(const Curve& curve) const noexcept;
-};
-struct ArcLengthBytes {
-    [[nodiscard]] std::size_t operator()(const Curve& curve, const ArcLength& path) const noexcept;
-};
-using ArcLengthCache = Cache<Curve, ArcLength, Hash, ArcLengthBytes>;
-
-/// The process's cache of arc length tables.
-[[nodiscard]] ArcLengthCache& arc_length_cache();
 
 /// Tables of a curve: from the cache, or built and then cached.
 [[nodiscard]] std::shared_ptr<const ArcLength> shared_arc_length(const Curve& curve);

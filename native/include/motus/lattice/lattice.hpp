@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "motus/config.hpp"
+#include "motus/core/executor.hpp"
 
 namespace motus::lattice {
 
@@ -69,7 +70,7 @@ struct Influence {
 /// number. Throws std::invalid_argument if sizes differ. A number that is not finite makes the results that
 /// it is a part of not finite.
 void deform(const Lattice& lattice, std::span<const glm::vec3> displacements, const Influence& influence,
-            std::span<const glm::vec3> positions, std::span<glm::vec3> out);
+            std::span<const glm::vec3> positions, std::span<glm::vec3> out, const Executor& executor = {});
 
 /// Part of a point that is pulled: a place with a weight, `share`, which the lattice moves with `influence`.
 /// A point on a triangle has three parts, whose shares are its barycentric coordinates.
@@ -113,6 +114,7 @@ struct OrientedBox {
 
 /// A small box around all points: turning it about one of its axes does not make it smaller, and it is not
 /// larger than the box along the given axes. Its axes are ordered and signed to be near the given ones.
-[[nodiscard]] OrientedBox small_box(std::span<const glm::vec3> points, const glm::dmat3& axes);
+[[nodiscard]] OrientedBox small_box(std::span<const glm::vec3> points, const glm::dmat3& axes,
+                                    const Executor& executor = {});
 
 }  // namespace motus::lattice

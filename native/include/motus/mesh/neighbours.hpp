@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "motus/config.hpp"
+#include "motus/core/executor.hpp"
 
 namespace motus::mesh {
 
@@ -21,9 +22,10 @@ class Neighbours {
     /// without a triangle (wires) count as a surface of width 0. Triangles and edges with the same vertex
     /// twice are left out. Throws std::invalid_argument if an index is not of [0, vertex_count).
     Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> triangles,
-               std::span<const glm::ivec2> edges);
+               std::span<const glm::ivec2> edges, const Executor& executor = {});
     /// Every side of a triangle is an edge.
-    Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> triangles);
+    Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> triangles,
+               const Executor& executor = {});
 
     [[nodiscard]] std::size_t vertex_count() const noexcept {
         return fan_starts_.empty() ? 0 : fan_starts_.size() - 1;

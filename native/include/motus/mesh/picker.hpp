@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "motus/config.hpp"
-#include "motus/core/parallel.hpp"
+#include "motus/core/executor.hpp"
 
 namespace motus::mesh {
 
@@ -36,9 +36,9 @@ struct Hit {
 class Picker {
   public:
     /// Throws std::invalid_argument if a triangle names a vertex that does not exist, or there are 2^32 - 1
-    /// or more vertices or triangles. `threads` as in in_parts, for the refits too.
+    /// or more vertices or triangles. `executor` works for the refits too.
     Picker(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
-           std::size_t threads = thread_count());
+           const Executor& executor = {});
     ~Picker();
     // A picker that is moved from is one of an empty mesh.
     Picker(Picker&& other) noexcept;

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "motus/config.hpp"
-#include "motus/core/cache.hpp"
 #include "motus/curve/arc_length.hpp"
 
 namespace motus::path {
@@ -86,24 +85,5 @@ class Frames {
 /// Frames with tables from the process's cache, or built and then cached. The tables depend on the curve, the
 /// mode and the smoothing alone, so that the other settings may change from frame to frame.
 [[nodiscard]] Frames shared_frames(std::shared_ptr<const curve::ArcLength> path, FrameSettings settings);
-
-/// The input of frame tables, by which they are cached.
-struct FrameTablesKey {
-    curve::Curve curve;
-    FrameMode mode = FrameMode::minimal;
-    double smoothing = 0.0;
-    [[nodiscard]] bool operator==(const FrameTablesKey&) const = default;
-};
-
-struct FrameTablesHash {
-    [[nodiscard]] std::size_t operator()(const FrameTablesKey& key) const noexcept;
-};
-struct FrameTablesBytes {
-    [[nodiscard]] std::size_t operator()(const FrameTablesKey& key, const FrameTables& tables) const noexcept;
-};
-using FrameTablesCache = Cache<FrameTablesKey, FrameTables, FrameTablesHash, FrameTablesBytes>;
-
-/// The process's cache of frame tables.
-[[nodiscard]] FrameTablesCache& frame_tables_cache();
 
 }  // namespace motus::path

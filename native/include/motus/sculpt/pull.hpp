@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "motus/config.hpp"
+#include "motus/core/executor.hpp"
 #include "motus/mesh/reach.hpp"
 #include "motus/sculpt/falloff.hpp"
 
@@ -48,7 +49,8 @@ struct PullImage {
 /// processor. Throws std::invalid_argument, before anything is written, if sizes differ or something is
 /// outside its domain.
 void pull(std::span<const glm::vec3> positions, const Dab& dab, std::span<const float> weights,
-          std::span<glm::vec3> out, std::span<const glm::vec3> shape = {}, std::span<glm::vec3> copy = {});
+          std::span<glm::vec3> out, std::span<const glm::vec3> shape = {}, std::span<glm::vec3> copy = {},
+          const Executor& executor = {});
 
 /// pull() for few vertices, such as those that a tree finds, with the same bits: `vertices` has all within
 /// reach of an image, each once, in any order; vertices out of reach among them do no harm. If `out` is
@@ -56,12 +58,12 @@ void pull(std::span<const glm::vec3> positions, const Dab& dab, std::span<const 
 /// read.
 void pull_among(std::span<const glm::vec3> positions, const Dab& dab, std::span<const std::uint32_t> vertices,
                 std::span<const float> weights, std::span<glm::vec3> out,
-                std::span<const glm::vec3> shape = {});
+                std::span<const glm::vec3> shape = {}, const Executor& executor = {});
 
 /// pull() by distances that are given: `reaches` has one Reach for each of images_of(dab), each vertex at
 /// most once in a Reach. The dab's root and metric are not read. Of vertices in no Reach neither positions
 /// nor weights are read.
 void pull_along(std::span<const glm::vec3> positions, const Dab& dab, std::span<const mesh::Reach> reaches,
-                std::span<const float> weights, std::span<glm::vec3> out);
+                std::span<const float> weights, std::span<glm::vec3> out, const Executor& executor = {});
 
 }  // namespace motus::sculpt

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "motus/config.hpp"
-#include "motus/core/parallel.hpp"
+#include "motus/core/executor.hpp"
 
 namespace motus::snow {
 
@@ -40,7 +40,7 @@ class Collider {
     /// Throws std::invalid_argument, naming collider_positions or collider_triangles, where a position is not
     /// finite, a triangle names a vertex that there is not, or there are 2^31 or more.
     Collider(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
-             std::size_t threads = thread_count());
+             const Executor& executor = {});
     ~Collider();
     Collider(const Collider&) = delete;
     Collider& operator=(const Collider&) = delete;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "motus/core/parallel.hpp"
+#include "motus/core/executor.hpp"
 #include "motus/snow/snow.hpp"
 
 namespace motus::snow {
@@ -35,7 +35,7 @@ class Cover {
   public:
     /// Throws std::invalid_argument, naming the argument, where the snow has no collider or a setting is
     /// outside its domain; else as Snow::touchdowns().
-    Cover(const Snow& snow, const CoverSettings& settings, std::size_t threads = thread_count());
+    Cover(const Snow& snow, const CoverSettings& settings, const Executor& executor = {});
 
     /// Vertices of the collider.
     [[nodiscard]] std::size_t vertex_count() const noexcept { return areas_.size(); }
@@ -45,7 +45,7 @@ class Cover {
     /// How deep the snow is on each vertex, m, across the surface: the heights times the areas add up to the
     /// volume. Throws std::invalid_argument where the time is not finite, or there is not a height for each
     /// vertex.
-    void heights(double time, std::span<float> out, std::size_t threads = thread_count()) const;
+    void heights(double time, std::span<float> out, const Executor& executor = {}) const;
 
     /// Of the flakes that have landed and lie on the collider, m^3: without those that fell from it.
     [[nodiscard]] double volume(double time) const;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "motus/config.hpp"
+#include "motus/core/executor.hpp"
 #include "motus/snow/collider.hpp"
 
 namespace motus::snow {
@@ -30,7 +31,8 @@ class Layer {
     /// something, or steeper than `hold`, the tangent of a slope, the layer ends where the one or the other
     /// begins. Without a shelter it ends everywhere as the depths have it.
     Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles, const glm::dvec3& up,
-          const Collider* shelter = nullptr, double hold = std::numeric_limits<double>::infinity());
+          const Collider* shelter = nullptr, double hold = std::numeric_limits<double>::infinity(),
+          const Executor& executor = {});
 
     struct Mesh {
         std::vector<glm::vec3> positions;
@@ -61,7 +63,7 @@ class Layer {
     void find_normals(const glm::dvec3& up);
     void find_edges();
     void leave_out_degenerate();
-    void find_ends(const Collider& shelter, const glm::dvec3& up, double hold);
+    void find_ends(const Collider& shelter, const glm::dvec3& up, double hold, const Executor& executor);
 
     // Vertices of triangles alone, in the order in which the triangles first name them: what is near on the
     // surface is near in memory.

@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "motus/config.hpp"
-#include "motus/core/parallel.hpp"
+#include "motus/core/executor.hpp"
 #include "motus/snow/births.hpp"
 #include "motus/snow/collider.hpp"
 
@@ -184,24 +184,24 @@ class Snow {
 
     /// Flakes with 0 <= age < lifetime that have not rested, or melted, for their time. Throws
     /// std::invalid_argument where the time is not finite.
-    [[nodiscard]] Living living(double time, std::size_t threads = thread_count()) const;
+    [[nodiscard]] Living living(double time, const Executor& executor = {}) const;
 
     /// Those of them of which it is known where they land. What flakes land on takes some 10 us each to find,
     /// once: living() finds it for all.
-    [[nodiscard]] Living known(double time, std::size_t threads = thread_count()) const;
+    [[nodiscard]] Living known(double time, const Executor& executor = {}) const;
     /// Finds where flakes land of up to `most` blocks of 256 of those that live at a time. Returns how many
     /// blocks remain. Throws as living() does.
     [[nodiscard]] std::size_t find_landings(double time, std::size_t most,
-                                            std::size_t threads = thread_count()) const;
+                                            const Executor& executor = {}) const;
 
     /// Fills the fields in the order of flake numbers. Throws std::invalid_argument, before anything is
     /// written, where the living flakes are not of this snow or a copy, or a field that is not empty has
-    /// another number of rows than there are of them. `threads` as in in_parts.
-    void evaluate(const Living& living, const Fields& out, std::size_t threads = thread_count()) const;
+    /// another number of rows than there are of them.
+    void evaluate(const Living& living, const Fields& out, const Executor& executor = {}) const;
 
     /// Where flakes land until the end, by time and then by number. Throws std::invalid_argument where the
     /// end is not finite, or more than most_touchdowns flakes are born until then.
-    [[nodiscard]] std::vector<Touchdown> touchdowns(double end, std::size_t threads = thread_count()) const;
+    [[nodiscard]] std::vector<Touchdown> touchdowns(double end, const Executor& executor = {}) const;
 
     // SnowSettings.
     [[nodiscard]] const std::shared_ptr<const Collider>& collider() const noexcept;

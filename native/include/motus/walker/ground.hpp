@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "motus/config.hpp"
-#include "motus/core/parallel.hpp"
+#include "motus/core/executor.hpp"
 #include "motus/mesh/picker.hpp"
 
 namespace motus::walker {
@@ -37,7 +37,7 @@ class Ground {
     /// Throws std::invalid_argument, naming the argument, if a triangle names a vertex that does not exist,
     /// or the plane has a number that is not finite or no normal. Vertices that are not finite are never met.
     Ground(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
-           const std::optional<Plane>& plane, std::size_t threads = thread_count());
+           const std::optional<Plane>& plane, const Executor& executor = {});
 
     ~Ground() = default;
     Ground(const Ground&) noexcept = default;

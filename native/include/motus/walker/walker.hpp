@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "motus/config.hpp"
-#include "motus/core/parallel.hpp"
+#include "motus/core/executor.hpp"
 #include "motus/dynamics/track.hpp"
 #include "motus/walker/body_trajectory.hpp"
 #include "motus/walker/gait.hpp"
@@ -59,8 +59,7 @@ class Walker {
     /// ground: none, or an empty one: feet stand on their rest places. Throws std::invalid_argument, naming
     /// the argument, if sizes differ, a number is not finite or outside its domain, there are no samples
     /// or more than most_samples, no legs or more than most_legs, or more than most_steps would be planned.
-    Walker(Way way, WalkSettings settings, const Ground* ground = nullptr,
-           std::size_t threads = thread_count());
+    Walker(Way way, WalkSettings settings, const Ground* ground = nullptr, const Executor& executor = {});
 
     [[nodiscard]] std::size_t leg_count() const noexcept { return trajectory_.way().rest.size(); }
     [[nodiscard]] Foot foot(std::size_t leg, double time) const;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "motus/config.hpp"
+#include "motus/core/cache_budget.hpp"
 
 namespace motus {
 
@@ -47,19 +48,28 @@ template <class T>
     return values.capacity() * sizeof(T);
 }
 
-/// Keeps the most recently used values: `capacity` of them at most, and only as many as together take at most
-/// `byte_limit`. A value is found by the whole content of its key (Key needs ==; the hash only narrows the
-/// search) and is a function of that key: an answer does not depend on which values are in the cache.
+/// Keeps the most recently used values: `capacity` of them at most, and only as many as have room in the
+/// budget that it shares with other caches. A value is found by the whole content of its key (Key needs ==;
+/// the hash only narrows the search) and is a function of that key: an answer does not depend on which values
+/// are in the cache.
 ///
 /// Bytes{}(key, value) is the size of an entry. The sizes are asked again whenever an entry is added, since a
 /// value may build a part of itself later; with more than 64 entries once per 64th part of them that is
 /// added.
 template <class Key, class Value, class Hash, class Bytes>
-class Cache {
+class Cache final : CacheBudget::Member {
   public:
     using Pointer = std::shared_ptr<const Value>;
 
-    Cache(std::size_t capacity, std::size_t byte_limit) : capacity_(capacity), byte_limit_(byte_limit) {}
+    explicit Cache(std::size_t capacity, CacheBudget& budget = process_budget())
+        : Member(budget), capacity_(capacity) {
+        join();
+    }
+    Cache(const Cache&) = delete;
+    Cache& operator=(const Cache&) = delete;
+    Cache(Cache&&) = delete;
+    Cache& operator=(Cache&&) = delete;
+    ~Cache() { leave(); }
 
     /// The value of `key`; if there is none, `make(key)` -> shared_ptr<const Value> builds it. Built
     /// outside the lock, so that threads with different keys don't wait for each other; if two build the
@@ -72,17 +82,9 @@ class Cache {
             if (Pointer held = find(hash, key)) return held;
         }
         Pointer made = std::forward<Make>(make)(key);
-        const std::scoped_lock lock(mutex_);
-        if (Pointer held = find(hash, key)) return held;
-        // What may throw comes before the splice, which cannot, and which keeps the iterator.
-        Entries added;
-        added.push_front({hash, key, made, Bytes{}(key, *made)});
-        index_.emplace(hash, added.begin());
-        entries_.splice(entries_.begin(), added);
-        bytes_ += entries_.front().bytes;
-        if (++added_ > entries_.size() / 64) measure();
-        shrink();
-        return made;
+        Pointer kept = keep(hash, key, std::move(made));
+        budget().enforce();
+        return kept;
     }
 
     /// The value of `key`, or null if there is none.
@@ -107,22 +109,23 @@ class Cache {
         }
     }
 
-    /// Greatest number of entries; 0 switches the cache off.
+    /// Sets the greatest number of entries; 0 switches the cache off.
     void set_capacity(std::size_t capacity) {
         const std::scoped_lock lock(mutex_);
         capacity_ = capacity;
         shrink();
     }
+    /// Greatest number of entries.
     [[nodiscard]] std::size_t capacity() const {
         const std::scoped_lock lock(mutex_);
         return capacity_;
     }
+    /// Number of entries at this moment.
     [[nodiscard]] std::size_t size() const {
         const std::scoped_lock lock(mutex_);
         return entries_.size();
     }
-    [[nodiscard]] std::size_t byte_limit() const noexcept { return byte_limit_; }
-    /// Number of entries at this moment.
+    /// Sum of all entries' sizes at this moment.
     [[nodiscard]] std::size_t bytes() const {
         const std::scoped_lock lock(mutex_);
         std::size_t sum = 0;
@@ -135,9 +138,35 @@ class Cache {
         std::size_t hash;
         Key key;
         Pointer value;
-        std::size_t bytes;  ///< size of the entry when it was last asked
+        std::size_t bytes;   ///< size of the entry when it was last asked
+        std::uint64_t used;  ///< when it was last asked for, by the budget's clock
     };
     using Entries = std::list<Entry>;
+
+    [[nodiscard]] std::uint64_t oldest() override {
+        const std::scoped_lock lock(mutex_);
+        return entries_.empty() ? CacheBudget::never : entries_.back().used;
+    }
+
+    [[nodiscard]] std::shared_ptr<const void> drop_oldest() noexcept override {
+        const std::scoped_lock lock(mutex_);
+        return entries_.empty() ? nullptr : drop_last();
+    }
+
+    /// Adds a value; returns it, or that which another thread has added in the meantime.
+    [[nodiscard]] Pointer keep(std::size_t hash, const Key& key, Pointer made) {
+        const std::scoped_lock lock(mutex_);
+        if (Pointer held = find(hash, key)) return held;
+        // What may throw comes before the splice, which cannot, and which keeps the iterator.
+        Entries added;
+        added.push_front({hash, key, made, Bytes{}(key, *made), now()});
+        index_.emplace(hash, added.begin());
+        entries_.splice(entries_.begin(), added);
+        take(taken() + entries_.front().bytes);
+        if (++added_ > entries_.size() / 64) measure();
+        shrink();
+        return made;
+    }
 
     /// The value of a key, which becomes the most recently used one, or null.
     [[nodiscard]] Pointer find(std::size_t hash, const Key& key) {
@@ -145,37 +174,42 @@ class Cache {
         for (auto it = first; it != last; ++it) {
             if (!(it->second->key == key)) continue;
             entries_.splice(entries_.begin(), entries_, it->second);
+            it->second->used = now();
             return it->second->value;
         }
         return nullptr;
     }
 
     void measure() {
-        added_ = bytes_ = 0;
-        for (Entry& entry : entries_) bytes_ += entry.bytes = Bytes{}(entry.key, *entry.value);
+        added_ = 0;
+        std::size_t sum = 0;
+        for (Entry& entry : entries_) sum += entry.bytes = Bytes{}(entry.key, *entry.value);
+        take(sum);
     }
 
     void forget(typename Entries::iterator entry) {
         auto it = index_.find(entry->hash);
         while (it->second != entry) ++it;
         index_.erase(it);
-        bytes_ -= entry->bytes;
+        take(taken() - entry->bytes);
     }
 
-    /// Drops the least recently used entries until the others fit.
+    Pointer drop_last() noexcept {
+        const auto last = std::prev(entries_.end());
+        forget(last);
+        Pointer value = std::move(last->value);
+        entries_.erase(last);
+        return value;
+    }
+
+    /// Drops the least recently used entries until there are no more than `capacity_`.
     void shrink() {
-        while (!entries_.empty() && (entries_.size() > capacity_ || bytes_ > byte_limit_)) {
-            const auto last = std::prev(entries_.end());
-            forget(last);
-            entries_.erase(last);
-        }
+        while (entries_.size() > capacity_) drop_last();
     }
 
     mutable std::mutex mutex_;
     std::size_t capacity_;
-    const std::size_t byte_limit_;
     Entries entries_;        ///< the most recently used first
-    std::size_t bytes_ = 0;  ///< sum of all entries' sizes when they were last asked
     std::size_t added_ = 0;  ///< entries added since all sizes were asked
     std::unordered_multimap<std::size_t, typename Entries::iterator> index_;
 };

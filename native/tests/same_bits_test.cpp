@@ -1,0 +1,300 @@
+// Results that docs/library.md promises to be the same bits on every machine: each topic's are compared with
+// one number, a hash that was computed once. The tests run this for an older processor as well.
+#include <bit>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "motus/bones/layers/transform.hpp"
+#include "motus/colour/screen.hpp"
+#include "motus/curve/curve.hpp"
+#include "motus/dynamics/double_pendulum.hpp"
+#include "motus/lattice/lattice.hpp"
+#include "motus/mesh/neighbours.hpp"
+#include "motus/mesh/picker.hpp"
+#include "motus/mesh/surface_distance.hpp"
+#include "motus/noise/noise.hpp"
+#include "motus/sculpt/pull.hpp"
+#include "motus/snow/collider.hpp"
+#include "motus/snow/snow.hpp"
+#include "motus/walker/walker.hpp"
+#include "random.hpp"
+
+using namespace motus;
+
+namespace {
+
+/// FNV-1a over the bits of numbers.
+class Bits {
+  public:
+    void add(std::uint64_t number) {
+        for (int byte = 0; byte < 8; ++byte) hash_ = (hash_ ^ (number >> (8 * byte) & 0xffU)) * 0x100000001b3U;
+    }
+    void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+    void add(float number) { add(std::uint64_t{std::bit_cast<std::uint32_t>(number)}); }
+    template <int Size, class Number>
+    void add(const glm::vec<Size, Number>& numbers) {
+        for (int i = 0; i < Size; ++i) add(numbers[i]);
+    }
+    void add(const glm::dquat& q) {
+        for (const double part : {q.w, q.x, q.y, q.z}) add(part);
+    }
+    [[nodiscard]] std::uint64_t hash() const { return hash_; }
+
+  private:
+    std::uint64_t hash_ = 0xcbf29ce484222325U;
+};
+
+/// Waves of parabolas, for which no sine is needed: a grid of vertices 0.25 m apart, `side` each way.
+struct Hills {
+    static constexpr int side = 25;
+    std::vector<glm::vec3> positions;
+    std::vector<glm::ivec3> triangles;
+
+    Hills() {
+        const auto wave = [](int i) { return static_cast<float>((i % 8) * (8 - i % 8)) / 16.0F - 0.5F; };
+        for (int row = 0; row < side; ++row) {
+            for (int column = 0; column < side; ++column) {
+                positions.emplace_back(0.25F * static_cast<float>(column - side / 2),
+                                       0.25F * static_cast<float>(row - side / 2),
+                                       0.3F * wave(row) * wave(column + 3));
+                if (row + 1 == side || column + 1 == side) continue;
+                const int corner = row * side + column;
+                triangles.emplace_back(corner, corner + 1, corner + side + 1);
+                triangles.emplace_back(corner, corner + side + 1, corner + side);
+            }
+        }
+    }
+};
+
+}  // namespace
+
+TEST_CASE("noise has the same bits everywhere", "[same_bits]") {
+    test::Random random(1);
+    Bits bits;
+    std::vector<glm::vec3> places(1000);
+    for (glm::vec3& place : places) place = random.in_cube(100.0F);
+    std::vector<float> values(places.size());
+    noise::values(places, 3, values);
+    for (const float value : values) bits.add(value);
+    for (int i = 0; i < 300; ++i) {
+        const glm::dvec3 place = random.in_cube(1e4);
+        bits.add(noise::value(place, 5));
+        bits.add(noise::gradient(place, 5));
+        bits.add(noise::value(place.x, 6));
+        bits.add(noise::gradient(glm::dvec2(place), 7));
+    }
+    CHECK(bits.hash() == 0U);
+}
+
+TEST_CASE("places, derivatives and tangents on curves have the same bits everywhere", "[same_bits]") {
+    test::Random random(2);
+    Bits bits;
+    for (const int degree : {1, 2, 3, 5}) {
+        std::vector<glm::dvec3> points(3 * (static_cast<std::size_t>(degree) + 1));
+        for (glm::dvec3& point : points) point = random.in_cube(10.0);
+        const curve::Curve curve = curve::Curve::chain(degree, points, false);
+        for (int i = 0; i <= 100; ++i) {
+            const double t = 0.03 * i;
+            bits.add(curve::position(curve, t));
+            bits.add(curve::tangent(curve, t));
+            for (const int order : {1, 2, 3}) bits.add(curve::derivative(curve, t, order));
+        }
+    }
+    CHECK(bits.hash() == 0U);
+}
+
+TEST_CASE("meshes are picked from and measured with the same bits everywhere", "[same_bits]") {
+    const Hills hills;
+    Bits bits;
+    const mesh::Picker picker(hills.positions, hills.triangles);
+    test::Random random(3);
+    for (int i = 0; i < 300; ++i) {
+        const glm::dvec3 origin = random.in_cube(2.0) + glm::dvec3(0.0, 0.0, 5.0);
+        const auto hit = picker.ray(origin, random.in_cube(0.4) - glm::dvec3(0.0, 0.0, 1.0));
+        bits.add(std::uint64_t{hit.has_value() ? 1U : 0U});
+        if (hit) {
+            bits.add(std::uint64_t{hit->triangle});
+            bits.add(hit->distance);
+        }
+    }
+    const mesh::Neighbours neighbours(hills.positions.size(), hills.triangles);
+    const mesh::Reach reach = mesh::surface_reach(hills.positions, neighbours, 312, 2.5F);
+    for (std::size_t i = 0; i < reach.vertices.size(); ++i) {
+        bits.add(std::uint64_t{reach.vertices[i]});
+        bits.add(reach.distances[i]);
+    }
+    CHECK(bits.hash() == 0U);
+}
+
+TEST_CASE("pulls have the same bits everywhere", "[same_bits]") {
+    const Hills hills;
+    Bits bits;
+    using sculpt::Falloff;
+    for (const Falloff falloff : {Falloff::classic, Falloff::smooth, Falloff::sphere, Falloff::root,
+                                  Falloff::linear, Falloff::sharp, Falloff::gaussian}) {
+        sculpt::Dab dab;
+        dab.root = {0.3F, 0.1F, 0.0F};
+        dab.displacement = {0.1F, -0.2F, 0.7F};
+        dab.radius = 1.7F;
+        dab.mirror = 1;
+        dab.profile.falloff = falloff;
+        std::vector<glm::vec3> moved(hills.positions.size());
+        sculpt::pull(hills.positions, dab, {}, moved);
+        for (const glm::vec3& place : moved) bits.add(place);
+    }
+    CHECK(bits.hash() == 0U);
+}
+
+TEST_CASE("lattices deform with the same bits everywhere", "[same_bits]") {
+    const Hills hills;
+    test::Random random(4);
+    Bits bits;
+    using lattice::Basis;
+    for (const Basis basis :
+         {Basis::bernstein, Basis::linear, Basis::cardinal, Basis::catmull_rom, Basis::bspline}) {
+        lattice::Lattice lattice;
+        lattice.origin = {-3.0, -3.0, -1.0};
+        lattice.axes = glm::dmat3(6.0, 0.0, 0.0, 0.0, 6.0, 0.0, 0.0, 0.0, 2.0);
+        lattice.resolution = {4, 5, 3};
+        lattice.basis = {basis, basis, basis};
+        std::vector<glm::vec3> moves(lattice::point_count(lattice)), moved(hills.positions.size());
+        for (glm::vec3& move : moves) move = random.in_cube(0.5F);
+        lattice::deform(lattice, moves, {}, hills.positions, moved);
+        for (const glm::vec3& place : moved) bits.add(place);
+    }
+    CHECK(bits.hash() == 0U);
+}
+
+TEST_CASE("flakes fly, turn and land with the same bits everywhere", "[same_bits]") {
+    const Hills hills;
+    snow::SnowSettings settings;
+    settings.rate = 200.0;
+    settings.lifetime = 8.0;
+    settings.start_speed = 1.0;
+    settings.cone_radius = 2.0;
+    settings.random_speed = settings.random_orientation = settings.random_size = true;
+    settings.cone_angle = 0.4;
+    settings.snow = settings.snow_offsets = true;
+    settings.gravity = true;
+    settings.drag = 1.5;
+    settings.wind = {0.5, 0.2, 0.0};
+    settings.gusts = 0.4;
+    settings.turbulence = 0.5;
+    settings.tumble = 3.0;
+    settings.emitter_times = {0.0};
+    settings.emitter_matrices = {glm::dmat4{1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, 4, 1}};
+    settings.collider = std::make_shared<const snow::Collider>(hills.positions, hills.triangles);
+    Bits bits;
+    for (const snow::Collision collision :
+         {snow::Collision::stay, snow::Collision::slide, snow::Collision::melt}) {
+        settings.collision = collision;
+        const snow::Snow snow(settings);
+        const snow::Living living = snow.living(12.34);
+        std::vector<glm::vec3> positions(living.count()), velocities(living.count());
+        std::vector<glm::vec4> rotations(living.count());
+        std::vector<float> sizes(living.count());
+        snow.evaluate(living, {.position = positions, .velocity = velocities, .size = sizes,
+                               .rotation = rotations});
+        for (std::size_t i = 0; i < living.count(); ++i) {
+            bits.add(positions[i]);
+            bits.add(velocities[i]);
+            bits.add(rotations[i]);
+            bits.add(sizes[i]);
+        }
+    }
+    CHECK(bits.hash() == 0U);
+}
+
+TEST_CASE("feet walk with the same bits everywhere", "[same_bits]") {
+    const Hills hills;
+    walker::Way way;
+    for (int sample = 0; sample <= 96; ++sample) {
+        const double time = sample / 24.0;
+        way.times.push_back(time);
+        way.poses.push_back(
+            glm::dmat4{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1 * time * (2.0 - time), time - 2.0, 0, 1});
+    }
+    for (const double y : {0.5, 0.0, -0.5})
+        for (const double x : {-0.6, 0.6}) way.rest.emplace_back(x, y, 0.0);
+    way.phases = {0.0, 0.5, 0.5, 0.0, 0.0, 0.5};
+    way.duty = 0.6;
+    way.stride = 0.5;
+    const walker::Ground ground(hills.positions, hills.triangles, std::nullopt);
+    const walker::Walker walker(way, {}, &ground);
+    Bits bits;
+    for (int frame = 0; frame <= 100; ++frame) {
+        for (std::size_t leg = 0; leg < walker.leg_count(); ++leg) {
+            const walker::Foot foot = walker.foot(leg, frame / 25.0);
+            bits.add(foot.position);
+            bits.add(foot.normal);
+        }
+    }
+    CHECK(bits.hash() == 0U);
+}
+
+TEST_CASE("double pendulums have the same bits everywhere", "[same_bits]") {
+    const dynamics::DoublePendulum pendulum{.mass1 = 2.0, .mass2 = 1.0, .length1 = 1.0, .length2 = 0.7};
+    std::vector<double> times;
+    for (int i = 0; i <= 300; ++i) times.push_back(0.2 * i);
+    std::vector<dynamics::DoublePendulumState> states(times.size());
+    dynamics::double_pendulum(pendulum, {.theta1 = 2.0, .theta2 = 2.5}, times, states);
+    Bits bits;
+    for (const dynamics::DoublePendulumState& state : states)
+        for (const double number : {state.theta1, state.theta2, state.omega1, state.omega2}) bits.add(number);
+    CHECK(bits.hash() == 0U);
+}
+
+TEST_CASE("transforms are laid over each other with the same bits everywhere", "[same_bits]") {
+    using namespace bones::layers;
+    test::Random random(5);
+    Bits bits;
+    const auto some = [&random] {
+        Transform transform;
+        transform.location = random.in_cube(3.0);
+        const glm::dvec3 axis = random.in_cube(1.0);
+        const double w = random.between(-1.0, 1.0);
+        const double length = std::sqrt(w * w + glm::dot(axis, axis));
+        transform.rotation = glm::dquat(w / length, axis / length);
+        transform.scale = random.in_cube(0.5) + 1.0;
+        return transform;
+    };
+    for (int i = 0; i < 200; ++i) {
+        const Transform base = some(), source = some(), reference = some();
+        const double weight = random.between(0.0, 1.0);
+        for (const Transform& found :
+             {overridden(base, source, weight, location | rotation | scale),
+              added(base, source, reference, weight, location | rotation | scale),
+              between_transforms(base, source), transform_of(matrix_of(base))}) {
+            bits.add(found.location);
+            bits.add(found.rotation);
+            bits.add(found.scale);
+        }
+    }
+    CHECK(bits.hash() == 0U);
+}
+
+TEST_CASE("a screen is found and keyed with the same bits everywhere", "[same_bits]") {
+    test::Random random(6);
+    std::vector<glm::vec4> pixels(64 * 48);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const bool is_screen = i % 64 < 40;
+        const glm::vec3 noise = random.in_cube(0.03F);
+        pixels[i] = glm::vec4(glm::vec3(0.5F, 0.4F, 0.3F) + noise, 1.0F);
+        if (is_screen) pixels[i] = glm::vec4(glm::vec3(0.1F, 0.6F, 0.15F) + noise, 1.0F);
+    }
+    const colour::Picture picture{pixels, 64};
+    const auto screen = colour::screen_color(picture);
+    REQUIRE(screen.has_value());
+    Bits bits;
+    bits.add(*screen);
+    const colour::ScreenQuality quality = colour::judge_screen(picture, *screen);
+    for (const double number : {quality.share, quality.luminance_spread, quality.chroma_spread, quality.spill,
+                                quality.black, quality.white})
+        bits.add(number);
+    for (const glm::vec4& pixel : pixels) bits.add(colour::matte(glm::dvec3(pixel), *screen));
+    CHECK(bits.hash() == 0U);
+}
