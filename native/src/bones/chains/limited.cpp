@@ -10,6 +10,7 @@
 #include "limited_descent.hpp"
 #include "limited_lead.hpp"
 #include "motus/bones/chains/bend_plane.hpp"
+#include "motus/bones/chains/limited_tuning.hpp"
 #include "motus/bones/chains/two_bone.hpp"
 #include "motus/bones/turns.hpp"
 #include "motus/core/numeric.hpp"
@@ -18,12 +19,6 @@
 
 namespace motus::bones::chains {
 namespace {
-
-// Number of starts in a row without improvement after which no more are tried: with the target reached, and
-// before that for chains of up to 5 bones, which get caught more easily, and for longer chains.
-constexpr int patience_on_target = 4;
-constexpr int patience_of_short = 12;
-constexpr int patience_of_long = 8;
 
 /// A chain's length, and the least and the greatest distance of its tip from the root.
 struct Reach {
@@ -71,11 +66,12 @@ SwingTwist clamped(const SwingTwist& angles, const JointLimits& limits) {
 class Search {
   public:
     Search(const Limited& chain, const Reach& reach, const glm::dvec3& target, const SolverSettings& settings,
-           const std::optional<glm::dquat>& orientation)
+           const std::optional<glm::dquat>& orientation, const LimitedTuning& tuning)
         : chain_(chain),
+          tuning_(tuning),
           pose_(chain, reach.unit()),
           settings_(settings),
-          patience_(chain.offsets.size() <= 5 ? patience_of_short : patience_of_long) {
+          patience_(chain.offsets.size() <= 5 ? tuning.patience_of_short : tuning.patience_of_long) {
         // Targets are brought within this distance, beyond which only the direction counts, so that squares
         // stay in range.
         constexpr double far = 1e6;
@@ -112,6 +108,7 @@ class Search {
     [[nodiscard]] bool is_enough() const;
 
     const Limited& chain_;
+    const LimitedTuning& tuning_;
     LimitedPose pose_;
     SolverSettings settings_;
     Goal goal_;
@@ -166,9 +163,8 @@ void Search::bend_to_middle() {
 /// Leads the given pose to the target. Returns whether it comes so near that a descent needs few steps, or
 /// whether an orientation is asked for too.
 bool Search::lead_from_pose() {
-    iterations_ += lead(pose_, led_, settings_.max_iterations);
-    constexpr double near = 1e-3;
-    return length_of(pose_.tip() - goal_.target) <= bound_ + near || goal_.orientation;
+    iterations_ += lead(pose_, led_, tuning_, settings_.max_iterations);
+    return length_of(pose_.tip() - goal_.target) <= bound_ + tuning_.led_near || goal_.orientation;
 }
 
 /// Solves the chain without limits, then turns each bone towards its next joint of that solution as far as
@@ -216,13 +212,13 @@ void Search::descend_to_goal() {
     if (goal_.orientation) {
         // First position and orientation together, then the orientation with falling weight, at last the
         // position alone.
-        for (const double share : {0.3, 0.03}) {
+        for (const double share : tuning_.orientation_shares) {
             goal_.orientation_weight = share;
-            iterations_ += descend(pose_, goal_, settings_.max_iterations, is_at_rest);
+            iterations_ += descend(pose_, goal_, tuning_, settings_.max_iterations, is_at_rest);
         }
         goal_.orientation_weight = 0.0;
     }
-    iterations_ += descend(pose_, goal_, settings_.max_iterations, is_at_rest);
+    iterations_ += descend(pose_, goal_, tuning_, settings_.max_iterations, is_at_rest);
 
     const double residual = length_of(pose_.tip() - goal_.target);
     const double angle = goal_.orientation ? glm::length(orientation_error(pose_, *goal_.orientation)) : 0.0;
@@ -241,7 +237,7 @@ void Search::descend_to_goal() {
 
 bool Search::is_enough() const {
     return (is_on_target() && best_angle_ <= 1e-5) ||
-           same_ >= (is_on_target() ? patience_on_target : patience_);
+           same_ >= (is_on_target() ? tuning_.patience_on_target : patience_);
 }
 
 /// Leads the chain to the target from the given pose and, if that fails, from the middle of the limits, since
@@ -269,7 +265,8 @@ void Search::run_leads(std::span<const glm::dquat> rotations) {
 int Search::run(std::span<glm::dquat> rotations) {
     find_bend(rotations);
     run_leads(rotations);
-    const std::size_t starts = std::clamp<std::size_t>(240 / pose_.count(), 4, 24);
+    const std::size_t starts =
+        std::clamp<std::size_t>(static_cast<std::size_t>(tuning_.start_budget) / pose_.count(), 4, 24);
     for (std::size_t start = 0; start < starts + 2 && !is_enough(); ++start) {
         if (start == 0 && !settings_.pole) {
             start_from(rotations);
@@ -347,6 +344,12 @@ void bone_frames(std::span<const glm::dvec3> joints, std::span<glm::dquat> frame
 
 Convergence solve_limited(const Limited& chain, const glm::dvec3& target, const SolverSettings& settings,
                           std::span<glm::dquat> rotations, const std::optional<glm::dquat>& orientation) {
+    return solve_limited(chain, target, settings, rotations, orientation, LimitedTuning{});
+}
+
+Convergence solve_limited(const Limited& chain, const glm::dvec3& target, const SolverSettings& settings,
+                          std::span<glm::dquat> rotations, const std::optional<glm::dquat>& orientation,
+                          const LimitedTuning& tuning) {
     const std::size_t count = chain.offsets.size();
     require(count >= 1 && count <= most_bones, "offsets: a chain has 1 to 255 bones");
     check(chain, rotations);
@@ -355,14 +358,14 @@ Convergence solve_limited(const Limited& chain, const glm::dvec3& target, const 
     const Reach reach = reach_of(chain);
     PerBone<glm::dquat> given;
     std::copy(rotations.begin(), rotations.end(), given.begin());
-    Search search(chain, reach, target, settings, orientation);
+    Search search(chain, reach, target, settings, orientation, tuning);
     Convergence report;
     report.iterations = search.run(rotations);
     bool is_at_rest = search.is_at_rest();
     if (orientation && !search.is_on_target()) {
         // The way to position and orientation may end beside a target that the way to the position alone
         // reaches.
-        Search plain(chain, reach, target, settings, std::nullopt);
+        Search plain(chain, reach, target, settings, std::nullopt, tuning);
         report.iterations += plain.run({given.data(), count});
         if (plain.is_on_target()) {
             std::copy_n(given.begin(), count, rotations.begin());

@@ -12,9 +12,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double least_damping = 1e-12;
-constexpr double most_damping = 1e8;
-
 /// The error or the velocity of the last joint: position, and orientation times its weight.
 struct Error {
     glm::dvec3 position;
@@ -37,7 +34,8 @@ struct Freedom {
 
 class Descent {
   public:
-    Descent(LimitedPose& pose, const Goal& goal) : pose_(pose), goal_(goal), error_(error_of(pose)) {}
+    Descent(LimitedPose& pose, const Goal& goal, const LimitedTuning& tuning)
+        : pose_(pose), goal_(goal), tuning_(tuning), error_(error_of(pose)), damping_(tuning.first_damping) {}
 
     int run(int max_iterations, bool& is_at_rest) {
         double cost = dot(error_, error_);
@@ -49,26 +47,28 @@ class Descent {
             find_freedoms();
             std::copy_n(pose_.angles().begin(), pose_.count(), before_.begin());
             double now = cost;
-            for (; now >= cost && iteration < max_iterations && damping_ < most_damping; ++iteration) {
+            for (; now >= cost && iteration < max_iterations && damping_ < tuning_.most_damping;
+                 ++iteration) {
                 if (!(is_slow_ && count_ <= most_exact ? step_exactly() : step())) {
-                    damping_ *= 10.0;
+                    damping_ *= tuning_.damping_rise;
                     continue;
                 }
                 const Error error = error_of(pose_);
                 now = dot(error, error);
                 if (now < cost) {
                     error_ = error;
-                    damping_ = std::max(0.1 * damping_, least_damping);
+                    damping_ = std::max(tuning_.damping_fall * damping_, tuning_.least_damping);
                 } else {
                     pose_.set(before_);
-                    damping_ *= 10.0;
+                    damping_ *= tuning_.damping_rise;
                 }
             }
-            is_slow_ = now > 0.25 * cost;
-            if (goal_.rival >= 0.0 && now > 0.98 * cost && now > 2.0 * goal_.rival * goal_.rival) break;
+            is_slow_ = now > tuning_.slow * cost;
+            if (goal_.rival >= 0.0 && now > tuning_.hopeless * cost && now > 2.0 * goal_.rival * goal_.rival)
+                break;
             stalls = now > (1.0 - 1e-7) * cost ? stalls + 1 : 0;
             cost = std::min(cost, now);
-            is_at_rest = is_done() || count_ == 0 || stalls >= 2 || damping_ >= most_damping;
+            is_at_rest = is_done() || count_ == 0 || stalls >= 2 || damping_ >= tuning_.most_damping;
         }
         return iteration;
     }
@@ -202,7 +202,7 @@ class Descent {
         for (std::size_t k = 0; k < count_; ++k) {
             const Freedom& freedom = freedoms_[k];
             if (!std::isfinite(turn_[k])) return false;
-            const double turn = std::clamp(turn_[k], -1.0, 1.0);
+            const double turn = std::clamp(turn_[k], -tuning_.largest_turn, tuning_.largest_turn);
             tried_[freedom.bone].swing += turn * freedom.swing;
             tried_[freedom.bone].twist += turn * freedom.twist;
         }
@@ -224,8 +224,9 @@ class Descent {
 
     LimitedPose& pose_;
     const Goal& goal_;
+    const LimitedTuning& tuning_;
     Error error_;
-    double damping_ = 1e-3;
+    double damping_;
     double scale_ = 1.0;
     bool is_slow_ = false;
     std::size_t count_ = 0;
@@ -258,8 +259,9 @@ glm::dvec3 orientation_error(const LimitedPose& pose, const glm::dquat& wanted) 
     return sine > 1e-150 ? v * (2.0 * std::atan2(sine, turn.w) / sine) : 2.0 * v;
 }
 
-int descend(LimitedPose& pose, const Goal& goal, int max_iterations, bool& is_at_rest) {
-    return Descent(pose, goal).run(max_iterations, is_at_rest);
+int descend(LimitedPose& pose, const Goal& goal, const LimitedTuning& tuning, int max_iterations,
+            bool& is_at_rest) {
+    return Descent(pose, goal, tuning).run(max_iterations, is_at_rest);
 }
 
 }  // namespace motus::bones::chains

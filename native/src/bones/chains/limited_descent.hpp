@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "motus/bones/chains/limited.hpp"
+#include "motus/bones/chains/limited_tuning.hpp"
 #include "per_bone.hpp"
 #include "swing_twist.hpp"
 
@@ -68,6 +69,7 @@ class LimitedPose {
 /// Descends from the pose to a minimum of |tip - target|^2 + (orientation_weight * angle)^2 within the limits
 /// (Levenberg-Marquardt; joints on their limits that are pulled outwards are left out). Returns the
 /// iterations used, at most max_iterations; `is_at_rest` tells whether a minimum or the tolerance was met.
-int descend(LimitedPose& pose, const Goal& goal, int max_iterations, bool& is_at_rest);
+int descend(LimitedPose& pose, const Goal& goal, const LimitedTuning& tuning, int max_iterations,
+            bool& is_at_rest);
 
 }  // namespace motus::bones::chains

@@ -15,7 +15,6 @@ namespace motus::bones::chains {
 namespace {
 
 constexpr double closed = 1e-9;  // a tip nearer to the root shows no direction
-constexpr int turn_steps = 8;    // of a root with limits, from the pose's line to the target's
 
 struct Line {
     glm::dvec3 along{0.0, 1.0, 0.0};
@@ -74,13 +73,12 @@ glm::dvec2 widest_way(const glm::dvec2& swing, const JointLimits& limits) {
 
 /// Bends a pose by `angle` in all towards the side of the normal, or to the opposite side if the limits leave
 /// far more room there. Hinges that lie across the normal bend as they can.
-void bend(LimitedPose& pose, const glm::dvec3& normal, double angle) {
-    constexpr double little = 0.25;  // of the other side's room
+void bend(LimitedPose& pose, const LimitedTuning& tuning, const glm::dvec3& normal, double angle) {
     const double room = room_about(pose, -normal);
     const double other_room = room_about(pose, normal);
     const double inner = static_cast<double>(pose.count() - 1);
     const bool is_across = std::max(room, other_room) < 0.05 * inner;
-    const glm::dvec3 axis = room < little * other_room ? normal : -normal;
+    const glm::dvec3 axis = room < tuning.other_side_room * other_room ? normal : -normal;
     Angles bent;
     bent[0] = pose.angles()[0];
     for (std::size_t i = 1; i < pose.count(); ++i) {
@@ -106,26 +104,28 @@ void turn_root(LimitedPose& pose, const glm::dquat& turn) {
 /// Detects that further steps do not pay, because the target is out of the reach that the limits allow.
 class Progress {
   public:
+    explicit Progress(const LimitedTuning& tuning) : tuning_(tuning) {}
+
     [[nodiscard]] bool ends_at(double miss) {
-        constexpr double less = 0.98;
-        constexpr int patience = 5;
-        if (miss < less * best_) {
+        if (miss < tuning_.paying * best_) {
             best_ = miss;
             idle_ = 0;
         }
-        return ++idle_ > patience;
+        return ++idle_ > tuning_.idle_steps;
     }
 
   private:
+    const LimitedTuning& tuning_;
     double best_ = std::numeric_limits<double>::infinity();
     int idle_ = 0;
 };
 
 class Lead {
   public:
-    Lead(LimitedPose& pose, const LeadGoal& goal, int max_steps)
+    Lead(LimitedPose& pose, const LeadGoal& goal, const LimitedTuning& tuning, int max_steps)
         : pose_(pose),
           goal_(goal),
+          tuning_(tuning),
           from_(line_of(pose)),
           distance_(glm::length(goal.target)),
           left_(max_steps) {
@@ -171,8 +171,7 @@ class Lead {
         if (straight_ > 0.0) {
             Angles before;
             std::copy_n(pose_.angles().begin(), pose_.count(), before.begin());
-            constexpr double shown = 0.5;
-            bend(pose_, given, shown);
+            bend(pose_, tuning_, given, tuning_.shown_bend);
             const glm::dvec3 area = area_of(pose_);
             pose_.set(before);
             return normal_across(from_.along, glm::mix(area_of(pose_), area, straight_));
@@ -190,29 +189,30 @@ class Lead {
     /// Bends a straight pose a little, since such a pose shows no side to bend to.
     void start_bending() {
         const double missing = bend_at(distance_) - bend_at(from_.length);
-        constexpr double most = 1.0;
-        if (straight_ > 0.0 && missing > 0.0) bend(pose_, bend_normal_, straight_ * std::min(missing, most));
+        if (straight_ > 0.0 && missing > 0.0)
+            bend(pose_, tuning_, bend_normal_, straight_ * std::min(missing, tuning_.most_first_bend));
     }
 
     /// Bends the joints after the root until the tip is as far away as the target.
     void stretch(int most) {
         const double near = 1e-3 * goal_.tolerance;
-        Progress progress;
+        Progress progress(tuning_);
         for (int i = 0; i < most && left_ > 0; ++i, --left_) {
             const Line now = line_of(pose_);
             const double error = distance_ - now.length;
             const double miss = std::abs(error);
-            if (miss <= near || progress.ends_at(miss) || !step_along(pose_, now.along, error)) return;
+            if (miss <= near || progress.ends_at(miss) || !step_along(pose_, tuning_, now.along, error))
+                return;
         }
     }
 
     void pull(const glm::dvec3& place, int most) {
         const double near = 1e-3 * goal_.tolerance;
-        Progress progress;
+        Progress progress(tuning_);
         for (int i = 0; i < most && left_ > 0; ++i, --left_) {
             const glm::dvec3 error = place - pose_.tip();
             const double miss = glm::length(error);
-            if (miss <= near || progress.ends_at(miss) || !step_towards(pose_, error)) return;
+            if (miss <= near || progress.ends_at(miss) || !step_towards(pose_, tuning_, error)) return;
         }
     }
 
@@ -226,8 +226,8 @@ class Lead {
     void turn_with_limits(double angle) {
         glm::dquat before = no_turn;
         const glm::dvec3 start = line_of(pose_).along;
-        for (int i = 1; i <= turn_steps; ++i) {
-            const glm::dquat now = place(angle, static_cast<double>(i) / turn_steps);
+        for (int i = 1; i <= tuning_.turn_steps; ++i) {
+            const glm::dquat now = place(angle, static_cast<double>(i) / tuning_.turn_steps);
             turn_root(pose_, now * glm::conjugate(before));
             before = now;
             pull(distance_ * (now * start), 1);
@@ -236,6 +236,7 @@ class Lead {
 
     LimitedPose& pose_;
     const LeadGoal& goal_;
+    const LimitedTuning& tuning_;
     Line from_;
     glm::dvec3 to_{0.0};
     double distance_;
@@ -248,8 +249,8 @@ class Lead {
 
 }  // namespace
 
-int lead(LimitedPose& pose, const LeadGoal& goal, int max_steps) {
-    return Lead(pose, goal, max_steps).run();
+int lead(LimitedPose& pose, const LeadGoal& goal, const LimitedTuning& tuning, int max_steps) {
+    return Lead(pose, goal, tuning, max_steps).run();
 }
 
 }  // namespace motus::bones::chains

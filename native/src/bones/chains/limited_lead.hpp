@@ -21,6 +21,6 @@ struct LeadGoal {
 /// root's limits allow the turn. If they do not, the other joints follow. The result is continuous in the
 /// target and the side wherever the target is reached, except for a target on the root or straight behind it.
 /// Returns the number of steps, about max_steps at most.
-int lead(LimitedPose& pose, const LeadGoal& goal, int max_steps);
+int lead(LimitedPose& pose, const LeadGoal& goal, const LimitedTuning& tuning, int max_steps);
 
 }  // namespace motus::bones::chains

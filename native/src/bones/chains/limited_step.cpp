@@ -12,8 +12,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double most_turned = 0.5;  // rad, of a joint in one step
-
 /// How the tip moves by a radian of each of a joint's angles.
 struct Lever {
     glm::dvec3 x, z, twist;
@@ -30,10 +28,12 @@ double kept_twist(double twist, const JointLimits& limits) {
 class Step {
   public:
     /// A step of the joints from `first` on.
-    Step(LimitedPose& pose, const glm::dvec3& error, std::size_t first)
-        : pose_(pose), error_(error), first_(first) {
-        constexpr double damping = 0.1;  // less overshoots if the target is out of reach, more is slower
-        damping_ = damping * glm::length(error) + 1e-14;
+    Step(LimitedPose& pose, const LimitedTuning& tuning, const glm::dvec3& error, std::size_t first)
+        : pose_(pose),
+          tuning_(tuning),
+          error_(error),
+          first_(first),
+          damping_(tuning.step_damping * glm::length(error) + 1e-14) {
         for (std::size_t i = first; i < pose_.count(); ++i) {
             const glm::dquat& socket = pose_.socket(i);
             const SwingRates rates = swing_rates(pose_.angles()[i].swing);
@@ -54,9 +54,8 @@ class Step {
     bool run() {
         glm::dvec3 pull(0.0);
         double miss = evaluate(pull);
-        constexpr int most_rounds = 20;
         const double exact = 1e-10 * miss;
-        for (int round = 0; round < most_rounds && miss > exact; ++round) {
+        for (int round = 0; round < tuning_.most_dual_rounds && miss > exact; ++round) {
             const glm::dvec3 way = glm::inverse(slope_) * value_;
             double share = 1.0;
             double now = evaluate(pull - way);
@@ -97,7 +96,7 @@ class Step {
         for (std::size_t i = first_; i < pose_.count(); ++i)
             largest = std::max({largest, glm::length(turned_[i].swing), std::abs(turned_[i].twist)});
         if (!(largest > 1e-13) || !std::isfinite(largest)) return false;
-        const double share = std::min(1.0, most_turned / largest);
+        const double share = std::min(1.0, tuning_.most_turned / largest);
         Angles angles;
         std::copy_n(pose_.angles().begin(), first_, angles.begin());
         for (std::size_t i = first_; i < pose_.count(); ++i) {
@@ -121,6 +120,7 @@ class Step {
     }
 
     LimitedPose& pose_;
+    const LimitedTuning& tuning_;
     glm::dvec3 error_;
     std::size_t first_;
     double damping_;
@@ -133,12 +133,12 @@ class Step {
 
 }  // namespace
 
-bool step_towards(LimitedPose& pose, const glm::dvec3& error) {
-    return Step(pose, error, 0).run();
+bool step_towards(LimitedPose& pose, const LimitedTuning& tuning, const glm::dvec3& error) {
+    return Step(pose, tuning, error, 0).run();
 }
 
-bool step_along(LimitedPose& pose, const glm::dvec3& along, double error) {
-    Step step(pose, error * along, 1);
+bool step_along(LimitedPose& pose, const LimitedTuning& tuning, const glm::dvec3& along, double error) {
+    Step step(pose, tuning, error * along, 1);
     step.keep_along(along);
     return step.run();
 }
