@@ -43,8 +43,8 @@ struct ParentSpace {
 /// Pose, in armature space, of a bone with the given own transform.
 [[nodiscard]] glm::dmat4 to_pose(const ParentSpace& space, const glm::dmat4& basis);
 
-/// The own transform that gives a pose. If the parent's scale is zero along an axis, that axis is taken as
-/// it is.
+/// The own transform that gives a pose. Along an axis where the parent's scale is zero, the result is not
+/// divided by it.
 [[nodiscard]] glm::dmat4 to_basis(const ParentSpace& space, const glm::dmat4& pose);
 
 }  // namespace motus::bones

@@ -14,8 +14,8 @@ inline constexpr int inherits_rotation = 8;
 inline constexpr int has_local_location = 16;
 
 /// All bones of one rig, in the order of its pose; views of the caller's arrays. Matrices are 16 floats,
-/// column by column, in armature space. Only the poses of bones that are evaluated before are read: those of
-/// the parents of chains.
+/// column by column, in armature space. Of `poses` only those of the parents of chains are read, which are
+/// evaluated before.
 struct RigView {
     std::span<const int> parents;      ///< index of each bone's parent, -1 for none
     std::span<const float> rest;       ///< Bone.matrix_local

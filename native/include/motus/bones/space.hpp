@@ -23,7 +23,7 @@ struct Offset {
 
 [[nodiscard]] Offset offset_of(const Rest& bone);
 
-/// rotation_scale and post_scale of ParentSpace without locations.
+/// The linear part of a ParentSpace: `axes` is its rotation_scale without the location.
 struct LinearSpace {
     glm::dmat3 axes{1.0};
     glm::dvec3 post_scale{1.0};

@@ -28,9 +28,9 @@ class TailPlan {
     /// targets: places in world space, one for each of the bones. weights: the share of each turn, 0 to 1.
     /// rotations: of each bone, on top of its own (rotation of PoseBone.matrix_basis * result), w >= 0;
     /// exactly the identity if the tail points there already, the place is the bone's own head, or a number
-    /// is not finite. world: the rig's matrix_world. Of poses those of the topmost bones' parents are read,
-    /// RigView::lengths is not. Throws std::invalid_argument if a span has another size, or the rig's
-    /// parents are not the plan's.
+    /// is not finite. world: the rig's matrix_world. Of rig.poses only those of the topmost bones' parents
+    /// are read, rig.lengths is not read. Throws std::invalid_argument if a span has another size, or the
+    /// rig's parents are not the plan's.
     void solve(const RigView& rig, const glm::dmat4& world, std::span<const glm::dvec3> targets,
                std::span<const double> weights, std::span<glm::dquat> rotations) const;
 

@@ -34,8 +34,8 @@ class ArcLength {
     [[nodiscard]] double length() const noexcept { return length_; }
     /// Distance along the curve at parameter t (clamped). Error <= 1e-12 of the length.
     [[nodiscard]] double length_at(double t) const;
-    /// Parameter at distance s (clamped). Error <= 1e-10 of the length in s. Where the curve rests (a segment
-    /// of zero length), one of its parameters; 0 on a curve of zero length.
+    /// Parameter at distance s (clamped). Error <= 1e-10 of the length in s. On a segment of zero length, all
+    /// of whose parameters have one distance, one of them; 0 on a curve of zero length.
     [[nodiscard]] double t_at_length(double s) const;
     /// Distance at which segment i begins; i = segment_count() gives the length.
     [[nodiscard]] double segment_start(std::size_t index) const;

@@ -10,9 +10,10 @@
 
 namespace motus::curve {
 
-/// The parts before and after t (clamped), both open and of the same degree. The segment that t lies in is
-/// cut, so that the parts of segment i are its t - i and i + 1 - t; a cut at a joint cuts no segment; one at
-/// an end of the curve gives that point as a part of zero length. Throws std::invalid_argument if t is NaN.
+/// The parts before and after t (clamped), both open and of the same degree. The segment i that t lies
+/// in is cut into parts that take t - i and i + 1 - t of its parameter; a cut at a joint cuts no segment; one
+/// at an end of the curve gives that point as a part of zero length. Throws std::invalid_argument if t is
+/// NaN.
 [[nodiscard]] std::pair<Curve, Curve> split(const Curve& curve, double t);
 
 /// The same curve written with a degree higher by `times` >= 0.

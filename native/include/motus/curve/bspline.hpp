@@ -15,7 +15,7 @@ struct BSplineSettings {
     int order = 4;              ///< 2 to 6; the degree is order - 1
     bool cyclic = false;        ///< the points go round
     bool use_endpoint = false;  ///< the curve begins and ends on the first and the last point
-    bool use_bezier = false;    ///< inner knots are repeated, so that each order points are a Bézier segment
+    bool use_bezier = false;    ///< inner knots are repeated: `order` points at a time form a Bézier segment
 };
 
 /// Knots as Blender sets them: point_count + order of them, on a cyclic spline order - 1 more (its first

@@ -94,8 +94,8 @@ struct Location {
 [[nodiscard]] glm::dvec3 derivative(const Curve& curve, double t, int order = 1);
 
 /// Outside the curve's interval the derivative of position(curve, t, extend): on the way back of ping_pong
-/// the odd orders change their sign, extrapolated the first one stays and the others are 0. Clamped it is the
-/// end's.
+/// the odd orders change their sign, extrapolated the first derivative is that of the end and the others
+/// are 0. Clamped, all are those of the end.
 [[nodiscard]] glm::dvec3 derivative(const Curve& curve, double t, int order, Extend extend);
 
 /// Position and the first three derivatives in one pass.

@@ -17,10 +17,10 @@ struct Nearest {
 
 /// The nearest of all points of the curve, not only a local one: branch and bound over halved segments, then
 /// Newton's method on the foot of the perpendicular. The distance is right to 1e-12 of itself (or 1e-14 of
-/// the segment's size), the rounding of the coordinates apart; if several points are as near, one of them.
-/// A part is left out if its chord, or a bound of its squared distance, shows that it is farther away, so
-/// that at most some hundred parts a segment are examined, even if the point is the centre of an arc. Throws
-/// std::invalid_argument if a coordinate of the point is not finite or passes coordinate_limit.
+/// the segment's size), apart from the rounding of the coordinates; of several points that are equally near
+/// it is one. A part is left out if its chord, or a bound of its squared distance, shows that it is farther
+/// away, so that at most some hundred parts a segment are examined, even if the point is the centre of an
+/// arc. Throws std::invalid_argument if a coordinate of the point is not finite or passes coordinate_limit.
 [[nodiscard]] Nearest nearest(const Curve& curve, const glm::dvec3& point);
 
 }  // namespace motus::curve

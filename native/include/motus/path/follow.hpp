@@ -13,8 +13,8 @@ namespace motus::path {
 
 /// The measure of the bend to which the rate of a lagging orientation is proportional.
 enum class LagBy {
-    acceleration,  ///< |C''(t)|, the second derivative by the curve's parameter, as the first version of
-                   ///< this follower had it
+    acceleration,  ///< |C''(t)|, the second derivative by the curve's parameter, which depends on how the
+                   ///< curve is parametrised, too
     curvature,     ///< 1 / length unit
 };
 

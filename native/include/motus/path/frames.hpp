@@ -47,7 +47,7 @@ class FrameTables;
 
 /// Frames of one curve under one set of settings: a table of rotation-minimising frames (double reflection:
 /// Wang, Juettler, Zheng, Liu, "Computation of Rotation Minimizing Frames", ACM TOG 27 (2008)) and, for the
-/// modes that need it, of the directions that lead past places where the mode defines none. Immutable, safe
+/// modes that need it, of directions that bridge the places where the mode defines none. Immutable, safe
 /// to share between threads; a copy shares the tables, and to move one is to copy it. Continuous in s for
 /// every mode wherever the tangent is; at a corner the frame turns by the least rotation that takes one
 /// tangent to the other, at a reversal about up. The identity on a curve of zero length.

@@ -21,7 +21,7 @@ namespace motus::path {
 enum class AfterEase { rest, go_on, repeat };
 
 /// Distance as a function of time: seconds from the start, and the curve's unit of length. Value type,
-/// immutable. At NaN distance and speed are NaN.
+/// immutable. distance(NaN) and speed(NaN) are NaN.
 ///
 /// Every factory throws std::invalid_argument if a value is not finite or outside the stated domain,
 /// or a speed or a time that follows from the values overflows.

@@ -25,7 +25,7 @@ class Births {
     /// Flakes born at `time` or before: those with the numbers 0 to count - 1.
     [[nodiscard]] std::uint64_t count(double time) const;
 
-    /// Of these the ones whose age, time - birth, is `age` or more.
+    /// Those of them whose age, time - birth, is `age` or more.
     [[nodiscard]] std::uint64_t count_older(double time, double age) const;
 
     /// Flakes with successive numbers that are born in a burst, all at once, or as a part of the stream.

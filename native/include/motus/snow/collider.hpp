@@ -50,7 +50,7 @@ class Collider {
     [[nodiscard]] std::span<const glm::vec3> positions() const noexcept;
     [[nodiscard]] std::span<const glm::ivec3> triangles() const noexcept;
 
-    /// m by which places on it may be off, as its positions are in single precision.
+    /// Largest error, m, of a place on the triangles, as their positions are in single precision.
     [[nodiscard]] double rounding() const noexcept;
 
     struct Hit {

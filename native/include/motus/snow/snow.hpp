@@ -186,8 +186,8 @@ class Snow {
     /// std::invalid_argument where the time is not finite.
     [[nodiscard]] Living living(double time, const Executor& executor = {}) const;
 
-    /// Those of them of which it is known where they land. What flakes land on takes some 10 us each to find,
-    /// once: living() finds it for all.
+    /// Those of them whose landing place is known by now. To find one takes some 10 us, once for each flake;
+    /// living() finds them all.
     [[nodiscard]] Living known(double time, const Executor& executor = {}) const;
     /// Finds where flakes land of up to `most` blocks of 256 of those that live at a time. Returns how many
     /// blocks remain. Throws as living() does.

@@ -32,7 +32,7 @@ struct Step {
         0.0;  ///< s; equal to `lift` if the foot is put there at once: at the first sample, after jumps
     glm::dvec3 start{0.0};
     glm::dvec3 end{0.0};
-    glm::dvec3 rise{0.0};  ///< by which the foot is above the middle of start and end, half-way
+    glm::dvec3 rise{0.0};  ///< half-way, the foot is at the middle of start and end, plus this
     glm::dvec3 start_normal{0.0, 0.0, 1.0};
     glm::dvec3 end_normal{0.0, 0.0, 1.0};
     bool is_grounded = true;  ///< whether there is ground at `end`

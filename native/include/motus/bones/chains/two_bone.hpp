@@ -17,9 +17,9 @@ struct TwoBone {
     glm::dvec3 pole{0.0, 1.0, 1.0};  ///< point that the elbow bends towards, seen across root-target
     double length1 = 1.0;            ///< root to elbow, >= 0
     double length2 = 1.0;            ///< elbow to tip, >= 0
-    double softness = 0.0;  ///< length before the full reach at which the arm begins to slow, >= 0; one
-                            ///< above length1 + length2 counts as that
-    double stretch = 0.0;   ///< share, 0 to 1, of the missing length that both bones stretch by
+    double softness = 0.0;           ///< length before the full reach at which the arm begins to slow, >= 0;
+                                     ///< above length1 + length2 it is clamped to that
+    double stretch = 0.0;            ///< share, 0 to 1, of the missing length that both bones stretch by
     /// Normal, of any length, of the plane to bend in if the pole gives none: the elbow is then on the
     /// side of plane x (target - root), whatever `bend`. Zero: some fixed normal across root-target, times
     /// `bend`. The pole fades out by smoothstep if, seen from the root, the sine of its angle to the line

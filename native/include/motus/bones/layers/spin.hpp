@@ -20,8 +20,8 @@ using Numbers = std::array<double, 4>;
     return mode == Rotation::quaternion ? 0 : mode == Rotation::axis_angle ? 1 : 3;
 }
 
-/// A unit quaternion of numbers in a rotation mode. Of no length: half a turn about X, of an axis without one
-/// no turn, as Blender has them.
+/// A unit quaternion of numbers in a rotation mode. A quaternion of no length gives half a turn about X,
+/// an axis of no length gives no turn, as in Blender.
 [[nodiscard]] glm::dquat rotation_of(Rotation mode, std::span<const double, 4> numbers);
 
 /// A bone that goes around: from some numbers to others, by the angles themselves, so that two turns stay two
@@ -39,7 +39,7 @@ struct Spin {
     [[nodiscard]] glm::dquat turn(double share) const;
 };
 
-/// Numbers with so many times the whole turns that the angles of `lap` come to.
+/// `numbers` plus `laps` times the whole turns that are in the angles of `lap`.
 [[nodiscard]] Numbers with_laps(Rotation mode, const Numbers& numbers, const Numbers& lap, double laps);
 
 }  // namespace motus::bones::layers

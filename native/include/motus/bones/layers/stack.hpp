@@ -15,7 +15,7 @@ namespace motus::bones::layers {
 /// How a layer acts on what lies beneath it.
 enum class Mode : int {
     override = 0,  ///< takes its place
-    additive = 1   ///< what its action does beyond the reference comes on top
+    additive = 1   ///< adds the difference between its action and the reference pose
 };
 
 /// Where a bone that goes around begins, and what it has come to at the end of a lap.

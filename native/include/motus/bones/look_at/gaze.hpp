@@ -20,9 +20,9 @@
 
 namespace motus::bones::look_at {
 
-/// Where a turn adds no roll; no way of telling what is level is continuous on the whole sphere. Level is
-/// told by the chest's up for gazes within 37 degrees of the horizon, and by up leaning back (below the
-/// horizon forward) as they near the vertical, so that a gaze may pass straight over the zenith without
+/// Which directions have a level orientation, one without roll. No choice is continuous on the whole sphere.
+/// Level is told by the chest's up for gazes within 37 degrees of the horizon, and by up leaning back (below
+/// the horizon forward) as they near the vertical, so that a gaze may pass straight over the zenith without
 /// spinning.
 enum class Level {
     all_round,  ///< as above; two directions, about 60 degrees above and below the one behind, have no
@@ -82,7 +82,7 @@ struct GazeStep {
 };
 
 /// `turn`, a step from the place `from`, by no more than `limit`: as it is up to 0.8 of the limit, then
-/// slower, with two derivatives without a jump; and shrunk towards zero if `target`, the place of the
+/// slower, twice continuously differentiable; and shrunk towards zero if `target`, the place of the
 /// target, is nearly behind. The angle between the directions at its ends is within the limit, 5 % more
 /// if `from` is 120 degrees off.
 [[nodiscard]] GazeStep limited_turn(const glm::dvec2& from, const glm::dvec2& turn, double limit,
