@@ -11,7 +11,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'bone_to_pose', 'box_around', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -1134,6 +1134,21 @@ def box_around(points: numpy.typing.ArrayLike, axes: numpy.typing.ArrayLike | No
     Returns (center (3,), axes (3, 3) in rows, size (3,)); all 0 but the axes if there are no points.
     Raises ValueError or TypeError that names the argument.
     """
+def cache_budget() -> int:
+    """
+    Bytes that the tables which the module keeps for later questions may take together; 1 GiB at first.
+    
+    These are arc length tables, frames along curves, motions of pendulums and landings of flakes. Results do not depend on
+    what is kept, only the time they take.
+    """
+def cached_bytes() -> int:
+    """
+    Bytes that all kept tables take now.
+    """
+def clear_caches() -> None:
+    """
+    Lets all kept tables go.
+    """
 def comfortable_parallax(width: float, viewing_distance: float, eye_separation: float = 0.065, angle: float = 0.017453292519943295) -> tuple[float, float]:
     """
     Parallax that differs from the screen's own vergence by an angle (rad, 0 to 1.5), not beyond divergence.
@@ -1435,6 +1450,12 @@ def seen_distance(parallax: numpy.typing.ArrayLike, width: float, viewing_distan
     
     width, viewing_distance, eye_separation: of the screen, m, > 0.
     Returns a float or (m,), math.inf if the eyes are parallel or would have to turn apart.
+    """
+def set_cache_budget(bytes: typing.SupportsInt | typing.SupportsIndex) -> None:
+    """
+    Changes cache_budget(). Tables that no longer have room are let go, those first that were used longest ago.
+    
+    A budget of 0 keeps nothing. Raises TypeError if bytes is not a whole number >= 0.
     """
 def single_pendulum(times: numpy.typing.ArrayLike, theta: float, omega: float = 0.0, length: float = 1.0, gravity: float = 9.81, damping: float = 0.0, pivot_step: float = 0.0, pivot_accelerations: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
     """
