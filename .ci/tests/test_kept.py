@@ -8,7 +8,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 ADDON = ROOT / "addon" / "motus"
 KEEPING = "core/keeping.py"
-LIFETIMES = {"OfEvaluation", "OfThread", "OfFile", "OfProcess", "WhileAnswering"}
+LIFETIMES = {"OfEvaluation", "OfThread", "OfFile", "OfProcess", "OfLibrary", "WhileAnswering"}
 CONTAINERS = {"dict", "list", "set", "OrderedDict", "defaultdict", "Counter", "deque"}
 CHANGES = {"add", "append", "clear", "discard", "extend", "insert", "move_to_end", "pop", "popitem", "remove", "setdefault", "update"}
 WAYS = {"cache", "lru_cache", "popitem", "local", "WeakKeyDictionary", "WeakValueDictionary", "WeakSet"}

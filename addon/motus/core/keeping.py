@@ -321,7 +321,7 @@ class OfProcess(OfFile):
 class OfLibrary(_Declaration):
     """Declaration of values that the native library keeps by itself. let_go: function without arguments that removes them."""
 
-    lifetime = "the process"
+    lifetime = "the native library"
     until = "the add-on is disabled"
 
     def __init__(self, what: str, key: str, bound: str, let_go: Callable[[], None]) -> None:
@@ -333,7 +333,7 @@ class OfLibrary(_Declaration):
         self._let_go()
 
 
-LIFETIMES = OfEvaluation, OfThread, OfFile, OfProcess
+LIFETIMES = OfEvaluation, OfThread, OfFile, OfProcess, OfLibrary
 
 
 def forget_file() -> None:

@@ -88,7 +88,7 @@ module, status = _load()
 
 if module is not None:
     keeping.OfLibrary(
-        "arc length tables, frames along curves, motions of pendulums, landing places of flakes, in the native library",
+        "arc length tables, frames along curves, motions of pendulums, landing places of flakes",
         "the whole input of the table",
         f"{module.cache_budget() >> 20:,} MiB",
         module.clear_caches,

@@ -83,7 +83,7 @@ void build(const bench::Table& table, const char* name, const Surface& surface) 
     double best = 1e9;
     for (int i = 0; i < 5; ++i) {
         const auto start = std::chrono::steady_clock::now();
-        const Neighbours neighbours(surface.positions.size(), surface.triangles, {});
+        const Neighbours neighbours(surface.positions.size(), surface.triangles);
         bench::keep(neighbours);
         const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
         best = std::min(best, time.count());

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "motus/core/executor.hpp"
+#include "motus/core/parallel.hpp"
 #include "motus/mesh/picker.hpp"
 #include "motus/sculpt/pull.hpp"
 #include "stopwatch.hpp"
