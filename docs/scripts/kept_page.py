@@ -5,7 +5,7 @@ import support
 HEADER = """# What is kept
 
 Motus keeps values in memory only to save time: results do not depend on kept values. `motus.forget_all()` removes all of them, for tests.
-Each kind of value is declared in its module by a class of `addon/motus/core/keeping.py`, with one of four lifetimes. The key by which a
+Each kind of value is declared in its module by a class of `addon/motus/core/keeping.py`, with one of five lifetimes. The key by which a
 value is found holds everything that the value is made from. For an animated input it holds the keyframes, not the value at the present
 frame.
 

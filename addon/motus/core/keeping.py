@@ -1,9 +1,10 @@
-"""Declarations of all values that Motus keeps in memory to use them again: caches with one of four lifetimes.
+"""Declarations of all values that Motus keeps in memory to use them again: caches with one of five lifetimes.
 
     OfEvaluation    what was read of an evaluated copy, until Blender makes a new copy of the datablock or frees the copy
     OfThread        what one thread of Blender uses again from call to call
     OfFile          until a different file is opened
     OfProcess       until the add-on is disabled
+    OfLibrary       what the native library keeps by itself, until the add-on is disabled
 
 A declaration is made once, when its module is imported. It says what is kept and by which key. The key holds all that the value is made
 from: for animated input it holds the keys (a stamp, all samples), not the value at the present frame. docs/kept.md lists the declarations.
