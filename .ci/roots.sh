@@ -10,7 +10,12 @@ packages=(
     blender python3-numpy python3-requests python3-dev pybind11-dev libgl1-mesa-dri libegl1 libgl1 libglx-mesa0
 )
 
-is_whole() { [[ $(cat "$1/.complete" 2>/dev/null) == "${packages[*]}" ]]; }
+# is_whole ROOT: a root may have more, which another version of Motus has asked for.
+is_whole() {
+    local package had
+    had=" $(cat "$1/.complete" 2>/dev/null) "
+    for package in "${packages[@]}"; do [[ $had == *" $package "* ]] || return 1; done
+}
 
 if [[ ${1:-} == --is-whole ]]; then
     is_whole "$2/$3"
@@ -50,7 +55,8 @@ install_packages() {
     chroot "$root" apt-get clean
     umount --recursive "$root/proc" "$root/dev"
     chmod 1777 "$root/tmp"
-    printf '%s\n' "${packages[*]}" >"$root/.complete"
+    printf '%s\n' "${packages[*]}" "$(cat "$root/.complete" 2>/dev/null)" | tr ' ' '\n' | sort -u | xargs >"$root/.complete.new"
+    mv -- "$root/.complete.new" "$root/.complete"
 }
 
 for suite; do
