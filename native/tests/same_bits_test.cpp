@@ -31,7 +31,8 @@ namespace {
 class Bits {
   public:
     void add(std::uint64_t number) {
-        for (int byte = 0; byte < 8; ++byte) hash_ = (hash_ ^ (number >> (8 * byte) & 0xffU)) * 0x100000001b3U;
+        for (int byte = 0; byte < 8; ++byte)
+            hash_ = (hash_ ^ (number >> (8 * byte) & 0xffU)) * 0x100000001b3U;
     }
     void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
     void add(float number) { add(std::uint64_t{std::bit_cast<std::uint32_t>(number)}); }
@@ -197,8 +198,8 @@ TEST_CASE("flakes fly, turn and land with the same bits everywhere", "[same_bits
         std::vector<glm::vec3> positions(living.count()), velocities(living.count());
         std::vector<glm::vec4> rotations(living.count());
         std::vector<float> sizes(living.count());
-        snow.evaluate(living, {.position = positions, .velocity = velocities, .size = sizes,
-                               .rotation = rotations});
+        snow.evaluate(living,
+                      {.position = positions, .velocity = velocities, .size = sizes, .rotation = rotations});
         for (std::size_t i = 0; i < living.count(); ++i) {
             bits.add(positions[i]);
             bits.add(velocities[i]);
@@ -265,10 +266,9 @@ TEST_CASE("transforms are laid over each other with the same bits everywhere", "
     for (int i = 0; i < 200; ++i) {
         const Transform base = some(), source = some(), reference = some();
         const double weight = random.between(0.0, 1.0);
-        for (const Transform& found :
-             {overridden(base, source, weight, location | rotation | scale),
-              added(base, source, reference, weight, location | rotation | scale),
-              between_transforms(base, source), transform_of(matrix_of(base))}) {
+        for (const Transform& found : {overridden(base, source, weight, location | rotation | scale),
+                                       added(base, source, reference, weight, location | rotation | scale),
+                                       between_transforms(base, source), transform_of(matrix_of(base))}) {
             bits.add(found.location);
             bits.add(found.rotation);
             bits.add(found.scale);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "lean.hpp"
 #include "motus/core/numeric.hpp"
@@ -46,12 +47,12 @@ Correction corrected(const WalkSettings& settings, const glm::dvec3& lean, const
 }
 
 Planner::Planner(const WalkSettings& settings, const BodyTrajectory& trajectory, const Ground* ground,
-                 const Executor& executor)
+                 Executor executor)
     : settings_(settings),
       trajectory_(trajectory),
       ground_(ground != nullptr && !ground->is_empty() ? ground : nullptr),
       reach_{settings.reach_up, settings.reach_down},
-      executor_(executor),
+      executor_(std::move(executor)),
       hips_(settings.hips) {
     require(expected_steps(trajectory) <= most_steps,
             "poses must go slower, or the stride be longer, or the cadence lower: more than 1,000,000 steps "

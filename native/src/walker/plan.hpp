@@ -23,7 +23,7 @@ struct Plan {
 class Planner {
   public:
     Planner(const WalkSettings& settings, const BodyTrajectory& trajectory, const Ground* ground,
-            const Executor& executor);
+            Executor executor);
     [[nodiscard]] Plan plan();
 
   private:

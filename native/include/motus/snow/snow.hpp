@@ -56,7 +56,8 @@ struct SnowSettings {
     double start_speed = 5.0;
     double lifetime = 2.0;  ///< >= 0
     double start_size = 1.0;
-    std::vector<GradientStop> start_color = std::vector<GradientStop>(1);  ///< positions rising; linear between; its first colour counts
+    std::vector<GradientStop> start_color =
+        std::vector<GradientStop>(1);  ///< positions rising; linear between; its first colour counts
 
     double rate = 5.0;      ///< flakes a second, >= 0
     double delay = 0.0;     ///< >= 0
