@@ -46,7 +46,6 @@ print("both work")
 """
 
 
-
 class CachesTest(unittest.TestCase):
     def setUp(self):
         self.addCleanup(native.set_cache_budget, native.cache_budget())
