@@ -320,18 +320,22 @@ class OfProcess(OfFile):
 
 
 class OfLibrary(_Declaration):
-    """Declaration of values that the native library keeps by itself. let_go: function without arguments that removes them."""
+    """Declaration of values that the native library keeps by itself. let_go: function without arguments that removes them, or None.
+
+    The add-on works without a native library as far as to say that there is none; then let_go is None.
+    """
 
     lifetime = "the native library"
     until = "the add-on is disabled"
 
-    def __init__(self, what: str, key: str, bound: str, let_go: Callable[[], None]) -> None:
+    def __init__(self, what: str, key: str, bound: str, let_go: Callable[[], None] | None) -> None:
         super().__init__(what, key, bound, "")
         self._let_go = let_go
 
     def clear(self) -> None:
         """Remove the values of all scenes and threads."""
-        self._let_go()
+        if self._let_go is not None:
+            self._let_go()
 
 
 LIFETIMES = OfEvaluation, OfThread, OfFile, OfProcess, OfLibrary

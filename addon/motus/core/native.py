@@ -86,10 +86,9 @@ def _load() -> tuple[Any, Status]:
 
 module, status = _load()
 
-if module is not None:
-    keeping.OfLibrary(
-        "arc length tables, frames along curves, motions of pendulums, landing places of flakes",
-        "the whole input of the table",
-        f"{module.cache_budget() >> 20:,} MiB",
-        module.clear_caches,
-    )
+tables = keeping.OfLibrary(
+    "arc length tables, frames along curves, motions of pendulums, landing places of flakes",
+    "the whole input of the table",
+    f"{module.cache_budget() >> 20:,} MiB" if module is not None else "nothing",
+    module.clear_caches if module is not None else None,
+)
