@@ -6,8 +6,10 @@
 set -euo pipefail
 
 # libgl1 and libglx-mesa0: Blender opens a window by them, but Debian's package does not ask for them (5.2).
+# libsm6, libice6 and libxkbcommon0: what the official Blender 5.2, a module, is linked to.
 packages=(
     blender python3-numpy python3-requests python3-dev pybind11-dev libgl1-mesa-dri libegl1 libgl1 libglx-mesa0
+    libsm6 libice6 libxkbcommon0
 )
 
 # is_whole ROOT: a root may have more, which another version of Motus has asked for.

@@ -4,6 +4,7 @@ import functools
 import importlib
 import math
 import os
+import shlex
 import shutil
 import subprocess
 import tempfile
@@ -67,6 +68,15 @@ def in_one_blender(test):
     """Marks a test or a class of them that is the same in every Blender: `./motus test` runs it in the newest alone."""
     test.in_one_blender = True
     return test
+
+
+needs_translations = unittest.skipUnless(bpy.app.build_options.international, "this Blender is built without translations")
+"""For a test, or a class of them, of texts in other languages."""
+
+
+def program():
+    """The command that starts a Blender such as this one; for a module of Python the launcher says it, as there is no such file."""
+    return shlex.split(os.environ.get("MOTUS_BLENDER_PROGRAM", "")) or [bpy.app.binary_path]
 
 
 def empty_scene():
@@ -211,7 +221,7 @@ def run_blender(code, profile=None, arguments=("--factory-startup",), enabled=Tr
     with tempfile.TemporaryDirectory(prefix="motus-test-") as folder:
         script = Path(folder, "script.py")
         script.write_text(f"import sys; sys.path.insert(0, {str(TESTS)!r})\n{code}", encoding="utf-8")
-        command = [bpy.app.binary_path, "--background", *arguments, "--python-exit-code", "1", *switch, "--python", str(script)]
+        command = [*program(), "--background", *arguments, "--python-exit-code", "1", *switch, "--python", str(script)]
         done = subprocess.run(
             command, env=environment, text=True, timeout=300, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
         )

@@ -151,6 +151,7 @@ class SpanishTest(unittest.TestCase):
             for english, spanish in messages.items():
                 self.assertNotRegex(spanish.lower(), r"\bañad", english)
 
+    @support.needs_translations
     def test_blender_shows_it(self):
         view = bpy.context.preferences.view
         before = view.language

@@ -134,6 +134,7 @@ class EnableDisable(unittest.TestCase):
         self.assertEqual(len(added), 3 * 2)  # for lines, and for words
         self.assertCountEqual(removed, added)
 
+    @support.needs_translations
     def test_translations_can_be_registered_again(self):
         """Registering a second catalogue under the same name fails where the first was left behind."""
         translations, languages = support.addon("core.translations"), support.addon("translations").LANGUAGES

@@ -299,7 +299,7 @@ class RenderTest(WiringTestCase):
             out = str(self.folder / f"{arguments[0]}-####.png")
             done = subprocess.run(
                 [
-                    bpy.app.binary_path,
+                    *support.program(),
                     "-b",
                     "--factory-startup",
                     "--python-exit-code",
