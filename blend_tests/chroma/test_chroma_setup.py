@@ -137,6 +137,20 @@ class SetUp(SetUpTestCase):
         (viewer,) = (node for node in compositor.tree_of(bpy.context.scene).nodes if node.bl_idname == "CompositorNodeViewer")
         self.assertEqual(viewer.inputs["Image"].links[0].from_node, key)
 
+    def test_a_viewer_of_the_users_shows_it_too(self):
+        """A Viewer of what is rendered, such as Blender 4.5 puts into new trees; one of another node shows that as before."""
+        scene, tree = bpy.context.scene, self.own_tree()
+        rendered, blurred = (tree.nodes.new("CompositorNodeViewer") for _ in range(2))
+        source = compositor.outlet(tree).links[0].from_socket
+        nodes.link(tree, source, rendered.inputs["Image"])
+        nodes.link(tree, source.node.inputs["Image"].links[0].from_socket, blurred.inputs["Image"])
+        before = state(scene)
+        key = self.set_up(clip=footage(self.folder))
+        self.assertEqual(rendered.inputs["Image"].links[0].from_node, key)
+        self.assertEqual(blurred.inputs["Image"].links[0].from_node.type, 'R_LAYERS')
+        self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+        self.assertEqual(state(scene), before)
+
     # --- several keys, and masks ---------------------------------------------------------------------------------------
 
     def test_a_color_is_added_and_removed(self):

@@ -63,7 +63,9 @@ def prepared(scene, noted):
     if not capabilities.has_compositing_group():
         if not scene.use_nodes:
             noted.is_switched_on, noted.is_tree_made = True, tree is None or _is_as_made(scene, tree)
-            scene.use_nodes = True  # Blender creates a tree with a Render Layers node and an output
+            scene.use_nodes = True
+            if tree is None:
+                _leave_render_and_output(scene.node_tree)
         return scene.node_tree
     if tree is not None:
         return tree
@@ -81,6 +83,15 @@ def _is_as_made(scene, tree):
     return kinds == ["CompositorNodeComposite", "CompositorNodeRLayers"] and all(
         node.scene == scene and node.layer == scene.view_layers[0].name for node in tree.nodes if node.type == 'R_LAYERS'
     )
+
+
+def _leave_render_and_output(tree):
+    """Remove from a tree that Blender has just created what Blender 4.5 puts beside the Render Layers and the output: a Viewer and a Reroute."""
+    for node in [node for node in tree.nodes if node.bl_idname not in {"CompositorNodeComposite", "CompositorNodeRLayers"}]:
+        tree.nodes.remove(node)
+    render = next(node for node in tree.nodes if node.type == 'R_LAYERS')
+    node_groups.link(tree, render.outputs["Image"], outlet(tree))
+    _drop_viewed()
 
 
 def _show_render(scene, tree):
@@ -115,6 +126,8 @@ def insert(scene, tree, key_group, image, background, wanted, mask, noted):
     if mask is not None:
         add_mask(scene, key, MASK, mask)
     node_groups.link(tree, key.outputs["Image"], target)
+    for viewed in _viewers_of(tree, before):
+        node_groups.link(tree, key.outputs["Image"], viewed)
     if not any(node.bl_idname == "CompositorNodeViewer" for node in tree.nodes):
         # The viewer shows the key in the backdrop and the image editor without a render.
         viewer = _mark(tree.nodes.new("CompositorNodeViewer"), VIEWER, "")
@@ -122,6 +135,11 @@ def insert(scene, tree, key_group, image, background, wanted, mask, noted):
     _arrange(tree, key)
     target.node.location.x = max(target.node.location.x, right + 960.0)
     return key
+
+
+def _viewers_of(tree, source):
+    """Input sockets of the Viewer nodes that show a socket; none for None."""
+    return [link.to_socket for link in tree.links if link.from_socket == source and link.to_node.bl_idname == "CompositorNodeViewer"]
 
 
 def add_mask(scene, key, name, mask):
@@ -253,18 +271,24 @@ def remove(scene, noted):
     tree = _own_tree(scene)
     groups = {node.node_tree for node in keys_of(scene)}
     if tree is not None:
-        target = outlet(tree)
-        was_ours = target is not None and any(group.KEY in link.from_node for link in tree.links if link.to_socket == target)
+        _show_what_was_before(scene, tree, noted)
         for node in [node for node in tree.nodes if group.KEY in node]:
             actions.remove(tree, (f"{node.path_from_id()}.",))
             tree.nodes.remove(node)
-        source = _noted_source(tree, noted)
-        if was_ours and source is not None:
-            node_groups.link(tree, source, target)
         _take_back_tree(scene, tree, noted)
     for one in groups:
         drop_group(one)
     _drop_viewed()
+
+
+def _show_what_was_before(scene, tree, noted):
+    """Connect a tree's output, if a key's node leads to it, and the Viewers of the key's picture with the source that the output had before."""
+    source, target, key = _noted_source(tree, noted), outlet(tree), key_of(scene)
+    if source is None or key is None:
+        return
+    was_ours = any(group.KEY in link.from_node for link in tree.links if link.to_socket == target)
+    for socket in [*([target] if was_ours else ()), *_viewers_of(tree, key.outputs["Image"])]:
+        node_groups.link(tree, source, socket)
 
 
 def _drop_viewed():
