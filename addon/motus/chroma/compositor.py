@@ -391,7 +391,7 @@ def _link_image(scene, tree, role, image, framing, target):
         source = straight.outputs["Image"]
     show_image(scene, node, image)
     scale = _mark(tree.nodes.new("CompositorNodeScale"), f"{role} Size", "")
-    if capabilities.has_compositor_sockets():
+    if capabilities.has_compositor_menus():
         scale.inputs["Type"].default_value = 'Render Size'
         scale.inputs["Frame Type"].default_value = framing.title()
     else:

@@ -97,7 +97,8 @@ class Sheet:
             node = self.node("CompositorNodeBlur", label)
         elif capabilities.has_compositor_sockets():
             node = self.node("CompositorNodeBlur", label)
-            node_groups.link(self.group, pixels if hasattr(pixels, "node") else (pixels, pixels), node.inputs["Size"])
+            size = node.inputs["Size"]
+            node_groups.link(self.group, pixels if hasattr(pixels, "node") else (pixels,) * len(size.default_value), size)
         else:
             share = self.math("", 'DIVIDE', pixels, MOST_BLUR)
             node = self.node("CompositorNodeBlur", label, size_x=MOST_BLUR, size_y=MOST_BLUR)

@@ -107,8 +107,16 @@ def has_compositing_group() -> bool:
 
 
 def has_compositor_sockets() -> bool:
-    """Whether options of the compositor's nodes are sockets (since Blender 4.5) instead of properties."""
-    return "clip_black" not in bpy.types.CompositorNodeKeying.bl_rna.properties
+    """Whether numbers of the compositor's nodes, such as the size of a blur in pixels, are sockets (since Blender 4.5) instead of properties.
+
+    Blender 4.5 has the properties as well, which set the sockets.
+    """
+    return bpy.app.version >= (4, 5, 0)
+
+
+def has_compositor_menus() -> bool:
+    """Whether choices of the compositor's nodes, such as the size that Scale makes, are sockets (since Blender 5.0) instead of properties."""
+    return "space" not in bpy.types.CompositorNodeScale.bl_rna.properties
 
 
 def has_compositor_in_viewport() -> bool:
