@@ -59,6 +59,16 @@ def put_away() -> None:
             _give_away(helper)
 
 
+def remove_overridden() -> None:
+    """Remove library overrides of helpers that nothing uses.
+
+    Blender makes them along with the override of a helper's owner, which is given a helper of its own. In a file that kept one, Blender 4.5
+    would find a part of the owner's hierarchy that is not in its place, and override the owner once more each time that the file is opened.
+    """
+    for obj in [obj for obj in bpy.data.objects if KEY in obj and obj.override_library and not obj.library and not obj.users]:
+        bpy.data.objects.remove(obj)
+
+
 def _give_away(shape: Any) -> None:
     for key in [key for key in shape.keys() if key.startswith(PREFIX)]:
         del shape[key]

@@ -319,8 +319,11 @@ class TestOtherSystems(OverrideTestCase):
                     with self.assertRaisesRegex(RuntimeError, "wagons of A are from its library"):
                         bpy.ops.motus.path_wagon_remove(object="A", index=0)
                 bpy.ops.motus.path_follow_remove(object="A")
-                for _ in range(2):
+                there = []
+                for _ in range(3):
                     self.reopen(kind='MESH')
+                    there.append(sorted(obj.name for obj in bpy.data.objects if not obj.library))
+                    self.assertEqual(there[-1], there[0])
                     for frame in (1, 40):
                         bpy.context.scene.frame_set(frame)
                         for obj in overrides('MESH'):

@@ -391,6 +391,7 @@ def _wire_overrides(_found, _event):
     overrides.forget()
     if native.module is None or not any(obj.override_library and not obj.library for obj in bpy.data.objects):
         return
+    helpers.remove_overridden()
     _release_overrides()
     for system, owner in _attached():
         if overrides.is_lost(system, owner) or geometry_sink.is_cut_off(system, owner):
