@@ -1,6 +1,6 @@
 """Runs benchmarks, keeps their numbers by commit, and compares them with those of another commit; called by `./motus bench`.
 
-bench.py --cache FOLDER [--blenders 3.4,4.3,5.2] [--against COMMIT [--turns N]] [PATTERN...]
+bench.py --cache FOLDER [--blenders NAME,...] [--against COMMIT [--turns N]] [PATTERN...]
 Benchmarks are programs of the library (native/bench) and scripts that run inside Blender (blend_tests/bench).
 """
 
@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import bench_rows
+import blenders
 
 CLONE = Path(__file__).resolve().parents[1]
 LOG_LINES = 30
@@ -271,7 +272,7 @@ def main():
     """Reads the command line."""
     parser = Parser(prog="motus bench")
     parser.add_argument("--cache", type=Path, required=True, help=argparse.SUPPRESS)
-    parser.add_argument("--blenders", default="3.4,4.3,5.2", help="which Blenders to run in")
+    parser.add_argument("--blenders", default=",".join(blenders.PROGRAMS), help="which Blenders to run in")
     parser.add_argument("--against", metavar="COMMIT", help="compare with this commit")
     parser.add_argument("--turns", type=int, default=3, help="how often each benchmark of both is run")
     parser.add_argument("patterns", nargs="*", help="only the benchmarks whose name contains one of these")

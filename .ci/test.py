@@ -1,6 +1,6 @@
 """Runs the groups of tests (CMakeLists.txt) by CTest; called by `./motus test`, which has built and packaged the add-on before.
 
-test.py [--blenders 3.4,4.3,5.2] [--only NAME,...] [PATTERN...]
+test.py [--all | --blenders NAME,...] [--only NAME,...] [PATTERN...]
 CTest tells how each group ends, and shows the output of those that fail. Then follow a line a group with counts and seconds, and last
 `N passed, N failed[, N skipped] in N min N s`.
 """
@@ -15,6 +15,8 @@ import time
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+import blenders
+import inside
 from broken import what_broke
 
 CI = Path(__file__).resolve().parent
@@ -25,15 +27,14 @@ RESULTS = FOLDER / "results.xml"
 WHOLE_OUTPUT = str(10**8)
 
 
-def has_blender(version):
-    """Whether this machine has a Blender of this version."""
-    return subprocess.run([MOTUS, "has_blender", version], check=False, capture_output=True).returncode == 0
+def has_blender(name):
+    """Whether this machine has a Blender of this name, or can get it; ./motus says why not."""
+    return subprocess.run([MOTUS, "has_blender", name], check=False).returncode == 0
 
 
-def configure(blenders, patterns):
-    """Tells CMake which groups there are, for these Blenders and patterns of tests."""
-    newest = next(filter(has_blender, sorted(blenders, key=lambda version: [*map(int, version.split("."))], reverse=True)), "")
-    options = {"BUILD": BUILD, "PYTHON": sys.executable, "BLENDERS": ";".join(blenders), "NEWEST": newest, "PATTERNS": ";".join(patterns)}
+def configure(groups, patterns):
+    """Tells CMake which groups there are inside Blenders, and which patterns of tests."""
+    options = {"BUILD": BUILD, "PYTHON": sys.executable, "PATTERNS": ";".join(patterns)} | groups.lists()
     subprocess.run(
         ["cmake", "-S", CI, "-B", FOLDER, *(f"-DMOTUS_{name}={value}" for name, value in options.items())],
         check=True,
@@ -117,13 +118,18 @@ def report(results):
 def main():
     """Reads the command line, runs the groups and reports."""
     parser = argparse.ArgumentParser(prog="motus test")
-    parser.add_argument("--blenders", default="3.4,4.3,5.2", help="which Blenders to run in")
+    parser.add_argument("--blenders", default="", help="which Blenders to run in, everything that they can")
+    parser.add_argument("--all", action="store_true", help="run in each Blender everything that it can")
     parser.add_argument("--only", default="", help="only the groups whose name contains one of these")
     parser.add_argument("patterns", nargs="*", help="only the tests whose name contains one of these")
     options = parser.parse_args()
 
-    configure([version for version in options.blenders.split(",") if version], options.patterns)
-    status = run_groups(options.only.split(","))
+    only = options.only.split(",")
+    names = blenders.NAMES if options.all else [name for name in options.blenders.split(",") if name]
+    groups = inside.planned(names, only, has_blender)
+    os.environ["MOTUS_WITHOUT"] = " ".join(groups.missing)  # its absence is said once, and not looked for again
+    configure(groups, options.patterns)
+    status = run_groups(only)
     results = ElementTree.parse(RESULTS) if RESULTS.exists() else None  # none where CTest itself was ended
     if results is None or results.find("testcase") is None:
         sys.exit(f"motus: CTest has run no group (--only {options.only})")

@@ -148,7 +148,7 @@ class Runs(unittest.TestCase):
         self.folder = Path(temporary.name)
         self.clone, self.cache = self.folder / "clone", self.folder / "cache"
         (self.clone / ".ci").mkdir(parents=True)
-        for name in ("bench.py", "bench_rows.py"):
+        for name in ("bench.py", "bench_rows.py", "blenders.py"):
             shutil.copy(CI / name, self.clone / ".ci" / name)
         self.write(".gitignore", "build/\nturns\n__pycache__/\n")
         self.write("motus", FAKE_MOTUS).chmod(0o755)
