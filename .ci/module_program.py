@@ -19,9 +19,45 @@ FREED = "165"
 """What memory is filled with once it is freed, with --debug-memory: a module is not given the allocator of Blender that does so."""
 PROGRAM = "MOTUS_BLENDER_PROGRAM"
 """The environment variable in which scripts find the command that starts a Blender such as they run in: bpy.app.binary_path is empty."""
-SWITCHES = {"-b", "--background", "--factory-startup", "-y", "--enable-autoexec", "-Y", "--disable-autoexec", "--version", "-v", "--debug-memory"}
-WITH_VALUE = {"--addons", "--python", "-P", "--python-expr", "--python-exit-code", "-o", "--render-output", "-f", "--render-frame"}
-OF_A_SCENE = {"-s", "--frame-start", "-e", "--frame-end", "-F", "--render-format", "-E", "--engine", "-S", "--scene", "-x", "--use-extension"}
+SWITCHES = {
+    "-b",
+    "--background",
+    "--factory-startup",
+    "-y",
+    "--enable-autoexec",
+    "-Y",
+    "--disable-autoexec",
+    "--version",
+    "-v",
+    "--debug-memory",
+}
+WITH_VALUE = {
+    "--addons",
+    "--python",
+    "-P",
+    "--python-expr",
+    "--python-exit-code",
+    "-t",
+    "--threads",
+    "-o",
+    "--render-output",
+    "-f",
+    "--render-frame",
+}
+OF_A_SCENE = {
+    "-s",
+    "--frame-start",
+    "-e",
+    "--frame-end",
+    "-F",
+    "--render-format",
+    "-E",
+    "--engine",
+    "-S",
+    "--scene",
+    "-x",
+    "--use-extension",
+}
 ANIMATION = {"-a", "--render-anim"}
 
 
@@ -168,6 +204,9 @@ def run(folder, arguments):
     own = [sys.executable, "-s", "-P", str(Path(__file__).resolve()), folder]
     if ("--debug-memory", None) in options and "MALLOC_PERTURB_" not in os.environ:
         os.execve(own[0], [*own, *arguments], os.environ | {"MALLOC_PERTURB_": FREED})
+    for count in [int(value) for option, value in options if option in {"-t", "--threads"} and int(value)]:
+        # A module counts its threads by the processors that it may use, and is not told another number.
+        os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[:count])
     os.environ[PROGRAM] = shlex.join(own)
     sys.argv = [__file__, *arguments]
     sys.path.insert(0, folder)

@@ -65,8 +65,9 @@ def remove_overridden() -> None:
     Blender makes them along with the override of a helper's owner, which is given a helper of its own. In a file that kept one, Blender 4.5
     would find a part of the owner's hierarchy that is not in its place, and override the owner once more each time that the file is opened.
     """
-    for obj in [obj for obj in bpy.data.objects if KEY in obj and obj.override_library and not obj.library and not obj.users]:
-        bpy.data.objects.remove(obj)
+    objects: Any = bpy.data.objects
+    for obj in [obj for obj in objects if KEY in obj and obj.override_library and not obj.library and not obj.users]:
+        objects.remove(obj)
 
 
 def _give_away(shape: Any) -> None:
