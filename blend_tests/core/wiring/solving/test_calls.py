@@ -2,6 +2,7 @@
 
 import itertools
 import sys
+import unittest
 from pathlib import Path
 
 import bpy
@@ -56,6 +57,7 @@ def calls_of_a_frame(scene):
     return next(count) / len(COUNTED)
 
 
+@unittest.skipUnless(hasattr(sys, "monitoring"), "Python counts calls in all threads since 3.12")
 @support.in_one_blender
 class CallTest(support.SceneTestCase):
     def test_calls_of_a_frame(self):
