@@ -173,7 +173,7 @@ def discard(obj):
         wiring.detach(system(), obj)
     datablocks.remove_objects([obj])
     material = bpy.data.materials.get((MATERIAL, None))
-    if material and material.users == 0:
+    if material and not datablocks.is_used(material):
         bpy.data.materials.remove(material)
 
 

@@ -5,7 +5,7 @@ import math
 import bpy
 
 from ..core import wiring
-from ..core.blender import helpers
+from ..core.blender import datablocks, helpers
 from ..core.declare import registered
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
@@ -61,14 +61,14 @@ def _drop_unused():
     """Remove the flake objects and materials of this module that no emitter uses any more."""
     for look in _SHAPES:
         shape = _own(bpy.data.objects, look)
-        if shape is not None and shape.users == 0:
+        if shape is not None and not datablocks.is_used(shape):
             mesh = shape.data
             bpy.data.objects.remove(shape)
             if mesh is not None and mesh.users == 0:
                 bpy.data.meshes.remove(mesh)
     for name in (ICE, GLOW, WHITE):
         material = _own(bpy.data.materials, name)
-        if material is not None and material.users == 0:
+        if material is not None and not datablocks.is_used(material):
             bpy.data.materials.remove(material)
 
 

@@ -3,6 +3,7 @@
 import bpy
 
 from ...core import wiring
+from ...core.blender import datablocks
 from ...core.declare import registered
 from ...core.file.pointers import pointed
 
@@ -26,7 +27,7 @@ def drop(cover):
     _set(cover, None)
     cover.motus.snow_cover.property_unset("material")
     found = _own()
-    if found is not None and found.users == 0:
+    if found is not None and not datablocks.is_used(found):
         bpy.data.materials.remove(found)
 
 
