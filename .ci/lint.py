@@ -85,7 +85,7 @@ TOOLS = (
     Tool("ruff-format", "ruff", True, lambda *_: ["format", "--quiet", "--diff"], lambda *_: ["format", "--quiet"]),
     Tool("mypy", "mypy", True, lambda *_: []),
     Tool("codespell", "codespell", True, with_files(choose=_all), with_files("--write-changes", choose=_all)),
-    Tool("shellcheck", "shellcheck", False, with_files(choose=shell_scripts)),
+    Tool("shellcheck", "shellcheck", False, with_files("--external-sources", "--check-sourced", choose=shell_scripts)),
     Tool("clang-format", "clang-format", False, with_files("--dry-run", "-Werror", choose=_cpp), with_files("-i", choose=_cpp)),
     Tool("clang-tidy", str(CI.parent / "motus"), False, lambda *_: ["tidy"]),
 )
