@@ -23,10 +23,8 @@ struct alignas(64) PickerNode {
     std::array<Lanes, 3> high;  ///< by axis
 };
 
-// The vector units' types, of the size that every processor has.
+// The vector units' type, of the size that every processor has.
 using FourFloats __attribute__((vector_size(16))) = float;
-using TwoFloats __attribute__((vector_size(8))) = float;
-using TwoDoubles __attribute__((vector_size(16))) = double;
 
 template <class Vector, class Values>
 [[nodiscard]] inline Vector load(const Values& values, std::size_t first) noexcept {

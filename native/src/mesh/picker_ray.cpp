@@ -4,22 +4,33 @@
 // slips between them.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <stdexcept>
 
+#include "motus/core/instruction_sets.hpp"
 #include "motus/core/numeric.hpp"
+#include "picker_ray.hpp"
 #include "picker_tree.hpp"
 
-namespace motus::mesh {
+// This include compiles the file once for each of Highway's targets; code for no target stands at the end.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "picker_ray.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace motus::mesh::HWY_NAMESPACE {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+namespace hn = hwy::HWY_NAMESPACE;
 
-glm::dvec3 position(const PickerPoint& point) {
-    return {point[0], point[1], point[2]};
-}
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A ray that triangles are held against.
 class Ray {
@@ -61,8 +72,70 @@ class Ray {
     glm::dvec3 shear_{0.0};
 };
 
-/// Where a ray enters the boxes of a node. Boxes are taken to be larger by `pad`, at least far above the
-/// rounding of where triangles are met, so that no box hides what is in it.
+/// A point and the end of its neighbourhood along an axis, rounded so that the neighbourhood is larger.
+[[nodiscard]] float rounded_down(double number) {
+    constexpr double largest = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::min();
+    return static_cast<float>(std::clamp(number - 0x1p-23 * std::abs(number) - least, -largest, largest));
+}
+
+/// The box around the part of a ray in which something may be met. What it does not touch is passed for the
+/// price of a comparison, and a short way touches little.
+class Part {
+  public:
+    /// Larger by `pad`, at least far above the rounding of where triangles are met, so that nothing that is
+    /// met lies outside.
+    Part(const glm::dvec3& origin, const glm::dvec3& direction, double pad)
+        : origin_(origin), direction_(direction), pad_(pad) {}
+
+    void end_at(double distance) {
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            const double end = origin_[axis] + distance * direction_[axis];
+            const auto of_axis = static_cast<std::size_t>(axis);
+            low_[of_axis] = rounded_down(std::min(origin_[axis], end) - pad_);
+            high_[of_axis] = -rounded_down(-std::max(origin_[axis], end) - pad_);
+        }
+    }
+
+    /// A bit for each lane's box that it touches.
+    [[nodiscard]] std::uint32_t touched(const PickerNode& node) const {
+        constexpr hn::CappedTag<float, fan_out> numbers;
+        std::uint32_t bits = 0;
+        for (std::size_t first = 0; first < fan_out; first += hn::MaxLanes(numbers)) {
+            auto touches = hn::Zero(numbers) == hn::Zero(numbers);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const auto low = hn::LoadU(numbers, &node.low[axis][first]);
+                const auto high = hn::LoadU(numbers, &node.high[axis][first]);
+                touches = hn::And(touches, hn::And(low <= hn::Set(numbers, high_[axis]),
+                                                   high >= hn::Set(numbers, low_[axis])));
+            }
+            std::array<std::uint8_t, 8> found{};
+            hn::StoreMaskBits(numbers, touches, found.data());
+            bits |= std::uint32_t{found[0]} << first;
+        }
+        return bits;
+    }
+
+    [[nodiscard]] bool touches(const std::array<PickerPoint, 3>& triangle) const {
+        constexpr hn::CappedTag<float, 4> numbers;
+        const auto* const corners = reinterpret_cast<const float*>(triangle.data());
+        bool touches = true;
+        for (std::size_t axis = 0; axis < 4; axis += hn::MaxLanes(numbers)) {
+            const auto a = hn::LoadU(numbers, corners + axis), b = hn::LoadU(numbers, corners + 4 + axis);
+            const auto c = hn::LoadU(numbers, corners + 8 + axis);
+            const auto low = hn::Min(hn::Min(a, b), c), high = hn::Max(hn::Max(a, b), c);
+            touches = touches && hn::AllTrue(numbers, hn::And(low <= hn::LoadU(numbers, &high_[axis]),
+                                                              high >= hn::LoadU(numbers, &low_[axis])));
+        }
+        return touches;
+    }
+
+  private:
+    glm::dvec3 origin_, direction_;
+    double pad_;
+    std::array<float, 4> low_{}, high_{};  ///< the last is 0, as that of a point
+};
+
+/// Where a ray enters the boxes of a node. Boxes are taken to be larger by `pad`, as the ray's part is.
 class Slabs {
   public:
     Slabs(const glm::dvec3& origin, const glm::dvec3& direction, double pad) {
@@ -80,18 +153,21 @@ class Slabs {
 
     /// Distances at which the lanes' boxes are entered; infinity if they are not within `most`.
     [[nodiscard]] std::array<double, fan_out> entries(const PickerNode& node, double most) const {
+        constexpr hn::CappedTag<double, fan_out> numbers;
+        constexpr hn::Rebind<float, decltype(numbers)> halves;
         std::array<double, fan_out> found{};
-        for (std::size_t lanes = 0; lanes < fan_out; lanes += 2) {
-            TwoDoubles in{}, out = TwoDoubles{} + most;
+        for (std::size_t first = 0; first < fan_out; first += hn::MaxLanes(numbers)) {
+            auto in = hn::Zero(numbers), out = hn::Set(numbers, most);
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const Lanes& near = backwards_[axis] ? node.high[axis] : node.low[axis];
                 const Lanes& far = backwards_[axis] ? node.low[axis] : node.high[axis];
-                const auto of_near = __builtin_convertvector(load<TwoFloats>(near, lanes), TwoDoubles);
-                const auto of_far = __builtin_convertvector(load<TwoFloats>(far, lanes), TwoDoubles);
-                in = larger((of_near - near_[axis]) * inverse_[axis], in);
-                out = smaller((of_far - far_[axis]) * inverse_[axis], out);
+                const auto of_near = hn::PromoteTo(numbers, hn::LoadU(halves, &near[first]));
+                const auto of_far = hn::PromoteTo(numbers, hn::LoadU(halves, &far[first]));
+                const auto inverse = hn::Set(numbers, inverse_[axis]);
+                in = hn::Max((of_near - hn::Set(numbers, near_[axis])) * inverse, in);
+                out = hn::Min((of_far - hn::Set(numbers, far_[axis])) * inverse, out);
             }
-            store(in <= out ? in : TwoDoubles{} + infinity, found, lanes);
+            hn::StoreU(hn::IfThenElse(in <= out, in, hn::Set(numbers, infinity)), numbers, &found[first]);
         }
         return found;
     }
@@ -101,25 +177,30 @@ class Slabs {
     std::array<double, 3> inverse_{}, near_{}, far_{};
 };
 
-/// The first triangle so far, and the search for nearer ones. points(place): where a vertex is.
-template <class Tree, class Points>
+/// The first triangle so far, and the search for nearer ones.
 class Search {
   public:
-    Search(const Tree& tree, const Points& points, const Ray& ray, const Slabs& slabs, double rounding,
-           double farthest)
+    /// `direction` of length 1; nothing lies farther away than `reach`.
+    Search(const RayTree& tree, const glm::dvec3& origin, const glm::dvec3& direction, double rounding,
+           double reach, double farthest)
         : tree_(tree),
-          points_(points),
-          ray_(ray),
-          slabs_(slabs),
+          ray_(origin, direction),
+          slabs_(origin, direction, rounding + tree.slack),
+          part_(origin, direction, rounding + tree.slack),
           rounding_(rounding),
-          best_{none, {}, farthest, {}} {}
+          best_{none, {}, farthest, {}} {
+        part_.end_at(std::min(reach, farthest) + rounding);
+    }
 
-    void descend(std::size_t level, std::size_t node) {
-        const std::array<double, fan_out> entries =
-            slabs_.entries(tree_.around_triangles.node(level, node), best_.distance + rounding_);
+    void descend(std::size_t level, std::size_t index) {
+        const PickerNode& node = tree_.boxes.node(level, index);
+        std::uint32_t touched = part_.touched(node);
+        if (touched == 0) return;
+        const std::array<double, fan_out> entries = slabs_.entries(node, best_.distance + rounding_);
         std::array<std::size_t, fan_out> lanes{};  // that are met, the nearest first
         std::size_t count = 0;
-        for (std::size_t lane = 0; lane < fan_out; ++lane) {
+        for (; touched != 0; touched &= touched - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(touched));
             if (entries[lane] == infinity) continue;
             std::size_t at = count++;
             for (; at > 0 && entries[lanes[at - 1]] > entries[lane]; --at) lanes[at] = lanes[at - 1];
@@ -127,9 +208,9 @@ class Search {
         }
         for (std::size_t i = 0; i < count && entries[lanes[i]] <= best_.distance + rounding_; ++i) {
             if (level > 0)
-                descend(level - 1, node * fan_out + lanes[i]);
+                descend(level - 1, index * fan_out + lanes[i]);
             else
-                try_leaf(node * fan_out + lanes[i]);
+                try_leaf(index * fan_out + lanes[i]);
         }
     }
 
@@ -143,57 +224,71 @@ class Search {
     void try_leaf(std::size_t leaf) {
         for (std::size_t slot = tree_.starts[leaf]; slot < tree_.starts[leaf + 1]; ++slot) {
             const auto [a, b, c] = tree_.corners[slot];
-            const std::array triangle{points_(a), points_(b), points_(c)};
+            const std::array corners{tree_.corner(a), tree_.corner(b), tree_.corner(c)};
+            if (!part_.touches(corners)) continue;
+            const std::array triangle{position(corners[0]), position(corners[1]), position(corners[2])};
             glm::dvec3 weights(0.0);
             const double distance = ray_.meet(triangle, weights);
             const std::uint32_t name = tree_.names[slot];
             if (distance < best_.distance ||
-                (distance == best_.distance && distance < infinity && name < best_.triangle))
+                (distance == best_.distance && distance < infinity && name < best_.triangle)) {
                 best_ = {name,
                          weights.x * triangle[0] + weights.y * triangle[1] + weights.z * triangle[2],
                          distance,
                          {tree_.order[a], tree_.order[b], tree_.order[c]}};
+                part_.end_at(distance + rounding_);
+            }
         }
     }
 
-    const Tree& tree_;
-    const Points& points_;
-    const Ray& ray_;
-    const Slabs& slabs_;
+    [[nodiscard]] static glm::dvec3 position(const PickerPoint& point) {
+        return {point[0], point[1], point[2]};
+    }
+
+    const RayTree& tree_;
+    Ray ray_;
+    Slabs slabs_;
+    Part part_;
     double rounding_;
     Hit best_;
 };
 
-/// The boxes of the tree may be wrong by `slack`.
-template <class Tree, class Points>
-std::optional<Hit> first_met(const Tree& tree, const Points& points, const glm::dvec3& origin,
-                             const glm::dvec3& direction, double slack, double farthest = infinity) {
+std::optional<Hit> first_met(const RayTree& tree, const glm::dvec3& origin, const glm::dvec3& direction,
+                             double farthest) {
     const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-    if (tree.around_triangles.empty() || !is_finite(origin) || !is_finite(direction) || !(largest > 0.0))
-        return {};
+    if (tree.boxes.empty() || !is_finite(origin) || !is_finite(direction) || !(largest > 0.0)) return {};
     const glm::dvec3 unit = glm::normalize(direction / largest);
 
-    const std::size_t top = tree.around_triangles.top();
-    const PickerBox box = tree.around_triangles.box(top, 0);
+    const std::size_t top = tree.boxes.top();
+    const PickerBox box = tree.boxes.box(top, 0);
     double extent = 0.0;
     for (glm::length_t axis = 0; axis < 3; ++axis)
         extent = std::max({extent, std::abs(box.low[static_cast<std::size_t>(axis)] - origin[axis]),
                            std::abs(box.high[static_cast<std::size_t>(axis)] - origin[axis])});
     // Empty, with nothing finite.
     if (!(extent < infinity)) return {};
-    const double rounding = 1e-13 * (extent + slack);
-    const Ray ray(origin, unit);
-    const Slabs slabs(origin, unit, rounding + slack);
-    Search search(tree, points, ray, slabs, rounding, farthest);
+    const double rounding = 1e-13 * (extent + tree.slack);
+    Search search(tree, origin, unit, rounding, 2.0 * (extent + tree.slack), farthest);
     search.descend(top, 0);
     return search.found();
 }
 
+constexpr RayKernel kernel{HWY_STR(HWY_NAMESPACE), &first_met};
+
 }  // namespace
+}  // namespace motus::mesh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace motus::mesh {
+
+std::span<const RayKernel> ray_kernels() {
+    static constexpr std::array kernels{MOTUS_EVERY_TARGET(kernel)};
+    return std::span(kernels).first(runnable_targets());
+}
 
 std::optional<Hit> Picker::ray(const glm::dvec3& origin, const glm::dvec3& direction, double farthest) const {
-    const auto points = [this](std::size_t place) { return position(tree().points[place]); };
-    return first_met(tree(), points, origin, direction, 0.0, farthest);
+    return ray_kernels().back().first_met(tree().for_rays(), origin, direction, farthest);
 }
 
 std::optional<Hit> Picker::ray(const glm::dvec3& origin, const glm::dvec3& direction,
@@ -201,8 +296,12 @@ std::optional<Hit> Picker::ray(const glm::dvec3& origin, const glm::dvec3& direc
     if (positions.size() != vertex_count())
         throw std::invalid_argument("positions: there must be one for each vertex of the mesh");
     require(slack >= 0.0f && std::isfinite(slack), "slack: must be finite and >= 0");
-    const auto points = [&](std::size_t place) { return glm::dvec3(positions[tree().order[place]]); };
-    return first_met(tree(), points, origin, direction, static_cast<double>(slack));
+    RayTree deformed = tree().for_rays();
+    deformed.slack = static_cast<double>(slack);
+    deformed.positions = positions;
+    return ray_kernels().back().first_met(deformed, origin, direction,
+                                          std::numeric_limits<double>::infinity());
 }
 
 }  // namespace motus::mesh
+#endif

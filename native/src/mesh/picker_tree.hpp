@@ -17,6 +17,7 @@
 #include "motus/mesh/picker.hpp"
 #include "picker_boxes.hpp"
 #include "picker_order.hpp"
+#include "picker_ray.hpp"
 
 namespace motus::mesh {
 
@@ -51,6 +52,15 @@ struct Picker::Tree {
         for (std::size_t slot = starts[leaf]; slot < starts[leaf + 1]; ++slot)
             for (const std::uint32_t corner : corners[slot]) box.add(points[corner]);
         return box;
+    }
+
+    [[nodiscard]] RayTree for_rays() const {
+        return {.boxes = around_triangles,
+                .starts = starts,
+                .names = names,
+                .corners = corners,
+                .order = order,
+                .points = points};
     }
 
     /// The vertices, by place, below a lane of a node: from the first to before the second.
