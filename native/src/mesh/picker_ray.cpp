@@ -2,6 +2,8 @@
 // Triangles: Woop, Benthin, Wald, "Watertight ray/triangle intersection" (2013), in double precision. Two
 // triangles compute the same numbers for the side of their common edge on which a ray passes, so that no ray
 // slips between them.
+#include "picker_ray.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -15,7 +17,6 @@
 
 #include "motus/core/instruction_sets.hpp"
 #include "motus/core/numeric.hpp"
-#include "picker_ray.hpp"
 #include "picker_tree.hpp"
 
 // This include compiles the file once for each of Highway's targets; code for no target stands at the end.

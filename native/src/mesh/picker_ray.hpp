@@ -20,7 +20,7 @@ struct RayTree {
     std::span<const std::uint32_t> names;
     std::span<const std::array<std::uint32_t, 3>> corners;
     std::span<const std::uint32_t> order;
-    std::span<const PickerPoint> points;    ///< by place
+    std::span<const PickerPoint> points;     ///< by place
     std::span<const glm::vec3> positions{};  ///< by vertex, in place of the points, if there are any
 
     [[nodiscard]] PickerPoint corner(std::uint32_t place) const {

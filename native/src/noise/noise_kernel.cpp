@@ -34,8 +34,13 @@ HWY_INLINE Words mix(Words bits) {
 
 /// The other sign if this bit is set.
 HWY_INLINE Floats turn_where(Words bits, int bit, Floats all) {
-    const Words signs = hn::ShiftLeftSame(bits, 31 - bit) & words(0x80000000U);
-    return hn::BitCast(as_floats, hn::BitCast(as_words, all) ^ signs);
+    const Words signs = hn::ShiftLeftSame(bits, 31 - bit);
+#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
+    // They choose by the sign alone; others would have to look at it first.
+    return hn::IfNegativeThenElse(hn::BitCast(as_floats, signs), hn::Neg(all), all);
+#else
+    return hn::BitCast(as_floats, hn::BitCast(as_words, all) ^ (signs & words(0x80000000U)));
+#endif
 }
 
 HWY_INLINE Floats within_reach(Floats number) {
@@ -130,16 +135,20 @@ HWY_INLINE Floats blended(Words hash, const std::array<Axis, dimensions>& cell, 
     }
 }
 
+/// The sum over all corners, and what its square is on the average, by Lattice's softness.
+struct Sum {
+    Floats sum, expected;
+};
+
 template <std::size_t dimensions>
-HWY_INLINE Floats noise_at(Words start, const std::array<Floats, dimensions>& place) {
+HWY_INLINE Sum sum_at(Words start, const std::array<Floats, dimensions>& place) {
     Variance variance{floats(1.0F), hn::Zero(as_floats)};
     std::array<Axis, dimensions> cell;
     for (std::size_t axis = 0; axis < dimensions; ++axis)
         cell[axis] = axis_at<dimensions>(place[axis], variance);
-    const Floats sum = blended(start, cell) * floats(0x1p-31F);
-    const Floats expected = floats(Lattice<dimensions>::heights) * variance.heights +
-                            floats(Lattice<dimensions>::slopes) * variance.slopes;
-    return sum / hn::Sqrt(expected + sum * sum);
+    return {blended(start, cell) * floats(0x1p-31F),
+            floats(Lattice<dimensions>::heights) * variance.heights +
+                floats(Lattice<dimensions>::slopes) * variance.slopes};
 }
 
 template <std::size_t dimensions>
@@ -154,14 +163,29 @@ HWY_INLINE std::array<Floats, dimensions> places_at(const float* from) {
     return place;
 }
 
+void fill_line(const float* places, std::uint32_t seed, float* out) {
+    const Words start = words(mixed(seed));
+    for (std::size_t i = 0; i < noise_block; i += lanes)
+        hn::StoreU(noise_at(start, places_at<1>(places + i)), as_floats, out + i);
+}
+
+/// The root and the quotient, which take long, wait for those of the places before.
 template <std::size_t dimensions>
 void fill(const float* places, std::uint32_t seed, float* out) {
     const Words start = words(mixed(seed));
-    for (std::size_t i = 0; i < noise_block; i += lanes)
-        hn::StoreU(noise_at(start, places_at<dimensions>(places + dimensions * i)), as_floats, out + i);
+    const auto write = [out](const Sum& found, std::size_t i) HWY_ATTR {
+        hn::StoreU(found.sum / hn::Sqrt(found.expected + found.sum * found.sum), as_floats, out + i);
+    };
+    Sum last = sum_at(start, places_at<dimensions>(places));
+    for (std::size_t i = lanes; i < noise_block; i += lanes) {
+        const Sum next = sum_at(start, places_at<dimensions>(places + dimensions * i));
+        write(last, i - lanes);
+        last = next;
+    }
+    write(last, noise_block - lanes);
 }
 
-constexpr NoiseKernel kernel{HWY_STR(HWY_NAMESPACE), {&fill<1>, &fill<2>, &fill<3>}};
+constexpr NoiseKernel kernel{HWY_STR(HWY_NAMESPACE), {&fill_line, &fill<2>, &fill<3>}};
 
 }  // namespace
 }  // namespace motus::noise::HWY_NAMESPACE
