@@ -18,7 +18,11 @@ constexpr std::array kernels{
 }  // namespace
 
 std::span<const StepKernel> step_kernels() {
-    return std::span(kernels).first(runnable_sets());
+#if defined(__x86_64__)
+    return std::span(kernels).first(has_target(HWY_AVX3) ? 3 : has_target(HWY_AVX2) ? 2 : 1);
+#else
+    return kernels;
+#endif
 }
 
 }  // namespace motus::dynamics

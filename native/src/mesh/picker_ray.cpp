@@ -284,8 +284,8 @@ HWY_AFTER_NAMESPACE();
 namespace motus::mesh {
 
 std::span<const RayKernel> ray_kernels() {
-    static constexpr std::array kernels{MOTUS_EVERY_TARGET(kernel)};
-    return std::span(kernels).first(runnable_targets());
+    static const Kernels<RayKernel> kernels({MOTUS_EVERY_TARGET(kernel)});
+    return kernels.runnable();
 }
 
 std::optional<Hit> Picker::ray(const glm::dvec3& origin, const glm::dvec3& direction, double farthest) const {

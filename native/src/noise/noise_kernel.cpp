@@ -195,8 +195,8 @@ HWY_AFTER_NAMESPACE();
 namespace motus::noise {
 
 std::span<const NoiseKernel> noise_kernels() {
-    static constexpr std::array kernels{MOTUS_EVERY_TARGET(kernel)};
-    return std::span(kernels).first(runnable_targets());
+    static const Kernels<NoiseKernel> kernels({MOTUS_EVERY_TARGET(kernel)});
+    return kernels.runnable();
 }
 
 }  // namespace motus::noise

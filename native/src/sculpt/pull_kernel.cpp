@@ -405,8 +405,8 @@ HWY_AFTER_NAMESPACE();
 namespace motus::sculpt {
 
 std::span<const PullKernel> pull_kernels() {
-    static constexpr std::array kernels{MOTUS_EVERY_TARGET(kernel)};
-    return std::span(kernels).first(runnable_targets());
+    static const Kernels<PullKernel> kernels({MOTUS_EVERY_TARGET(kernel)});
+    return kernels.runnable();
 }
 
 }  // namespace motus::sculpt

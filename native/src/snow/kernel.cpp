@@ -128,8 +128,8 @@ HWY_AFTER_NAMESPACE();
 namespace motus::snow {
 
 std::span<const Kernel> kernels() {
-    static constexpr std::array kernels{MOTUS_EVERY_TARGET(kernel)};
-    return std::span(kernels).first(runnable_targets());
+    static const Kernels<Kernel> kernels({MOTUS_EVERY_TARGET(kernel)});
+    return kernels.runnable();
 }
 
 }  // namespace motus::snow

@@ -1,42 +1,45 @@
 // Which instruction sets this processor has, of those that inner loops are compiled for. For the topics of
 // the library alone.
 #pragma once
+#include <hwy/detect_targets.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 namespace motus {
 
-/// How many of these sets the processor has, in an order in which each includes those before: the one that
-/// all processors have, AVX2, and AVX-512 (F, VL, DQ and BW).
-[[nodiscard]] inline std::size_t runnable_sets() {
+/// Whether the processor has what one of Highway's targets is compiled to, beyond what all processors of its
+/// kind have. Highway's own function that asks the processor is in a shared library, which an add-on could
+/// not bring along.
+[[nodiscard]] inline bool has_target(std::int64_t target) {
 #if defined(__x86_64__)
-    static const std::size_t count = [] {
-        if (!__builtin_cpu_supports("avx2")) return std::size_t{1};
-        const bool has_avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-                                __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
-        return has_avx512 ? std::size_t{3} : std::size_t{2};
-    }();
-    return count;
+    switch (target) {
+        case HWY_SSE4:
+            return __builtin_cpu_supports("sse4.2") != 0;
+        case HWY_AVX2:
+            return __builtin_cpu_supports("avx2") != 0;
+        case HWY_AVX3:
+            return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
+                   __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512bw") != 0;
+        default:
+            return false;
+    }
 #else
-    return 1;
-#endif
-}
-
-/// How many of Highway's targets (MOTUS_EVERY_TARGET) the processor has; SSE4 comes before AVX2. Highway's
-/// own function that asks the processor is in a shared library, which an add-on could not bring along.
-[[nodiscard]] inline std::size_t runnable_targets() {
-#if defined(__x86_64__)
-    return runnable_sets() > 1 || __builtin_cpu_supports("sse4.2") ? runnable_sets() + 1 : 1;
-#else
-    return 1;
+    static_cast<void>(target);
+    return false;
 #endif
 }
 
 /// The name of the widest of Highway's targets that the processor has.
 [[nodiscard]] inline const char* instruction_set() {
 #if defined(__x86_64__)
-    static constexpr std::array names{"SSE2", "SSE4", "AVX2", "AVX-512"};
-    return names[runnable_targets() - 1];
+    if (has_target(HWY_AVX3)) return "AVX-512";
+    if (has_target(HWY_AVX2)) return "AVX2";
+    return has_target(HWY_SSE4) ? "SSE4" : "SSE2";
 #elif defined(__aarch64__)
     return "NEON";
 #else
@@ -44,12 +47,35 @@ namespace motus {
 #endif
 }
 
+/// What is there for several of Highway's targets, as functions in a struct: those that the processor can run.
+template <class Kernel>
+class Kernels {
+  public:
+    /// `of_targets`: as MOTUS_EVERY_TARGET lists them.
+    explicit Kernels(const std::array<const Kernel*, HWY_MAX_DYNAMIC_TARGETS + 1>& of_targets) {
+        constexpr int lowest_bit = HWY_HIGHEST_TARGET_BIT + 1 - HWY_MAX_DYNAMIC_TARGETS;
+        const Kernel* const of_all = of_targets.back();
+        add(*of_all);
+        for (int i = HWY_MAX_DYNAMIC_TARGETS - 1; i >= 0; --i) {
+            const Kernel* const kernel = of_targets[static_cast<std::size_t>(i)];
+            if (kernel != nullptr && kernel != of_all && has_target(std::int64_t{1} << (lowest_bit + i)))
+                add(*kernel);
+        }
+    }
+
+    /// The widest last.
+    [[nodiscard]] std::span<const Kernel> runnable() const { return std::span(kernels_).first(count_); }
+
+  private:
+    void add(const Kernel& kernel) { kernels_[count_++] = kernel; }
+
+    std::array<Kernel, HWY_MAX_DYNAMIC_TARGETS + 1> kernels_{};
+    std::size_t count_ = 0;
+};
+
 }  // namespace motus
 
-/// The functions of this name in each target's namespace, with commas between, for a source that
-/// <hwy/foreach_target.h> includes once for each target.
-#if defined(__x86_64__)
-#define MOTUS_EVERY_TARGET(name) HWY_STATIC_DISPATCH(name), N_SSE4::name, N_AVX2::name, N_AVX3::name
-#else
-#define MOTUS_EVERY_TARGET(name) HWY_STATIC_DISPATCH(name)
-#endif
+/// Pointers to what has this name in each target's namespace, null where there is none, the widest first; the
+/// one that all processors have is the last. For a source that <hwy/foreach_target.h> includes once for each
+/// target.
+#define MOTUS_EVERY_TARGET(name) HWY_CHOOSE_TARGET_LIST(name), HWY_CHOOSE_FALLBACK(name)

@@ -113,7 +113,11 @@ void solve_one(const TwoBone& chain, TwoBoneSolution& out) {
 }
 
 std::span<const TwoBoneKernel> two_bone_kernels() {
-    return std::span(kernels).first(std::min(kernels.size(), runnable_sets()));
+#if defined(__x86_64__)
+    return std::span(kernels).first(has_target(HWY_AVX2) ? 2 : 1);
+#else
+    return kernels;
+#endif
 }
 
 double triangle_angle(double a, double b, double c) {
