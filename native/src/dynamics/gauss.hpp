@@ -1,15 +1,11 @@
 // Gauss's collocation method with eight stages, of order 16: symplectic, and exact for polynomials of degree
 // 15. Hairer, Lubich, Wanner, "Geometric Numerical Integration" (2nd ed., 2006), II.1 and VIII.6.
-// Private to the library. A template over lanes: the stages of a step are computed side by side.
+// Private to the library. gauss_kernel.cpp computes the stages of a step side by side.
 #pragma once
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <span>
 
 #include "gauss_table.hpp"
-#include "motus/core/wide.hpp"
 
 namespace motus::dynamics {
 
@@ -39,167 +35,7 @@ struct GaussStep {
                         ///< some tenth of its square
 };
 
-template <class Lanes, class System>
-class GaussStages {
-    static constexpr std::size_t size = System::size;
-    static constexpr std::size_t width = lane_count<Lanes>;
-    static constexpr std::size_t count = stages / width;
-    using Row = std::array<Lanes, count>;
-    using Values = std::array<Lanes, size>;
-
-  public:
-    explicit GaussStages(GaussStep<System>& step) : step_(step) {
-        load_drive();
-        if (step.derivatives->are_known) {
-            const auto& before = step.derivatives->values;
-            for (std::size_t d = 0; d < size; ++d) f_[d] = product(gauss.next, before[d]);
-        } else {
-            Values y{};
-            for (std::size_t d = 0; d < size; ++d) y[d] = Lanes((*step.state)[d]);
-            for (std::size_t i = 0; i < count; ++i) {
-                Values f{};
-                (*step.system)(y.data(), drive_[0][i], drive_[1][i], f.data());
-                for (std::size_t d = 0; d < size; ++d) f_[d][i] = f[d];
-            }
-        }
-    }
-
-    [[nodiscard]] bool is_done() const noexcept { return is_done_; }
-
-    /// One round of the fixed-point iteration.
-    void iterate() {
-        std::array<Row, size> y{};
-        for (std::size_t d = 0; d < size; ++d) {
-            alignas(64) Stages f{};
-            store(f_[d], f);
-            y[d] = product(gauss.integrals, f);
-            const Lanes start((*step_.state)[d]);
-            const Lanes h(step_.length);
-            for (Lanes& one : y[d]) one = start + h * one;
-        }
-        Lanes change(0.0);
-        Lanes largest(0.0);
-        for (std::size_t i = 0; i < count; ++i) {
-            Values at{};
-            Values f{};
-            for (std::size_t d = 0; d < size; ++d) at[d] = y[d][i];
-            (*step_.system)(at.data(), drive_[0][i], drive_[1][i], f.data());
-            for (std::size_t d = 0; d < size; ++d) {
-                change = max(change, abs(f[d] - f_[d][i]));
-                largest = max(largest, abs(f[d]));
-                f_[d][i] = f[d];
-            }
-        }
-        judge(largest_of(change), largest_of(largest));
-    }
-
-    /// Writes the state at the end of the step.
-    void finish() {
-        step_.converged = converged_;
-        step_.tail = 0.0;
-        for (std::size_t d = 0; d < size; ++d) {
-            auto& f = step_.derivatives->values[d];
-            store(f_[d], f);
-            // Angles, the first half, are judged as they are, what drives them by its size.
-            const double scale = 2 * d < size ? 1.0 : std::max(1.0, std::abs((*step_.state)[d]));
-            step_.tail = std::max(step_.tail, std::abs(step_.length * dot(gauss.tail, f)) / scale);
-            if (converged_) (*step_.state)[d] += step_.length * dot(gauss.weights, f);
-        }
-        step_.derivatives->are_known = converged_;
-    }
-
-  private:
-    using Stages = std::array<double, stages>;
-    using Table = std::array<Stages, stages>;
-
-    void load_drive() {
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            const double start = step_.drive.start[axis];
-            const double more = step_.drive.end[axis] - start;
-            alignas(64) Stages at{};
-            for (std::size_t i = 0; i < stages; ++i) at[i] = start + more * gauss.nodes[i];
-            drive_[axis] = load(at);
-        }
-    }
-
-    /// Sums over j of table[j] times f[j]; in the same order whatever the number of lanes.
-    [[nodiscard, gnu::always_inline]] static Row product(const Table& table, const Stages& f) {
-        Row sums{};
-        for (std::size_t j = 0; j < stages; ++j) {
-            const Row part = load(table[j]);
-            const Lanes factor(f[j]);
-            for (std::size_t i = 0; i < count; ++i) sums[i] = sums[i] + part[i] * factor;
-        }
-        return sums;
-    }
-
-    [[nodiscard, gnu::always_inline]] static Row load(const Stages& values) {
-        Row row{};
-        for (std::size_t i = 0; i < count; ++i)
-            __builtin_memcpy(&row[i].lanes, values.data() + i * width, sizeof(Lanes));
-        return row;
-    }
-    [[gnu::always_inline]] static void store(const Row& row, Stages& values) {
-        for (std::size_t i = 0; i < count; ++i)
-            __builtin_memcpy(values.data() + i * width, &row[i].lanes, sizeof(Lanes));
-    }
-
-    [[nodiscard]] static double dot(const Stages& a, const Stages& b) {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < stages; ++i) sum += a[i] * b[i];
-        return sum;
-    }
-
-    [[nodiscard, gnu::always_inline]] static double largest_of(Lanes lanes) {
-        double largest = lane(lanes, 0);
-        for (int i = 1; i < static_cast<int>(width); ++i) largest = std::max(largest, lane(lanes, i));
-        return largest;
-    }
-
-    /// Judges by largest differences, which, unlike sums, do not depend on the number of lanes.
-    void judge(double change, double largest) {
-        constexpr double rounding = 1e-15;
-        constexpr int most = 24;
-        const double goal = rounding * largest + 1e-300;
-        // The next round is expected to change the result by the same factor less than this one as this one
-        // did than the last.
-        const bool has_last = rounds_ > 0;
-        const bool is_small = change <= goal || (has_last && change * change <= goal * last_change_);
-        const bool has_stopped = has_last && change >= last_change_ && change <= 1e3 * goal;
-        converged_ = is_small || has_stopped;
-        ++rounds_;
-        is_done_ = converged_ || rounds_ >= most || !(largest < 1e290);
-        last_change_ = change;
-    }
-
-    std::array<Row, size> f_{};
-    std::array<Row, 2> drive_{};
-    GaussStep<System>& step_;
-    double last_change_ = 0.0;
-    int rounds_ = 0;
-    bool converged_ = false;
-    bool is_done_ = false;
-};
-
 /// How many steps are made at a time: one computes while the other waits for its results.
 inline constexpr std::size_t steps_at_once = 2;
-
-template <class Lanes, class System>
-void make_gauss_steps(std::span<GaussStep<System>> steps) {
-    for (std::size_t i = 0; i < steps.size(); i += steps_at_once) {
-        GaussStages<Lanes, System> one(steps[i]);
-        if (i + 1 < steps.size()) {
-            GaussStages<Lanes, System> other(steps[i + 1]);
-            while (!one.is_done() && !other.is_done()) {
-                one.iterate();
-                other.iterate();
-            }
-            while (!other.is_done()) other.iterate();
-            other.finish();
-        }
-        while (!one.is_done()) one.iterate();
-        one.finish();
-    }
-}
 
 }  // namespace motus::dynamics

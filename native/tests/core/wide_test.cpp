@@ -1,5 +1,156 @@
-#include "wide_cases.hpp"
+// Each of several lanes has the result it would have alone, by each instruction set.
+#include "motus/core/wide.hpp"
 
-TEST_CASE("each of two lanes is computed as it would be alone", "[wide]") {
-    check_numbers<Pair>();
+#include <array>
+#include <bit>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "core/wide_checks.hpp"
+#include "motus/core/instruction_sets.hpp"
+#include "random.hpp"
+
+// This include compiles the file once for each of Highway's targets; code for no target stands at the end.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/wide_test.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace motus::test::HWY_NAMESPACE {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Numbers at which a comparison, a choice or a rounding could go another way in one of the lanes.
+constexpr std::array values{0.0,     -0.0,     1.0,      -1.0,      1.0 / 3.0, 5e-324,
+                            1.7e308, -1.7e308, infinity, -infinity, nan};
+
+bool same_bits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) ||
+           (std::isnan(a) && std::isnan(b));
 }
+
+/// A template of two numbers, with every two of them, in lanes beside any others.
+template <class Several, class Function>
+void check_lanes(Function&& function) {
+    constexpr int lanes = lane_count<Several>;
+    test::Random random(1);
+    for (const double a : values)
+        for (const double b : values)
+            for (int here = 0; here < lanes; ++here) {
+                Several first(0.0), second(0.0);
+                for (int i = 0; i < lanes; ++i) {
+                    set_lane(first, i, i == here ? a : values[random.below(values.size())]);
+                    set_lane(second, i, i == here ? b : values[random.below(values.size())]);
+                }
+                const Several all = function(first, second);
+                for (int i = 0; i < lanes; ++i) {
+                    INFO(lane(first, i) << " and " << lane(second, i) << " in lane " << i);
+                    REQUIRE(same_bits(lane(all, i), function(lane(first, i), lane(second, i))));
+                }
+            }
+}
+
+template <class Several>
+void check_arithmetic() {
+    using std::abs, std::max, std::min, std::sqrt;
+    check_lanes<Several>([](auto a, auto b) { return a + b; });
+    check_lanes<Several>([](auto a, auto b) { return a - b; });
+    check_lanes<Several>([](auto a, auto b) { return a * b; });
+    check_lanes<Several>([](auto a, auto b) { return a / b; });
+    check_lanes<Several>([](auto a, auto b) { return min(a, b); });
+    check_lanes<Several>([](auto a, auto b) { return max(a, b); });
+    check_lanes<Several>([](auto a, auto) { return abs(a); });
+    check_lanes<Several>([](auto a, auto) { return sqrt(a); });
+}
+
+template <class Several>
+void check_choices() {
+    check_lanes<Several>([](auto a, auto b) { return select(a < b, a, b); });
+    check_lanes<Several>([](auto a, auto b) { return select(a <= b, a, b); });
+    check_lanes<Several>([](auto a, auto b) { return select(a > b, a, b); });
+    check_lanes<Several>([](auto a, auto b) { return select(a >= b, a, b); });
+    check_lanes<Several>([](auto a, auto b) { return select(a == b, a - a, b); });
+    check_lanes<Several>([](auto a, auto b) { return select(!(a < b), a, b); });
+    check_lanes<Several>([](auto a, auto b) { return select((a < b) | (b < a), a, b); });
+    check_lanes<Several>([](auto a, auto b) { return select((a <= b) & (b <= a), a - a, b); });
+}
+
+template <class Several>
+void check_masks() {
+    constexpr int lanes = lane_count<Several>;
+    for (int here = 0; here < lanes; ++here) {
+        Several one(0.0);
+        set_lane(one, here, 1.0);
+        const auto is_one = one > Several(0.5);
+        CHECK(any(is_one));
+        CHECK_FALSE(all(is_one));
+        CHECK_FALSE(all(!is_one));
+        for (int i = 0; i < lanes; ++i) CHECK(lane(is_one, i) == (i == here));
+    }
+    CHECK(all(Several(1.0) > Several(0.5)));
+    CHECK_FALSE(any(Several(0.0) > Several(0.5)));
+}
+
+template <class Several>
+void check_vectors() {
+    constexpr int lanes = lane_count<Several>;
+    glm::vec<3, Several> first(Several(0.0)), second(Several(0.0));
+    std::array<glm::dvec3, lanes> a{}, b{};
+    test::Random random(2);
+    for (int i = 0; i < lanes; ++i) {
+        a.at(i) = random.in_cube(9.0);
+        b.at(i) = random.in_cube(9.0);
+        set_lane(first, i, a.at(i));
+        set_lane(second, i, b.at(i));
+    }
+    const auto is_positive = first.x > Several(0.0);
+    for (int i = 0; i < lanes; ++i) {
+        CHECK(lane(glm::cross(first, second), i) == glm::cross(a.at(i), b.at(i)));
+        CHECK(lane(glm::dot(first, second), i) == glm::dot(a.at(i), b.at(i)));
+        CHECK(lane(select(is_positive, first, second), i) == (a.at(i).x > 0.0 ? a.at(i) : b.at(i)));
+    }
+}
+
+template <class Several>
+void check_numbers() {
+    check_arithmetic<Several>();
+    check_choices<Several>();
+    check_masks<Several>();
+    check_vectors<Several>();
+}
+
+constexpr Checks checks{HWY_STR(HWY_NAMESPACE), &check_numbers<Wide<2>>, &check_numbers<Wide<4>>,
+                        &check_numbers<Wide<8>>};
+
+}  // namespace
+}  // namespace motus::test::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace motus::test {
+
+TEST_CASE("each of several lanes is computed as it would be alone", "[wide]") {
+    const Kernels<Checks> all({MOTUS_EVERY_TARGET(checks)});
+    for (const Checks& of_set : all.runnable()) {
+        DYNAMIC_SECTION(of_set.name) {
+            SECTION("pairs") {
+                of_set.pairs();
+            }
+            SECTION("quads") {
+                of_set.quads();
+            }
+            SECTION("octets") {
+                of_set.octets();
+            }
+        }
+    }
+}
+
+}  // namespace motus::test
+#endif

@@ -47,7 +47,8 @@ namespace motus {
 #endif
 }
 
-/// What is there for several of Highway's targets, as functions in a struct: those that the processor can run.
+/// What is there for several of Highway's targets, as functions in a struct: those that the processor can
+/// run.
 template <class Kernel>
 class Kernels {
   public:

@@ -61,4 +61,8 @@ glm::dvec3 faded_slowly(const BendSide<double>& side) {
     return blended_normal(without, side.bend * straightened(of_pole, side.along), side.along, weight);
 }
 
+glm::dvec3 faded_alone(BendSide<double> side) {
+    return faded_normal(side);
+}
+
 }  // namespace motus::bones::chains

@@ -1,13 +1,11 @@
 #include "motus/bones/chains/two_bone.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "motus/bones/chains/bend_plane.hpp"
 #include "motus/bones/chains/triangle.hpp"
-#include "motus/core/instruction_sets.hpp"
 #include "motus/core/numeric.hpp"
 #include "two_bone_lanes.hpp"
 
@@ -57,7 +55,7 @@ void solve_far_from_one(const TwoBone& chain, TwoBoneSolution& out) {
     local.length1 = std::scalbn(chain.length1, -unit);
     local.length2 = std::scalbn(chain.length2, -unit);
     local.softness = std::scalbn(chain.softness, -unit);
-    solve_plain(Chains<double>(&local), &out);
+    solve_plain(Chains<double>(&local), faded_alone, &out);
     out.elbow = moved(chain.root, out.elbow, unit);
     out.tip = out.tip == local.target ? chain.target : moved(chain.root, out.tip, unit);
     out.residual = std::min(std::scalbn(out.residual, unit), largest_double);
@@ -82,13 +80,6 @@ void check(const TwoBone& chain) {
     return std::isfinite(sum) && chain.length1 >= 0.0 && chain.length2 >= 0.0;
 }
 
-#if defined(__x86_64__)
-constexpr std::array kernels{TwoBoneKernel{"pairs", &solve_in_lanes<Pair>},
-                             TwoBoneKernel{"AVX2", &solve_quads}};
-#else
-constexpr std::array kernels{TwoBoneKernel{"pairs", &solve_in_lanes<Pair>}};
-#endif
-
 }  // namespace
 
 glm::dvec3 line_of_coincident(const TwoBone& chain, glm::dvec3 target, glm::dvec3 pole) {
@@ -106,18 +97,10 @@ glm::dvec3 line_of_coincident(const TwoBone& chain, glm::dvec3 target, glm::dvec
 
 void solve_one(const TwoBone& chain, TwoBoneSolution& out) {
     if (const Chains<double> one(&chain); one.are_plain()) {
-        solve_plain(one, &out);
+        solve_plain(one, faded_alone, &out);
     } else {
         solve_far_from_one(chain, out);
     }
-}
-
-std::span<const TwoBoneKernel> two_bone_kernels() {
-#if defined(__x86_64__)
-    return std::span(kernels).first(has_target(HWY_AVX2) ? 2 : 1);
-#else
-    return kernels;
-#endif
 }
 
 double triangle_angle(double a, double b, double c) {

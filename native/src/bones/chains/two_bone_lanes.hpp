@@ -1,6 +1,5 @@
-// Two bones, one chain or several at once. Private to the library.
-// Included by files for different instruction sets: what is no template over Real is declared here, but
-// defined in two_bone.cpp.
+// Two bones, one chain or several at once: templates for the functions of one instruction set, which they are
+// inlined into. Private to the library.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -23,15 +22,24 @@ inline constexpr double largest_double = std::numeric_limits<double>::max();
 /// solve_two_bone() for one chain of any sizes.
 void solve_one(const TwoBone& chain, TwoBoneSolution& out);
 
+/// Functions that solve many chains, for one instruction set; all sets give the same bits.
+struct TwoBoneKernel {
+    const char* name;
+    void (*solve)(std::span<const TwoBone> chains, std::span<TwoBoneSolution> out);
+};
+
+/// The kernels that this processor can run, the fastest last.
+[[nodiscard]] std::span<const TwoBoneKernel> two_bone_kernels();
+
 template <class Real>
-[[nodiscard]] inline Real largest_of(const glm::vec<3, Real>& v) {
+[[nodiscard, gnu::always_inline]] inline Real largest_of(const glm::vec<3, Real>& v) {
     using std::abs, std::max;
     return max(max(abs(v.x), abs(v.y)), abs(v.z));
 }
 
 /// soft_reach() of one chain, or of several chains in the lanes of Real.
 template <class Real>
-[[nodiscard]] inline Real softened(Real distance, Real reach, Real softness) {
+[[nodiscard, gnu::always_inline]] inline Real softened(Real distance, Real reach, Real softness) {
     using std::max, std::min;
     const Real zero = 0.0, one = 1.0, third = 1.0 / 3.0;
     const Real soft = min(max(softness, zero), reach);
@@ -82,11 +90,11 @@ struct Chains {
     Real length1 = gathered<Real>(given, [](const TwoBone& c) { return c.length1; });
     Real length2 = gathered<Real>(given, [](const TwoBone& c) { return c.length2; });
 
-    explicit Chains(const TwoBone* chains) : given(chains) {}
+    [[gnu::always_inline]] explicit Chains(const TwoBone* chains) : given(chains) {}
 
     /// Whether the squares of all relevant numbers, and the products of two squares, neither overflow nor
     /// underflow.
-    [[nodiscard]] bool are_plain() const {
+    [[nodiscard, gnu::always_inline]] bool are_plain() const {
         using std::max;
         const Real largest = max(largest_of(target), max(length1, length2));
         const Real zero = 0.0, low = 1e-100, high = 1e100;
@@ -94,9 +102,10 @@ struct Chains {
     }
 };
 
-/// Solves chains for which are_plain() is true.
-template <class Real>
-inline void solve_plain(const Chains<Real>& chains, TwoBoneSolution* out) {
+/// Solves chains for which are_plain() is true. faded: as bend_normal() wants it.
+template <class Real, class Faded>
+[[gnu::always_inline]] inline void solve_plain(const Chains<Real>& chains, const Faded& faded,
+                                               TwoBoneSolution* out) {
     using std::abs, std::max, std::min, std::sqrt;
     using Vector = glm::vec<3, Real>;
     const Real zero = 0.0, one = 1.0;
@@ -131,7 +140,7 @@ inline void solve_plain(const Chains<Real>& chains, TwoBoneSolution* out) {
     const Real bend = gathered<Real>(chains.given, [](const TwoBone& c) -> double { return c.bend; });
     const auto has_no_plane = (plane.x == zero) & (plane.y == zero) & (plane.z == zero);
     const Real band = select(has_no_plane, Real(pole_band_no_plane), Real(pole_band));
-    const Vector normal = bend_normal<Real>({along, chains.pole, plane, longest, band, bend});
+    const Vector normal = bend_normal(BendSide<Real>{along, chains.pole, plane, longest, band, bend}, faded);
     const Direction<Real> bone = shoulder(chains.length1, chains.length2, longest, shortest, reach);
     const Vector elbow =
         chains.root + (along * (length1 * bone.cosine) + glm::cross(normal, along) * (length1 * bone.sine));
@@ -147,30 +156,19 @@ inline void solve_plain(const Chains<Real>& chains, TwoBoneSolution* out) {
 }
 
 /// Solves as many chains at once as a Real has lanes. chains and out have the same size.
-template <class Real>
-inline void solve_in_lanes(std::span<const TwoBone> chains, std::span<TwoBoneSolution> out) {
+template <class Real, class Faded>
+[[gnu::always_inline]] inline void solve_in_lanes(std::span<const TwoBone> chains, const Faded& faded,
+                                                  std::span<TwoBoneSolution> out) {
     constexpr std::size_t lanes = lane_count<Real>;
     std::size_t i = 0;
     for (; i + lanes <= chains.size(); i += lanes) {
         if (const Chains<Real> some(&chains[i]); some.are_plain()) {
-            solve_plain(some, &out[i]);
+            solve_plain(some, faded, &out[i]);
         } else {
             for (std::size_t j = i; j < i + lanes; ++j) solve_one(chains[j], out[j]);
         }
     }
     for (; i < chains.size(); ++i) solve_one(chains[i], out[i]);
 }
-
-/// Functions that solve many chains, for one instruction set; all sets give the same bits.
-struct TwoBoneKernel {
-    const char* name;
-    void (*solve)(std::span<const TwoBone> chains, std::span<TwoBoneSolution> out);
-};
-
-/// The kernels that this processor can run, the fastest last.
-[[nodiscard]] std::span<const TwoBoneKernel> two_bone_kernels();
-
-/// For processors with AVX2 only.
-void solve_quads(std::span<const TwoBone> chains, std::span<TwoBoneSolution> out);
 
 }  // namespace motus::bones::chains

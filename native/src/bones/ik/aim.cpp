@@ -102,7 +102,7 @@ Aim::Line Aim::line_to_target(const Pose& pose, const AimGoal& goal, double leng
     glm::dvec3 wanted = carried;
     if (goal.pole) {
         const glm::dvec3 to_pole = *goal.pole - pose.root();
-        wanted = chains::bend_normal<double>(
+        wanted = chains::bend_normal(
             {line.chord.along, to_pole, carried, length, chains::pole_band, static_cast<double>(goal.bend)});
     }
     if (goal.pole_angle != 0.0)

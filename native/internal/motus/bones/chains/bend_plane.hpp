@@ -70,8 +70,9 @@ struct Start {
 /// blended_normal() of normals of any length. share: the weight over the
 /// length of `to`.
 template <class Real>
-inline glm::vec<3, Real> blended(const Start<Real>& from, const glm::vec<3, Real>& to, Real share,
-                                 Real weight) {
+[[nodiscard, gnu::always_inline]] inline glm::vec<3, Real> blended(const Start<Real>& from,
+                                                                   const glm::vec<3, Real>& to, Real share,
+                                                                   Real weight) {
     using std::sqrt;
     // Of unit vectors: rest from + weight to + rest weight (1 - from . to) along x from. Here times length^2.
     const Real rest = Real(1.0) - weight;
@@ -84,10 +85,9 @@ inline glm::vec<3, Real> blended(const Start<Real>& from, const glm::vec<3, Real
     return select(is_long, sum, from.normal) * (Real(1.0) / select(is_long, sqrt(square), from.length));
 }
 
-/// bend_normal() if the pole is near the line and fades out. Not inlined, to keep bend_normal()'s frequent
-/// branch short.
+/// bend_normal() if the pole is near the line and fades out.
 template <class Real>
-[[gnu::noinline]] glm::vec<3, Real> faded_normal(BendSide<Real> side) {
+[[nodiscard, gnu::always_inline]] inline glm::vec<3, Real> faded_normal(const BendSide<Real>& side) {
     using std::max, std::sqrt;
     using Vector = glm::vec<3, Real>;
     const Vector across = glm::cross(side.along, side.pole);
@@ -112,10 +112,14 @@ template <class Real>
     return normal;
 }
 
+/// faded_normal() of one chain.
+[[nodiscard]] glm::dvec3 faded_alone(BendSide<double> side);
+
 /// The unit normal n for which n x along points to the elbow's side; see TwoBone::plane. Coordinates of the
-/// pole are within 1e100.
-template <class Real>
-[[nodiscard]] inline glm::vec<3, Real> bend_normal(const BendSide<Real>& side) {
+/// pole are within 1e100. faded(side): calls faded_normal(), not inlined, to keep the frequent branch short.
+template <class Real, class Faded>
+[[nodiscard, gnu::always_inline]] inline glm::vec<3, Real> bend_normal(const BendSide<Real>& side,
+                                                                       const Faded& faded) {
     using std::max, std::sqrt;
     const Real vanished = 1e-290;  // squared: below it digits are lost
     const glm::vec<3, Real> across = glm::cross(side.along, side.pole);
@@ -123,7 +127,11 @@ template <class Real>
     const Real far_square = max(glm::dot(side.pole, side.pole), side.near * side.near);
     const auto is_clear = (square > vanished) & (square >= side.band * side.band * far_square);
     const glm::vec<3, Real> clear = across * (side.bend / sqrt(square));
-    return all(is_clear) ? clear : select(is_clear, clear, faded_normal(side));
+    return all(is_clear) ? clear : select(is_clear, clear, faded(side));
+}
+
+[[nodiscard]] inline glm::dvec3 bend_normal(const BendSide<double>& side) {
+    return bend_normal(side, faded_alone);
 }
 
 }  // namespace motus::bones::chains

@@ -16,7 +16,7 @@ struct HalfAngle {
 /// The angle between the sides a and b, opposite c. Kahan, "Miscalculating Area and Angles of a Needle-like
 /// Triangle" (2014), section 6: none of its differences loses digits, not even for needles.
 template <class Real>
-[[nodiscard]] inline HalfAngle<Real> half_angle(Real a, Real b, Real c) {
+[[nodiscard, gnu::always_inline]] inline HalfAngle<Real> half_angle(Real a, Real b, Real c) {
     using std::max, std::min;
     const Real zero = 0.0;
     const Real longer = max(a, b);
@@ -34,7 +34,7 @@ struct Direction {
 /// cosine^2 + sine^2 = 1 to the last digits. A right angle if one of the sides is negligible beside
 /// the other.
 template <class Real>
-[[nodiscard]] inline Direction<Real> direction_of(const HalfAngle<Real>& half) {
+[[nodiscard, gnu::always_inline]] inline Direction<Real> direction_of(const HalfAngle<Real>& half) {
     using std::sqrt;
     const Real no_side = 1e-290;
     const Real sum = half.opposite + half.adjacent;
@@ -49,8 +49,8 @@ template <class Real>
 /// sum and difference of the lengths. The ends of the reach are compared exactly: near them a rounding of
 /// 1e-16 would become an angle of 1e-8 rad.
 template <class Real>
-[[nodiscard]] inline Direction<Real> shoulder(Real length1, Real length2, Real longest, Real shortest,
-                                              Real reach) {
+[[nodiscard, gnu::always_inline]] inline Direction<Real> shoulder(Real length1, Real length2, Real longest,
+                                                                  Real shortest, Real reach) {
     const Real zero = 0.0, one = 1.0;
     const auto is_straight = reach >= longest;
     const auto is_folded = (reach <= shortest) & (shortest > zero);
