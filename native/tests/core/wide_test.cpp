@@ -75,10 +75,10 @@ void check_choices() {
     check_lanes<Several>([](auto a, auto b) { return select(a <= b, a, b); });
     check_lanes<Several>([](auto a, auto b) { return select(a > b, a, b); });
     check_lanes<Several>([](auto a, auto b) { return select(a >= b, a, b); });
-    check_lanes<Several>([](auto a, auto b) { return select(a == b, a - a, b); });
+    check_lanes<Several>([](auto a, auto b) { return select(a == b, a + b, b); });
     check_lanes<Several>([](auto a, auto b) { return select(!(a < b), a, b); });
     check_lanes<Several>([](auto a, auto b) { return select((a < b) | (b < a), a, b); });
-    check_lanes<Several>([](auto a, auto b) { return select((a <= b) & (b <= a), a - a, b); });
+    check_lanes<Several>([](auto a, auto b) { return select((a <= b) & (b <= a), a + b, b); });
 }
 
 template <class Several>

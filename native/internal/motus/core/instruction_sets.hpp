@@ -19,12 +19,12 @@ namespace motus {
 #if defined(__x86_64__)
     switch (target) {
         case HWY_SSE4:
-            return __builtin_cpu_supports("sse4.2") != 0;
+            return __builtin_cpu_supports("sse4.2");
         case HWY_AVX2:
-            return __builtin_cpu_supports("avx2") != 0;
+            return __builtin_cpu_supports("avx2");
         case HWY_AVX3:
-            return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
-                   __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512bw") != 0;
+            return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                   __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
         default:
             return false;
     }
