@@ -236,7 +236,7 @@ class Add(DriverTestCase):
             (r'\["word"\] is no number', {"data_path": '["word"]'}),
             ("location has 3 components", {"data_path": "location", "index": 5}),
             ("There is no Gone in materials", {"collection": 'materials', "datablock": "Gone", "data_path": "roughness"}),
-            ("length must be greater than 0", {"data_path": "scale", "index": 0, "length": 0.0}),
+            ("length: must be greater than 0", {"data_path": "scale", "index": 0, "length": 0.0}),
             ("is not a finite number", {"data_path": "scale", "index": 0, "theta": math.inf}),
             ("Point at a property", {}),
         ):

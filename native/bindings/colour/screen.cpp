@@ -104,8 +104,7 @@ struct Pixels {
     const std::span<double> out = values_of(result);
     {
         const ReleaseGil released(pixels.rows.size(), pixel_cost);
-        for (std::size_t i = 0; i < out.size(); ++i)
-            out[i] = colour::matte(glm::dvec3(pixels.rows[i]), screen, difference);
+        colour::mattes(pixels.rows, screen, difference, out);
     }
     return result;
 }

@@ -5,7 +5,7 @@
 namespace motus::bones {
 
 glm::dmat4 matrix_at(std::span<const float> matrices, std::size_t bone) {
-    require(bone < matrices.size() / 16, "matrices: there must be one of the bone");
+    require(bone < matrices.size() / 16, "bone: must have a matrix");
     const float* value = matrices.data() + 16 * bone;
     glm::dmat4 matrix;
     for (int column = 0; column < 4; ++column) {
@@ -15,8 +15,10 @@ glm::dmat4 matrix_at(std::span<const float> matrices, std::size_t bone) {
 }
 
 Rest rest_of(const RigView& rig, std::size_t bone) {
-    require(bone < rig.parents.size() && bone < rig.inheritance.size(), "rig: must have the bone");
+    require(bone < rig.parents.size() && bone < rig.inheritance.size(), "bone: must be one of the rig");
     const int parent = rig.parents[bone];
+    require(parent >= -1 && (parent < 0 || static_cast<std::size_t>(parent) < rig.rest.size() / 16),
+            "rig: must have the parents that its bones name");
     const int flags = rig.inheritance[bone];
     Rest rest;
     rest.matrix = matrix_at(rig.rest, bone);

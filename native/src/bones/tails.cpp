@@ -1,6 +1,7 @@
 #include "motus/bones/tails.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <stdexcept>
@@ -115,7 +116,9 @@ void TailPlan::solve(const RigView& rig, const glm::dmat4& world, std::span<cons
             const glm::dvec3 head(to_pose(space, basis)[3]);
             const glm::dvec3 tail(to_rig * glm::dvec4(targets[*link.row], 1.0));
             const OwnTurn own = own_turn(basis);
-            const std::optional<glm::dquat> turn = turn_along(space, own, tail - head, weights[*link.row]);
+            const double weight = weights[*link.row];
+            const std::optional<glm::dquat> turn =
+                std::isfinite(weight) ? turn_along(space, own, tail - head, weight) : std::nullopt;
             rotations[*link.row] = turn.value_or(no_turn);
             if (turn) {
                 const glm::dmat3 turned = scaled(own.rotation * glm::mat3_cast(*turn), own.scale);

@@ -242,6 +242,22 @@ void judge_evenness(ScreenNumbers& found, ScreenQuality& report) {
     report.chroma_spread = quantile(distances, 0.95);
 }
 
+/// matte() of what is checked.
+[[nodiscard]] double matte_of(const glm::dvec3& pixel, const glm::dvec3& screen,
+                              const Difference& difference) {
+    const double sum = pixel.x + pixel.y + pixel.z;
+    if (std::isnan(sum)) return sum;
+    const glm::length_t channel = channel_of(screen);
+    const double share =
+        excess(pixel, channel, difference.balance) / excess(screen, channel, difference.balance);
+    return std::clamp(1.0 - difference.gain * share, 0.0, 1.0);
+}
+
+void check(const Difference& difference) {
+    require(difference.balance >= 0.0 && difference.balance <= 1.0, "balance: must be from 0 to 1");
+    require(difference.gain >= 0.0 && std::isfinite(difference.gain), "gain: must be at least 0 and finite");
+}
+
 }  // namespace
 
 void check(const Picture& picture) {
@@ -292,15 +308,24 @@ bool is_screen_color(const glm::dvec3& color) {
 }
 
 double matte(const glm::dvec3& pixel, const glm::dvec3& screen, const Difference& difference) {
-    const glm::length_t channel = channel_of(screen);
-    const double share =
-        excess(pixel, channel, difference.balance) / excess(screen, channel, difference.balance);
-    return std::clamp(1.0 - difference.gain * share, 0.0, 1.0);
+    require(is_screen_color(screen), "screen: must be a green or a blue");
+    check(difference);
+    return matte_of(pixel, screen, difference);
+}
+
+void mattes(std::span<const glm::vec4> pixels, const glm::dvec3& screen, const Difference& difference,
+            std::span<double> out) {
+    require(out.size() == pixels.size(), "out: must have a number for each pixel");
+    require(is_screen_color(screen), "screen: must be a green or a blue");
+    check(difference);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        out[i] = matte_of(glm::dvec3(pixels[i]), screen, difference);
 }
 
 ScreenQuality judge_screen(const Picture& picture, const glm::dvec3& color, const Difference& difference) {
     check(picture);
     require(is_screen_color(color), "color: must be a green or a blue");
+    check(difference);
     const glm::length_t channel = channel_of(color);
     const Inside inside(picture, color);
     ScreenNumbers screen;
@@ -310,7 +335,7 @@ ScreenQuality judge_screen(const Picture& picture, const glm::dvec3& color, cons
         if (picture.pixels[i].w < 0.5F) continue;
         const glm::dvec3 pixel(picture.pixels[i]);
         if (inside.is_subject(i)) {
-            subject.push_back(matte(pixel, color, difference));
+            subject.push_back(matte_of(pixel, color, difference));
             spill += std::max(0.0, excess(pixel, channel, 0.0));
         }
         if (!inside.is_screen(i)) continue;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bernstein.hpp"
+#include "motus/core/numeric.hpp"
 
 namespace motus::curve {
 namespace {
@@ -141,6 +142,7 @@ Curve reversed(const Curve& curve) {
 }
 
 Curve transformed(const Curve& curve, const glm::dmat4& matrix) {
+    require(is_finite(matrix), "matrix: must be finite");
     std::vector<glm::dvec3> points;
     points.reserve(curve.control_points().size());
     for (const glm::dvec3& p : curve.control_points()) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "bernstein.hpp"
+#include "coordinates.hpp"
 #include "motus/curve/bezier.hpp"
 
 namespace motus::curve {
@@ -77,6 +78,7 @@ Curve bspline(std::span<const glm::dvec3> points, const BSplineSettings& setting
     require_order(settings.order);
     if (!is_drawn(points.size(), settings))
         return elevated(poly_line(points, settings.cyclic), settings.order - 2);
+    require_coordinates(points, "points");
     const std::vector<double> knots = bspline_knots(points.size(), settings);
     const auto degree = static_cast<std::size_t>(settings.order) - 1;
     const std::size_t spans_end = points.size() + (settings.cyclic ? degree : 0);
@@ -98,6 +100,7 @@ Curve bspline(std::span<const glm::dvec3> points, const BSplineSettings& setting
 
 Curve poly_line(std::span<const glm::dvec3> points, bool cyclic) {
     if (points.size() < 2) throw std::invalid_argument("points: at least 2 are needed");
+    require_coordinates(points, "points");
     const std::size_t segments = cyclic ? points.size() : points.size() - 1;
     std::vector<glm::dvec3> control_points;
     control_points.reserve(2 * segments);

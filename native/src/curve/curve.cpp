@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bernstein.hpp"
+#include "coordinates.hpp"
 
 namespace motus::curve {
 namespace {
@@ -19,15 +20,6 @@ namespace {
 constexpr double vanishing = 1e-12;
 // The tangent if there is none.
 constexpr glm::dvec3 no_direction(0.0, 1.0, 0.0);
-
-void require_finite(std::span<const glm::dvec3> points, const char* name) {
-    const auto fits = [](double value) { return std::abs(value) <= coordinate_limit; };  // false for NaN
-    for (const glm::dvec3& p : points) {
-        if (!(fits(p.x) && fits(p.y) && fits(p.z)))
-            throw std::invalid_argument(std::string(name) +
-                                        ": every coordinate must be finite, and at most 1e100");
-    }
-}
 
 /// The largest t.
 [[nodiscard]] double end_of(const Curve& curve) {
@@ -132,7 +124,7 @@ Curve Curve::bezier(std::span<const glm::dvec3> control_points) {
     if (control_points.size() < 2 || control_points.size() > most)
         throw std::invalid_argument("control_points: 2 to " + std::to_string(most) +
                                     " points are needed, not " + std::to_string(control_points.size()));
-    require_finite(control_points, "control_points");
+    require_coordinates(control_points, "control_points");
     return {
         static_cast<int>(control_points.size()) - 1, {control_points.begin(), control_points.end()}, false};
 }
@@ -144,9 +136,9 @@ Curve Curve::spline(std::span<const glm::dvec3> points, std::span<const glm::dve
         throw std::invalid_argument("handles_left: as many as points are needed");
     if (handles_right.size() != points.size())
         throw std::invalid_argument("handles_right: as many as points are needed");
-    require_finite(points, "points");
-    require_finite(handles_left, "handles_left");
-    require_finite(handles_right, "handles_right");
+    require_coordinates(points, "points");
+    require_coordinates(handles_left, "handles_left");
+    require_coordinates(handles_right, "handles_right");
     const std::size_t segments = cyclic ? points.size() : points.size() - 1;
     std::vector<glm::dvec3> control_points;
     control_points.reserve(4 * segments);
@@ -164,7 +156,7 @@ Curve Curve::chain(int degree, std::span<const glm::dvec3> control_points, bool 
     if (control_points.empty() || control_points.size() % (static_cast<std::size_t>(degree) + 1) != 0)
         throw std::invalid_argument(
             "control_points: degree + 1 a segment and at least one segment are needed");
-    require_finite(control_points, "control_points");
+    require_coordinates(control_points, "control_points");
     return {degree, {control_points.begin(), control_points.end()}, cyclic};
 }
 

@@ -7,6 +7,8 @@
 #include <initializer_list>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,25 +20,25 @@ namespace motus::dynamics {
 namespace {
 
 void require_valid(const DoublePendulum& pendulum) {
-    require(is_positive(pendulum.mass1), "mass1 must be greater than 0 and finite");
-    require(is_positive(pendulum.mass2), "mass2 must be greater than 0 and finite");
-    require(is_positive(pendulum.length1), "length1 must be greater than 0 and finite");
-    require(is_positive(pendulum.length2), "length2 must be greater than 0 and finite");
-    require(is_not_negative(pendulum.gravity), "gravity must be at least 0 and finite");
-    require(is_not_negative(pendulum.damping), "damping must be at least 0 and finite");
-    require(pendulum.most_acceleration > 0.0, "most_acceleration must be greater than 0");
-    require(pendulum.most_velocity > 0.0, "most_velocity must be greater than 0");
+    require(is_positive(pendulum.mass1), "mass1: must be greater than 0 and finite");
+    require(is_positive(pendulum.mass2), "mass2: must be greater than 0 and finite");
+    require(is_positive(pendulum.length1), "length1: must be greater than 0 and finite");
+    require(is_positive(pendulum.length2), "length2: must be greater than 0 and finite");
+    require(is_not_negative(pendulum.gravity), "gravity: must be at least 0 and finite");
+    require(is_not_negative(pendulum.damping), "damping: must be at least 0 and finite");
+    require(pendulum.most_acceleration > 0.0, "most_acceleration: must be greater than 0");
+    require(pendulum.most_velocity > 0.0, "most_velocity: must be greater than 0");
 }
 
 void require_valid(const DoublePendulumState& start) {
-    require(is_angle(start.theta1), "theta1 must be finite, and 1e9 at most");
-    require(is_angle(start.theta2), "theta2 must be finite, and 1e9 at most");
-    require(std::isfinite(start.omega1), "omega1 must be finite");
-    require(std::isfinite(start.omega2), "omega2 must be finite");
+    require(is_angle(start.theta1), "theta1: must be finite, and 1e9 at most");
+    require(is_angle(start.theta2), "theta2: must be finite, and 1e9 at most");
+    require(std::isfinite(start.omega1), "omega1: must be finite");
+    require(std::isfinite(start.omega2), "omega2: must be finite");
 }
 
 void require_valid(std::span<const double> times) {
-    require(are_finite(times), "times must be finite");
+    require(are_finite(times), "times: must be finite");
 }
 
 [[nodiscard]] bool has_limits(const DoublePendulum& pendulum) {
@@ -108,9 +110,9 @@ class Scale {
         system.other = 1.0 / (1.0 + ratio);
         system.length = pendulum.length2 / pendulum.length1;
         constexpr double least = 1e-12;  // beyond, the rods would swing too fast for any table
-        require(system.mass > least && system.other > least, "mass2 must be comparable to mass1");
+        require(system.mass > least && system.other > least, "mass2: must be comparable to mass1");
         require(system.length > least && 1.0 / system.length > least,
-                "length2 must be comparable to length1");
+                "length2: must be comparable to length1");
         return system;
     }
 
@@ -144,7 +146,7 @@ void integrate(const DoublePendulum& pendulum, const DoublePendulumState& start,
     require_valid(pendulum);
     require_valid(start);
     require_valid(times);
-    require(times.size() == out.size(), "out must have a state for each time");
+    require(times.size() == out.size(), "out: must have a state for each time");
     const auto run = has_limits(pendulum) ? &integrate<LimitedSystem> : &integrate<DoubleSystem>;
     in_ieee_floats([&] { run(pendulum, start, pivot, times, out); });
 }
@@ -152,7 +154,7 @@ void integrate(const DoublePendulum& pendulum, const DoublePendulumState& start,
 template <class System>
 void integrate_many(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts,
                     const PivotMotion* pivot, double time, std::span<DoublePendulumState> out) {
-    if (starts.size() > most_tables_together) throw std::length_error("starts must be fewer");
+    if (starts.size() > most_tables_together) throw std::invalid_argument("starts: must be fewer");
     const Scale scale(pendulum);
     const double at = scale.unit().from_seconds(time);
     std::vector<Motion<System>> motions;
@@ -166,7 +168,7 @@ void integrate_many(const DoublePendulum& pendulum, std::span<const DoublePendul
         tables.push_back(&motion.table(at < 0.0));
         bytes += motion.bytes_until(at);
         if (bytes > most_bytes_together)
-            throw std::length_error("time must be nearer to 0 for so many pendulums");
+            throw std::invalid_argument("time: must be nearer to 0 for so many pendulums");
     }
     std::vector<std::array<double, System::size>> states(starts.size());
     MotionTable<System>::at(tables, at, states);
@@ -177,10 +179,18 @@ void integrate_many(const DoublePendulum& pendulum, std::span<const DoublePendul
                     const PivotMotion* pivot, double time, std::span<DoublePendulumState> out) {
     require_valid(pendulum);
     for (const DoublePendulumState& start : starts) require_valid(start);
-    require(std::isfinite(time), "time must be finite");
-    require(starts.size() == out.size(), "out must have a state for each start");
+    require(std::isfinite(time), "time: must be finite");
+    require(starts.size() == out.size(), "out: must have a state for each start");
     const auto run = has_limits(pendulum) ? &integrate_many<LimitedSystem> : &integrate_many<DoubleSystem>;
-    in_ieee_floats([&] { run(pendulum, starts, pivot, time, out); });
+    try {
+        in_ieee_floats([&] { run(pendulum, starts, pivot, time, out); });
+    } catch (const std::invalid_argument& problem) {
+        // What is asked of tables is `times` in their sentences.
+        const std::string_view sentence = problem.what();
+        constexpr std::string_view plural = "times: ";
+        if (!sentence.starts_with(plural)) throw;
+        throw std::invalid_argument("time: " + std::string(sentence.substr(plural.size())));
+    }
 }
 
 }  // namespace
@@ -223,8 +233,10 @@ double energy(const DoublePendulum& pendulum, const DoublePendulumState& state) 
     const double height1 = -pendulum.length1 * std::cos(state.theta1);
     const double height2 = height1 - pendulum.length2 * std::cos(state.theta2);
     const double square = v1 * v1 + v2 * v2 + 2.0 * v1 * v2 * std::cos(state.theta1 - state.theta2);
-    return 0.5 * (pendulum.mass1 * v1 * v1 + pendulum.mass2 * square) +
-           pendulum.gravity * (pendulum.mass1 * height1 + pendulum.mass2 * height2);
+    const double joules = 0.5 * (pendulum.mass1 * v1 * v1 + pendulum.mass2 * square) +
+                          pendulum.gravity * (pendulum.mass1 * height1 + pendulum.mass2 * height2);
+    require(std::isfinite(joules), "state: must be one of an energy that is no larger than numbers are");
+    return joules;
 }
 
 }  // namespace motus::dynamics

@@ -80,7 +80,7 @@ class Motion {
             MotionSettings<System> wanted = settings_;
             if (is_past) {
                 if (!settings_.accelerations.empty())
-                    throw std::invalid_argument("times must be at least 0: the pivot's past is not known");
+                    throw std::invalid_argument("times: must be at least 0: the pivot's past is not known");
                 wanted.interval = -wanted.interval;
             }
             found = motion_table(wanted);

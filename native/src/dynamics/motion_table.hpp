@@ -45,7 +45,7 @@ class MotionTable {
     explicit MotionTable(MotionSettings<System> settings)
         : settings_(std::move(settings)), states_{settings_.start}, levels_{0} {
         if (!are_finite(settings_.start))
-            throw std::domain_error("angles and angular velocities must be smaller");
+            throw std::invalid_argument("start: angles and angular velocities must be smaller");
     }
 
     /// The state at a time that has the sign of the interval, and less than most_nodes intervals away from
@@ -118,7 +118,7 @@ class MotionTable {
     [[nodiscard]] Place place_of(double time) const {
         const double intervals = std::floor(time / settings_.interval);
         if (!(intervals < static_cast<double>(most_nodes)))
-            throw std::length_error("times must lie within the table's reach");
+            throw std::invalid_argument("times: must lie within the table's reach");
         Place place{static_cast<std::size_t>(std::max(intervals, 0.0)), 0.0};
         place.rest = time - static_cast<double>(place.node) * settings_.interval;
         if (place.rest * settings_.interval < 0.0) place.rest = 0.0;
@@ -136,8 +136,9 @@ class MotionTable {
         std::array<Growth, 1> growth{Growth(*this, node)};
         run(growth);
         if (reaches(node)) return;
-        if (end_ == End::is_long) throw std::length_error("times must be nearer to 0 for so stiff a motion");
-        throw std::domain_error("times must not reach where the motion leaves all bounds");
+        if (end_ == End::is_long)
+            throw std::invalid_argument("times: must be nearer to 0 for so stiff a motion");
+        throw std::invalid_argument("times: must not reach where the motion leaves all bounds");
     }
 
     /// Why a table grows no further.
@@ -266,7 +267,7 @@ class MotionTable {
             }
             if (is_right) return trial;
             if (level == highest_level)
-                throw std::domain_error("times must not reach where the motion leaves all bounds");
+                throw std::invalid_argument("times: must not reach where the motion leaves all bounds");
         }
     }
 

@@ -57,11 +57,11 @@ RotationTrack::RotationTrack(const SecondOrder& filter, std::span<const double> 
     : filter_(filter), is_loop_(start == Start::loop) {
     require_times(times);
     require_start(times, resets, start);
-    require(inputs.size() == times.size(), "inputs must have a rotation for each time");
+    require(inputs.size() == times.size(), "inputs: must have a rotation for each time");
     constexpr double rounding = 1e-4;  // of rotations in single precision, and a little more
     require(std::ranges::all_of(
                 inputs, [](const glm::dquat& q) { return std::abs(glm::dot(q, q) - 1.0) < rounding; }),
-            "inputs must be unit quaternions");
+            "inputs: must be unit quaternions");
     times_.assign(times.begin(), times.end());
     for (const glm::dquat& input : inputs) inputs_.push_back(glm::normalize(input));
     turns_.resize(times.size());
@@ -71,6 +71,10 @@ RotationTrack::RotationTrack(const SecondOrder& filter, std::span<const double> 
     }
     is_reset_.resize(times.size());
     for (const std::size_t reset : resets) is_reset_[reset] = true;
+    double slope = 0.0;
+    for (std::size_t k = 0; k + 1 < times.size(); ++k)
+        slope = std::max(slope, glm::length(turns_[k]) / (times[k + 1] - times[k]));
+    require_bounded(filter, times, slope, 1.0);
     states_.resize(times.size());
     run();
     if (is_loop_) close_loop();
@@ -99,7 +103,7 @@ void RotationTrack::run() {
 void RotationTrack::close_loop() {
     constexpr double same = 1e-6;  // rad, about the rounding of inputs in single precision
     require(glm::length(rotation_vector(glm::conjugate(inputs_.front()) * inputs_.back())) < same,
-            "inputs must end with the first one in a loop");
+            "inputs: must end with the first one in a loop");
     // One cycle takes a state s to  M (x) Q s + b,  with the matrix M of the filter, the rotation Q by which
     // the inputs carry vectors once around, and b, to which they bring a state of zero.
     const Step cycle = make_step(filter_, times_.back() - times_.front());
@@ -117,7 +121,7 @@ void RotationTrack::close_loop() {
         const auto axis = static_cast<int>(row % 3);
         rows[row][size] = row < 3 ? end.offset[axis] : end.velocity[axis];
     }
-    require(solve(rows), "damping must be greater than 0 where the cycle is a whole number of periods long");
+    require(solve(rows), "damping: must be greater than 0 where the cycle is a whole number of periods long");
     states_.front() = {{rows[0][size], rows[1][size], rows[2][size]},
                        {rows[3][size], rows[4][size], rows[5][size]}};
     run();

@@ -15,34 +15,65 @@
 namespace motus::dynamics {
 
 inline void require_times(std::span<const double> times) {
-    require(!times.empty(), "times must have at least one sample");
-    require(are_finite(times), "times must be finite");
+    require(!times.empty(), "times: must have at least one sample");
+    require(are_finite(times), "times: must be finite");
     require(std::ranges::adjacent_find(times, std::ranges::greater_equal{}) == times.end(),
-            "times must strictly rise");
-    require(std::isfinite(times.back() - times.front()), "times must be finite, their range too");
+            "times: must strictly rise");
+    require(std::isfinite(times.back() - times.front()), "times: must be finite, their range too");
 }
 
 inline void require_time(double time, std::span<const double> times) {
-    require(std::isfinite(time), "time must be finite");
-    require(!times.empty(), "times must have at least one sample: the track was moved from");
+    require(std::isfinite(time), "time: must be finite");
+    require(!times.empty(), "times: must have at least one sample: the track was moved from");
 }
 
-inline void require_samples(std::span<const double> times, std::span<const double> inputs,
-                            std::size_t dimensions) {
+/// Of a filter whose inputs change by at most `slope` a second: whether outputs stay finite, roughly. Each
+/// sample adds at most this to the pair (e, u) of Step, and no step makes the pair larger than the filter's
+/// rate does, whatever its damping.
+inline void require_bounded(const SecondOrder& filter, std::span<const double> times, double slope,
+                            double input) {
+    const double rate = filter.rate();
+    const double lag = std::abs(filter.lead() - filter.coefficients().k1);
+    const double scale = (1.0 + rate) * (1.0 + 1.0 / rate);
+    const double added = slope * (1.0 + lag) * scale * scale * static_cast<double>(times.size());
+    require(std::isfinite(added + input) && added < 1e300 && input < 1e300,
+            "inputs: must be smaller, or change more slowly, for such a filter");
+}
+
+/// The largest change a second, and the largest number.
+[[nodiscard]] inline std::array<double, 2> largest_of(std::span<const double> times,
+                                                      std::span<const double> inputs,
+                                                      std::size_t dimensions) {
+    double slope = 0.0, input = 0.0;
+    for (const double x : inputs) input = std::max(input, std::abs(x));
+    for (std::size_t k = 1; k < times.size(); ++k) {
+        double change = 0.0;
+        for (std::size_t i = 0; i < dimensions; ++i)
+            change =
+                std::max(change, std::abs(inputs[k * dimensions + i] - inputs[(k - 1) * dimensions + i]));
+        slope = std::max(slope, change / (times[k] - times[k - 1]));
+    }
+    return {slope, input};
+}
+
+inline void require_samples(const SecondOrder& filter, std::span<const double> times,
+                            std::span<const double> inputs, std::size_t dimensions) {
     require_times(times);
-    require(dimensions > 0, "dimensions must be greater than 0");
+    require(dimensions > 0, "dimensions: must be greater than 0");
     require(inputs.size() / dimensions == times.size() && inputs.size() % dimensions == 0,
-            "inputs must have a row for each time");
-    require(are_finite(inputs), "inputs must be finite");
+            "inputs: must have a row for each time");
+    require(are_finite(inputs), "inputs: must be finite");
+    const auto [slope, input] = largest_of(times, inputs, dimensions);
+    require_bounded(filter, times, slope, input);
 }
 
 inline void require_start(std::span<const double> times, std::span<const std::size_t> resets, Start start) {
     require(std::ranges::adjacent_find(resets, std::ranges::greater_equal{}) == resets.end() &&
                 (resets.empty() || resets.back() < times.size()),
-            "resets must rise and be indices of samples");
+            "resets: must rise and be indices of samples");
     if (start == Start::loop) {
-        require(resets.empty(), "resets must be empty in a loop");
-        require(times.size() > 1, "times must have at least two samples in a loop");
+        require(resets.empty(), "resets: must be empty in a loop");
+        require(times.size() > 1, "times: must have at least two samples in a loop");
     }
 }
 

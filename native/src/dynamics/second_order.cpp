@@ -80,42 +80,48 @@ SecondOrder::SecondOrder(Raw /*raw*/, double rate, double damping, double lead)
 
 SecondOrder::SecondOrder(double frequency, double damping, double response)
     : SecondOrder(Raw{}, turn * frequency, damping, response * damping / (turn * frequency)) {
-    require(frequency >= 1.0 / most && frequency <= most, "frequency must be from 1e-100 to 1e100");
-    require(damping >= 0.0 && damping <= most, "damping must be from 0 to 1e100");
-    require(std::abs(response) <= most, "response must be from -1e100 to 1e100");
+    require(frequency >= 1.0 / most && frequency <= most, "frequency: must be from 1e-100 to 1e100");
+    require(damping >= 0.0 && damping <= most, "damping: must be from 0 to 1e100");
+    require(std::abs(response) <= most, "response: must be from -1e100 to 1e100");
 }
 
 SecondOrder SecondOrder::from_coefficients(const Coefficients& coefficients) {
     const auto [k1, k2, k3] = coefficients;
-    require(k2 >= 1.0 / most && k2 <= most, "k2 must be from 1e-100 to 1e100");
+    require(k2 >= 1.0 / most && k2 <= most, "k2: must be from 1e-100 to 1e100");
     const double root = std::sqrt(k2);
-    require(k1 >= 0.0 && k1 <= most * root, "k1 must be from 0 to 1e100 times the root of k2");
-    require(std::abs(k3) <= most * root, "k3 must be within 1e100 times the root of k2");
+    require(k1 >= 0.0 && k1 <= most * root, "k1: must be from 0 to 1e100 times the root of k2");
+    require(std::abs(k3) <= most * root, "k3: must be within 1e100 times the root of k2");
     return {Raw{}, 1.0 / root, 0.5 * k1 / root, k3};
 }
 
 SecondOrder SecondOrder::from_mass_spring(double mass, double stiffness, double resistance) {
-    require(mass > 0.0 && std::isfinite(mass), "mass must be greater than 0 and finite");
-    require(stiffness > 0.0 && std::isfinite(stiffness), "stiffness must be greater than 0 and finite");
-    require(resistance >= 0.0 && std::isfinite(resistance), "resistance must be at least 0 and finite");
-    return from_coefficients({resistance / stiffness, mass / stiffness, resistance / stiffness});
+    require(mass > 0.0 && std::isfinite(mass), "mass: must be greater than 0 and finite");
+    require(stiffness > 0.0 && std::isfinite(stiffness), "stiffness: must be greater than 0 and finite");
+    require(resistance >= 0.0 && std::isfinite(resistance), "resistance: must be at least 0 and finite");
+    const double k1 = resistance / stiffness, k2 = mass / stiffness;
+    require(k2 >= 1.0 / most && k2 <= most, "mass: must be from 1e-100 to 1e100 times the stiffness");
+    require(k1 <= most * std::sqrt(k2), "resistance: must be lower for so little mass and stiffness");
+    return from_coefficients({k1, k2, k1});
 }
 
 SecondOrder SecondOrder::from_overshoot(double overshoot, double settling, double response,
                                         double tolerance) {
-    require(overshoot > 0.0 && overshoot < 1.0, "overshoot must lie between 0 and 1");
-    require(settling > 0.0 && std::isfinite(settling), "settling must be greater than 0 and finite");
-    require(std::isfinite(response), "response must be finite");
-    require(tolerance > 0.0 && tolerance < 1.0, "tolerance must lie between 0 and 1");
+    require(overshoot > 0.0 && overshoot < 1.0, "overshoot: must lie between 0 and 1");
+    require(settling > 0.0 && std::isfinite(settling), "settling: must be greater than 0 and finite");
+    require(std::abs(response) <= most, "response: must be from -1e100 to 1e100");
+    require(tolerance > 0.0 && tolerance < 1.0, "tolerance: must lie between 0 and 1");
     constexpr double most_damping = 100.0;
     const auto excess = [&](double damping) {
         return dynamics::overshoot(SecondOrder(1.0, damping, response)) - overshoot;
     };
-    require(excess(most_damping) < 0.0, "overshoot must be larger: with this response it never is as small");
+    require(excess(most_damping) < 0.0, "overshoot: must be larger: with this response it never is as small");
     const double damping = bisect(0.0, most_damping, excess);
     // All times go with 1 / frequency.
     const double at_one = settling_time(SecondOrder(1.0, damping, response), tolerance);
-    return {at_one / settling, damping, response};
+    const double frequency = at_one / settling;
+    require(frequency >= 1.0 / most && frequency <= most,
+            "settling: must give a frequency from 1e-100 to 1e100");
+    return {frequency, damping, response};
 }
 
 double SecondOrder::frequency() const noexcept {
@@ -145,7 +151,7 @@ double overshoot(const SecondOrder& filter) {
 }
 
 double settling_time(const SecondOrder& filter, double tolerance) {
-    require(tolerance > 0.0 && std::isfinite(tolerance), "tolerance must be greater than 0 and finite");
+    require(tolerance > 0.0 && std::isfinite(tolerance), "tolerance: must be greater than 0 and finite");
     if (filter.damping() == 0.0) return std::numeric_limits<double>::infinity();
     const auto outside = [&](double time) { return std::abs(deviation(filter, time)) - tolerance; };
     double last = 0.0;  // an extremum outside the tolerance, or the step itself; inside from `next` on
@@ -174,7 +180,7 @@ double settling_time(const SecondOrder& filter, double tolerance) {
 }
 
 Step make_step(const SecondOrder& filter, double length) {
-    require(length >= 0.0 && std::isfinite(length), "length must be at least 0 and finite");
+    require(length >= 0.0 && std::isfinite(length), "length: must be at least 0 and finite");
     const double w = filter.rate();
     const auto [c, s] = waves(w, filter.damping(), length);
     const double a = filter.damping() * w;

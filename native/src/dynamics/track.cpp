@@ -31,7 +31,7 @@ namespace {
 Track::Track(const SecondOrder& filter, std::span<const double> times, std::span<const double> inputs,
              std::size_t dimensions, std::span<const std::size_t> resets, Start start)
     : filter_(filter), dimensions_(dimensions), is_loop_(start == Start::loop) {
-    require_samples(times, inputs, dimensions);
+    require_samples(filter, times, inputs, dimensions);
     require_start(times, resets, start);
     times_.assign(times.begin(), times.end());
     inputs_.assign(inputs.begin(), inputs.end());
@@ -69,7 +69,7 @@ void Track::run() {
 void Track::close_loop() {
     const Step cycle = make_step(filter_, times_.back() - times_.front());
     require(!is_resonant(cycle),
-            "damping must be greater than 0 where the cycle is a whole number of periods long");
+            "damping: must be greater than 0 where the cycle is a whole number of periods long");
     const double* end = state(times_.size() - 1);
     double* first = state(0);
     for (std::size_t i = 0; i < dimensions_; ++i) {
@@ -107,9 +107,9 @@ void Track::at(double time, const Visit& visit) const {
 }
 
 void Track::evaluate(double time, std::span<double> out, std::span<double> velocity) const {
-    require(out.size() == dimensions_, "out must have a value for each dimension");
+    require(out.size() == dimensions_, "out: must have a value for each dimension");
     require(velocity.empty() || velocity.size() == dimensions_,
-            "velocity must have a value for each dimension");
+            "velocity: must have a value for each dimension");
     at(time, [&](std::size_t i, double input, double offset, double speed) {
         out[i] = input + offset;
         if (!velocity.empty()) velocity[i] = speed;
@@ -117,12 +117,12 @@ void Track::evaluate(double time, std::span<double> out, std::span<double> veloc
 }
 
 void Track::offset(double time, std::span<double> out) const {
-    require(out.size() == dimensions_, "out must have a value for each dimension");
+    require(out.size() == dimensions_, "out: must have a value for each dimension");
     at(time, [&](std::size_t i, double, double offset, double) { out[i] = offset; });
 }
 
 void Track::outputs(std::span<double> out) const {
-    require(out.size() == inputs_.size(), "out must have a value for each input");
+    require(out.size() == inputs_.size(), "out: must have a value for each input");
     for (std::size_t k = 0; k < times_.size(); ++k) {
         for (std::size_t i = 0; i < dimensions_; ++i)
             out[k * dimensions_ + i] = inputs_[k * dimensions_ + i] + state(k)[i];
@@ -136,8 +136,8 @@ std::size_t Track::bytes() const noexcept {
 
 void second_order(const SecondOrder& filter, std::span<const double> times, std::span<const double> inputs,
                   std::size_t dimensions, std::span<double> out) {
-    require_samples(times, inputs, dimensions);
-    require(out.size() == inputs.size(), "out must have the size of inputs");
+    require_samples(filter, times, inputs, dimensions);
+    require(out.size() == inputs.size(), "out: must have the size of inputs");
     constexpr std::size_t together = 8;  // dimensions
     for (std::size_t first = 0; first < dimensions; first += together) {
         const std::size_t count = std::min(together, dimensions - first);

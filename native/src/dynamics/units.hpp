@@ -58,17 +58,17 @@ struct TimeUnit {
 /// Has the motion follow a moved pivot: nodes then lie on its samples.
 template <class System>
 void drive(MotionSettings<System>& settings, const PivotMotion& pivot, const TimeUnit& unit, double length) {
-    require(is_positive(pivot.step), "step of the pivot's samples must be greater than 0 and finite");
-    require(pivot.accelerations.size() % 2 == 0, "accelerations must be pairs of x and z");
+    require(is_positive(pivot.step), "step: must be greater than 0 and finite");
+    require(pivot.accelerations.size() % 2 == 0, "accelerations: must be pairs of x and z");
     const double step = unit.from_seconds(pivot.step);
     constexpr int most_halvings = 20;
     const int halvings =
         step > settings.interval ? std::max(exponent_of(step / settings.interval), 0) + 1 : 0;
-    require(halvings <= most_halvings, "step of the pivot's samples must be shorter for so fast a pendulum");
+    require(halvings <= most_halvings, "step: must be shorter for so fast a pendulum");
     settings.interval = std::scalbn(step, -halvings);
     settings.intervals_per_sample = 1 << halvings;
     for (const double value : pivot.accelerations) {
-        require(std::isfinite(value), "accelerations must be finite");
+        require(std::isfinite(value), "accelerations: must be finite");
         settings.accelerations.push_back(unit.from_acceleration(value, length));
     }
 }

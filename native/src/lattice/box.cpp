@@ -38,7 +38,8 @@ constexpr double gain = 1.0 - 1e-9;  // less is rounding
 void check(std::span<const glm::vec3> points, const glm::dmat3& axes) {
     require(std::ranges::all_of(points, [](const glm::vec3& point) { return is_finite(point); }),
             "points: must be finite");
-    require(is_finite(axes), "axes: must be finite");
+    for (int column = 0; column < 3; ++column)
+        require(std::abs(glm::dot(axes[column], axes[column]) - 1.0) < 1e-3, "axes: must be orthonormal");
 }
 
 [[nodiscard]] double cross(const glm::dvec2& a, const glm::dvec2& b) {

@@ -12,6 +12,11 @@ namespace {
 constexpr double cardinal_tension = 0.71;
 constexpr double catmull_rom_tension = 0.5;
 
+[[nodiscard]] bool is_small(const glm::dvec3& v) {
+    constexpr double most = 1e100;
+    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
+}
+
 /// Whether the volume that the columns span is more than rounding of their lengths.
 [[nodiscard]] bool are_independent(const glm::dmat3& axes) {
     constexpr double least = 1e-12;
@@ -55,8 +60,10 @@ Grid::Grid(const Lattice& lattice)
     for (const int points : resolution_) {
         require(points >= 1 && points <= max_resolution, "resolution: must be 1 to 64 points along an axis");
     }
-    require(is_finite(lattice.origin) && is_finite(lattice.axes) && are_independent(lattice.axes),
-            "axes: must be finite and independent, and the origin finite");
+    require(is_small(lattice.origin), "origin: must be finite, and 1e100 at most");
+    require(is_small(lattice.axes[0]) && is_small(lattice.axes[1]) && is_small(lattice.axes[2]) &&
+                are_independent(lattice.axes),
+            "axes: must be finite, 1e100 at most, and independent");
     to_coordinates_ = glm::inverse(lattice.axes);
 }
 
@@ -85,7 +92,10 @@ Taps Grid::taps(std::size_t axis, double coordinate) const {
 
 std::size_t point_count(const Lattice& lattice) {
     std::size_t count = 1;
-    for (const int points : lattice.resolution) count *= static_cast<std::size_t>(std::max(points, 0));
+    for (const int points : lattice.resolution) {
+        require(points >= 1 && points <= max_resolution, "resolution: must be 1 to 64 points along an axis");
+        count *= static_cast<std::size_t>(points);
+    }
     return count;
 }
 

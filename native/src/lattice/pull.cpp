@@ -131,7 +131,9 @@ void add_part(const Weights& weights, const Part& part, const PullOptions& optio
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Part& part = parts[i];
         require(part.pull < pulls, "parts: a pull is not there");
-        require(are_finite(part.share, part.influence), "parts: shares and influences must be finite");
+        constexpr double most = 1e30;
+        require(std::abs(part.share) <= most && std::abs(part.influence) <= most,
+                "parts: shares and influences must be finite, and 1e30 at most");
         parts_of[part.pull].push_back(i);
     }
     Rows rows;
@@ -241,8 +243,8 @@ std::vector<glm::dvec3> pull_lattice(const Lattice& lattice, std::span<const Par
             "point_weights: one for each lattice point is wanted");
     require(are_finite(options.point_weights), "point_weights: must be finite");
     require(options.max_gain > 0.0 && std::isfinite(options.max_gain), "max_gain: must be finite and > 0");
-    require(std::ranges::all_of(displacements, [](const glm::dvec3& d) { return is_finite(d); }),
-            "displacements: must be finite");
+    require(std::ranges::all_of(displacements, [](const glm::dvec3& d) { return length_of(d) <= 1e100; }),
+            "displacements: must be finite, and 1e100 at most");
 
     const Rows rows = rows_of(lattice, parts, displacements.size(), options);
     std::vector<glm::dvec3> left(displacements.begin(), displacements.end());

@@ -50,7 +50,7 @@ void pack(std::size_t vertex_count, const EachOf& each_of, std::vector<std::uint
     for (std::uint32_t& start : starts) {
         sum += start;
         if (sum > std::numeric_limits<std::uint32_t>::max())
-            throw std::length_error("the mesh has too many triangles or edges");
+            throw std::invalid_argument("triangles: must be fewer, or the edges");
         start = static_cast<std::uint32_t>(sum);
     }
     values.resize(sum);
@@ -90,8 +90,8 @@ void tell_edges(std::span<const glm::ivec2> edges, const Tell& tell) {
 
 Neighbours::Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> triangles,
                        std::span<const glm::ivec2> edges, const Executor& executor) {
-    check_indices(triangles, vertex_count, "triangles must hold indices of vertices", executor);
-    check_indices(edges, vertex_count, "edges must hold indices of vertices", executor);
+    check_indices(triangles, vertex_count, "triangles: must hold indices of vertices", executor);
+    check_indices(edges, vertex_count, "edges: must hold indices of vertices", executor);
     const auto each_triangle = [&](const auto& tell) { tell_triangles(triangles, tell); };
     pack(vertex_count, each_triangle, fan_starts_, fans_, executor);
     pack(
@@ -125,7 +125,7 @@ Neighbours::Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> tri
 
 Neighbours::Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> triangles,
                        const Executor& executor) {
-    check_indices(triangles, vertex_count, "triangles must hold indices of vertices", executor);
+    check_indices(triangles, vertex_count, "triangles: must hold indices of vertices", executor);
     pack(
         vertex_count, [&](const auto& tell) { tell_triangles(triangles, tell); }, fan_starts_, fans_,
         executor);

@@ -34,8 +34,8 @@ bool is_somewhere(const PickerPoint& point) noexcept {
 void check_input(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
                  const Executor& executor) {
     constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() - fan_out;
-    if (positions.size() >= most || triangles.size() >= most)
-        throw std::invalid_argument("positions and triangles must each be fewer than 2^32 - 1");
+    require(positions.size() < most, "positions: must be fewer than 2^32 - 1");
+    require(triangles.size() < most, "triangles: must be fewer than 2^32 - 1");
     const auto check = [&](std::size_t first, std::size_t last) {
         // Negative ones are very large without a sign.
         std::uint32_t largest = 0;

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "motus/core/numeric.hpp"
 #include "picker_tree.hpp"
 
 namespace motus::mesh {
@@ -183,6 +184,13 @@ class Walk {
     std::array<float, 3> highest_low_{}, lowest_high_{};
 };
 
+void check_hit(const Hit& hit, const Picker& picker) {
+    require(
+        hit.triangle < picker.triangle_count() &&
+            std::ranges::all_of(hit.corners, [&](std::uint32_t one) { return one < picker.vertex_count(); }),
+        "hit: must be one of this mesh");
+}
+
 void check_hidden(std::span<const std::uint8_t> hidden, std::size_t vertex_count) {
     if (!hidden.empty() && hidden.size() != vertex_count)
         throw std::invalid_argument("hidden: there must be one for each vertex of the mesh");
@@ -193,6 +201,7 @@ void check_hidden(std::span<const std::uint8_t> hidden, std::size_t vertex_count
 std::uint32_t Picker::nearest_seen(const Hit& hit, const glm::dvec3& direction,
                                    std::span<const std::uint8_t> hidden, const glm::mat3& metric) const {
     check_hidden(hidden, vertex_count());
+    check_hit(hit, *this);
     const auto points = [this](std::uint32_t vertex) {
         const PickerPoint& point = tree().points[tree().places[vertex]];
         return glm::dvec3(point[0], point[1], point[2]);
@@ -207,6 +216,8 @@ std::uint32_t Picker::nearest_seen(const Hit& hit, const glm::dvec3& direction,
     check_hidden(hidden, vertex_count());
     if (positions.size() != vertex_count())
         throw std::invalid_argument("positions: there must be one for each vertex of the mesh");
+    require(slack >= 0.0f && std::isfinite(slack), "slack: must be finite and >= 0");
+    check_hit(hit, *this);
     const auto points = [&](std::uint32_t vertex) { return glm::dvec3(positions[vertex]); };
     return Walk(tree(), points, hit, direction, hidden, glm::dmat3(metric), static_cast<double>(slack))
         .run(hit.triangle, hit.corners);

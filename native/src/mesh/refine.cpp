@@ -106,25 +106,25 @@ class Round {
 
 }  // namespace
 
-Refined refine(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles, double longest,
-               std::size_t most_vertices) {
-    require(longest > 0.0, "longest_edge must be greater than 0");
+Refined refine(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
+               double longest_edge, std::size_t most_vertices) {
+    require(longest_edge > 0.0, "longest_edge: must be greater than 0");
     for (const glm::vec3& position : positions)
         require(std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z),
-                "positions must be finite");
+                "positions: must be finite");
     for (const glm::ivec3& corners : triangles)
         for (int i = 0; i < 3; ++i)
             require(corners[i] >= 0 && static_cast<std::size_t>(corners[i]) < positions.size(),
-                    "triangles must hold indices of vertices");
+                    "triangles: must hold indices of vertices");
     Refined mesh{{positions.begin(), positions.end()}, {triangles.begin(), triangles.end()}};
     const auto check = [&](std::size_t more) {
         require(mesh.positions.size() + more <= most_vertices &&
                     mesh.triangles.size() + 2 * more <= 4 * most_vertices,
-                "longest_edge is so short that there would be too many vertices");
+                "longest_edge: must be longer, or there would be too many vertices");
     };
     check(0);
     for (;;) {
-        Round round(mesh, longest);
+        Round round(mesh, longest_edge);
         if (round.count() == 0) return mesh;
         check(round.count());
         round.split();

@@ -221,14 +221,14 @@ struct Steps {
 Reach surface_reach(std::span<const glm::vec3> positions, const Neighbours& neighbours, std::uint32_t root,
                     float radius, const glm::mat3& metric) {
     if (positions.size() != neighbours.vertex_count())
-        throw std::invalid_argument("positions and neighbours must have as many vertices");
-    if (root >= positions.size()) throw std::invalid_argument("root must be the index of a vertex");
-    if (!(radius >= 0.0f)) throw std::invalid_argument("radius must be 0 or more");
+        throw std::invalid_argument("positions: must be as many as the vertices of neighbours");
+    if (root >= positions.size()) throw std::invalid_argument("root: must be the index of a vertex");
+    if (!(radius >= 0.0f)) throw std::invalid_argument("radius: must be 0 or more");
     return in_ieee_floats([&] { return Search(positions, neighbours, root, radius, metric).run(); });
 }
 
 Reach edge_reach(const Neighbours& neighbours, std::uint32_t root, std::uint32_t steps) {
-    if (root >= neighbours.vertex_count()) throw std::invalid_argument("root must be the index of a vertex");
+    if (root >= neighbours.vertex_count()) throw std::invalid_argument("root: must be the index of a vertex");
     Pages<Steps> away(neighbours.vertex_count());
     away[root].count = 0;
     std::vector<std::uint32_t> ring{root};

@@ -221,6 +221,15 @@ template <int dimensions>
     return {places.empty() ? nullptr : &places[0].x, dimensions * places.size()};
 }
 
+/// The kernels, which bring coordinates into their range, take a NaN for the end of it.
+void pass_on_nan(std::size_t dimensions, std::span<const float> places, std::span<float> out) {
+    bool is_any = false;
+    for (const float number : places) is_any |= number != number;
+    if (!is_any) return;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (std::isnan(places[i])) out[i / dimensions] = not_a_number;
+}
+
 void fill(std::size_t dimensions, std::span<const float> places, std::uint32_t seed, std::span<float> out) {
     require(places.size() == dimensions * out.size(), "out: must have a number for each place");
     const auto fill_by = noise_kernels().back().fill[dimensions - 1];
@@ -237,6 +246,8 @@ void fill(std::size_t dimensions, std::span<const float> places, std::uint32_t s
                 fill_by(padded.data(), seed, found.data());
                 std::copy_n(found.begin(), count, &out[begin]);
             }
+            pass_on_nan(dimensions, places.subspan(dimensions * begin, dimensions * count),
+                        out.subspan(begin, count));
         }
     });
 }

@@ -132,12 +132,15 @@ bool is_axis(const glm::dvec3& v) {
 void follow(const Frames& frames, const Timing& timing, double time, std::span<const double> offsets,
             const FollowSettings& settings, std::span<glm::dvec3> locations,
             std::span<glm::dquat> rotations) {
-    require(locations.size() == offsets.size() && rotations.size() == offsets.size(),
-            "locations and rotations must have one row per offset");
-    require(std::isfinite(time), "time must be finite");
-    require(are_finite(offsets), "offsets must be finite");
+    require(locations.size() == offsets.size(), "locations: must be as many as offsets");
+    require(rotations.size() == offsets.size(), "rotations: must be as many as offsets");
+    require(std::isfinite(time), "time: must be finite");
+    require(are_finite(offsets), "offsets: must be finite");
     require(std::isfinite(settings.lag_rate) && settings.lag_rate >= 0.0,
-            "lag_rate must be finite and 0 or more");
+            "lag_rate: must be finite and 0 or more");
+    constexpr double rounding = 1e-3;
+    require(std::abs(glm::dot(settings.axes, settings.axes) - 1.0) < rounding,
+            "axes: must be a unit quaternion");
     const double distance = timing.distance(time);
     const double speed = timing.speed(time);
     require(are_finite(distance, speed), "time: the distance and the speed at it must be finite");
@@ -174,8 +177,9 @@ Progress progress(const curve::ArcLength& path, const Timing& timing, double tim
 }
 
 glm::dquat follower_axes(const glm::dvec3& forward, const glm::dvec3& up) {
-    if (!is_axis(forward) || !is_axis(up)) throw std::invalid_argument("forward and up must be axes");
-    if (glm::dot(forward, up) != 0.0) throw std::invalid_argument("forward and up must be across each other");
+    require(is_axis(forward), "forward: must be one of the axes");
+    require(is_axis(up), "up: must be one of the axes");
+    require(glm::dot(forward, up) == 0.0, "up: must be across forward");
     const glm::dmat3 from_axes(glm::cross(forward, up), forward, up);
     return glm::quat_cast(glm::transpose(from_axes));
 }

@@ -25,22 +25,22 @@ bool reads_smoothing(FrameMode mode) {
 }
 
 FrameSettings checked(FrameSettings settings, const curve::ArcLength* path) {
-    require(path != nullptr, "path must be there");
+    require(path != nullptr, "path: must be there");
     const curve::Curve& curve = path->curve();
     if (settings.mode == FrameMode::banking) {
         require(std::isfinite(settings.gravity) && settings.gravity > 0.0,
-                "gravity must be finite and above 0");
-        require(std::isfinite(settings.strength), "strength must be finite");
-        require(settings.limit >= 0.0, "limit must be 0 or more");
+                "gravity: must be finite and above 0");
+        require(std::isfinite(settings.strength), "strength: must be finite");
+        require(settings.limit >= 0.0, "limit: must be 0 or more");
     }
     if (reads_smoothing(settings.mode)) {
         require(std::isfinite(settings.smoothing) && settings.smoothing >= 0.0,
-                "smoothing must be finite and 0 or more");
+                "smoothing: must be finite and 0 or more");
     }
     if (settings.mode == FrameMode::tilt) {
         require(settings.tilt.size() == curve.segment_count() + (curve.cyclic() ? 0 : 1),
-                "tilt must have one value per point of the curve");
-        require(are_finite(settings.tilt), "tilt must be finite");
+                "tilt: must have one value per point of the curve");
+        require(are_finite(settings.tilt), "tilt: must be finite");
     }
     return settings;
 }
@@ -128,6 +128,8 @@ glm::dquat Frames::at(double s, double speed) const {
 Pose Frames::pose(double s, double speed) const {
     if (std::isnan(s)) return {glm::dvec3(s), {s, s, s, s}};
     const Place place = tables_->frames().at(s);
+    if (std::isnan(speed) && settings_->mode == FrameMode::banking)
+        return {place.position, {speed, speed, speed, speed}};
     if (tables_->frames().length() <= 0.0) return {place.position, {1.0, 0.0, 0.0, 0.0}};
     return {place.position, rotation_to(place, up_across(*tables_, *settings_, place, speed))};
 }

@@ -17,9 +17,9 @@ namespace {
 constexpr double sum_rounding = 1e-7;
 
 void check_ease(double ease_in, double ease_out) {
-    require(ease_in >= 0.0 && ease_in <= 1.0, "ease_in must be from 0 to 1");
-    require(ease_out >= 0.0 && ease_out <= 1.0, "ease_out must be from 0 to 1");
-    require(ease_in + ease_out <= 1.0 + sum_rounding, "ease_in + ease_out must not be above 1");
+    require(ease_in >= 0.0 && ease_in <= 1.0, "ease_in: must be from 0 to 1");
+    require(ease_out >= 0.0 && ease_out <= 1.0, "ease_out: must be from 0 to 1");
+    require(ease_in + ease_out <= 1.0 + sum_rounding, "ease_out: must not be above 1 together with ease_in");
 }
 
 /// The checked shape of an ease: the ends of the middle part and the speed there.
@@ -47,19 +47,19 @@ struct Trapezium {
 };
 
 void check_finite(std::span<const double> values, const char* name) {
-    if (!are_finite(values)) throw std::invalid_argument(std::string(name) + " must be finite");
+    if (!are_finite(values)) throw std::invalid_argument(std::string(name) + ": must be finite");
 }
 
 /// Checks both columns of a profile: of one size, at least one row, finite, the first strictly increasing.
 void check_profile(std::span<const double> keys, const char* keys_name, std::span<const double> values,
                    const char* values_name) {
-    const std::string names = std::string(keys_name) + " and " + values_name;
-    if (keys.size() != values.size()) throw std::invalid_argument(names + " must have the same size");
-    if (keys.empty()) throw std::invalid_argument(names + " must have at least one value");
+    if (keys.empty()) throw std::invalid_argument(std::string(keys_name) + ": one at least is needed");
+    if (keys.size() != values.size())
+        throw std::invalid_argument(std::string(values_name) + ": must be as many as " + keys_name);
     check_finite(keys, keys_name);
     check_finite(values, values_name);
     if (std::adjacent_find(keys.begin(), keys.end(), std::greater_equal<>()) != keys.end()) {
-        throw std::invalid_argument(std::string(keys_name) + " must be strictly increasing");
+        throw std::invalid_argument(std::string(keys_name) + ": must be strictly increasing");
     }
 }
 
@@ -122,13 +122,13 @@ const Piece& piece_at(const std::vector<Piece>& pieces, double time) {
 
 double ease(double u, double ease_in, double ease_out) {
     check_ease(ease_in, ease_out);
-    require(std::isfinite(u), "u must be finite");
+    require(std::isfinite(u), "u: must be finite");
     return Trapezium(ease_in, ease_out).distance(u);
 }
 
 double ease_derivative(double u, double ease_in, double ease_out) {
     check_ease(ease_in, ease_out);
-    require(std::isfinite(u), "u must be finite");
+    require(std::isfinite(u), "u: must be finite");
     return Trapezium(ease_in, ease_out).speed(u);
 }
 
@@ -191,15 +191,15 @@ Timing::Cubics Timing::checked(Cubics cubics, const char* message) {
 Timing::Timing(Profile profile) : profile_(std::move(profile)) {}
 
 Timing Timing::eased(double duration, double length, double ease_in, double ease_out, AfterEase after) {
-    require(std::isfinite(duration) && duration > 0.0, "duration must be finite and greater than 0");
+    require(std::isfinite(duration) && duration > 0.0, "duration: must be finite and greater than 0");
     require(std::isfinite(length) && std::isfinite(length / duration),
-            "length and the speed it asks for must be finite");
+            "length: must be finite, and the speed it asks for");
     check_ease(ease_in, ease_out);
     return Timing(Eased{duration, length, ease_in, ease_out, after});
 }
 
 Timing Timing::constant(double speed) {
-    require(std::isfinite(speed), "speed must be finite");
+    require(std::isfinite(speed), "speed: must be finite");
     return Timing(Cubics{{Cubic{0.0, 0.0, speed, 0.0, 0.0}}});
 }
 
@@ -219,7 +219,7 @@ Timing Timing::pins(std::span<const double> times, std::span<const double> dista
         }
         cubics.pieces.push_back({times[count - 1], distances[count - 1], 0.0, 0.0, 0.0});
     }
-    return Timing(checked(std::move(cubics), "times and distances must give finite speeds"));
+    return Timing(checked(std::move(cubics), "times: must be so far apart that speeds are finite"));
 }
 
 Timing Timing::speeds(std::span<const double> times, std::span<const double> speeds) {
@@ -236,12 +236,12 @@ Timing Timing::speeds(std::span<const double> times, std::span<const double> spe
     cubics.pieces.push_back({times[count - 1], travelled, speeds[count - 1], 0.0, 0.0});
     const double at_zero = cubics.distance(0.0);
     for (Cubic& piece : cubics.pieces) piece.value -= at_zero;
-    return Timing(checked(std::move(cubics), "times and speeds must give finite distances"));
+    return Timing(checked(std::move(cubics), "times: must be so near together that distances are finite"));
 }
 
 Timing Timing::speeds_by_distance(std::span<const double> distances, std::span<const double> speeds) {
     check_profile(distances, "distances", speeds, "speeds");
-    require(*std::min_element(speeds.begin(), speeds.end()) > 0.0, "speeds must be greater than 0");
+    require(*std::min_element(speeds.begin(), speeds.end()) > 0.0, "speeds: must be greater than 0");
     const std::size_t count = distances.size();
     std::vector<Exponential> pieces;
     pieces.push_back({0.0, distances[0], speeds[0], 0.0});  // the speed held before the first distance
@@ -265,8 +265,7 @@ Timing Timing::speeds_by_distance(std::span<const double> distances, std::span<c
     const double time_at_zero = home.time + time_across(-home.start, home.speed, speed_at_zero);
     for (Exponential& piece : pieces) piece.time -= time_at_zero;
     for (const Exponential& piece : pieces) {
-        require(std::isfinite(piece.time) && std::isfinite(piece.growth),
-                "distances and speeds must give finite times");
+        require(std::isfinite(piece.time) && std::isfinite(piece.growth), "speeds: must give finite times");
     }
     return Timing(Exponentials{std::move(pieces)});
 }

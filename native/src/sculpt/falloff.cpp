@@ -1,6 +1,7 @@
 #include "motus/sculpt/falloff.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -21,6 +22,7 @@ bool is_of_squares(Falloff falloff) {
 }  // namespace
 
 float reach_of(const Profile& profile, float radius) {
+    require(radius > 0.0f && std::isfinite(radius), "radius: must be > 0 and finite");
     return profile.falloff == Falloff::classic ? in_ieee_floats([radius] { return std::sqrt(radius); })
                                                : radius;
 }
@@ -65,8 +67,16 @@ void forces(const Profile& profile, float radius, std::span<const float> distanc
         std::transform(distances.begin(), distances.end(), out.begin(), [&terms](float distance) {
             return terms.of_squares ? distance * distance : distance;
         });
-        for (std::size_t i = 0; i < out.size(); i += pull_block)
-            kernel.force(terms, out.data() + i, std::min(pull_block, out.size() - i));
+        for (std::size_t i = 0; i < out.size(); i += pull_block) {
+            const auto block = out.subspan(i, std::min(pull_block, out.size() - i));
+            // The kernel gives 0 for NaN, by which unreached vertices of a pull stay.
+            std::array<bool, pull_block> is_nan{};
+            std::ranges::transform(block, is_nan.begin(),
+                                   [](float distance) { return std::isnan(distance); });
+            kernel.force(terms, block.data(), block.size());
+            for (std::size_t k = 0; k < block.size(); ++k)
+                if (is_nan[k]) block[k] = std::numeric_limits<float>::quiet_NaN();
+        }
     });
 }
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "motus/core/ieee_floats.hpp"
+#include "motus/core/numeric.hpp"
 #include "motus/core/parallel.hpp"
 #include "puller.hpp"
 
@@ -63,6 +64,8 @@ void check(std::span<const mesh::Reach> reaches, std::size_t images, std::size_t
     for (const mesh::Reach& reach : reaches) {
         if (reach.vertices.size() != reach.distances.size())
             throw std::invalid_argument("reach: there must be a distance for each vertex");
+        if (!std::ranges::all_of(reach.distances, [](float distance) { return distance >= 0.0F; }))
+            throw std::invalid_argument("reach: every distance must be >= 0");
         const bool ascends = std::adjacent_find(reach.vertices.begin(), reach.vertices.end(),
                                                 std::greater_equal<>()) == reach.vertices.end();
         if (!ascends) throw std::invalid_argument("reach: its vertices must ascend, each of them once");
@@ -86,6 +89,9 @@ void check(std::span<const mesh::Reach> reaches, std::size_t images, std::size_t
 }  // namespace
 
 std::vector<PullImage> images_of(const Dab& dab) {
+    require(is_finite(dab.root), "root: must be finite");
+    require(is_finite(dab.displacement), "displacement: must be finite");
+    require(dab.mirror < 8, "mirror: must be bits of x 1, y 2, z 4");
     std::vector<PullImage> images;
     for (unsigned mirrored = 0; mirrored < 8; ++mirrored) {
         if ((mirrored & ~dab.mirror) != 0) continue;

@@ -62,7 +62,10 @@ Puller::Puller(const Dab& dab, std::size_t vertex_count, std::size_t weight_coun
     require(is_finite(dab.root), "root: must be finite");
     require(is_finite(dab.displacement), "displacement: must be finite");
     require(is_finite(dab.metric), "metric: must be finite");
-    require(dab.minimum <= dab.maximum, "minimum: must be <= maximum, and neither NaN");
+    require(!std::isnan(dab.maximum) && dab.maximum > -std::numeric_limits<float>::infinity(),
+            "maximum: must be a number above -infinity");
+    require(dab.minimum <= dab.maximum && dab.minimum < std::numeric_limits<float>::infinity(),
+            "minimum: must be <= maximum, and below infinity");
     require(dab.clamp_axis >= 0 && dab.clamp_axis <= 2, "clamp_axis: must be 0, 1 or 2");
     require(dab.mirror < 8, "mirror: must be bits of x 1, y 2, z 4");
     require(weight_count == 0 || weight_count == vertex_count, "weights: must be one for each vertex");

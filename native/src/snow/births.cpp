@@ -43,13 +43,13 @@ template <class Later>
 
 Births::Births(double rate, double delay, double duration, bool looping, std::vector<Burst> bursts)
     : rate_(rate), delay_(delay) {
-    require(is_not_negative(rate), "rate must be at least 0 and finite");
-    require(is_not_negative(delay), "delay must be at least 0 and finite");
-    require(is_not_negative(duration), "duration must be at least 0 and finite");
+    require(is_not_negative(rate), "rate: must be at least 0 and finite");
+    require(is_not_negative(delay), "delay: must be at least 0 and finite");
+    require(is_not_negative(duration), "duration: must be at least 0 and finite");
     std::uint64_t in_bursts = 0;
     for (const Burst& burst : bursts) {
-        require(is_not_negative(burst.time), "bursts must have times of at least 0");
-        require(burst.count <= most_ids - in_bursts, "bursts must hold fewer flakes");
+        require(is_not_negative(burst.time), "bursts: must have times of at least 0");
+        require(burst.count <= most_ids - in_bursts, "bursts: must hold fewer flakes");
         in_bursts += burst.count;
     }
     std::ranges::stable_sort(bursts, {}, &Burst::time);

@@ -81,14 +81,14 @@ using Beyond = std::vector<std::array<Neighbour, 3>>;
 [[nodiscard]] mesh::Picker picker_of(std::span<const glm::vec3> positions,
                                      std::span<const glm::ivec3> triangles, const Executor& executor) {
     constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
-    require(positions.size() < most, "collider_positions must be fewer");
-    require(triangles.size() < most, "collider_triangles must be fewer");
+    require(positions.size() < most, "collider_positions: must be fewer");
+    require(triangles.size() < most, "collider_triangles: must be fewer");
     for (const glm::vec3& position : positions)
-        require(is_finite(position), "collider_positions must be finite");
+        require(is_finite(position), "collider_positions: must be finite");
     for (const glm::ivec3& triangle : triangles)
         for (int i = 0; i < 3; ++i)
             require(triangle[i] >= 0 && static_cast<std::size_t>(triangle[i]) < positions.size(),
-                    "collider_triangles must name vertices of collider_positions");
+                    "collider_triangles: must name vertices of collider_positions");
     return {positions, triangles, executor};
 }
 
@@ -211,7 +211,11 @@ std::optional<Collider::Place> Collider::below(const glm::dvec3& point, const gl
 
 Collider::Rest Collider::slide(const Place& first, const glm::dvec3& velocity, const glm::dvec3& pull,
                                double friction, std::vector<Slide>& out) const {
-    require(first.triangle < mesh_->triangles.size(), "first: must be on a triangle of the collider");
+    require(first.triangle < mesh_->triangles.size() && is_finite(first.point),
+            "first: must be on a triangle of the collider");
+    require(is_finite(velocity), "velocity: must be finite");
+    require(is_finite(pull), "pull: must be finite");
+    require(friction >= 0.0 && std::isfinite(friction), "friction: must be at least 0 and finite");
     Place at = first;
     glm::dvec3 moving = velocity;
     double time = 0.0;

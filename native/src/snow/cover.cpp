@@ -156,13 +156,13 @@ struct Cover::Deposit {
 
 Cover::Cover(const Snow& snow, const CoverSettings& settings, const Executor& executor)
     : flake_volume_(settings.flake_volume), rounds_(settings.smoothing) {
-    require(snow.collider() != nullptr, "snow must have a collider");
+    require(snow.collider() != nullptr, "snow: must have a collider");
     require(settings.flake_volume > 0.0 && settings.flake_volume <= 1e30,
-            "flake_volume must be greater than 0 and finite");
+            "flake_volume: must be greater than 0 and finite");
     require(settings.repose >= 0.0 && settings.repose < 0.5 * std::numbers::pi,
-            "repose must be from 0 to less than pi / 2");
+            "repose: must be from 0 to less than pi / 2");
     require(settings.smoothing >= 0 && settings.smoothing <= CoverSettings::most_rounds,
-            "smoothing must be from 0 to 1000");
+            "smoothing: must be from 0 to 1000");
     std::vector<Touchdown> downs = snow.touchdowns(settings.end, executor);
     std::erase_if(downs, [](const Touchdown& down) { return down.triangle < 0; });
 
@@ -252,12 +252,12 @@ void Cover::link_neighbours(const Collider& collider, const Holding& holding) {
 }
 
 std::size_t Cover::lying(double time) const {
-    require(std::isfinite(time), "time must be finite");
+    require(std::isfinite(time), "time: must be finite");
     return static_cast<std::size_t>(std::ranges::upper_bound(times_, time) - times_.begin());
 }
 
 void Cover::heights(double time, std::span<float> out, const Executor& executor) const {
-    require(out.size() == vertex_count(), "out must have a height for each vertex");
+    require(out.size() == vertex_count(), "out: must have a height for each vertex");
     const std::size_t count = lying(time);
     in_ieee_floats([&] {
         in_parts(

@@ -52,13 +52,13 @@ namespace {
 
 Emitter::Emitter(std::span<const double> times, std::span<const glm::dmat4> matrices)
     : times_(times.begin(), times.end()) {
-    require(times.size() == matrices.size(), "emitter_matrices must be as many as emitter_times");
-    require(are_finite(times), "emitter_times must be finite");
+    require(times.size() == matrices.size(), "emitter_matrices: must be as many as emitter_times");
+    require(are_finite(times), "emitter_times: must be finite");
     require(std::ranges::adjacent_find(times, std::ranges::greater_equal{}) == times.end(),
-            "emitter_times must rise");
+            "emitter_times: must rise");
     std::vector<Pose> poses;
     for (std::size_t i = 0; i < times.size(); ++i) {
-        require(is_finite(matrices[i]), "emitter_matrices must be finite");
+        require(is_finite(matrices[i]), "emitter_matrices: must be finite");
         const glm::dmat3 linear(matrices[i]);
         const glm::dmat3 rotation = rotation_of(linear);
         poses.push_back({times[i], glm::dvec3(matrices[i][3]), glm::normalize(glm::quat_cast(rotation)),

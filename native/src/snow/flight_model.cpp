@@ -38,40 +38,40 @@ constexpr double largest_step = 0x1p-5;  // s
 }
 
 void require_valid(const SnowSettings& s) {
-    require(is_single(s.start_speed), "start_speed must be finite");
-    require(is_between(s.lifetime, 0.0, 1e30), "lifetime must be at least 0 and finite");
-    require(is_single(s.start_size), "start_size must be finite");
-    require(!s.start_color.empty(), "start_color must have a colour");
+    require(is_single(s.start_speed), "start_speed: must be finite");
+    require(is_between(s.lifetime, 0.0, 1e30), "lifetime: must be at least 0 and finite");
+    require(is_single(s.start_size), "start_size: must be finite");
+    require(!s.start_color.empty(), "start_color: must have a colour");
     for (const GradientStop& stop : s.start_color)
-        require(std::isfinite(stop.position) && is_finite(stop.color), "start_color must be finite");
+        require(std::isfinite(stop.position) && is_finite(stop.color), "start_color: must be finite");
     require(std::ranges::is_sorted(s.start_color, {}, &GradientStop::position),
-            "start_color must have rising positions");
-    require(is_between(s.cone_angle, 0.0, std::numbers::pi), "cone_angle must be from 0 to pi");
-    require(is_between(s.cone_radius, 0.0, 1e30), "cone_radius must be at least 0 and finite");
+            "start_color: must have rising positions");
+    require(is_between(s.cone_angle, 0.0, std::numbers::pi), "cone_angle: must be from 0 to pi");
+    require(is_between(s.cone_radius, 0.0, 1e30), "cone_radius: must be at least 0 and finite");
     for (int axis = 0; axis < 2; ++axis)
         require(s.frustum_angles[axis] >= 0.0 && s.frustum_angles[axis] < 0.5 * std::numbers::pi,
-                "frustum_angles must be from 0 to less than pi / 2");
-    require(is_between(s.frustum_far, 1e-6, 1e30), "frustum_far must be at least 1e-6 and finite");
-    require(is_between(s.frustum_near, 0.0, s.frustum_far), "frustum_near must be from 0 to frustum_far");
-    require(is_between(s.max_angle, -1e6, 1e6), "max_angle must be from -1e6 to 1e6");
-    require(is_rate(s.snow_frequency), "snow_frequency must be greater than 0 and at most 1000");
-    require(is_single(s.acceleration), "acceleration must be finite");
-    require(is_between(s.drag, 0.0, 1000.0), "drag must be from 0 to 1000");
-    require(is_single(s.wind), "wind must be finite");
-    require(s.wind_values.size() == s.wind_times.size(), "wind_values must be as many as wind_times");
-    require(are_finite(s.wind_times), "wind_times must be finite");
+                "frustum_angles: must be from 0 to less than pi / 2");
+    require(is_between(s.frustum_far, 1e-6, 1e30), "frustum_far: must be at least 1e-6 and finite");
+    require(is_between(s.frustum_near, 0.0, s.frustum_far), "frustum_near: must be from 0 to frustum_far");
+    require(is_between(s.max_angle, -1e6, 1e6), "max_angle: must be from -1e6 to 1e6");
+    require(is_rate(s.snow_frequency), "snow_frequency: must be greater than 0 and at most 1000");
+    require(is_single(s.acceleration), "acceleration: must be finite");
+    require(is_between(s.drag, 0.0, 1000.0), "drag: must be from 0 to 1000");
+    require(is_single(s.wind), "wind: must be finite");
+    require(s.wind_values.size() == s.wind_times.size(), "wind_values: must be as many as wind_times");
+    require(are_finite(s.wind_times), "wind_times: must be finite");
     require(std::ranges::adjacent_find(s.wind_times, std::ranges::greater_equal{}) == s.wind_times.end(),
-            "wind_times must rise");
-    for (const glm::dvec3& wind : s.wind_values) require(is_single(wind), "wind_values must be finite");
-    require(is_between(s.gusts, 0.0, 1e30), "gusts must be at least 0 and finite");
-    require(is_rate(s.gust_frequency), "gust_frequency must be greater than 0 and at most 1000");
-    require(is_between(s.turbulence, 0.0, 1e6), "turbulence must be from 0 to 1e6");
-    require(is_between(s.turbulence_size, 1e-6, 1e30), "turbulence_size must be at least 1e-6 and finite");
-    require(is_between(s.tumble, 0.0, 1e6), "tumble must be from 0 to 1e6");
-    require(!s.ground || is_single(*s.ground), "ground must be finite");
-    require(s.rest_time >= 0.0, "rest_time must be at least 0");
-    require(is_between(s.melt_time, 0.0, 1e30), "melt_time must be at least 0 and finite");
-    require(is_between(s.friction, 0.0, 1e30), "friction must be at least 0 and finite");
+            "wind_times: must rise");
+    for (const glm::dvec3& wind : s.wind_values) require(is_single(wind), "wind_values: must be finite");
+    require(is_between(s.gusts, 0.0, 1e30), "gusts: must be at least 0 and finite");
+    require(is_rate(s.gust_frequency), "gust_frequency: must be greater than 0 and at most 1000");
+    require(is_between(s.turbulence, 0.0, 1e6), "turbulence: must be from 0 to 1e6");
+    require(is_between(s.turbulence_size, 1e-6, 1e30), "turbulence_size: must be at least 1e-6 and finite");
+    require(is_between(s.tumble, 0.0, 1e6), "tumble: must be from 0 to 1e6");
+    require(!s.ground || is_single(*s.ground), "ground: must be finite");
+    require(s.rest_time >= 0.0, "rest_time: must be at least 0");
+    require(is_between(s.melt_time, 0.0, 1e30), "melt_time: must be at least 0 and finite");
+    require(is_between(s.friction, 0.0, 1e30), "friction: must be at least 0 and finite");
 }
 
 /// Between nodes of what depends on the age: a power of two, so that nodes lie at exact ages. The cubics
@@ -151,10 +151,11 @@ FlightModel::FlightModel(SnowSettings settings)
     if (flakes > Snow::most_flakes) {
         constexpr double bytes = 72.0;
         std::array<char, 160> text{};
-        std::snprintf(text.data(), text.size(),
-                      "rate must be lower: up to %.3g flakes would live at once, which take %.3g GB; at most "
-                      "%.3g may",
-                      flakes, 1e-9 * bytes * flakes, Snow::most_flakes);
+        std::snprintf(
+            text.data(), text.size(),
+            "rate: must be lower: up to %.3g flakes would live at once, which take %.3g GB; at most "
+            "%.3g may",
+            flakes, 1e-9 * bytes * flakes, Snow::most_flakes);
         throw std::invalid_argument(text.data());
     }
 
@@ -202,7 +203,7 @@ FlightModel::FlightModel(SnowSettings settings)
     // A flake's way is looked at once more after its lifetime.
     const double farthest = longest() + look_step;
     require(farthest < step * static_cast<double>(Steering::most_nodes - Steering::offset_count - 2),
-            "lifetime must be shorter for flakes that steer at this snow_frequency");
+            "lifetime: must be shorter for flakes that steer at this snow_frequency");
     steering.emplace(settings.max_angle, settings.snow_frequency, settings.seed, farthest, step, offsets);
 }
 

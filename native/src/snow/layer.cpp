@@ -28,14 +28,14 @@ constexpr int none = -1;
 
 void check(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles) {
     constexpr std::size_t most_triangles = std::size_t{1} << 29U;
-    require(triangles.size() < most_triangles, "layer_triangles must be less than 2^29");
+    require(triangles.size() < most_triangles, "layer_triangles: must be less than 2^29");
     for (const glm::vec3& position : positions)
         require(std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z),
-                "layer_positions must be finite");
+                "layer_positions: must be finite");
     for (const glm::ivec3& corners : triangles)
         for (int i = 0; i < 3; ++i)
             require(corners[i] >= 0 && static_cast<std::size_t>(corners[i]) < positions.size(),
-                    "layer_triangles must hold indices of vertices");
+                    "layer_triangles: must hold indices of vertices");
 }
 
 }  // namespace
@@ -43,7 +43,8 @@ void check(std::span<const glm::vec3> positions, std::span<const glm::ivec3> tri
 Layer::Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
              const glm::dvec3& up, const Collider* shelter, double hold, const Executor& executor) {
     check(positions, triangles);
-    require(direction_of(up).has_value(), "up must be finite and not 0");
+    require(direction_of(up).has_value(), "up: must be finite and not 0");
+    require(hold >= 0.0, "hold: must be at least 0");
     number(positions, triangles);
     in_ieee_floats([&] { find_normals(up); });
     find_edges();
@@ -371,16 +372,16 @@ class Layer::Builder {
 };
 
 Layer::Mesh Layer::at(std::span<const float> depths, float thinnest, float steepest) const {
-    require(depths.size() == vertex_count_, "depths must be as many as the vertices");
+    require(depths.size() == vertex_count_, "depths: must be as many as the vertices");
     require(std::ranges::all_of(depths, [](float depth) { return std::isfinite(depth); }),
-            "depths must be finite");
-    require(thinnest >= 0.0F && std::isfinite(thinnest), "thinnest must be at least 0 and finite");
-    require(steepest > 0.0F, "steepest must be greater than 0");
+            "depths: must be finite");
+    require(thinnest >= 0.0F && std::isfinite(thinnest), "thinnest: must be at least 0 and finite");
+    require(steepest > 0.0F, "steepest: must be greater than 0");
     return in_ieee_floats([&] {
         std::vector<float> fallen;
         fallen.reserve(numbers_.size());
         for (const std::uint32_t given : numbers_) fallen.push_back(depths[given]);
-        heaps_->settle(fallen, steepest);
+        if (heaps_) heaps_->settle(fallen, steepest);
         return Builder(*this, fallen, thinnest).build();
     });
 }

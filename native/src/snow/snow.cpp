@@ -127,7 +127,7 @@ class Snow::Rows {
 
     /// Those that may live at a time.
     [[nodiscard]] static Living::Parts candidates(const std::shared_ptr<const Parts>& snow, double time) {
-        require(std::isfinite(time), "time must be finite");
+        require(std::isfinite(time), "time: must be finite");
         const FlightModel& model = snow->model;
         Living::Parts living{time, model.births.count_older(time, model.longest()), model.births.count(time)};
         living.count = static_cast<std::size_t>(living.last - living.first);
@@ -235,11 +235,11 @@ std::size_t Snow::find_landings(double time, std::size_t most, const Executor& e
 }
 
 void Snow::evaluate(const Living& living, const Fields& out, const Executor& executor) const {
-    require(living.parts_ != nullptr && living.parts_->snow == parts_, "living must be of this snow");
+    require(living.parts_ != nullptr && living.parts_->snow == parts_, "living: must be of this snow");
     const auto fits = [&](const auto& field) { return field.empty() || field.size() == living.count(); };
     require(fits(out.position) && fits(out.velocity) && fits(out.size) && fits(out.color) && fits(out.age) &&
                 fits(out.rotation) && fits(out.id),
-            "out must have a row for each living flake");
+            "out: must have a row for each living flake");
     const FlightModel& model = parts_->model;
     const Landings& landings = parts_->landings;
     const Rows rows(*parts_, *living.parts_);
@@ -260,14 +260,14 @@ void Snow::evaluate(const Living& living, const Fields& out, const Executor& exe
 }
 
 std::vector<Touchdown> Snow::touchdowns(double end, const Executor& executor) const {
-    require(std::isfinite(end), "end must be finite");
+    require(std::isfinite(end), "end: must be finite");
     const Landings& landings = parts_->landings;
     return in_ieee_floats([&] {
         std::vector<Touchdown> all;
         if (!landings.are_any()) return all;
         const std::uint64_t count = parts_->model.births.count(end);
         require(static_cast<double>(count) <= most_touchdowns,
-                "end must be earlier: more than 1e7 flakes are born until then");
+                "end: must be earlier: more than 1e7 flakes are born until then");
         std::vector<std::vector<Touchdown>> of_blocks((count + block_size - 1) / block_size);
         in_parts(
             of_blocks.size(), landing_grain,

@@ -37,15 +37,15 @@ void share(std::span<double> weights, double sum, std::span<Facet> facets) {
 }  // namespace
 
 std::vector<Facet> facets_of(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles) {
-    require(triangles.size() < std::numeric_limits<std::int32_t>::max(), "surface_triangles must be fewer");
+    require(triangles.size() < std::numeric_limits<std::int32_t>::max(), "surface_triangles: must be fewer");
     for (const glm::vec3& position : positions)
-        require(is_finite(position), "surface_positions must be finite");
+        require(is_finite(position), "surface_positions: must be finite");
     std::vector<Facet> facets;
     std::vector<double> weights;
     double sum = 0.0;
     const auto corner = [&](int vertex) {
         require(vertex >= 0 && static_cast<std::size_t>(vertex) < positions.size(),
-                "surface_triangles must name vertices of surface_positions");
+                "surface_triangles: must name vertices of surface_positions");
         return glm::dvec3(positions[static_cast<std::size_t>(vertex)]);
     };
     for (const glm::ivec3& triangle : triangles) {
@@ -63,7 +63,7 @@ std::vector<Facet> facets_of(std::span<const glm::vec3> positions, std::span<con
         weights.push_back(area);
         sum += area;
     }
-    require(sum > 0.0, "surface_triangles must have an area");
+    require(sum > 0.0, "surface_triangles: must have an area");
     share(weights, sum, facets);
     return facets;
 }

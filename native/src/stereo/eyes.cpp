@@ -9,6 +9,11 @@ namespace motus::stereo {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double least = 1e-30, most = 1e30;  // of what is divided and multiplied: no result overflows
+
+[[nodiscard]] bool is_positive(double value) {
+    return value >= least && value <= most;
+}
 
 /// Distance between the eyes times the magnification of the lens. Parallax is this number times a difference
 /// of two reciprocal depths.
@@ -26,26 +31,28 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
     const double right = point.x - aside;
     const double cosine = std::cos(angle), sine = std::sin(angle);
     const double forward = point.z * cosine - right * sine;
-    require(forward > 0.0, "point must lie in front of both eyes");
+    require(forward >= least, "point: must lie in front of both eyes");
     const double scale = eyes.focal_length / eyes.sensor_width / forward;
     return {(right * cosine + point.z * sine) * scale, point.y * scale};
+}
+
+void check_limits(const Limits& limits) {
+    require(limits.near >= 0.0 && limits.near <= most, "near_parallax: must be from 0 to 1e30");
+    require(limits.far >= 0.0 && limits.far <= most, "far_parallax: must be from 0 to 1e30");
 }
 
 }  // namespace
 
 void check(const Eyes& eyes) {
-    require(eyes.interaxial >= 0.0 && std::isfinite(eyes.interaxial),
-            "interaxial must be at least 0 and finite");
-    require(eyes.focal_length > 0.0 && std::isfinite(eyes.focal_length),
-            "focal_length must be greater than 0 and finite");
-    require(eyes.sensor_width > 0.0 && std::isfinite(eyes.sensor_width),
-            "sensor_width must be greater than 0 and finite");
-    require(eyes.convergence > 0.0, "convergence must be greater than 0");
+    require(eyes.interaxial >= 0.0 && eyes.interaxial <= most, "interaxial: must be from 0 to 1e30");
+    require(is_positive(eyes.focal_length), "focal_length: must be from 1e-30 to 1e30");
+    require(is_positive(eyes.sensor_width), "sensor_width: must be from 1e-30 to 1e30");
+    require(eyes.convergence >= least, "convergence: must be at least 1e-30");
 }
 
 double parallax(const Eyes& eyes, double depth) {
     check(eyes);
-    require(depth > 0.0, "depth must be greater than 0");
+    require(depth >= least, "depth: must be at least 1e-30");
     if (eyes.mode == Mode::toe_in && std::isfinite(eyes.convergence)) {
         // tan(a - b), where a is the angle of the turned axis and b that of the point: the offset of both
         // images.
@@ -58,7 +65,8 @@ double parallax(const Eyes& eyes, double depth) {
 
 Pair project(const Eyes& eyes, const glm::dvec3& point) {
     check(eyes);
-    require(is_finite(point), "point must be finite");
+    for (int axis = 0; axis < 3; ++axis)
+        require(std::abs(point[axis]) <= most, "point: must be 1e30 at most in size");
     const double half = 0.5 * eyes.interaxial;
     if (eyes.mode == Mode::toe_in) {
         // The left eye is turned to the right.
@@ -73,21 +81,23 @@ Pair project(const Eyes& eyes, const glm::dvec3& point) {
 }
 
 double vertical_parallax(const Eyes& eyes, double depth, double aspect) {
-    require(depth > 0.0 && (eyes.mode != Mode::toe_in || std::isfinite(depth)),
-            "depth must be greater than 0, and finite for eyes that toe in");
-    require(aspect > 0.0 && std::isfinite(aspect), "aspect must be greater than 0 and finite");
     check(eyes);
+    require(depth >= least, "depth: must be at least 1e-30");
+    require(is_positive(aspect), "aspect: must be from 1e-30 to 1e30");
     if (eyes.mode != Mode::toe_in) return 0.0;
     // Vertical parallax grows towards the corners, which are all alike.
     const double to_edge = 0.5 * eyes.sensor_width / eyes.focal_length * depth;
+    const double turned = 0.5 * eyes.interaxial / eyes.convergence;  // tangent of the angle
+    require(depth <= most && to_edge <= most && to_edge / aspect <= most &&
+                depth - (to_edge + 0.5 * eyes.interaxial) * turned > 1e-6 * depth,
+            "depth: must have the corners of the image in front of both eyes that toe in");
     const Pair corner = project(eyes, {to_edge, to_edge / aspect, depth});
     return std::abs(corner.right.y - corner.left.y);
 }
 
 Range depths_within(const Eyes& eyes, const Limits& limits) {
     check(eyes);
-    require(limits.near >= 0.0 && std::isfinite(limits.near), "near_parallax must be at least 0 and finite");
-    require(limits.far >= 0.0 && std::isfinite(limits.far), "far_parallax must be at least 0 and finite");
+    check_limits(limits);
     if (eyes.interaxial == 0.0) return {0.0, infinity};
     if (eyes.mode == Mode::toe_in && std::isfinite(eyes.convergence)) {
         // The depth at which parallax() has a given value.
@@ -110,18 +120,20 @@ Range depths_within(const Eyes& eyes, const Limits& limits) {
 }
 
 Eyes fit_budget(const Eyes& lens, const Range& range, const Limits& limits) {
-    require(range.near > 0.0 && std::isfinite(range.near), "near must be greater than 0 and finite");
-    require(range.far > range.near, "far must be greater than near");
-    require(limits.near >= 0.0 && std::isfinite(limits.near), "near_parallax must be at least 0 and finite");
-    require(limits.far >= 0.0 && std::isfinite(limits.far), "far_parallax must be at least 0 and finite");
+    require(is_positive(range.near), "near: must be from 1e-30 to 1e30");
+    require(range.far > range.near, "far: must be greater than near");
+    require(is_positive(lens.focal_length), "focal_length: must be from 1e-30 to 1e30");
+    require(is_positive(lens.sensor_width), "sensor_width: must be from 1e-30 to 1e30");
+    check_limits(limits);
     const double total = limits.near + limits.far;
-    require(total > 0.0, "near_parallax and far_parallax must not both be 0");
+    require(total > 0.0, "near_parallax: must not be 0 with far_parallax 0");
     Eyes eyes = lens;
     eyes.mode = Mode::off_axis;
     const double nearest = 1.0 / range.near, farthest = 1.0 / range.far;
     eyes.interaxial = total * (lens.sensor_width / lens.focal_length) / (nearest - farthest);
     eyes.convergence = total / (limits.far * nearest + limits.near * farthest);
-    check(eyes);
+    require(eyes.interaxial <= most && eyes.convergence >= least,
+            "far: must be so much farther than near that the eyes have a distance of 1e30 at most");
     return eyes;
 }
 

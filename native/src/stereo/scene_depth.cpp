@@ -35,7 +35,8 @@ namespace {
 }  // namespace
 
 std::optional<Range> depth_range(std::span<const double> depths, double low, double high) {
-    require(low >= 0.0 && low < high && high <= 1.0, "low and high must be shares with low < high");
+    require(low >= 0.0 && low < 1.0, "low: must be from 0 to 1");
+    require(high > low && high <= 1.0, "high: must be above low, and 1 at most");
     std::vector<double> found;
     found.reserve(depths.size());
     std::ranges::copy_if(depths, std::back_inserter(found),
@@ -46,12 +47,13 @@ std::optional<Range> depth_range(std::span<const double> depths, double low, dou
 }
 
 Window window_violations(const Eyes& eyes, std::span<const Sample> samples, double tolerance) {
-    require(tolerance >= 0.0 && std::isfinite(tolerance), "tolerance must be at least 0 and finite");
+    require(tolerance >= 0.0 && std::isfinite(tolerance), "tolerance: must be at least 0 and finite");
     check(eyes);
     Window window;
     for (const Sample& sample : samples) {
-        if (!(sample.depth > 0.0)) continue;
-        const double found = -parallax(eyes, sample.depth);
+        if (!(sample.depth > 0.0) || std::isnan(sample.x)) continue;
+        // Nearer than parallax() allows, a point is at the edge of what it allows.
+        const double found = -parallax(eyes, std::max(sample.depth, 1e-30));
         if (found <= tolerance) continue;
         // In front of the screen the left eye sees a point further right than the right eye does.
         const double in_left = sample.x + 0.5 * found, in_right = sample.x - 0.5 * found;
@@ -62,9 +64,11 @@ Window window_violations(const Eyes& eyes, std::span<const Sample> samples, doub
 }
 
 void smooth(std::span<const double> values, std::size_t ahead, Side side, std::span<double> out) {
-    require(out.size() == values.size(), "out must have as many numbers as values");
-    require(ahead <= most_ahead, "ahead must be at most 10000");
-    require(are_finite(values), "values must be finite");
+    require(out.size() == values.size(), "out: must have as many numbers as values");
+    require(ahead <= most_ahead, "ahead: must be at most 10000");
+    constexpr double most = 1e300;  // sums of differences do not overflow
+    require(std::ranges::all_of(values, [](double value) { return std::abs(value) <= most; }),
+            "values: must be 1e300 at most in size");
     ahead = std::min(ahead, values.size());
     // The least of all values in reach is below each of them, and so is any mean of such numbers in reach.
     std::vector<double> bound(values.begin(), values.end());

@@ -9,6 +9,10 @@
 namespace motus::stereo {
 namespace {
 
+[[nodiscard]] bool is_length(double value) {
+    return value >= 1e-30 && value <= 1e30;  // products and quotients of these do not overflow
+}
+
 /// Parallax for which the eyes turn towards each other by `angle`, rad.
 [[nodiscard]] double parallax_at(const Screen& screen, double angle) {
     const double apart = screen.eye_separation - 2.0 * screen.viewing_distance * std::tan(0.5 * angle);
@@ -16,17 +20,15 @@ namespace {
 }
 
 void check_parallax(double parallax) {
-    require(!std::isnan(parallax), "parallax must be a number");
+    require(!std::isnan(parallax), "parallax: must be a number");
 }
 
 }  // namespace
 
 void check(const Screen& screen) {
-    require(screen.width > 0.0 && std::isfinite(screen.width), "width must be greater than 0 and finite");
-    require(screen.viewing_distance > 0.0 && std::isfinite(screen.viewing_distance),
-            "viewing_distance must be greater than 0 and finite");
-    require(screen.eye_separation > 0.0 && std::isfinite(screen.eye_separation),
-            "eye_separation must be greater than 0 and finite");
+    require(is_length(screen.width), "width: must be from 1e-30 to 1e30");
+    require(is_length(screen.viewing_distance), "viewing_distance: must be from 1e-30 to 1e30");
+    require(is_length(screen.eye_separation), "eye_separation: must be from 1e-30 to 1e30");
 }
 
 double vergence(const Screen& screen, double parallax) {
@@ -51,7 +53,7 @@ double divergence_limit(const Screen& screen) {
 Limits comfortable(const Screen& screen, double angle) {
     check(screen);
     constexpr double most = 1.5;  // rad; beyond a quarter turn nothing is seen
-    require(angle > 0.0 && angle < most, "angle must lie between 0 and 1.5 rad");
+    require(angle > 0.0 && angle < most, "angle: must lie between 0 and 1.5 rad");
     const double on_screen = vergence(screen, 0.0);
     return {-parallax_at(screen, std::min(on_screen + angle, 2.0 * most)),
             parallax_at(screen, std::max(on_screen - angle, 0.0))};

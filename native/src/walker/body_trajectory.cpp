@@ -30,27 +30,29 @@ template <class Vector>
 }
 
 void check(const Way& way) {
-    require(!way.times.empty() && way.times.size() <= most_samples, "times must have 1 to 100,000 samples");
+    require(!way.times.empty() && way.times.size() <= most_samples, "times: must have 1 to 100,000 samples");
     require(std::ranges::all_of(way.times, [](double time) { return std::abs(time) <= largest_number; }),
-            "times must be finite, and 1e12 at most");
-    require(std::ranges::adjacent_find(way.times, std::ranges::greater_equal{}) == way.times.end(),
-            "times must strictly rise");
-    require(way.poses.size() == way.times.size(), "poses must be as many as times");
+            "times: must be finite, and 1e12 at most");
+    constexpr double least = 1e-12;  // s: a nearer sample would be one of an endless speed
+    require(std::ranges::adjacent_find(way.times, [](double a, double b) { return !(b - a >= least); }) ==
+                way.times.end(),
+            "times: must strictly rise, by at least 1e-12");
+    require(way.poses.size() == way.times.size(), "poses: must be as many as times");
     require(std::ranges::all_of(way.poses, [](const glm::dmat4& pose) { return is_small(pose); }),
-            "poses must be finite, and 1e12 at most");
-    require(!way.rest.empty() && way.rest.size() <= most_legs, "rest must have 1 to 256 legs");
+            "poses: must be finite, and 1e12 at most");
+    require(!way.rest.empty() && way.rest.size() <= most_legs, "rest: must have 1 to 256 legs");
     require(std::ranges::all_of(way.rest, [](const glm::dvec3& place) { return is_small(place); }),
-            "rest must be finite, and 1e12 at most");
-    require(way.phases.size() == way.rest.size(), "phases must be as many as the legs of rest");
-    require(are_finite(way.phases), "phases must be finite");
-    require(way.duty >= least_duty && way.duty <= most_duty, "duty must be from 0.05 to 0.95");
-    require(way.stride >= 1e-6 && way.stride <= 1e6, "stride must be from 1e-6 to 1e6");
-    require(way.cadence >= 1e-3 && way.cadence <= 1e3, "cadence must be from 0.001 to 1000");
-    require(is_small(way.up) && direction_of(way.up), "up must be finite and not zero");
+            "rest: must be finite, and 1e12 at most");
+    require(way.phases.size() == way.rest.size(), "phases: must be as many as the legs of rest");
+    require(are_finite(way.phases), "phases: must be finite");
+    require(way.duty >= least_duty && way.duty <= most_duty, "duty: must be from 0.05 to 0.95");
+    require(way.stride >= 1e-6 && way.stride <= 1e6, "stride: must be from 1e-6 to 1e6");
+    require(way.cadence >= 1e-3 && way.cadence <= 1e3, "cadence: must be from 0.001 to 1000");
+    require(is_small(way.up) && direction_of(way.up), "up: must be finite and not zero");
     require(std::ranges::adjacent_find(way.resets, std::ranges::greater_equal{}) == way.resets.end() &&
                 (way.resets.empty() || way.resets.back() < way.times.size()),
-            "resets must rise and be indices of samples");
-    require(!way.jump || *way.jump > 0.0, "jump must be greater than 0");
+            "resets: must rise and be indices of samples");
+    require(!way.jump || *way.jump > 0.0, "jump: must be greater than 0");
 }
 
 [[nodiscard]] Way checked(Way way) {
@@ -137,6 +139,9 @@ double BodyTrajectory::rate(std::size_t sample, std::size_t last) const {
 
 glm::dmat4 BodyTrajectory::pose(std::size_t stretch, double time) const {
     require_stretch(stretch);
+    if (std::isnan(time))
+        return glm::dmat4(time, time, time, time, time, time, time, time, time, time, time, time, time, time,
+                          time, time);
     const std::size_t last = last_sample(stretch);
     const std::size_t sample = sample_before(stretch, time);
     if (sample == last && !(time < way_.times[sample])) return way_.poses[last];

@@ -99,14 +99,14 @@ struct Seats {
 
 Pattern pattern_of(Gait gait, std::span<const glm::dvec3> rest, const glm::dvec3& forward,
                    const glm::dvec3& up) {
-    require(!rest.empty() && rest.size() <= most_legs, "rest must have 1 to 256 legs");
-    for (const glm::dvec3& place : rest) require(is_finite(place), "rest must be finite");
+    require(!rest.empty() && rest.size() <= most_legs, "rest: must have 1 to 256 legs");
+    for (const glm::dvec3& place : rest) require(is_finite(place), "rest: must be finite");
     const std::optional<glm::dvec3> ahead = direction_of(forward), above = direction_of(up);
-    require(ahead.has_value(), "forward must not be zero");
-    require(above.has_value(), "up must not be zero");
+    require(ahead.has_value(), "forward: must not be zero");
+    require(above.has_value(), "up: must not be zero");
     const glm::dvec3 across = glm::cross(*ahead, *above);
     constexpr double parallel = 1e-6;
-    require(length_of(across) > parallel, "up must not be parallel to forward");
+    require(length_of(across) > parallel, "up: must not be parallel to forward");
 
     const Seats seats = seats_of(rest, *ahead, unit_vector(across));
     Pattern pattern;

@@ -12,20 +12,20 @@ namespace {
 [[nodiscard]] mesh::Picker picker_of(std::span<const glm::vec3> positions,
                                      std::span<const glm::ivec3> triangles, const Executor& executor) {
     constexpr std::size_t most = std::numeric_limits<int>::max();
-    require(positions.size() < most, "positions must be fewer");
-    require(triangles.size() < most, "triangles must be fewer");
+    require(positions.size() < most, "positions: must be fewer");
+    require(triangles.size() < most, "triangles: must be fewer");
     for (const glm::ivec3& triangle : triangles)
         for (int corner = 0; corner < 3; ++corner)
             require(triangle[corner] >= 0 && static_cast<std::size_t>(triangle[corner]) < positions.size(),
-                    "triangles must name vertices of positions");
+                    "triangles: must name vertices of positions");
     return in_ieee_floats([&] { return mesh::Picker(positions, triangles, executor); });
 }
 
 [[nodiscard]] std::optional<Plane> checked(const std::optional<Plane>& plane) {
     if (!plane) return std::nullopt;
-    require(is_finite(plane->point), "plane must be finite");
+    require(is_finite(plane->point), "plane: must be finite");
     const std::optional<glm::dvec3> normal = direction_of(plane->normal);
-    require(normal.has_value(), "plane must have a normal that is not zero");
+    require(normal.has_value(), "plane: must have a normal that is not zero");
     return Plane{plane->point, *normal};
 }
 
@@ -64,6 +64,7 @@ std::optional<Contact> Ground::on_plane(const glm::dvec3& origin, const glm::dve
 
 std::optional<Contact> Ground::ray(const glm::dvec3& origin, const glm::dvec3& direction,
                                    double farthest) const {
+    if (!is_finite(origin) || !is_finite(direction) || std::isnan(farthest)) return std::nullopt;
     const std::optional<Contact> plane = on_plane(origin, direction, farthest);
     const std::optional<mesh::Hit> hit =
         mesh_->picker.ray(origin, direction, plane ? plane->distance : farthest);

@@ -55,7 +55,7 @@ Planner::Planner(const WalkSettings& settings, const BodyTrajectory& trajectory,
       executor_(std::move(executor)),
       hips_(settings.hips) {
     require(expected_steps(trajectory) <= most_steps,
-            "poses must go slower, or the stride be longer, or the cadence lower: more than 1,000,000 steps "
+            "poses: must go slower, or the stride be longer, or the cadence lower: more than 1,000,000 steps "
             "would be planned");
     if (!hips_.empty()) return;
     const std::vector<glm::dvec3>& rest = trajectory.way().rest;

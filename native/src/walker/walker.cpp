@@ -25,23 +25,24 @@ constexpr double largest_number = 1e12;
 }
 
 [[nodiscard]] WalkSettings checked(WalkSettings settings, std::size_t legs, std::size_t samples) {
-    require(is_length(settings.clearance), "clearance must be from 0 to 1e12");
-    require(is_length(settings.reach_up), "reach_up must be from 0 to 1e12");
-    require(is_length(settings.reach_down), "reach_down must be from 0 to 1e12");
-    require(is_length(settings.minimum_step), "minimum_step must be from 0 to 1e12");
-    require(is_share(settings.height), "height must be from 0 to 1");
-    require(is_share(settings.tilt), "tilt must be from 0 to 1");
+    require(is_length(settings.clearance), "clearance: must be from 0 to 1e12");
+    require(is_length(settings.reach_up), "reach_up: must be from 0 to 1e12");
+    require(is_length(settings.reach_down), "reach_down: must be from 0 to 1e12");
+    require(is_length(settings.minimum_step), "minimum_step: must be from 0 to 1e12");
+    require(is_share(settings.height), "height: must be from 0 to 1");
+    require(is_share(settings.tilt), "tilt: must be from 0 to 1");
     require(settings.hips.empty() || settings.hips.size() == legs,
-            "hips must be as many as the legs of rest");
-    require(settings.lengths.size() == settings.hips.size(), "lengths must be as many as hips");
+            "hips: must be as many as the legs of rest");
+    require(settings.lengths.size() == settings.hips.size(), "lengths: must be as many as hips");
     for (const glm::dvec3& hip : settings.hips)
-        require(is_place(hip), "hips must be finite, and 1e12 at most");
+        require(is_place(hip), "hips: must be finite, and 1e12 at most");
     require(settings.bodies.empty() || settings.bodies.size() == samples,
-            "bodies must be as many as the samples of poses");
+            "bodies: must be as many as the samples of poses");
     for (const glm::dmat4& body : settings.bodies)
         for (glm::length_t column = 0; column < 4; ++column)
-            require(is_place(glm::dvec3(body[column])), "bodies must be finite, and 1e12 at most");
-    for (const double length : settings.lengths) require(is_length(length), "lengths must be from 0 to 1e12");
+            require(is_place(glm::dvec3(body[column])), "bodies: must be finite, and 1e12 at most");
+    for (const double length : settings.lengths)
+        require(is_length(length), "lengths: must be from 0 to 1e12");
     return settings;
 }
 
@@ -58,8 +59,8 @@ Walker::Walker(Way way, WalkSettings settings, const Ground* ground, const Execu
 }
 
 Foot Walker::foot(std::size_t leg, double time) const {
-    require(leg < leg_count(), "leg must be one of the walker's");
-    require(std::isfinite(time), "time must be finite");
+    require(leg < leg_count(), "leg: must be one of the walker's");
+    require(std::isfinite(time), "time: must be finite");
     return in_ieee_floats([&] {
         const std::size_t row = leg * trajectory_.stretch_count() + trajectory_.stretch_at(time);
         const Step& step = step_at(steps_.of(row), time);
@@ -74,7 +75,7 @@ Foot Walker::foot(std::size_t leg, double time) const {
 }
 
 Correction Walker::body(double time) const {
-    require(std::isfinite(time), "time must be finite");
+    require(std::isfinite(time), "time: must be finite");
     return in_ieee_floats([&] {
         glm::dvec3 lean(0.0);
         leans_->evaluate(time, {&lean[0], 3});
@@ -84,12 +85,12 @@ Correction Walker::body(double time) const {
 }
 
 double Walker::phase(double time) const {
-    require(std::isfinite(time), "time must be finite");
+    require(std::isfinite(time), "time: must be finite");
     return trajectory_.phase(trajectory_.stretch_at(time), time);
 }
 
 std::span<const Step> Walker::steps(std::size_t leg) const {
-    require(leg < leg_count(), "leg must be one of the walker's");
+    require(leg < leg_count(), "leg: must be one of the walker's");
     const std::size_t stretches = trajectory_.stretch_count();
     return steps_.between(leg * stretches, (leg + 1) * stretches);
 }

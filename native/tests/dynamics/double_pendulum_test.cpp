@@ -177,14 +177,14 @@ TEST_CASE("double pendulums whose tables would not fit into the cache together a
         fan[i] = {2.0, 2.0 + 0.01 * static_cast<double>(i), 0.0, 0.0};
     std::vector<DoublePendulumState> out(fan.size());
     // Each of them may be asked for at that time, but their tables would push each other out at every frame.
-    CHECK_THROWS_WITH(double_pendulums({}, fan, 1500.0, out), Catch::Matchers::StartsWith("time "));
-    CHECK_THROWS_WITH(double_pendulums({}, fan, -1500.0, out), Catch::Matchers::StartsWith("time "));
+    CHECK_THROWS_WITH(double_pendulums({}, fan, 1500.0, out), Catch::Matchers::StartsWith("time: "));
+    CHECK_THROWS_WITH(double_pendulums({}, fan, -1500.0, out), Catch::Matchers::StartsWith("time: "));
     const std::vector<DoublePendulumState> few(fan.begin(), fan.begin() + 2);
     double_pendulums({}, few, 1500.0, std::span(out).first(2));
     CHECK(out[1] == at({}, few[1], 1500.0));
     fan.resize(5000);
     out.resize(5000);
-    CHECK_THROWS_WITH(double_pendulums({}, fan, 1.0, out), Catch::Matchers::StartsWith("starts "));
+    CHECK_THROWS_WITH(double_pendulums({}, fan, 1.0, out), Catch::Matchers::StartsWith("starts: "));
 
     SECTION("as the sum of what each table takes") {
         MotionSettings<DoubleSystem> settings;
@@ -273,10 +273,10 @@ TEST_CASE("invalid settings of a double pendulum are refused by the argument's n
     CHECK_THROWS_WITH(at({1.0, 1.0, 1.0, 1.0, -1.0}, high, 1.0), StartsWith("gravity"));
     CHECK_THROWS_WITH(at({}, {0.0, nan, 0.0, 0.0}, 1.0), StartsWith("theta2"));
     CHECK_THROWS_WITH(at({}, high, nan), StartsWith("times"));
-    CHECK_THROWS_AS(at({}, high, 1e9), std::length_error);
+    CHECK_THROWS_AS(at({}, high, 1e9), std::invalid_argument);
     CHECK(longest_time({}, high) > 3600.0);
     // Backwards in time damping drives it on.
     DoublePendulum damped;
     damped.damping = 5.0;
-    CHECK_THROWS_AS(at(damped, {1.0, 1.0, 3.0, 0.0}, -300.0), std::domain_error);
+    CHECK_THROWS_AS(at(damped, {1.0, 1.0, 3.0, 0.0}, -300.0), std::invalid_argument);
 }

@@ -212,10 +212,10 @@ TEST_CASE("invalid settings of a pendulum are refused by the argument's name", "
     CHECK_THROWS_WITH(at({}, {nan, 0.0}, 1.0), StartsWith("angle"));
     CHECK_THROWS_WITH(at({}, {0.0, nan}, 1.0), StartsWith("velocity"));
     CHECK_THROWS_WITH(at({}, {}, nan), StartsWith("times"));
-    CHECK_THROWS_AS(at({1.0, 9.81, 0.1}, {1.0, 0.0}, 1e9), std::length_error);
+    CHECK_THROWS_AS(at({1.0, 9.81, 0.1}, {1.0, 0.0}, 1e9), std::invalid_argument);
     CHECK(std::isfinite(at({1.0, 9.81, 0.0}, {1.0, 0.0}, 1e9).angle));
     // Heavily damped: each interval takes thousands of steps.
-    CHECK_THROWS_AS(at({1.0, 9.81, 1e4}, {1.0, 0.0}, 8000.0), std::length_error);
+    CHECK_THROWS_AS(at({1.0, 9.81, 1e4}, {1.0, 0.0}, 8000.0), std::invalid_argument);
 }
 
 TEST_CASE("a pendulum that turns too fast for its gravity turns evenly", "[pendulum]") {
@@ -225,6 +225,6 @@ TEST_CASE("a pendulum that turns too fast for its gravity turns evenly", "[pendu
         CHECK(at(weak, start, 1e-120) == PendulumState{1.0 + velocity * 1e-120, velocity});
         CHECK(pendulum_period(weak, start) == std::numeric_limits<double>::infinity());
     }
-    CHECK_THROWS_AS(at(weak, {1.0, 1.7e308}, 10.0), std::domain_error);
-    CHECK_THROWS_AS(at({5e-324, 9.81, 0.0}, {1.0, 0.0}, 1.0), std::domain_error);
+    CHECK_THROWS_AS(at(weak, {1.0, 1.7e308}, 10.0), std::invalid_argument);
+    CHECK_THROWS_AS(at({5e-324, 9.81, 0.0}, {1.0, 0.0}, 1.0), std::invalid_argument);
 }

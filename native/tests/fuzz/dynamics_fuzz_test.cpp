@@ -30,15 +30,15 @@ TEST_CASE("if a state of a pendulum cannot be found, no output is written", "[fu
     const std::vector<double> times{0.1, 0.2, 1e30};
     const DoublePendulumState untouched{7.0, 7.0, 7.0, 7.0};
     std::vector<DoublePendulumState> states(3, untouched);
-    CHECK_THROWS_AS(double_pendulum({}, {1.0, 1.0}, times, states), std::length_error);
+    CHECK_THROWS_AS(double_pendulum({}, {1.0, 1.0}, times, states), std::invalid_argument);
     CHECK(states == std::vector<DoublePendulumState>(3, untouched));
     const PendulumState at_rest{7.0, 7.0};
     std::vector<PendulumState> found(3, at_rest);
-    CHECK_THROWS_AS(single_pendulum({.damping = 0.1}, {1.0, 0.0}, times, found), std::length_error);
+    CHECK_THROWS_AS(single_pendulum({.damping = 0.1}, {1.0, 0.0}, times, found), std::invalid_argument);
     CHECK(found == std::vector<PendulumState>(3, at_rest));
     // Without gravity the angle grows beyond all numbers.
     const std::vector<double> far{0.1, 0.2, largest};
-    CHECK_THROWS_AS(single_pendulum({.gravity = 0.0}, {1.0, 1e10}, far, found), std::domain_error);
+    CHECK_THROWS_AS(single_pendulum({.gravity = 0.0}, {1.0, 1e10}, far, found), std::invalid_argument);
     CHECK(found == std::vector<PendulumState>(3, at_rest));
 }
 

@@ -310,5 +310,5 @@ class SnowTest(unittest.TestCase):
             r"1.44e\+05 GB; at most 1e\+08 may",
         ):
             native.Snow(rate=1e12)
-        with self.assertRaisesRegex(ValueError, "^rate must be lower"):
+        with self.assertRaisesRegex(ValueError, "^rate: must be lower"):
             native.Snow(lifetime=1e12)

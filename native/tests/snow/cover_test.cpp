@@ -267,7 +267,7 @@ TEST_CASE("what slides down a wall falls to the ground, and not under the house"
 TEST_CASE("covers of bad settings are refused with a sentence", "[snow]") {
     SnowSettings settings = falling(10.0);
     const CoverSettings good{.end = 3.0};
-    CHECK_THROWS_WITH(Cover(Snow(settings), good), Catch::StartsWith("snow must have a collider"));
+    CHECK_THROWS_WITH(Cover(Snow(settings), good), Catch::StartsWith("snow: must have a collider"));
     settings.collider = sheet(2.0F, 0.0F, 0.0F, 2);
     const Snow snow(settings);
     const auto refuses = [&](const char* name, const auto& change) {

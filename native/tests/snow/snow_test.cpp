@@ -101,7 +101,7 @@ TEST_CASE("bad settings are refused with a sentence", "[snow]") {
         refuses("gusts", [&](SnowSettings& s) { s.gusts = bad; });
         refuses("gust_frequency", [&](SnowSettings& s) { s.gust_frequency = bad; });
         refuses("snow_frequency", [&](SnowSettings& s) { s.snow_frequency = bad; });
-        refuses("turbulence must", [&](SnowSettings& s) { s.turbulence = bad; });
+        refuses("turbulence: must", [&](SnowSettings& s) { s.turbulence = bad; });
         refuses("turbulence_size", [&](SnowSettings& s) { s.turbulence_size = bad; });
         refuses("tumble", [&](SnowSettings& s) { s.tumble = bad; });
     }
@@ -112,14 +112,14 @@ TEST_CASE("bad settings are refused with a sentence", "[snow]") {
     refuses("wind_values", [&](SnowSettings& s) { s.wind_times = {1.0}; });
     refuses("wind_values", [&](SnowSettings& s) { s.wind_times = {1.0}, s.wind_values = {{nan, 0.0, 0.0}}; });
     refuses("wind_times", [&](SnowSettings& s) { s.wind_times = {nan}, s.wind_values = {{}}; });
-    refuses("wind_times must rise", [&](SnowSettings& s) {
+    refuses("wind_times: must rise", [&](SnowSettings& s) {
         s.wind_times = {1.0, 1.0}, s.wind_values = {{}, {}};
     });
     refuses("start_color", [&](SnowSettings& s) { s.start_color.clear(); });
     refuses("start_color", [&](SnowSettings& s) { s.start_color = {{1.0F, {}}, {0.0F, {}}}; });
     refuses("emitter_matrices", [&](SnowSettings& s) { s.emitter_times = {0.0}; });
-    refuses("surface_triangles must have an area", [&](SnowSettings& s) { s.shape = Shape::surface; });
-    refuses("surface_triangles must name", [&](SnowSettings& s) {
+    refuses("surface_triangles: must have an area", [&](SnowSettings& s) { s.shape = Shape::surface; });
+    refuses("surface_triangles: must name", [&](SnowSettings& s) {
         s.shape = Shape::surface;
         s.surface_triangles = {{0, 1, 2}};
     });
@@ -127,10 +127,10 @@ TEST_CASE("bad settings are refused with a sentence", "[snow]") {
         s.shape = Shape::surface;
         s.surface_positions = {glm::vec3(std::numeric_limits<float>::infinity())};
     });
-    refuses("rate must be lower: up to 2e+12 flakes", [&](SnowSettings& s) { s.rate = 1e12; });
-    refuses("rate must be lower", [&](SnowSettings& s) { s.lifetime = 1e12; });
-    refuses("rate must be lower", [&](SnowSettings& s) { s.bursts = {{1.0, 1000000000000U}}; });
-    refuses("lifetime must be shorter",
+    refuses("rate: must be lower: up to 2e+12 flakes", [&](SnowSettings& s) { s.rate = 1e12; });
+    refuses("rate: must be lower", [&](SnowSettings& s) { s.lifetime = 1e12; });
+    refuses("rate: must be lower", [&](SnowSettings& s) { s.bursts = {{1.0, 1000000000000U}}; });
+    refuses("lifetime: must be shorter",
             [&](SnowSettings& s) { s.rate = 0.1, s.lifetime = 1e6, s.snow = true; });
 
     SnowSettings none;

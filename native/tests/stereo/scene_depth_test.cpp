@@ -99,5 +99,5 @@ TEST_CASE("a smooth curve looks ahead no further than its work is bounded", "[st
     smooth(values, most_ahead, Side::below, out);
     CHECK(out == std::vector<double>(3, 1.0));
     for (const Side side : {Side::either, Side::below, Side::above})
-        CHECK_THROWS_WITH(smooth(values, most_ahead + 1, side, out), Catch::Matchers::StartsWith("ahead "));
+        CHECK_THROWS_WITH(smooth(values, most_ahead + 1, side, out), Catch::Matchers::StartsWith("ahead: "));
 }

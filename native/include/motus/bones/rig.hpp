@@ -1,4 +1,6 @@
 // A rig's bones as the arrays that Blender's foreach_get fills.
+//
+// Costs: O(1) a bone. Allocates nothing. Any number of threads at once.
 #pragma once
 #include <cstddef>
 #include <glm/mat4x4.hpp>

@@ -1,4 +1,6 @@
 // The linear part of a bone's parent space: its rotation and scale, without the location.
+//
+// Costs: O(1). Allocates nothing. Any number of threads at once.
 #pragma once
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>

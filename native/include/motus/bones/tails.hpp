@@ -1,4 +1,7 @@
 // Bones that turn so that their tails point to given places: chains that trail behind their parent.
+//
+// Costs: O(bones) to plan and to solve. Planning allocates the plan, solving some memory for its work. A
+// plan is immutable: any number of threads may solve by it at once.
 #pragma once
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
@@ -10,11 +13,13 @@
 
 #include "motus/bones/rig.hpp"
 #include "motus/config.hpp"
+#include "motus/core/leaves_zero.hpp"
 
 namespace motus::bones {
 
 /// Bones of one rig that point their tails to places; the hierarchy is checked once. Each bone turns about
-/// its own head, after the bones above have moved that head, and keeps its length.
+/// its own head, after the bones above have moved that head, and keeps its length. What is moved from has no
+/// bones.
 class TailPlan {
   public:
     /// parents: index of each bone's parent, -1 for none, in any order. bones: those that turn, in any order.
@@ -44,7 +49,7 @@ class TailPlan {
 
     std::vector<int> parents_;
     std::vector<Link> links_;  ///< parents first
-    std::size_t size_;
+    LeavesZero<std::size_t> size_;
 };
 
 }  // namespace motus::bones

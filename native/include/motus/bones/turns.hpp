@@ -1,4 +1,6 @@
 // Rotations that take a direction or frame to another one.
+//
+// Costs: O(1). Allocates nothing. Any number of threads at once.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,7 @@
 // A green or blue screen in a picture: its colour, how even it is, and the matte of a colour difference key.
+//
+// Costs: O(pixels); matte() and is_screen_color() O(1). All but matte(), mattes() and is_screen_color()
+// allocate some memory for their work. Any number of threads at once.
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -36,9 +39,14 @@ struct Difference {
 
 /// Alpha of a pixel, in [0, 1], by the colour difference m(C), the screen's channel less a mixture of the
 /// others (Vlahos): clamp(1 - gain m(pixel) / m(screen)). 0 for the screen's colour and for pixels with more
-/// of its hue, 1 for pixels without its hue, however bright.
+/// of its hue, 1 for pixels without its hue, however bright; NaN for NaN. Throws std::invalid_argument if
+/// is_screen_color() is false of the screen, or a number of the difference is outside its domain.
 [[nodiscard]] double matte(const glm::dvec3& pixel, const glm::dvec3& screen,
                            const Difference& difference = {});
+
+/// matte() of many pixels. Throws as matte() does, and if the sizes differ.
+void mattes(std::span<const glm::vec4> pixels, const glm::dvec3& screen, const Difference& difference,
+            std::span<double> out);
 
 /// How well a picture can be keyed by a colour.
 struct ScreenQuality {

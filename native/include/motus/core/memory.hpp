@@ -1,4 +1,6 @@
 // How much memory the caches of the process may take.
+//
+// Costs: O(kept tables). Several threads may call these functions at once.
 #pragma once
 #include <cstddef>
 

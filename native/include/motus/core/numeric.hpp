@@ -1,4 +1,6 @@
 // Checks of numbers, unit vectors, and other small computations that several topics share.
+//
+// Costs: O(1), or O(n) of a span. Allocates nothing. Any number of threads at once.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -54,11 +56,12 @@ template <glm::length_t columns, glm::length_t rows, class Number, glm::qualifie
 /// v at unit length; none for a vector without length, or with a number that is not finite.
 [[nodiscard]] std::optional<glm::dvec3> direction_of(const glm::dvec3& v);
 
-/// v at unit length, in fewer steps than direction_of(); `otherwise` for lengths below 1e-140.
+/// v, up to 1e150 in size, at unit length, in fewer steps than direction_of(); `otherwise` for lengths below
+/// 1e-140. NaN for NaN.
 [[nodiscard]] inline glm::dvec3 direction_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double square = glm::dot(v, v);
     constexpr double vanished = 1e-280;
-    return square > vanished ? v * (1.0 / std::sqrt(square)) : otherwise;
+    return square <= vanished ? otherwise : v * (1.0 / std::sqrt(square));
 }
 
 /// Length of a vector of any size. (std::hypot of three overflows in some standard libraries.)

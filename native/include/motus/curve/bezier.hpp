@@ -1,5 +1,8 @@
 // Operations on piecewise Bézier curves that give curves or boxes.
 // Farin, "Curves and Surfaces for CAGD" (5th ed., 2002), ch. 5.4 (subdivision) and 6.1 (degree elevation).
+//
+// Costs: O(n). What returns a curve allocates it; bounds() allocates some memory for its work. Any number
+// of threads at once.
 #pragma once
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>

@@ -1,5 +1,8 @@
 // Blender's NURBS and poly splines as piecewise Bézier curves, exactly.
 // Piegl and Tiller, "The NURBS Book" (2nd ed., 1997), ch. 2 and 5.3; Ramshaw, "Blossoming" (1987).
+//
+// Costs: O(n order^2). Allocates what is returned, and some memory for its work. Any number of threads at
+// once.
 #pragma once
 #include <glm/vec3.hpp>
 #include <span>

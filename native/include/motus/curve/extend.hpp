@@ -1,4 +1,6 @@
 // What a distance or a parameter outside a curve's interval means.
+//
+// Costs: O(1). Allocates nothing. Any number of threads at once.
 #pragma once
 #include <cmath>
 

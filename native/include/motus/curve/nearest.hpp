@@ -1,4 +1,6 @@
 // The point of a curve that is nearest to a given one.
+//
+// Costs: O(n). Allocates some memory for its work. Any number of threads at once.
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>

@@ -5,6 +5,9 @@
 // the same pendulum and start; one step leads from a cached state to any time. No function of the system's
 // mathematics library is used, so that results are the same on every machine: a chaotic motion would soon
 // show a difference.
+//
+// Costs: O(1) a time by steps that are cached, else as many steps as lie between time 0 and it. Allocates
+// the steps and some memory for its work. Any number of threads at once.
 #pragma once
 #include <limits>
 #include <span>
@@ -43,9 +46,9 @@ struct DoublePendulumState {
 
 /// State at each time, s, whatever its sign and order, from the state at time 0. Each depends on its own time
 /// alone, bit for bit. Throws std::invalid_argument, naming the argument, if a number is not finite or
-/// outside its domain, or sizes differ; std::length_error for times beyond longest_time(), or of a motion so
-/// stiff that it takes too many steps; std::domain_error if velocities grow beyond all bounds (backwards
-/// in time with damping). If it throws, it has written nothing.
+/// outside its domain, sizes differ, a time lies beyond longest_time() or would take too many steps of so
+/// stiff a motion, or velocities grow beyond all bounds (backwards in time with damping). If it throws, it
+/// has written nothing.
 void double_pendulum(const DoublePendulum& pendulum, const DoublePendulumState& start,
                      std::span<const double> times, std::span<DoublePendulumState> out);
 
@@ -55,7 +58,7 @@ void double_pendulum(const DoublePendulum& pendulum, const DoublePendulumState& 
                      std::span<DoublePendulumState> out);
 
 /// States of many double pendulums at one time, each from a start of its own: out.size() == starts.size().
-/// The same numbers as one by one, in about two thirds of the time. Also throws std::length_error if the
+/// The same numbers as one by one, in about two thirds of the time. Also throws std::invalid_argument if the
 /// cached states would not fit into the cache together: those of 500 pendulums a metre long beyond 13
 /// minutes, of more than 2048 at any time.
 void double_pendulums(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts,

@@ -2,6 +2,9 @@
 //
 // Without damping the motion is known in closed form by Jacobi's elliptic functions: Abramowitz, Stegun,
 // "Handbook of Mathematical Functions" (1964), 16-17. With damping it is integrated (see motion.hpp).
+//
+// Costs: O(1) a time; with damping or a moved pivot by steps that are cached, else as many as lie between
+// time 0 and it. Allocates those and some memory for its work. Any number of threads at once.
 #pragma once
 #include <span>
 
@@ -25,8 +28,8 @@ struct PendulumState {
 /// State at each time, s, whatever its sign and order, from the state at time 0; in the closed form to some
 /// 1e-15 of the angle and as much for each period that has passed, else to some 1e-12.
 /// Throws std::invalid_argument, naming the argument, if a number is not finite or outside its domain, or
-/// sizes differ; std::length_error if a damped motion would need a table of too many steps;
-/// std::domain_error if the angle is no number. With damping or a moved pivot the angle at the start is
+/// sizes differ, a damped motion would need a table of too many steps, or an angle would be beyond all
+/// numbers. With damping or a moved pivot the angle at the start is
 /// 1e9 at most in size. If it throws, it has written nothing.
 void single_pendulum(const Pendulum& pendulum, const PendulumState& start, std::span<const double> times,
                      std::span<PendulumState> out);

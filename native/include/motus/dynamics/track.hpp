@@ -1,4 +1,7 @@
 // Outputs of second-order dynamics for sampled inputs, at any time and in any order.
+//
+// Costs: O(n) to make a track, which allocates it; O(log n) to evaluate one, which allocates nothing.
+// Immutable: any number of threads may share one.
 #pragma once
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
@@ -27,8 +30,8 @@ class Track {
     /// value, and at the jump the output starts anew, at rest on the input.
     /// Throws std::invalid_argument, naming the argument, if sizes do not fit, times do not rise, a number
     /// is not finite, or there is no sample; with Start::loop if there are resets or less than 2 samples,
-    /// and if damping is 0 and the cycle is a whole number of periods long, for which no closed motion
-    /// exists.
+    /// if damping is 0 and the cycle is a whole number of periods long, for which no closed motion exists;
+    /// and if inputs are so large, or change so fast, that outputs could overflow.
     Track(const SecondOrder& filter, std::span<const double> times, std::span<const double> inputs,
           std::size_t dimensions, std::span<const std::size_t> resets = {}, Start start = Start::at_rest);
 

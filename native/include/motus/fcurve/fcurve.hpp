@@ -1,6 +1,9 @@
 // F-curves: keys, what lies between and beyond them, and the Cycles modifier, as Blender 3.4 to 5.2 evaluate
 // them. A value in single precision is computed in Blender's order of operations, so that it has Blender's
 // bits if both use the same mathematics library.
+//
+// Costs: O(n) to make a curve, which allocates it; O(log n) a frame, which allocates nothing. Immutable:
+// any number of threads may share one, each with Roots of its own.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -9,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "motus/config.hpp"
@@ -96,13 +100,21 @@ struct Roots {
     Root<double> precise;
 };
 
-/// Immutable; copies share their keys.
+/// Immutable; copies share their keys, and to move one is to copy it.
 class FCurve {
   public:
     /// keys: one at least, their frames rising. goes_on: beyond them as a straight line, else the value
     /// holds. std::invalid_argument where that is not so, or a number is not finite (start and end of Cycles
     /// may be infinite).
     FCurve(std::vector<Key> keys, bool goes_on, const std::optional<Cycles>& cycles = std::nullopt);
+
+    ~FCurve() = default;
+    FCurve(const FCurve&) noexcept = default;
+    FCurve& operator=(const FCurve&) noexcept = default;
+    // A curve that is moved from stays the curve that it was.
+    // NOLINTNEXTLINE(performance-move-constructor-init): copying is what it is for, and costs a counter
+    FCurve(FCurve&& other) noexcept : FCurve(std::as_const(other)) {}
+    FCurve& operator=(FCurve&& other) noexcept { return *this = std::as_const(other); }
 
     [[nodiscard]] std::span<const Key> keys() const noexcept { return data_->keys; }
     /// Whether it has neither easings that go by a name nor a Cycles modifier.
@@ -126,7 +138,7 @@ class FCurve {
 
     [[nodiscard]] float value(double frame, Root<float>& root) const;
 
-    std::shared_ptr<const Data> data_;
+    std::shared_ptr<const Data> data_;  ///< never null
 };
 
 }  // namespace motus::fcurve

@@ -1,4 +1,6 @@
 // Which triangles and edges meet at each vertex of a mesh.
+//
+// Costs: O(n) to make, which allocates it; O(1) to ask. Immutable: any number of threads may share one.
 #pragma once
 #include <cstddef>
 #include <cstdint>

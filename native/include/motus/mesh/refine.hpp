@@ -1,4 +1,6 @@
 // Subdivision of a mesh until its edges are short enough for values that vary along them.
+//
+// Costs: O(n) of the result. Allocates the result and as much again. Any number of threads at once.
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -14,11 +16,11 @@ struct Refined {
     std::vector<glm::ivec3> triangles;
 };
 
-/// Halves all edges longer than `longest`, > 0, again and again: the surface keeps its shape, and gets no
-/// new gaps. Throws std::invalid_argument, naming the argument, if a position is not
-/// finite, a triangle names a vertex that does not exist, `longest` is not greater than 0, or more vertices
-/// than `most_vertices`, or four times as many triangles, would be needed.
+/// Halves all edges longer than `longest_edge`, > 0, again and again: the surface keeps its shape, and gets
+/// no new gaps. Throws std::invalid_argument, naming the argument, if a position is not finite, a triangle
+/// names a vertex that does not exist, `longest_edge` is not greater than 0, or more vertices than
+/// `most_vertices`, or four times as many triangles, would be needed.
 [[nodiscard]] Refined refine(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
-                             double longest, std::size_t most_vertices);
+                             double longest_edge, std::size_t most_vertices);
 
 }  // namespace motus::mesh

@@ -7,6 +7,9 @@
 // / sqrt(14 + z^2) keeps the result below 1. In one dimension the points lie half a unit apart, so that (1 -
 // r^2)^3 as the planes' weight gives an even variance. The noise has two continuous derivatives, no period,
 // and most of its power below one wave a unit.
+//
+// Costs: O(1) a place: 1 to 4 ns among many, 100 ns alone. Allocates nothing. Any number of threads at
+// once.
 #pragma once
 #include <cstdint>
 #include <glm/vec2.hpp>

@@ -1,5 +1,8 @@
 // Orientation along a curve: which way is up at every distance.
 // Quaternions turn +Y to the tangent and +Z to up.
+//
+// Costs: O(n) adaptive steps to make, which allocates tables; O(log n) to ask, which allocates nothing.
+// Immutable: any number of threads may share one.
 #pragma once
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>

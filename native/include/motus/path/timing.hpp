@@ -1,4 +1,7 @@
 // Distance along a path as a function of time: ease, constant speed, and profiles through samples.
+//
+// Costs: O(n) to make, which allocates the pieces; O(log n) to ask, which allocates nothing. Immutable: any
+// number of threads may share one.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -21,7 +24,7 @@ namespace motus::path {
 enum class AfterEase { rest, go_on, repeat };
 
 /// Distance as a function of time: seconds from the start, and the curve's unit of length. Value type,
-/// immutable. distance(NaN) and speed(NaN) are NaN.
+/// immutable. distance(NaN) and speed(NaN) are NaN; far away a distance may be infinite.
 ///
 /// Every factory throws std::invalid_argument if a value is not finite or outside the stated domain,
 /// or a speed or a time that follows from the values overflows.

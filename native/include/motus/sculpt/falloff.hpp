@@ -1,4 +1,6 @@
 // How strongly a pull acts at a distance from its root.
+//
+// Costs: O(n). Allocates nothing. Any number of threads at once, each with an `out` of its own.
 #pragma once
 #include <span>
 
@@ -30,7 +32,7 @@ inline constexpr float force_error = 1e-6f;
 /// The distance at and beyond which nothing moves: the radius, and for `classic` its square root.
 [[nodiscard]] float reach_of(const Profile& profile, float radius);
 
-/// Forces at distances >= 0; 0 at the radius and beyond, and if the distance is not a number. radius > 0
+/// Forces at distances >= 0; 0 at the radius and beyond, NaN for NaN. radius > 0
 /// and finite. `out` may be `distances`. The same bits on every processor. Throws std::invalid_argument if
 /// the sizes differ or something is outside its domain.
 void forces(const Profile& profile, float radius, std::span<const float> distances, std::span<float> out);

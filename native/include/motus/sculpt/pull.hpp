@@ -1,4 +1,7 @@
 // Pulling a mesh at a vertex, the root: vertices near the root follow.
+//
+// Costs: O(n), pull_among() and pull_along() O(n) of the vertices listed. Allocates some memory for its
+// work. Any number of threads at once, each with an `out` of its own.
 #pragma once
 #include <cstdint>
 #include <glm/mat3x3.hpp>

@@ -1,4 +1,7 @@
 // When flakes are born: a steady stream and bursts, numbered in the order of birth.
+//
+// Costs: O(bursts) to make, which allocates it; O(bursts) or O(log bursts) to ask, which allocates nothing.
+// Immutable: any number of threads may share one.
 #pragma once
 #include <cstdint>
 #include <vector>

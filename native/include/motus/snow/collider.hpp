@@ -1,4 +1,7 @@
 // What flakes land on: triangles that stand still, and the way down over them.
+//
+// Costs: O(n log n) to make, which allocates it; O(log n) to ask. Immutable: any number of threads may
+// share one.
 #pragma once
 #include <array>
 #include <cstddef>

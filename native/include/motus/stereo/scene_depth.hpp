@@ -1,5 +1,8 @@
 // What samples of a scene's depth tell: near and far, violated edges of the window, and smooth curves over
 // time.
+//
+// Costs: O(n); smooth() O(n ahead). depth_range() and smooth() allocate some memory for their work. Any
+// number of threads at once.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -44,7 +47,8 @@ inline constexpr std::size_t most_ahead = 10000;
 /// Values at equal times, smoothed by what is up to `ahead` samples before and behind, without lag. Where the
 /// curve shall stay `below` or `above` all values, which it does except by rounding, values up to twice as
 /// far count. Writes values.size() numbers; constant values stay. Throws std::invalid_argument, naming the
-/// argument, if `ahead` is more than most_ahead, sizes differ or a value is not finite.
+/// argument, if `ahead` is more than most_ahead, sizes differ, or a value is not finite or above 1e300 in
+/// size.
 void smooth(std::span<const double> values, std::size_t ahead, Side side, std::span<double> out);
 
 }  // namespace motus::stereo

@@ -1,4 +1,7 @@
 // The body's pose over a shot, and the phase of its legs' cycles.
+//
+// Costs: O(samples legs) to make, which allocates it; O(log samples) to ask, which allocates nothing.
+// Immutable: any number of threads may share one.
 #pragma once
 #include <cstddef>
 #include <glm/mat4x4.hpp>

@@ -1,6 +1,8 @@
 // The order in which legs step: a phase for each leg and one duty factor, as in McGhee, "Some finite state
 // aspects of legged locomotion" (1968). Insects step from the back to the front on each side: Wilson, "Insect
 // walking" (1966).
+//
+// Costs: O(n log n). Allocates the result and some memory for its work. Any number of threads at once.
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>

@@ -319,6 +319,12 @@ void joints_of(const Limited& chain, std::span<const glm::dquat> rotations, std:
     require(chain.rest.size() == count, "rest: must be as many as offsets");
     require(rotations.size() == count, "rotations: must be as many as offsets");
     require(joints.size() == count + 1, "joints: must be one more than the bones");
+    require(is_in_reach_of_doubles(chain.root), "root: must be finite, and 1e300 at most");
+    require(is_rotation(chain.base), "base: must be a unit quaternion");
+    require(std::ranges::all_of(chain.rest, is_rotation), "rest: must be unit quaternions");
+    require(std::ranges::all_of(chain.offsets, is_in_reach_of_doubles),
+            "offsets: must be finite, and 1e300 at most");
+    require(std::ranges::all_of(rotations, is_rotation), "rotations: must be unit quaternions");
     glm::dquat frame = chain.base;
     joints[0] = chain.root;
     for (std::size_t i = 0; i < count; ++i) {
@@ -330,6 +336,7 @@ void joints_of(const Limited& chain, std::span<const glm::dquat> rotations, std:
 void bone_frames(std::span<const glm::dvec3> joints, std::span<glm::dquat> frames) {
     require(!frames.empty(), "frames: one at least is needed");
     require(joints.size() == frames.size() + 1, "joints: must be one more than the frames");
+    require(std::ranges::all_of(joints, is_in_reach_of_doubles), "joints: must be finite, and 1e300 at most");
     glm::dvec3 along(0.0, 1.0, 0.0);
     glm::dquat frame(1.0, 0.0, 0.0, 0.0);
     for (std::size_t i = 0; i < frames.size(); ++i) {

@@ -61,13 +61,17 @@ void solve_far_from_one(const TwoBone& chain, TwoBoneSolution& out) {
     out.residual = std::min(std::scalbn(out.residual, unit), largest_double);
 }
 
+[[nodiscard]] bool is_length(double value) {
+    return value >= 0.0 && std::isfinite(value);
+}
+
 void check(const TwoBone& chain) {
     require(is_finite(chain.root), "root: must be finite");
     require(is_finite(chain.target), "target: must be finite");
     require(is_finite(chain.pole), "pole: must be finite");
     require(is_finite(chain.plane), "plane: must be finite");
-    require(chain.length1 >= 0.0 && std::isfinite(chain.length1), "length1: must be at least 0 and finite");
-    require(chain.length2 >= 0.0 && std::isfinite(chain.length2), "length2: must be at least 0 and finite");
+    require(is_length(chain.length1), "length1: must be at least 0 and finite");
+    require(is_length(chain.length2), "length2: must be at least 0 and finite");
     require(std::isfinite(chain.softness), "softness: must be finite");
     require(std::isfinite(chain.stretch), "stretch: must be finite");
 }
@@ -104,6 +108,9 @@ void solve_one(const TwoBone& chain, TwoBoneSolution& out) {
 }
 
 double triangle_angle(double a, double b, double c) {
+    require(is_length(a), "a: must be at least 0 and finite");
+    require(is_length(b), "b: must be at least 0 and finite");
+    require(is_length(c), "c: must be at least 0 and finite");
     const double largest = std::max({a, b, c});
     const int exponent = largest > 0.0 ? std::ilogb(largest) : 0;
     const HalfAngle<double> half =
@@ -113,6 +120,7 @@ double triangle_angle(double a, double b, double c) {
 }
 
 double soft_reach(double distance, double reach, double softness) {
+    if (std::isnan(distance) || std::isnan(reach) || std::isnan(softness)) return distance + reach + softness;
     return softened(distance, reach, softness);
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "motus/bones/turns.hpp"
+#include "motus/core/numeric.hpp"
 #include "solution.hpp"
 #include "world.hpp"
 
@@ -135,13 +136,14 @@ void solve_one(const Plan& plan, const Input& input, std::size_t index, const Ri
 void check_sizes(const Plan& plan, const Input& input, const Output& output) {
     check_rig(plan, input);
     const std::size_t chains = plan.chain_count();
-    if (input.settings.size() != chains || input.targets.size() != chains || input.poles.size() != chains ||
-        output.report.size() != chains)
-        throw std::invalid_argument("settings, targets, poles, report: one entry per chain is needed");
-    if (!input.limits.empty() && input.limits.size() != plan.chain_bone_count())
-        throw std::invalid_argument("limits: one entry per chain bone is needed");
-    if (output.rotations.size() != plan.rows().size() || output.scales.size() != plan.rows().size())
-        throw std::invalid_argument("rotations, scales: one entry per row is needed");
+    require(input.settings.size() == chains, "settings: one entry per chain is needed");
+    require(input.targets.size() == chains, "targets: one entry per chain is needed");
+    require(input.poles.size() == chains, "poles: one entry per chain is needed");
+    require(output.report.size() == chains, "report: one entry per chain is needed");
+    require(input.limits.empty() || input.limits.size() == plan.chain_bone_count(),
+            "limits: one entry per chain bone is needed");
+    require(output.rotations.size() == plan.rows().size(), "rotations: one entry per row is needed");
+    require(output.scales.size() == plan.rows().size(), "scales: one entry per row is needed");
 }
 
 }  // namespace

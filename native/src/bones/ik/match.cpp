@@ -9,6 +9,7 @@
 #include "motus/bones/chains/two_bone.hpp"
 #include "motus/bones/ik/ik.hpp"
 #include "motus/bones/turns.hpp"
+#include "motus/core/numeric.hpp"
 #include "pose.hpp"
 #include "world.hpp"
 
@@ -73,8 +74,9 @@ Match match_one(const Input& input, const Plan::Chain& chain, const Pose& pose, 
 void match(const Plan& plan, const Input& input, std::span<glm::dmat4> targets, std::span<glm::dvec3> poles) {
     check_rig(plan, input);
     const std::size_t chains = plan.chain_count();
-    if (input.settings.size() != chains || targets.size() != chains || poles.size() != chains)
-        throw std::invalid_argument("settings, targets, poles: one entry per chain is needed");
+    require(input.settings.size() == chains, "settings: one entry per chain is needed");
+    require(targets.size() == chains, "targets: one entry per chain is needed");
+    require(poles.size() == chains, "poles: one entry per chain is needed");
     const RigWorld world(input.world);
     Pose pose(plan.longest_chain());
     for (std::size_t index = 0; index < chains; ++index) {

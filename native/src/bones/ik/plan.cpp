@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "motus/bones/ik/ik.hpp"
+#include "motus/core/numeric.hpp"
 
 namespace motus::bones::ik {
 namespace {
@@ -47,7 +48,7 @@ Plan::Plan(std::vector<int> parents, std::vector<ChainBones> chains, const std::
     for (std::size_t i = 0; i < chains_.size(); ++i) {
         entries_[i].first_row = rows_.size();
         rows_.insert(rows_.end(), chains_[i].bones.begin(), chains_[i].bones.end());
-        longest_chain_ = std::max(longest_chain_, chains_[i].bones.size());
+        longest_chain_ = std::max<std::size_t>(longest_chain_, chains_[i].bones.size());
     }
     chain_bone_count_ = rows_.size();
     is_absolute_.assign(rows_.size(), 0);
@@ -110,6 +111,7 @@ void Plan::add_guards(const std::vector<Guard>& guards) {
 }
 
 Plan::Chain Plan::chain(std::size_t index, double left_out) const {
+    require(index < chains_.size(), "index: must be one of a chain");
     const Entry& entry = entries_[index];
     const std::span<const int> bones = chains_[index].bones;
     Chain chain;

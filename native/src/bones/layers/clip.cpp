@@ -39,13 +39,16 @@ Clip::Clip(std::span<const Rotation> rotations, std::span<const Curve> curves,
            std::span<const fcurve::FCurve> fcurves)
     : bone_count_(rotations.size()), fcurves_(fcurves.begin(), fcurves.end()) {
     std::vector<std::vector<Track>> of_bones(bone_count_);
+    std::size_t given_count = 0;
     for (const Curve& curve : curves) {
         check(curve, bone_count_, fcurves.size());
         const bool is_given = curve.fcurve < 0;
-        const std::size_t source = is_given ? given_count_++ : static_cast<std::size_t>(curve.fcurve);
+        const std::size_t source = is_given ? given_count : static_cast<std::size_t>(curve.fcurve);
+        if (is_given) ++given_count;
         of_bones[static_cast<std::size_t>(curve.bone)].push_back(
             {curve.channel, is_given, curve.goes_around, source});
     }
+    given_count_ = given_count;
     for (std::size_t bone = 0; bone < bone_count_; ++bone) {
         if (of_bones[bone].empty()) continue;
         unsigned said = no_channel;
@@ -92,7 +95,7 @@ void Clip::evaluate(double frame, std::span<const double> given, std::span<Trans
             for (; track < ends_[i]; ++track) {
                 const Track& one = tracks_[track];
                 values[static_cast<std::size_t>(one.channel)] =
-                    one.is_given ? given[one.source]
+                    one.is_given ? or_zero(given[one.source])
                                  : or_zero(fcurves_[one.source].precise_value(frame, roots));
             }
             const std::span<const double, 4> turning = std::span(values).subspan<3, 4>();

@@ -38,6 +38,8 @@ void feathered(std::span<const int> parents, std::span<const int> order, std::sp
     require(chosen.size() == count, "chosen: one number for each bone is needed");
     require(mask.size() == count, "mask: one number for each bone is needed");
     require(feather >= 0, "feather: must be at least 0");
+    require(std::ranges::all_of(chosen, [](double share) { return share >= 0.0 && share <= 1.0; }),
+            "chosen: must be from 0 to 1");
     for (const int bone : order)
         require(bone >= 0 && std::cmp_less(bone, count), "order: a bone is not there");
     for (const int parent : parents)

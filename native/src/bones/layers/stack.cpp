@@ -213,7 +213,7 @@ void Stack::solve(double frame, std::span<const Layer> layers, std::span<const T
                 "given: one value for each curve without keys is needed");
         require(layer.clip != nullptr && layer.clip->bone_count() == size(),
                 "clips: another number of bones");
-        require(layer.mask.size() == size(), "masks: one weight for each bone is needed");
+        require(layer.mask.size() == size(), "mask: one weight for each bone is needed");
         require(layer.reference.empty() || layer.reference.size() == layer.clip->bones().size(),
                 "references: one transform for each bone of the clip is needed");
         require(layer.laps.empty() || layer.laps.size() == layer.clip->bones().size(),

@@ -31,7 +31,8 @@ double ramp(double way, double width) {
 
 void check(const Timing& timing) {
     require(std::isfinite(timing.start), "start: must be finite");
-    require(are_finite(timing.first, timing.last) && timing.first <= timing.last,
+    require(std::isfinite(timing.last), "last: must be finite");
+    require(std::isfinite(timing.first) && timing.first <= timing.last,
             "first: must be finite, and no later than last");
     require(std::isfinite(timing.speed), "speed: must be finite");
     require(std::isfinite(timing.blend_in) && timing.blend_in >= 0.0,

@@ -7,6 +7,9 @@
 // not used: it changes the angle of one joint by 79 degrees while this solver changes none by more than 29,
 // and if one solver handed over to the other the chain would jump by 0.4 of its length (medians;
 // chain_bench.cpp).
+//
+// Costs: O(bones) an iteration. Allocates nothing. Any number of threads at once, each with joints of its
+// own.
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>

@@ -4,6 +4,10 @@
 // transforms. Its bones are turned so that the tip comes to the target; results are relative to the bones'
 // own rotations, so that the identity means the FK pose. Bones point along their +Y. Pose
 // space is the armature's.
+//
+// Costs: as the solvers of chains, for each chain. Making a plan or bones allocates them; solve() and
+// match() allocate some memory for their work, once a call. All objects are immutable: any number of
+// threads may share them.
 #pragma once
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
@@ -16,6 +20,7 @@
 #include "motus/bones/chains/limited.hpp"
 #include "motus/bones/rig.hpp"
 #include "motus/config.hpp"
+#include "motus/core/leaves_zero.hpp"
 
 namespace motus::bones::ik {
 
@@ -68,7 +73,8 @@ struct ChainDiagnostics {
 };
 
 /// Which bones of a rig are chains, and where the results of each bone go. Immutable. A copy is the same
-/// plan; one that is constructed anew is a different plan, even if its bones are the same.
+/// plan; one that is constructed anew is a different plan, even if its bones are the same. What is moved from
+/// has no bones.
 class Plan {
   public:
     /// std::invalid_argument, with the argument's name, for bones that do not exist or are not parent and
@@ -127,8 +133,7 @@ class Plan {
     std::vector<Hanging> guards_;  // chain by chain
     std::vector<int> rows_;
     std::vector<unsigned char> is_absolute_;
-    std::size_t chain_bone_count_ = 0;
-    std::size_t longest_chain_ = 0;
+    LeavesZero<std::size_t> chain_bone_count_, longest_chain_;
     std::shared_ptr<const void> identity_ = std::make_shared<const char>();
 };
 

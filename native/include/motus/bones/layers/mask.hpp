@@ -1,4 +1,6 @@
 // How much of each bone a layer takes.
+//
+// Costs: O(bones). Both allocate some memory for their work. Any number of threads at once.
 #pragma once
 #include <span>
 #include <vector>

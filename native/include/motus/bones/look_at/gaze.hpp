@@ -9,6 +9,8 @@
 // does. Turns that are limited, by the clamp or by a limit of their own, shrink to none as the target nears
 // it (over the last 45 degrees, if the limit is 90 degrees or less), and so change sides without a jump: the
 // result is then a continuous function of the target everywhere.
+//
+// Costs: O(1). Allocates nothing. Any number of threads at once.
 #pragma once
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>

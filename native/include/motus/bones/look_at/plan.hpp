@@ -1,4 +1,7 @@
 // Look-at on the bones of one rig: many heads, each with the spine below it and eyes.
+//
+// Costs: O(bones) to plan and to solve. Planning allocates the plan, solving nothing. A plan is immutable:
+// any number of threads may solve by it at once.
 #pragma once
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
