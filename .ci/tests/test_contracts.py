@@ -10,8 +10,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "docs" / "scripts"))
 
-import cpp_reference  # noqa: E402  (found by the line above)
 from clang.cindex import AccessSpecifier, Cursor, CursorKind  # noqa: E402  (the program's own)
+
+import cpp_reference  # noqa: E402  (found by the line above)
 
 CALLED = {
     CursorKind.FUNCTION_DECL, CursorKind.FUNCTION_TEMPLATE, CursorKind.CXX_METHOD, CursorKind.CONSTRUCTOR,
