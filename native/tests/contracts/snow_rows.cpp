@@ -347,9 +347,8 @@ void add_covers(Table& table) {
     add(
         table, "snow::Layer::Layer(positions, triangles, up, shelter, hold, executor)",
         [](const auto& positions, const auto& triangles, const glm::dvec3& above, double hold) {
-            const std::vector<float> depths(positions.size(), 0.1F);
-            return Layer(positions, triangles, above, sample_collider().get(), hold, 1)
-                .at(depths, 0.01F, 1.0F);
+            const std::vector<float> deep(positions.size(), 0.1F);
+            return Layer(positions, triangles, above, sample_collider().get(), hold, 1).at(deep, 0.01F, 1.0F);
         },
         arg("layer_positions", sample_positions(), finite().open()),
         arg("layer_triangles", sample_triangles(), index(5, "a vertex")), arg("up", up, direction()),
