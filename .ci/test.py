@@ -25,6 +25,8 @@ BUILD = Path(os.environ["MOTUS_BUILD"])
 FOLDER = BUILD / "tests"
 RESULTS = FOLDER / "results.xml"
 WHOLE_OUTPUT = str(10**8)
+ELSEWHERE = ("libcxx", "threads", "aarch64-linux", "windows-x64")
+"""CMake's presets of other compilers and systems, for which the library is tested if all is asked for, or its group by name."""
 
 
 def has_blender(name):
@@ -32,9 +34,9 @@ def has_blender(name):
     return subprocess.run([MOTUS, "has_blender", name], check=False).returncode == 0
 
 
-def configure(groups, patterns):
-    """Tells CMake which groups there are inside Blenders, and which patterns of tests."""
-    options = {"BUILD": BUILD, "PYTHON": sys.executable, "PATTERNS": ";".join(patterns)} | groups.lists()
+def configure(groups, elsewhere, patterns):
+    """Tells CMake which groups there are inside Blenders, for which other compilers and systems, and which patterns of tests."""
+    options = {"BUILD": BUILD, "PYTHON": sys.executable, "ELSEWHERE": ";".join(elsewhere), "PATTERNS": ";".join(patterns)} | groups.lists()
     subprocess.run(
         ["cmake", "-S", CI, "-B", FOLDER, *(f"-DMOTUS_{name}={value}" for name, value in options.items())],
         check=True,
@@ -119,7 +121,7 @@ def main():
     """Reads the command line, runs the groups and reports."""
     parser = argparse.ArgumentParser(prog="motus test")
     parser.add_argument("--blenders", default="", help="which Blenders to run in, everything that they can")
-    parser.add_argument("--all", action="store_true", help="run in each Blender everything that it can")
+    parser.add_argument("--all", action="store_true", help="run in each Blender everything that it can, and test the library by other compilers and for other systems")
     parser.add_argument("--only", default="", help="only the groups whose name contains one of these")
     parser.add_argument("patterns", nargs="*", help="only the tests whose name contains one of these")
     options = parser.parse_args()
@@ -128,7 +130,8 @@ def main():
     names = blenders.NAMES if options.all else [name for name in options.blenders.split(",") if name]
     groups = inside.planned(names, only, has_blender)
     os.environ["MOTUS_WITHOUT"] = " ".join(groups.missing)  # its absence is said once, and not looked for again
-    configure(groups, options.patterns)
+    elsewhere = [preset for preset in ELSEWHERE if options.all or any(one in f"library, {preset}" and preset[:3] in one for one in only)]
+    configure(groups, elsewhere, options.patterns)
     status = run_groups(only)
     results = ElementTree.parse(RESULTS) if RESULTS.exists() else None  # none where CTest itself was ended
     if results is None or results.find("testcase") is None:

@@ -1,13 +1,11 @@
 // Programs let their threads take the smallest numbers for 0: results are the same all the same.
 #include <catch2/catch.hpp>
 
-#if defined(__x86_64__)
-#include <xmmintrin.h>
-
 #include <bit>
 #include <cstdint>
 #include <vector>
 
+#include "motus/core/ieee_floats.hpp"
 #include "motus/lattice/lattice.hpp"
 #include "motus/mesh/neighbours.hpp"
 #include "motus/mesh/surface_distance.hpp"
@@ -24,19 +22,18 @@ using namespace motus::sculpt::checks;
 
 namespace {
 
-/// The mode that some host programs set: numbers too small for a full mantissa are written and read as 0 (FTZ
-/// and DAZ).
+/// The mode that some host programs set: numbers too small for a full mantissa are written and read as 0.
 class Flushing {
   public:
-    Flushing() { _mm_setcsr(was_ | 0x8040U); }
-    ~Flushing() { _mm_setcsr(was_); }
+    Flushing() { FloatMode::write(was_ | FloatMode::flushing); }
+    ~Flushing() { FloatMode::write(was_); }
     Flushing(const Flushing&) = delete;
     Flushing& operator=(const Flushing&) = delete;
     Flushing(Flushing&&) = delete;
     Flushing& operator=(Flushing&&) = delete;
 
   private:
-    unsigned was_ = _mm_getcsr();
+    FloatMode::Bits was_ = FloatMode::read();
 };
 
 template <class Work>
@@ -149,13 +146,12 @@ TEST_CASE("a foot that has hardly begun its step does not depend on the thread's
 
 TEST_CASE("the thread's float mode is as it was afterwards", "[float_mode]") {
     const Flushing mode;
-    const unsigned before = _mm_getcsr() & ~0x3fU;
+    const FloatMode::Bits before = FloatMode::read() & ~FloatMode::flags;
     std::vector<glm::vec3> points = cloud(100);
     pull(points, sample_dab(), {}, points);
-    CHECK((_mm_getcsr() & ~0x3fU) == before);
+    CHECK((FloatMode::read() & ~FloatMode::flags) == before);
     Dab wrong = sample_dab();
     wrong.radius = -1.0f;
     CHECK_THROWS_AS(pull(points, wrong, {}, points), std::invalid_argument);
-    CHECK((_mm_getcsr() & ~0x3fU) == before);
+    CHECK((FloatMode::read() & ~FloatMode::flags) == before);
 }
-#endif

@@ -2,37 +2,64 @@
 #pragma once
 #if defined(__x86_64__)
 #include <xmmintrin.h>
+#elif defined(__aarch64__)
+#include <cstdint>
 #endif
 
 namespace motus {
+
+#if defined(__x86_64__)
+/// The register in which a thread of this kind of processor has its floating-point mode.
+struct FloatMode {
+    using Bits = unsigned;
+    static constexpr Bits standard = 0x1f80;  // no traps, to nearest, neither FTZ nor DAZ
+    static constexpr Bits flags = 0x3f;       // exceptions that have occurred so far
+    static constexpr Bits flushing = 0x8040;  // FTZ and DAZ: numbers too small for a full mantissa are taken for 0
+    static Bits read() { return _mm_getcsr(); }
+    static void write(Bits bits) { _mm_setcsr(bits); }
+};
+#elif defined(__aarch64__)
+/// The register in which a thread of this kind of processor has its floating-point mode.
+struct FloatMode {
+    using Bits = std::uint64_t;
+    static constexpr Bits standard = 0;             // no traps, to nearest, not FZ
+    static constexpr Bits flags = 0;                // which have a register of their own
+    static constexpr Bits flushing = Bits{1} << 24;  // FZ: numbers too small for a full mantissa are taken for 0
+    static Bits read() {
+        Bits bits = 0;
+        __asm__ volatile("mrs %0, fpcr" : "=r"(bits));
+        return bits;
+    }
+    static void write(Bits bits) { __asm__ volatile("msr fpcr, %0" : : "r"(bits)); }
+};
+#else
+/// Of a kind of processor whose mode is not known to the library.
+struct FloatMode {
+    using Bits = unsigned;
+    static constexpr Bits standard = 0, flags = 0, flushing = 0;
+    static Bits read() { return standard; }
+    static void write(Bits) {}
+};
+#endif
 
 /// The thread's floating-point mode for a scope: rounds to nearest, and keeps numbers too small for a full
 /// mantissa. Programs let threads take such numbers for 0 (FTZ and DAZ).
 class IeeeFloats {
   public:
-#if defined(__x86_64__)
-    IeeeFloats() : was_(_mm_getcsr()), is_other_((was_ & ~flags) != standard) {
-        if (is_other_) _mm_setcsr(standard);
+    IeeeFloats() : was_(FloatMode::read()), is_other_((was_ & ~FloatMode::flags) != FloatMode::standard) {
+        if (is_other_) FloatMode::write(FloatMode::standard);
     }
     ~IeeeFloats() {
-        if (is_other_) _mm_setcsr(was_);
+        if (is_other_) FloatMode::write(was_);
     }
-#else
-    IeeeFloats() = default;
-    ~IeeeFloats() = default;
-#endif
     IeeeFloats(const IeeeFloats&) = delete;
     IeeeFloats& operator=(const IeeeFloats&) = delete;
     IeeeFloats(IeeeFloats&&) = delete;
     IeeeFloats& operator=(IeeeFloats&&) = delete;
 
-#if defined(__x86_64__)
   private:
-    static constexpr unsigned standard = 0x1f80;  // no traps, to nearest, neither FTZ nor DAZ
-    static constexpr unsigned flags = 0x3f;       // exceptions that have occurred so far
-    unsigned was_;
+    FloatMode::Bits was_;
     bool is_other_;
-#endif
 };
 
 // A compiler that looks into a function may move calls of it across a change of the mode, which is no input
