@@ -130,7 +130,8 @@ def main():
     names = blenders.NAMES if options.all else [name for name in options.blenders.split(",") if name]
     groups = inside.planned(names, only, has_blender)
     os.environ["MOTUS_WITHOUT"] = " ".join(groups.missing)  # its absence is said once, and not looked for again
-    elsewhere = [preset for preset in ELSEWHERE if options.all or any(one in f"library, {preset}" and preset[:3] in one for one in only)]
+    # A part of a name that means every group of the library, such as "lib", does not mean these.
+    elsewhere = [preset for preset in ELSEWHERE if options.all or any(part in f"library, {preset}" and part not in "library, " for part in only)]
     configure(groups, elsewhere, options.patterns)
     status = run_groups(only)
     results = ElementTree.parse(RESULTS) if RESULTS.exists() else None  # none where CTest itself was ended
