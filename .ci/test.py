@@ -121,7 +121,11 @@ def main():
     """Reads the command line, runs the groups and reports."""
     parser = argparse.ArgumentParser(prog="motus test")
     parser.add_argument("--blenders", default="", help="which Blenders to run in, everything that they can")
-    parser.add_argument("--all", action="store_true", help="run in each Blender everything that it can, and test the library by other compilers and for other systems")
+    parser.add_argument(
+        "--all",
+        action="store_true",
+        help="run in each Blender everything that it can, and test the library by other compilers and for other systems",
+    )
     parser.add_argument("--only", default="", help="only the groups whose name contains one of these")
     parser.add_argument("patterns", nargs="*", help="only the tests whose name contains one of these")
     options = parser.parse_args()
@@ -131,7 +135,9 @@ def main():
     groups = inside.planned(names, only, has_blender)
     os.environ["MOTUS_WITHOUT"] = " ".join(groups.missing)  # its absence is said once, and not looked for again
     # A part of a name that means every group of the library, such as "lib", does not mean these.
-    elsewhere = [preset for preset in ELSEWHERE if options.all or any(part in f"library, {preset}" and part not in "library, " for part in only)]
+    elsewhere = [
+        preset for preset in ELSEWHERE if options.all or any(part in f"library, {preset}" and part not in "library, " for part in only)
+    ]
     configure(groups, elsewhere, options.patterns)
     status = run_groups(only)
     results = ElementTree.parse(RESULTS) if RESULTS.exists() else None  # none where CTest itself was ended

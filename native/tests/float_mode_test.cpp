@@ -1,7 +1,6 @@
 // Programs let their threads take the smallest numbers for 0: results are the same all the same.
-#include <catch2/catch.hpp>
-
 #include <bit>
+#include <catch2/catch.hpp>
 #include <cstdint>
 #include <vector>
 

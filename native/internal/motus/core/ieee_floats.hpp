@@ -14,7 +14,8 @@ struct FloatMode {
     using Bits = unsigned;
     static constexpr Bits standard = 0x1f80;  // no traps, to nearest, neither FTZ nor DAZ
     static constexpr Bits flags = 0x3f;       // exceptions that have occurred so far
-    static constexpr Bits flushing = 0x8040;  // FTZ and DAZ: numbers too small for a full mantissa are taken for 0
+    static constexpr Bits flushing =
+        0x8040;  // FTZ and DAZ: numbers too small for a full mantissa are taken for 0
     static Bits read() { return _mm_getcsr(); }
     static void write(Bits bits) { _mm_setcsr(bits); }
 };
@@ -22,9 +23,10 @@ struct FloatMode {
 /// The register in which a thread of this kind of processor has its floating-point mode.
 struct FloatMode {
     using Bits = std::uint64_t;
-    static constexpr Bits standard = 0;             // no traps, to nearest, not FZ
-    static constexpr Bits flags = 0;                // which have a register of their own
-    static constexpr Bits flushing = Bits{1} << 24;  // FZ: numbers too small for a full mantissa are taken for 0
+    static constexpr Bits standard = 0;  // no traps, to nearest, not FZ
+    static constexpr Bits flags = 0;     // which have a register of their own
+    static constexpr Bits flushing = Bits{1}
+                                     << 24;  // FZ: numbers too small for a full mantissa are taken for 0
     static Bits read() {
         Bits bits = 0;
         __asm__ volatile("mrs %0, fpcr" : "=r"(bits));
