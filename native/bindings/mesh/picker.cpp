@@ -64,11 +64,7 @@ void check_indices(std::span<const glm::ivec2> edges, std::size_t count) {
     const auto given = edges.is_none() ? std::nullopt : std::optional(std::span(own_lines));
     const ReleaseGil released(own_points.size() + own_faces.size(), build_cost);
     if (!are_finite(own_points)) throw std::invalid_argument("positions: every value must be finite");
-    try {
-        return std::make_unique<PickedMesh>(own_points, own_faces, given);
-    } catch (const std::invalid_argument& problem) {
-        throw std::invalid_argument("triangles: " + std::string(problem.what()));
-    }
+    return std::make_unique<PickedMesh>(own_points, own_faces, given);
 }
 
 [[nodiscard]] py::object ray(const PickedMesh& mesh, const ArrayLike& origin, const ArrayLike& direction,

@@ -129,13 +129,8 @@ struct PulledMesh {
 };
 
 [[nodiscard]] mesh::Neighbours neighbours_of(const PulledMesh& mesh) {
-    try {
-        if (mesh.has_edges) return {mesh.positions.size(), mesh.triangles, mesh.edges};
-        return {mesh.positions.size(), mesh.triangles};
-    } catch (const std::invalid_argument& problem) {
-        throw std::invalid_argument((mesh.has_edges ? "triangles, edges: " : "triangles: ") +
-                                    std::string(problem.what()));
-    }
+    if (mesh.has_edges) return {mesh.positions.size(), mesh.triangles, mesh.edges};
+    return {mesh.positions.size(), mesh.triangles};
 }
 
 /// The lowest index of the nearest vertices.

@@ -79,7 +79,7 @@ class FollowTest(unittest.TestCase):
             (ValueError, "offsets", call(offsets=[float("inf")])),
             (ValueError, "mode", call(mode="best")),
             (ValueError, "forward", call(forward="W")),
-            (ValueError, "forward and up", call(forward="Y", up="-Y")),
+            (ValueError, "up: must be across forward", call(forward="Y", up="-Y")),
             (ValueError, "lag_rate", call(lag_rate=-1.0)),
             (ValueError, "lag_by", call(lag_by="mood")),
             (TypeError, "speed", call(mode="banking", speed=1.0)),

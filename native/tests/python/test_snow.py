@@ -306,7 +306,7 @@ class SnowTest(unittest.TestCase):
     def test_too_many_flakes_are_a_sentence(self):
         with self.assertRaisesRegex(
             ValueError,
-            r"^rate must be lower: up to 2e\+12 flakes would live at once, which take "
+            r"^rate: must be lower: up to 2e\+12 flakes would live at once, which take "
             r"1.44e\+05 GB; at most 1e\+08 may",
         ):
             native.Snow(rate=1e12)
