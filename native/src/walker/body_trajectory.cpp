@@ -139,9 +139,7 @@ double BodyTrajectory::rate(std::size_t sample, std::size_t last) const {
 
 glm::dmat4 BodyTrajectory::pose(std::size_t stretch, double time) const {
     require_stretch(stretch);
-    if (std::isnan(time))
-        return glm::dmat4(time, time, time, time, time, time, time, time, time, time, time, time, time, time,
-                          time, time);
+    if (std::isnan(time)) return glm::dmat4(1.0) * time;  // NaN throughout: 0 times NaN is NaN
     const std::size_t last = last_sample(stretch);
     const std::size_t sample = sample_before(stretch, time);
     if (sample == last && !(time < way_.times[sample])) return way_.poses[last];
