@@ -10,6 +10,7 @@ void bind_timing(pybind11::module_& m);
 void bind_frames(pybind11::module_& m);
 void bind_follow(pybind11::module_& m);
 void bind_pose(pybind11::module_& m);
+void bind_pose_buffer(pybind11::module_& m);
 void bind_tails(pybind11::module_& m);
 void bind_two_bone(pybind11::module_& m);
 void bind_chain(pybind11::module_& m);

@@ -19,6 +19,7 @@ curve's interval never raise: extend = "clamp" | "extrapolate" | "loop" | "ping_
     using namespace motus::bindings;
     bind_curve(m);
     bind_fcurve(m);  // before the layers: FCurve
+    bind_pose_buffer(m);  // before the followers: PoseBuffer
     bind_timing(m);
     bind_frames(m);
     bind_follow(m);

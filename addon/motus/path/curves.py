@@ -47,7 +47,7 @@ class Unreadable(Exception):
         self.problem = problem
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class WorldCurve:
     """A native curve in world space. tilt: array of the splines' tilt in radians at the joints of the curve's segments."""
 

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 
 from mathutils import Matrix
 
+from ..core import native
 from ..core.animation.channel import Channel
 from ..core.animation.keys import union, whole
 from ..core.animation.reason import Reason
@@ -82,16 +83,17 @@ class OverTime:
         values = np.stack([track.values(times) for track in self._numbers.values()], axis=1).tolist()
         matrices = self._curve.values(times) if self._curve else [None] * count
         locations, rotations, acts = np.zeros((count, 3)), np.zeros((count, 4)), np.zeros(count, bool)
-        room = np.zeros((len(offsets), 3)), np.zeros((len(offsets), 4))
+        told = np.zeros(len(solve.OUTPUTS))
+        poses = native.module.PoseBuffer(len(offsets), told)
         for row, (time, numbers, matrix) in enumerate(zip(times.tolist(), values, matrices)):
             context = Context(
                 self._settings,
                 self._owner,
                 time,
                 SimpleNamespace(scene=self._scene),
-                *room,
-                outputs=np.zeros(len(solve.OUTPUTS)),
+                outputs=told,
                 member_data=offsets,
+                poses=poses,
             )
             problem = solve.solve(
                 context,
@@ -101,7 +103,7 @@ class OverTime:
                 **dict(zip(self._numbers, numbers)),
             )
             acts[row] = problem is None or not problem.blocking
-            locations[row], rotations[row] = (part[self._index] for part in room)
+            locations[row], rotations[row] = context.locations[self._index], context.rotations[self._index]
         is_turned = "rotation" in members.channels(self._settings)
         return locations, rotations if is_turned else None, acts
 

@@ -53,8 +53,7 @@ def solve(context, matrix, splines, deformed, **numbers):
     reads, is_mirrored_owner = context.kept("fixed", None, lambda: _fixed(context))
     if is_mirrored_owner is None:
         is_mirrored_owner = is_mirrored(context.owner)
-    key = path.told(*reads), context.fps, is_mirrored_owner
-    found = context.kept("plan", key, lambda: _plan(context, numbers, path))
+    found = context.kept("made", (path, context.fps, is_mirrored_owner), lambda: _kept_plan(context, numbers, path, reads, is_mirrored_owner))
     if found.__class__ is Problem:
         return found
     plan, problem, mirrored = found
@@ -93,6 +92,12 @@ def _reads_of_rows(rows):
         before, now = found.get(_spline_of(row), (False, False)), _reads(row.settings)
         found[_spline_of(row)] = before[0] or now[0], before[1] or now[1]
     return found
+
+
+def _kept_plan(context, numbers, path, reads, is_mirrored_owner):
+    """Return what _plan() returns; it is kept for a path that only moves, if what the plan reads of the path stays the same."""
+    key = path.told(*reads), context.fps, is_mirrored_owner
+    return context.kept("plan", key, lambda: _plan(context, numbers, path))
 
 
 def _plan(context, numbers, path):
@@ -146,9 +151,7 @@ def _add_to(plan, place, path, still, numbers):
 
 
 def _follow(plan, context, paths):
-    paths = [None if path.__class__ is Problem else path.curve for path in paths]
-    outputs = context.outputs if context.outputs.ndim > 1 else context.outputs[None]
-    plan.solve(paths, context.frame, context.fps, context.locations, context.rotations, outputs)
+    plan.solve([None if path.__class__ is Problem else path.curve for path in paths], context.frame, context.fps, context.poses)
 
 
 def _path(context, matrix, splines, index):

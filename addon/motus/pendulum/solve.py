@@ -132,8 +132,9 @@ def solve(context, pivot, influence):
         rows = swing.at(now.seconds, **felt)
     except ValueError:
         return unknown(now.seconds, swing.count)
-    first = rows[0]
-    context.outputs[:] = (first[0], first[swing.each - 1], first[swing.each], first[-1], now.seconds)
+    first, told = rows[0], context.outputs
+    # One by one, since NumPy would first make an array of a tuple.
+    told[0], told[1], told[2], told[3], told[4] = first[0], first[swing.each - 1], first[swing.each], first[-1], now.seconds
     rods = context.member_data.tolist()
     if not rods:
         return NO_RODS
@@ -185,18 +186,12 @@ def swing_of(settings, scene):
         return NO_LENGTH
     gravity, damping = max(gravity_of(settings, scene), 0.0), max(settings.damping, 0.0)
     if settings.kind == 'SINGLE':
-        way = functools.partial(
-            native.module.single_pendulum,
-            theta=settings.angle1,
-            omega=settings.velocity1,
-            length=settings.length1,
-            gravity=gravity,
-            damping=damping,
-        )
+        single = native.module.single_pendulum
+        known = settings.angle1, settings.velocity1, settings.length1, gravity, damping
         return Swing(
             1,
-            lambda seconds, **felt: [way(seconds, **felt).tolist()],
-            lambda times, number=0, **felt: way(times, **felt),
+            lambda seconds, **felt: [single(seconds, *known, **felt).tolist()],
+            lambda times, number=0, **felt: single(times, *known, **felt),
             farthest=FARTHEST * math.sqrt(settings.length1 / gravity) if damping > 0.0 < gravity else math.inf,
         )
     if not (settings.mass1 > 0.0 and settings.mass2 > 0.0):

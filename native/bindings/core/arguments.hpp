@@ -76,9 +76,9 @@ namespace motus::bindings {
 
 /// An object of a bound class, called `wanted` in the message.
 template <class Bound>
-[[nodiscard]] const Bound& instance(py::handle object, std::string_view name, std::string_view wanted) {
+[[nodiscard]] Bound& instance(py::handle object, std::string_view name, std::string_view wanted) {
     if (!py::isinstance<Bound>(object)) wrong_type(object, name, wanted);
-    return object.cast<const Bound&>();
+    return object.cast<Bound&>();
 }
 
 /// The value that a name stands for; TypeError if it is no string, ValueError with the list of names if

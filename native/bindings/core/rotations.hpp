@@ -65,6 +65,16 @@ inline void rows_from_quaternions(std::span<glm::dquat> quaternions) {
     }
 }
 
+/// The unit quaternion along a row of w, x, y, z; ValueError for a row of zeros.
+[[nodiscard]] inline glm::dquat unit_quaternion(const double* row, std::string_view name) {
+    // Divide by the largest part first, since the square of a huge or tiny part would over- or underflow.
+    const double largest =
+        std::max({std::abs(row[0]), std::abs(row[1]), std::abs(row[2]), std::abs(row[3])});
+    if (largest == 0.0) value_error(name, "a quaternion must not be zero");
+    const glm::dquat q(row[0] / largest, row[1] / largest, row[2] / largest, row[3] / largest);
+    return q / glm::length(q);
+}
+
 /// (m, 4) or (4,) read as unit quaternions; ValueError for another shape or a row of zeros.
 class Rotations {
   public:
@@ -75,16 +85,7 @@ class Rotations {
             value_error(name, "must have the shape (m, 4) or (4,), not " + shape_of(array));
         const double* row = array.data();
         values_.reserve(static_cast<std::size_t>(array.size()) / 4);
-        for (py::ssize_t i = 0; i < array.size(); i += 4) {
-            // Divide by the largest part first, since the square of a huge or tiny part would over- or
-            // underflow.
-            const double largest = std::max(
-                {std::abs(row[i]), std::abs(row[i + 1]), std::abs(row[i + 2]), std::abs(row[i + 3])});
-            if (largest == 0.0) value_error(name, "a quaternion must not be zero");
-            const glm::dquat q(row[i] / largest, row[i + 1] / largest, row[i + 2] / largest,
-                               row[i + 3] / largest);
-            values_.push_back(q / glm::length(q));
-        }
+        for (py::ssize_t i = 0; i < array.size(); i += 4) values_.push_back(unit_quaternion(row + i, name));
     }
 
     [[nodiscard]] bool is_single() const noexcept { return single_; }

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "bones/pose_buffer.hpp"
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
@@ -95,26 +96,21 @@ class FollowPlan {
         ++count_;
     }
 
-    void solve(const py::list& curves, const Number& frame, const Number& fps, const Float64Array& locations,
-               const Float64Array& rotations, const Float64Array& progress) {
+    void solve(const py::list& curves, const Number& frame, const Number& fps,
+               const Typed<"motus_native.PoseBuffer">& poses) {
         const double at_frame = number(frame, "frame");
         const double rate = number(fps, "fps");
-        const auto rows = static_cast<py::ssize_t>(rows_);
-        auto location_rows = output<double>(locations, "locations", {rows, 3});
-        auto rotation_rows = output<double>(rotations, "rotations", {rows, 4});
-        auto progress_rows =
-            output<double>(progress, "progress",
-                           {static_cast<py::ssize_t>(count_), static_cast<py::ssize_t>(progress_size)});
-        require_apart(values_of(location_rows), "locations", values_of(rotation_rows), "rotations");
-        require_apart(values_of(location_rows), "locations", values_of(progress_rows), "progress");
-        require_apart(values_of(rotation_rows), "rotations", values_of(progress_rows), "progress");
+        PoseBuffer& buffer = instance<PoseBuffer>(poses, "poses", "a PoseBuffer");
+        const std::span<double> progress = buffer.outputs();
+        if (buffer.size() != rows_) value_error("poses", "one for each member is needed");
+        if (progress.size() != progress_size * count_)
+            value_error("poses", "its outputs must be five numbers for each follower");
         for (Planned& one : followers_) {
             if (one.place >= curves.size())
                 value_error("curves", "one for each place of a follower is needed");
             const BoundCurve& curve = curve_argument(curves[one.place]);
-            place(one, curve, one.seconds(at_frame, rate), points_of(location_rows),
-                  quaternions_in(rotation_rows.mutable_data(), rows_),
-                  progress_rows.mutable_data() + progress_size * one.follower);
+            place(one, curve, one.seconds(at_frame, rate), buffer.locations(), buffer.rotations(),
+                  progress.data() + progress_size * one.follower);
         }
     }
 
@@ -175,12 +171,11 @@ and 0 before, or from frame 0 if that is None.  moved, offset: added to the timi
 Everything else as in follow(). Raises ValueError or TypeError that names the argument.)")
         .def("skip", &FollowPlan::skip, R"(
 Leaves out the next follower, of one member: solve() writes neither its pose nor its progress.)")
-        .def("solve", &FollowPlan::solve, "curves"_a, "frame"_a, "fps"_a, "locations"_a, "rotations"_a,
-             "progress"_a, R"(
+        .def("solve", &FollowPlan::solve, "curves"_a, "frame"_a, "fps"_a, "poses"_a, R"(
 Writes the poses of all members at a frame, as follow() does, and the progress of all followers.
 
-curves: list of Curves.  frame, fps: numbers.  locations, rotations: C-contiguous float64 arrays (rows, 3) and (rows, 4).
-progress: (followers, 5): parameter on the curve, fraction of its length, distance, speed, the curve's length.
+curves: list of Curves.  frame, fps: numbers.  poses: a PoseBuffer of as many poses as there are members, whose outputs are
+(followers, 5): parameter on the curve, fraction of its length, distance, speed, the curve's length.
 What is nowhere at that time, since its distance or speed is not finite, is NaN.
 Raises ValueError or TypeError that names the argument.)")
         .def_property_readonly("rows", &FollowPlan::rows, "How many members all followers have together.")

@@ -142,9 +142,10 @@ class FollowPlanTest(unittest.TestCase):
 
     @staticmethod
     def solved(plan, curves, frame, fps=24.0):
-        locations, rotations, progress = np.zeros((plan.rows, 3)), np.zeros((plan.rows, 4)), np.zeros((plan.followers, 5))
-        plan.solve(curves, frame, fps, locations, rotations, progress)
-        return locations, rotations, progress
+        progress = np.zeros((plan.followers, 5))
+        poses = native.PoseBuffer(plan.rows, progress)
+        plan.solve(curves, frame, fps, poses)
+        return poses.locations, poses.rotations, progress
 
     def test_poses_are_those_of_follow_at_the_times_that_the_frames_give(self):
         eased = native.Timing.eased(5.0, self.curves[0].length(), 0.2, 0.2)
@@ -189,9 +190,11 @@ class FollowPlanTest(unittest.TestCase):
         plan = native.FollowPlan()
         plan.skip()
         plan.add(0, native.Timing.constant(1.0), 0.0, "minimal")
-        locations, rotations, progress = np.full((2, 3), 7.0), np.full((2, 4), 7.0), np.full((2, 5), 7.0)
-        plan.solve([self.curves[1]], 24.0, 24.0, locations, rotations, progress)
-        for array in (locations, rotations, progress):
+        progress = np.full((2, 5), 7.0)
+        poses = native.PoseBuffer(2, progress)
+        poses.locations[:] = poses.rotations[:] = 7.0
+        plan.solve([self.curves[1]], 24.0, 24.0, poses)
+        for array in (poses.locations, poses.rotations, progress):
             self.assertTrue((array[0] == 7.0).all())
             self.assertFalse((array[1] == 7.0).any())
 
@@ -214,7 +217,9 @@ class FollowPlanTest(unittest.TestCase):
             (TypeError, "start_frame", lambda: plan.add(0, timing, 0.0, "minimal", start_frame="now")),
             (ValueError, "curves", lambda: self.solved(plan, self.curves[:1], 1.0)),
             (TypeError, "curve", lambda: self.solved(plan, [None, None], 1.0)),
-            (ValueError, "progress", lambda: plan.solve(self.curves, 1.0, 24.0, np.zeros((1, 3)), np.zeros((1, 4)), np.zeros((2, 5)))),
+            (TypeError, "poses", lambda: plan.solve(self.curves, 1.0, 24.0, np.zeros((1, 10)))),
+            (ValueError, "poses", lambda: plan.solve(self.curves, 1.0, 24.0, native.PoseBuffer(2, np.zeros((1, 5))))),
+            (ValueError, "poses", lambda: plan.solve(self.curves, 1.0, 24.0, native.PoseBuffer(1, np.zeros((2, 5))))),
         )
         for error, name, failing in cases:
             with self.assertRaisesRegex(error, f"^{name}: "):

@@ -24,6 +24,8 @@ class Context:
     points(count): for a system that makes points, returns {name of an attribute: array with room for `count` points}. solve() has to
     fill all of them. The arrays are shorter if there is no room for so many, and are Blender's own memory, valid until solve() returns.
     wants_to_settle: solve() sets it to have System.settle() called after the evaluation.
+    poses: PoseBuffer of the native module, whose memory locations, rotations and scales are, for native functions that fill it; None if the
+    native module is missing, or nothing is to be filled.
     memo, targets: see begin().
     """
 
@@ -44,7 +46,12 @@ class Context:
     memo: Any = None
     targets: Any = None
     copy: Any = None
+    poses: Any = None
     _fps: float = 0.0  # 0 until it is asked for
+
+    def __post_init__(self) -> None:
+        if self.poses is not None:
+            self.locations, self.rotations, self.scales = self.poses.locations, self.poses.rotations, self.poses.scales
 
     def begin(self, frame: float, depsgraph: Any, memo: Any, targets: Any = None) -> None:
         """Prepare the context for a call of solve() at a frame.

@@ -1,7 +1,5 @@
 """Arguments of System.solve: inputs that the driver passes on, and the numbers that a system keeps for each member on the hub's mesh."""
 
-import mathutils
-
 from ...declare import Matrix, Setting
 from ...file import stored
 from ...file.stored import Damaged
@@ -16,17 +14,19 @@ def read_from_driver(system):
     unchanged (None: never). read: function (passed value, settings) that converts any other passed value into the input's value.
     """
     declared = [(index, one) for index, one in enumerate(system.inputs) if not isinstance(one, Setting)]
-    return [(index, one.name, mathutils.Matrix if one.read is Matrix.read else None, one.read) for index, one in declared]
+    return [(index, one.name, one.plain, one.read) for index, one in declared]
 
 
-def values(inputs, given, settings):
-    """Return {name: value} for inputs that the driver passes. Raises Damaged if the driver passes too few values.
+def read(inputs, given, settings, into):
+    """Put {name: value} for inputs that the driver passes into a dictionary. Raises Damaged if the driver passes too few values.
 
     inputs: result of read_from_driver(). given: the passed values. settings: the owner's settings, for inputs that need them.
     """
     if inputs and len(given) <= inputs[-1][0]:
         raise Damaged("too few arguments")
-    return {name: value if (value := given[index]).__class__ is plain else read(value, settings) for index, name, plain, read in inputs}
+    for index, name, plain, convert in inputs:
+        value = given[index]
+        into[name] = value if value.__class__ is plain else convert(value, settings)
 
 
 def member_data(system, carrier, count):

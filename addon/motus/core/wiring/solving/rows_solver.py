@@ -9,7 +9,7 @@ from ...measures import finite
 from ..healing.watch import noticed
 from ..hubs import outbox, rows
 from . import arguments
-from .results import ORDINARY, Poses, status_of
+from .results import MatrixSink, status_of
 
 
 class RowsSolver:
@@ -23,7 +23,7 @@ class RowsSolver:
         count = len(slots) // layout.size
         if count == 0 or count * layout.size != len(slots) or (layout.has_attribute and count != len(mesh.vertices)):
             raise Damaged("another number of rows")
-        self._slots, self._table, self._poses = slots, slots.reshape(count, layout.size), Poses(count)
+        self._table = slots.reshape(count, layout.size)
         self._pointers = rows.pointer_names(system)
         self._inputs = arguments.read_from_driver(system)
         self._name = mesh.name if not mesh.library else None
@@ -31,13 +31,11 @@ class RowsSolver:
         self._rows = [rows.row(system, mesh, index) for index in range(count)]
         self._sound = [row if isinstance(row, rows.Row) else None for row in self._rows]
         self._influences = np.array([0.0 if row is None else finite.share(row.settings.influence) for row in self._sound])
-        self._context = Context(
-            settings=None,
-            owner=None,
-            locations=self._poses.locations,
-            rotations=self._poses.rotations,
-            outputs=np.zeros((count, len(system.outputs))),
-        )
+        outputs = np.zeros((count, len(system.outputs)))
+        self._poses = poses = native.module and native.module.PoseBuffer(count, outputs)
+        self._matrices = MatrixSink(poses, mesh, has_scales=False) if layout.has_attribute else None
+        self._pose_slots = None if layout.has_attribute else np.empty(outbox.POSE_SIZE * count)
+        self._context = Context(settings=None, owner=None, outputs=outputs, poses=poses)
         self._told = self._states = self._weights = None
 
     def is_current(self):
@@ -58,8 +56,9 @@ class RowsSolver:
         table[:, outbox.WEIGHT] = 0.0
         if native.module is None:
             return table[0, outbox.STATUS]
-        poses.block[:] = poses.neutral
-        inputs = arguments.values(self._inputs, values, None)
+        poses.reset()
+        inputs = {}
+        arguments.read(self._inputs, values, None, into=inputs)
         if self._name is not None:
             noticed.note_rows(self._system, self._name, self._rows)
         context.begin(frame, depsgraph, self._memo, rows.targets(self._pointers, self._mesh))
@@ -68,13 +67,13 @@ class RowsSolver:
             self._tell(told)
         table[:, outbox.STATUS], table[:, outbox.WEIGHT] = self._states, self._weights
         table[:, outbox.FIRST_OUTPUT : layout.base] = context.outputs
-        if not (poses.block.dot(poses.block) < ORDINARY and self._slots.dot(self._slots) < ORDINARY):
+        if not poses.is_ordinary():
             self._check_numbers()
-        if layout.has_attribute:
-            poses.store(self._mesh, has_scales=False)
-        elif poses.are_new():
-            table[:, layout.base : layout.base + 3] = poses.locations
-            table[:, layout.base + 3 :] = native.module.euler_xyz(poses.rotations)
+        if self._matrices is not None:
+            self._matrices.write()
+        else:
+            poses.write_slots(self._pose_slots, has_scales=False)
+            table[:, layout.base :] = self._pose_slots.reshape(len(table), outbox.POSE_SIZE)
         return table[0, outbox.STATUS]
 
     def _tell(self, told):
@@ -93,8 +92,8 @@ class RowsSolver:
 
     def _check_numbers(self):
         """Make a row neutral, and its status outbox.NOT_FINITE, if it has a number that sinks must not get, such as NaN or infinity."""
-        poses = self._poses
-        for row, slots, *found in zip(self._rows, self._table, poses.locations, poses.rotations, self._context.outputs):
+        context = self._context
+        for row, slots, *found in zip(self._rows, self._table, context.locations, context.rotations, context.outputs):
             if row is None or all(map(finite.is_finite, found)):
                 continue
             if slots[outbox.STATUS] >= 0.0:

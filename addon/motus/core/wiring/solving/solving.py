@@ -20,7 +20,7 @@ from ..healing.watch import noticed
 from ..hubs import outbox, outputs, sharing, traits
 from ..sinks import attribute_sink, geometry_sink, property_sink
 from . import arguments
-from .results import ORDINARY, Poses, do_nothing
+from .results import MatrixSink, do_nothing
 from .rows_solver import RowsSolver
 
 _SOLVERS = keeping.OfEvaluation(
@@ -72,8 +72,9 @@ def _new_solver(carrier, name):
     system, key = called(name)
     if not outbox.is_in_place(system, carrier, key):
         raise Damaged("no outbox")
-    kind = RowsSolver if sharing.has_rows(carrier) else Solver
-    found = _SOLVERS.on(copies.of(carrier))[name] = kind(system, key, carrier)
+    found = (RowsSolver if sharing.has_rows(carrier) else Solver)(system, key, carrier)
+    if native.module is not None:  # without it, what is prepared is of no use later
+        _SOLVERS.on(copies.of(carrier))[name] = found
     return found
 
 
@@ -97,7 +98,9 @@ class Solver:
         self._outputs = self._box[outbox.FIRST_OUTPUT : layout.base]
         self._outlet = outputs.outlet(system, owner)
         self._told = self._slots[: 0 if self._outlet is None else len(self._outlet)]  # the slots that the outlet repeats
-        self._poses = Poses(layout.members)
+        self._poses = poses = native.module and native.module.PoseBuffer(layout.members, self._outputs)
+        self._matrices = MatrixSink(poses, carrier, layout.has_scales) if layout.has_attribute else None
+        self._pose_slots = self._box[layout.base :]
         self._drives_properties = property_sink.KEY in carrier
         self._reading = read_keys.reading_of(carrier, system.name) if system.reads_keys or self._drives_properties else None
         # Owners without outputs and driven properties need not be wired again if their settings become animated.
@@ -112,9 +115,7 @@ class Solver:
             settings=settings,
             owner=owner,
             copy=self._copy,
-            locations=self._poses.locations,
-            rotations=self._poses.rotations,
-            scales=self._poses.scales,
+            poses=poses,
             outputs=self._outputs,
             member_data=arguments.member_data(system, carrier, layout.members),
             group=key,
@@ -149,15 +150,13 @@ class Solver:
         context = self._context
         context.begin(frame, depsgraph, None if moves else self._memo)
         poses = self._poses
-        poses.block[:] = poses.neutral
+        poses.reset()
         inputs = self._read(values)
         room = geometry_sink.room(system, carrier, inputs, context) if self._has_modifier else None
         if self._drives_properties:
             property_sink.clear(carrier, self._box)
         problem = system.solve(context, **inputs)
-        is_finite = room is None and poses.block.dot(poses.block) < ORDINARY and self._outputs.dot(self._outputs) < ORDINARY
-        if not is_finite:
-            is_finite = self._is_finite(room)
+        is_finite = (room is None and poses.is_ordinary()) or self._is_finite(room)
         is_blocked = not is_finite or (problem is not None and problem.blocking)
         box[outbox.STATUS] = outbox.NOT_FINITE if not is_finite else 0.0 if problem is None else system.problems.index(problem) + 1.0
         influence = context.settings.influence
@@ -169,9 +168,9 @@ class Solver:
         weight = 0.0 if is_blocked else 1.0 if self._layout.is_relative else influence
         box[outbox.WEIGHT] = weight
         if is_blocked:
-            poses.block[:] = poses.neutral
-        if room is None and weight == 1.0 and self._layout.has_attribute:
-            poses.store(carrier, self._layout.has_scales)
+            poses.reset()
+        if room is None and weight == 1.0 and self._matrices is not None:
+            self._matrices.write()
         elif room is None:
             self._store(weight)
         else:
@@ -195,13 +194,16 @@ class Solver:
         if len(outputs) and not self._drives_properties and not finite.is_finite(outputs):
             outputs[~(np.abs(outputs) < finite.INFINITE)] = 0.0
             return False
-        return finite.is_finite(self._poses.block) if room is None else room.is_finite()
+        if room is not None:
+            return room.is_finite()
+        return all(map(finite.is_finite, (self._context.locations, self._context.rotations, self._context.scales)))
 
     def _read(self, values):
         """Return {name: value} of the arguments of System.solve. values: values of the inputs that the driver passes on."""
         context = self._context
         found = context.kept("settings", None, self._read_settings) if self._settings else {}
-        return found | arguments.values(self._inputs, values, context.settings) if self._inputs else found
+        arguments.read(self._inputs, values, context.settings, into=found)
+        return found
 
     def _read_settings(self):
         return {declared.name: declared.read(0.0, self._context.settings) for declared in self._settings}
@@ -224,13 +226,8 @@ class Solver:
                 context.scales if layout.has_scales else None,
                 weight,
             )
-        elif (weight > 0.0 or layout.is_relative) and self._poses.are_new():
-            end = layout.base + outbox.POSE_SIZE * layout.members
-            poses = self._box[layout.base : end].reshape(layout.members, outbox.POSE_SIZE)
-            poses[:, :3] = context.locations
-            poses[:, 3:] = native.module.euler_xyz(context.rotations)
-            if layout.has_scales:
-                self._box[end:] = context.scales.ravel()
+        elif weight > 0.0 or layout.is_relative:
+            self._poses.write_slots(self._pose_slots, layout.has_scales)
 
     def _tell_healing(self, moves):
         if self._drives_properties:
