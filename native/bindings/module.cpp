@@ -18,7 +18,7 @@ curve's interval never raise: extend = "clamp" | "extrapolate" | "loop" | "ping_
     // All classes are local to the module: a second copy of it, of another package, has classes of its own.
     using namespace motus::bindings;
     bind_curve(m);
-    bind_fcurve(m);  // before the layers: FCurve
+    bind_fcurve(m);       // before the layers: FCurve
     bind_pose_buffer(m);  // before the followers: PoseBuffer
     bind_timing(m);
     bind_frames(m);

@@ -11,7 +11,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -222,6 +222,58 @@ class FCurve:
     @property
     def is_plain(self) -> bool:
         ...
+class PoseBuffer:
+    """
+    Memory for the poses of `count` members that a solver computes at each frame, and for the numbers that it tells beside them.
+    
+    Not for two threads at once.
+    """
+    def __init__(self, count: int, outputs: numpy.typing.NDArray[numpy.float64]) -> None:
+        """
+        outputs: an aligned, C-contiguous float64 array of any shape, which is kept. The poses are neutral: they change nothing.
+        Raises ValueError or TypeError that names the argument.
+        """
+    def forget(self) -> None:
+        """
+        Has the next poses count as new, whatever they are.
+        """
+    def is_ordinary(self) -> bool:
+        """
+        Whether the squares of all numbers of the poses, and of all outputs, have sums below 1e30: all of them are finite then.
+        """
+    def matrices(self, has_scales: bool) -> typing.Any:
+        """
+        The poses as 4 x 4 matrices, column by column; None if they are those at the last call of matrices() or write_slots().
+        
+        has_scales: whether the scales count; they are 1 if not.  Returns (16 * count,) float32, which the next call overwrites.
+        Raises ValueError if a rotation is zero.
+        """
+    def reset(self) -> None:
+        """
+        Sets all poses to neutral ones, which change nothing.
+        """
+    def write_slots(self, slots: numpy.typing.NDArray[numpy.float64], has_scales: bool) -> None:
+        """
+        Writes location and Euler angles (order XYZ, rad) of each member into slots, and then the scales of all members.
+        
+        slots: a C-contiguous float64 array (6 * count,), or (9 * count,) if has_scales. Nothing is written if the poses are those
+        at the last call of matrices() or write_slots().  Raises ValueError or TypeError that names the argument.
+        """
+    @property
+    def locations(self) -> numpy.ndarray:
+        """
+        (count, 3), a view of the memory.
+        """
+    @property
+    def rotations(self) -> numpy.ndarray:
+        """
+        (count, 4): w, x, y, z, a view of the memory.
+        """
+    @property
+    def scales(self) -> numpy.ndarray:
+        """
+        (count, 3), a view of the memory.
+        """
 class Timing:
     """
     Distance as a function of time, for follow(): seconds, and the curve's unit of length. Immutable.
@@ -287,12 +339,12 @@ class FollowPlan:
         """
         Leaves out the next follower, of one member: solve() writes neither its pose nor its progress.
         """
-    def solve(self, curves: list, frame: float, fps: float, locations: numpy.typing.NDArray[numpy.float64], rotations: numpy.typing.NDArray[numpy.float64], progress: numpy.typing.NDArray[numpy.float64]) -> None:
+    def solve(self, curves: list, frame: float, fps: float, poses: PoseBuffer) -> None:
         """
         Writes the poses of all members at a frame, as follow() does, and the progress of all followers.
         
-        curves: list of Curves.  frame, fps: numbers.  locations, rotations: C-contiguous float64 arrays (rows, 3) and (rows, 4).
-        progress: (followers, 5): parameter on the curve, fraction of its length, distance, speed, the curve's length.
+        curves: list of Curves.  frame, fps: numbers.  poses: a PoseBuffer of as many poses as there are members, whose outputs are
+        (followers, 5): parameter on the curve, fraction of its length, distance, speed, the curve's length.
         What is nowhere at that time, since its distance or speed is not finite, is NaN.
         Raises ValueError or TypeError that names the argument.
         """

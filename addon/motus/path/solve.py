@@ -53,7 +53,9 @@ def solve(context, matrix, splines, deformed, **numbers):
     reads, is_mirrored_owner = context.kept("fixed", None, lambda: _fixed(context))
     if is_mirrored_owner is None:
         is_mirrored_owner = is_mirrored(context.owner)
-    found = context.kept("made", (path, context.fps, is_mirrored_owner), lambda: _kept_plan(context, numbers, path, reads, is_mirrored_owner))
+    found = context.kept(
+        "made", (path, context.fps, is_mirrored_owner), lambda: _kept_plan(context, numbers, path, reads, is_mirrored_owner)
+    )
     if found.__class__ is Problem:
         return found
     plan, problem, mirrored = found

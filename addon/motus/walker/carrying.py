@@ -24,6 +24,8 @@ def moved(owner, times, digest):
     chain = [body, *body.parent_recursive]
     own = [tracks.own_track(bone) for bone in chain]
     if all(track.is_constant or not track.is_known for track in own):
+        if all(bone.matrix_basis.is_identity for bone in chain):
+            return None, None
         return _stamped(_posed(chain, [_present(bone) for bone in chain]), len(times))
     stamp = strips.together((digest, *(track.stamp for track in own)))
     return tracks.kept_by(

@@ -37,9 +37,14 @@ def of_bone(bone, basis, parent, world):
     basis: matrix of the bone's own location, rotation and scale. parent: PoseBone.matrix of the parent bone, None if there is none.
     world: world matrix of the rig.
     """
+    return world @ posed(bone, basis, parent), world.to_3x3() @ location_channels(bone, parent)
+
+
+def location_channels(bone, parent):
+    """3x3 matrix from the location channels of a PoseBone to the rig's space. parent: PoseBone.matrix of the parent bone, or None."""
     at_rest = posed(bone, IDENTITY, parent)
     columns = [posed(bone, Matrix.Translation(axis), parent).translation - at_rest.translation for axis in IDENTITY.to_3x3().col]
-    return world @ posed(bone, basis, parent), world.to_3x3() @ Matrix(columns).transposed()
+    return Matrix(columns).transposed()
 
 
 def posed(bone, basis, parent):

@@ -27,6 +27,15 @@ class Wired:
     def __init__(self, rig, rows, name):
         self.still = rigs.still(rig, tuple(rows))
         self.row = rows[name]
+        self._at_rest = None, None  # the Still, and the location channels of a body bone without a parent, which depend on nothing else
+
+    def channels(self, bone):
+        """3x3 matrix from the location channels of the body bone to the rig's space."""
+        if bone.parent:
+            return leaning.location_channels(bone, bone.parent.matrix)
+        if self._at_rest[0] is not self.still:
+            self._at_rest = self.still, leaning.location_channels(bone, None)
+        return self._at_rest[1]
 
 
 def solve(context, awaited):
@@ -94,7 +103,8 @@ def _lean(context, walker, seconds):
         except KeyError:
             return BONES_CHANGED
         basis = Matrix(rigs.basis(owner, known.still)[known.row].reshape(4, 4).T.tolist())
-        place, axes = leaning.of_bone(body, basis, body.parent and body.parent.matrix, world)
+        place = world @ leaning.posed(body, basis, body.parent and body.parent.matrix)
+        axes = world.to_3x3() @ known.channels(body)
     else:
         place, axes = leaning.of_object(body, _basis(body, context.frame), world)
     context.locations[0], context.rotations[0] = leaning.relative(place, axes, world.translation, lift, turn)

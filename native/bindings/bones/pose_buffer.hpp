@@ -23,7 +23,8 @@ class PoseBuffer {
     [[nodiscard]] std::size_t size() const noexcept { return count_; }
     [[nodiscard]] std::span<double> outputs() { return values_of(outputs_); }
     [[nodiscard]] std::span<glm::dvec3> locations();
-    /// The rotations' memory for quaternions of GLM's own layout, until rows_from_quaternions() puts it in order.
+    /// The rotations' memory for quaternions of GLM's own layout, until rows_from_quaternions() puts it in
+    /// order.
     [[nodiscard]] std::span<glm::dquat> rotations();
 
     /// Sets all poses to ones that change nothing.

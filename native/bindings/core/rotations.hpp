@@ -68,8 +68,7 @@ inline void rows_from_quaternions(std::span<glm::dquat> quaternions) {
 /// The unit quaternion along a row of w, x, y, z; ValueError for a row of zeros.
 [[nodiscard]] inline glm::dquat unit_quaternion(const double* row, std::string_view name) {
     // Divide by the largest part first, since the square of a huge or tiny part would over- or underflow.
-    const double largest =
-        std::max({std::abs(row[0]), std::abs(row[1]), std::abs(row[2]), std::abs(row[3])});
+    const double largest = std::max({std::abs(row[0]), std::abs(row[1]), std::abs(row[2]), std::abs(row[3])});
     if (largest == 0.0) value_error(name, "a quaternion must not be zero");
     const glm::dquat q(row[0] / largest, row[1] / largest, row[2] / largest, row[3] / largest);
     return q / glm::length(q);

@@ -1,6 +1,6 @@
 """Arguments of System.solve: inputs that the driver passes on, and the numbers that a system keeps for each member on the hub's mesh."""
 
-from ...declare import Matrix, Setting
+from ...declare import Setting
 from ...file import stored
 from ...file.stored import Damaged
 from ...lazy import numpy as np

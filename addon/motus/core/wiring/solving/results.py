@@ -9,6 +9,7 @@ from ..sinks import attribute_sink, attributes
 
 log = logging.getLogger(__name__)
 
+
 class MatrixSink:
     """Writes poses as 4x4 matrices to the attribute of a hub's evaluated mesh that the members' constraints sample.
 
