@@ -216,7 +216,7 @@ def swing_of(settings, scene):
         for index in range(settings.count)
     ]
 
-    def way(times, number=0, **felt):  # type: ignore[no-redef]
+    def way(times, number=0, **felt):
         return native.module.double_pendulum(times, *starts[number], **constants, **felt)
 
     return Swing(2, functools.partial(_fan, starts=starts, constants=constants), way, settings.count, _farthest(starts[0], constants))
