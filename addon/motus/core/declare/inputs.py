@@ -2,18 +2,16 @@
 
 A solver is called by a scripted driver. `variable(owner, settings)` of an input returns the variable of that driver, by which the
 dependency graph knows the order; `read(value, settings)` turns the variable's value into the argument of solve(). owner: object whose
-settings are solved. settings: property group of the system on it. `plain`: class whose values are the argument as they are, without a call
-of read(); None if there is no such class.
+settings are solved. settings: property group of the system on it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 import bpy
-import mathutils
 
 from ..file import choices
 from ..file.pointers import pointed
@@ -61,7 +59,6 @@ class Matrix:
 
     name: str
     of: str
-    plain: ClassVar[Any] = mathutils.Matrix
 
     def variable(self, owner: Any, settings: Any) -> Variable | None:
         target = pointed(settings, self.of)
@@ -82,7 +79,6 @@ class OwnMatrix:
 
     name: str
     when: str = ""
-    plain: ClassVar[Any] = Matrix.plain
 
     def variable(self, owner: Any, settings: Any) -> Variable | None:
         return Variable('OBJECT', owner, "matrix_world") if not self.when or getattr(settings, self.when) else None
@@ -96,7 +92,6 @@ class Splines:
 
     name: str
     of: str
-    plain: ClassVar[Any] = bpy.types.bpy_prop_collection
 
     def variable(self, owner: Any, settings: Any) -> Variable | None:
         target = pointed(settings, self.of)
@@ -117,7 +112,6 @@ class Vertices:
     """
 
     name: str
-    plain: ClassVar[Any] = None
 
     def variable(self, owner: Any, settings: Any) -> Variable | None:
         return Variable('MESH', owner.data, "vertices") if owner.type == 'MESH' else None
@@ -136,7 +130,6 @@ class Deformed:
 
     name: str
     of: str
-    plain: ClassVar[Any] = Matrix.plain
 
     def objects(self, settings: Any) -> list[Any]:
         """Objects whose geometry is evaluated before the solver; None in the place of one that is missing."""
@@ -156,8 +149,6 @@ class Geometry(Deformed):
 
     Blender calls the solver again whenever that geometry is edited. Not allowed in a system whose owners share solvers (System.shared).
     """
-
-    plain: ClassVar[Any] = None
 
     def read(self, value: Any, settings: Any) -> Any:
         return pointed(settings, self.of) if Matrix.read(value, settings) is not None else None

@@ -1,10 +1,16 @@
 """Arguments of System.solve: inputs that the driver passes on, and the numbers that a system keeps for each member on the hub's mesh."""
 
-from ...declare import Setting
+import bpy
+import mathutils
+
+from ...declare import Matrix, Setting, Splines
 from ...file import stored
 from ...file.stored import Damaged
 from ...lazy import numpy as np
 from ..hubs import outbox
+
+_PLAIN = (Matrix.read, mathutils.Matrix), (Splines.read, bpy.types.bpy_prop_collection)
+"""Pairs of a function that reads inputs, and the class of which it returns every value unchanged."""
 
 
 def read_from_driver(system):
@@ -14,7 +20,7 @@ def read_from_driver(system):
     unchanged (None: never). read: function (passed value, settings) that converts any other passed value into the input's value.
     """
     declared = [(index, one) for index, one in enumerate(system.inputs) if not isinstance(one, Setting)]
-    return [(index, one.name, one.plain, one.read) for index, one in declared]
+    return [(index, one.name, next((kind for read, kind in _PLAIN if one.read is read), None), one.read) for index, one in declared]
 
 
 def read(inputs, given, settings, into):
