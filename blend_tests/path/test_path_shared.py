@@ -10,8 +10,8 @@ import support
 from path.path_cases import CLIMB, PathTestCase, dense, length_of, positions_at
 
 FRAMES = (1, 60, 12.5, 97, 30)
-PACKS = "pack_matrices" if bpy.app.version >= (5, 0) else "euler_xyz"
-"""Native function by which poses become what the members' constraints read."""
+WRITES = "matrices" if bpy.app.version >= (5, 0) else "write_slots"
+"""Method of the native PoseBuffer by which poses become what the members' constraints read."""
 
 
 class SharedTestCase(PathTestCase):
@@ -105,9 +105,9 @@ class Sharing(SharedTestCase):
             with self.subTest(followers=count):
                 cars = [self.follow(f"Car {index}", timing='MANUAL', distance_factor=0.1 + 0.2 * index) for index in range(count)]
                 self.at(cars[0], 2)
-                self.assertEqual(self.poses_packed(range(3, 9)), 0)
+                self.assertEqual(self.poses_written(range(3, 9)), 0)
                 cars[0].motus.path.distance_factor = 0.6
-                self.assertEqual(self.poses_packed((9, 10, 11)), 1)
+                self.assertEqual(self.poses_written((9, 10, 11)), 1)
                 self.assertAlmostEqual(self.place(cars[0])[0], 12.0, places=5)
                 cars[0].motus.path.distance_factor = 0.1
 
@@ -119,13 +119,21 @@ class Sharing(SharedTestCase):
             self.at(car, 3)
         self.assertAlmostEqual(self.place(car, 4)[0], 10.0, places=5)
 
-    def poses_packed(self, frames):
-        """How many times poses are packed for the hubs' meshes or outboxes while frames are evaluated."""
-        native = support.addon("core.native").module
-        with mock.patch.object(native, PACKS, wraps=getattr(native, PACKS)) as packed:
+    def poses_written(self, frames):
+        """How many times new poses are written to the hubs' meshes or outboxes while frames are evaluated."""
+        buffer = support.addon("core.native").module.PoseBuffer
+        write, written = getattr(buffer, WRITES), []
+
+        def noted(poses, *arguments, **keywords):
+            found = write(poses, *arguments, **keywords)
+            if found is not None and found is not False:
+                written.append(poses)
+            return found
+
+        with mock.patch.object(buffer, WRITES, noted):
             for frame in frames:
                 self.go_to(frame)
-        return packed.call_count
+        return len(written)
 
     def test_shared_followers_get_the_same_bits_as_alone(self):
         keywords = {"orientation": 'BANKING', "extend": 'LOOP', "lag_rate": 0.3}

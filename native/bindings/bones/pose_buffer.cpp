@@ -104,12 +104,12 @@ py::object PoseBuffer::matrices(bool has_scales) {
     return matrices_;
 }
 
-void PoseBuffer::write_slots(const Float64Array& slots, bool has_scales) {
+bool PoseBuffer::write_slots(const Float64Array& slots, bool has_scales) {
     const std::size_t wanted = (slots_of_a_pose + (has_scales ? 3 : 0)) * count_;
     DoubleArray array = numbers_in(slots, "slots");
     if (array.ndim() != 1 || static_cast<std::size_t>(array.size()) != wanted)
         value_error("slots", "must have the shape (" + std::to_string(wanted) + ",), not " + shape_of(array));
-    if (!are_new()) return;
+    if (!are_new()) return false;
     double* slot = array.mutable_data();
     const double* row = rotation_numbers().data();
     for (const glm::dvec3& location : locations()) {
@@ -119,6 +119,7 @@ void PoseBuffer::write_slots(const Float64Array& slots, bool has_scales) {
         row += 4;
     }
     if (has_scales) std::ranges::copy(scale_numbers(), slot);
+    return true;
 }
 
 void bind_pose_buffer(py::module_& m) {
@@ -158,7 +159,7 @@ Raises ValueError if a rotation is zero.)")
 Writes location and Euler angles (order XYZ, rad) of each member into slots, and then the scales of all members.
 
 slots: a C-contiguous float64 array (6 * count,), or (9 * count,) if has_scales. Nothing is written if the poses are those
-at the last call of matrices() or write_slots().  Raises ValueError or TypeError that names the argument.)");
+at the last call of matrices() or write_slots().  Returns whether the slots were written.  Raises ValueError or TypeError that names the argument.)");
 }
 
 }  // namespace motus::bindings

@@ -39,8 +39,8 @@ class PoseBuffer {
     /// The poses as 4 x 4 matrices; None if they are those of the call before.
     [[nodiscard]] py::object matrices(bool has_scales);
 
-    /// Writes the poses into slots of an outbox, unless they are those of the call before.
-    void write_slots(const Float64Array& slots, bool has_scales);
+    /// Writes the poses into slots of an outbox, unless they are those of the call before; whether it wrote.
+    bool write_slots(const Float64Array& slots, bool has_scales);
 
     [[nodiscard]] std::span<double> numbers() { return block_; }
     [[nodiscard]] std::span<double> location_numbers() { return numbers().first(3 * count_); }

@@ -48,7 +48,7 @@ class PoseBufferTest(unittest.TestCase):
         for has_scales in (False, True):
             slots = np.zeros(45 if has_scales else 30)
             self.poses.forget()
-            self.poses.write_slots(slots, has_scales)
+            self.assertTrue(self.poses.write_slots(slots, has_scales))
             np.testing.assert_array_equal(slots[:30].reshape(5, 6), np.hstack((locations, native.euler_xyz(rotations))))
             np.testing.assert_array_equal(slots[30:], scales.ravel() if has_scales else [])
 
@@ -57,7 +57,7 @@ class PoseBufferTest(unittest.TestCase):
         self.assertIsNotNone(self.poses.matrices(True))
         self.assertIsNone(self.poses.matrices(True))
         slots = np.zeros(30)
-        self.poses.write_slots(slots, False)
+        self.assertFalse(self.poses.write_slots(slots, False))
         self.assertFalse(slots.any())
         self.poses.locations[4, 2] = -0.0
         self.assertIsNotNone(self.poses.matrices(True))

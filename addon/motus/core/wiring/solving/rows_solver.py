@@ -71,8 +71,7 @@ class RowsSolver:
             self._check_numbers()
         if self._matrices is not None:
             self._matrices.write()
-        else:
-            poses.write_slots(self._pose_slots, has_scales=False)
+        elif poses.write_slots(self._pose_slots, has_scales=False):
             table[:, layout.base :] = self._pose_slots.reshape(len(table), outbox.POSE_SIZE)
         return table[0, outbox.STATUS]
 
