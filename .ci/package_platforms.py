@@ -11,7 +11,9 @@ Run by the programs of the group `package` of pyproject.toml.
 """
 
 import argparse
+import re
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 
@@ -51,6 +53,22 @@ def make(chosen, stage, dist, blender):
     package.extension_build(blender, "--split-platforms", "--source-dir", stage / "extension", "--output-dir", dist)
 
 
+def second_opinion(wheel):
+    """What auditwheel or delvewheel has against a wheel; nothing for macOS, whose delocate runs there alone."""
+    platform = wheel.stem.rpartition("-")[2]
+    program = {"manylinux_2_28_x86_64": "auditwheel", "win_amd64": "delvewheel"}.get(platform)
+    if not program:
+        return ""
+    done = subprocess.run([Path(sys.executable).with_name(program), "show", wheel], check=False, text=True, capture_output=True)
+    said = " ".join(done.stdout.split())
+    if program == "auditwheel":
+        tag = re.search(r'following platform tag: "manylinux_(\d+)_(\d+)_x86_64"', said)
+        is_well = bool(tag) and tuple(map(int, tag.groups())) <= (2, 28)
+    else:
+        is_well = "will be copied into the wheel. None" in said
+    return "" if is_well and not done.returncode else f"{program}: {said or done.stderr}"
+
+
 def main(arguments):
     """Returns the exit status."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -67,9 +85,9 @@ def main(arguments):
     )
     failed = 0
     for path in sorted(options.dist.iterdir()):
-        is_large = path.stat().st_size > LARGEST
-        failed += is_large
-        print(f"{'FAILED: larger than 5 MB: ' if is_large else ''}{path} ({path.stat().st_size / 1e6:.2f} MB)")
+        found = f"larger than {LARGEST:,} bytes" if path.stat().st_size > LARGEST else second_opinion(path) if path.suffix == ".whl" else ""
+        failed += bool(found)
+        print(f"{f'FAILED {found}: ' if found else ''}{path} ({path.stat().st_size / 1e6:.2f} MB)")
     return 1 if failed else 0
 
 

@@ -70,3 +70,20 @@ package_platforms() {
     validate_platforms
     say "packaged for ${#made[@]} platforms, $skipped skipped"
 }
+
+# The next two are for .ci's groups of tests: what `./motus package --platforms` has made for this machine.
+command_test_package() { # VERSION PATTERN...: the extension, in an official Blender
+    MOTUS_ZIP=$(ls "$dist"/platforms/motus-*-linux_x64.zip 2>/dev/null) || { say "SKIPPED: there are no packages of linux-x64"; exit 77; }
+    export MOTUS_ZIP
+    command_test_inside "$@"
+}
+command_test_wheel() { # PATTERN...: the native module as pip installs it, by the tests of the bindings
+    local wheel tag programs
+    tag=$("$python" -c 'import sys; print("cp%d%d" % sys.version_info[:2])')
+    wheel=$(ls "$dist/platforms"/motus_native-*-"$tag-$tag"-manylinux*.whl 2>/dev/null) || { say "SKIPPED: there is no wheel of linux-x64 for $tag"; exit 77; }
+    pinned test || exit 77
+    rm -rf "$build/wheel"
+    logged wheel "$programs/pip" install --no-index --no-deps --target "$build/wheel" "$wheel"
+    cd "$here"
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$build/wheel exec "$programs/python" .ci/outside_blender.py native/tests/python "$@"
+}
