@@ -5,6 +5,9 @@ import contextlib
 import hashlib
 import io
 import json
+import os
+import subprocess
+import sys
 import tempfile
 import unittest
 import zipfile
@@ -74,6 +77,24 @@ class Fetched(Temporary):
 
         self.assertEqual(self.pythons(broken), (None, "no connection"))
         self.assertEqual(list(self.folder.rglob("half")), [])
+
+    def test_without_a_network_the_reason_is_said(self):
+        """By the exit status ./motus knows that a platform is to be skipped."""
+        environment = os.environ | {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": str(self.folder)}
+        command = [sys.executable, CLONE / ".ci" / "platforms.py", self.folder / "cache", "linux-x64"]
+        done = subprocess.run(command, check=False, text=True, capture_output=True, env=environment)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stdout, "^ERROR: No matching distribution found for ziglang")
+
+    def test_motus_counts_what_is_skipped(self):
+        """And ends as a skipped group of tests does."""
+        environment = os.environ | {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": str(self.folder), "MOTUS_CACHE": str(self.folder / "cache")}
+        environment["MOTUS_BUILD"], environment["MOTUS_DIST"] = str(self.folder / "build"), str(self.folder / "dist")
+        command = [CLONE / "motus", "package", "--platforms", "linux-x64,windows-x64"]
+        done = subprocess.run(command, check=False, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment)
+        self.assertEqual(done.returncode, 77, done.stdout)
+        self.assertIn("SKIPPED: no platform could be packaged", done.stdout)
+        self.assertFalse((self.folder / "dist").exists())
 
     def test_a_program_that_there_is_not(self):
         self.assertIn("no-such-program", once.run("no-such-program", "--quiet"))
