@@ -1,5 +1,6 @@
-// What clang's __builtin_cpu_supports reads, as the runtime libraries of GCC and clang have it and zig's does not: a bit for each
-// feature that the processor has and the system keeps the registers of. Those that core/instruction_sets.hpp asks for alone.
+// What clang's __builtin_cpu_supports reads, as the runtime libraries of GCC and clang have it and zig's does
+// not: a bit for each feature that the processor has and the system keeps the registers of. Those that
+// core/instruction_sets.hpp asks for alone.
 #include <cpuid.h>
 
 extern "C" {
@@ -15,7 +16,8 @@ __attribute__((visibility("hidden"))) ProcessorModel __cpu_model;
 namespace {
 
 // The numbers of the bits, which GCC and clang share.
-constexpr unsigned SSE42 = 1U << 8, AVX2 = 1U << 10, AVX512F = 1U << 15, AVX512VL = 1U << 20, AVX512BW = 1U << 21, AVX512DQ = 1U << 22;
+constexpr unsigned SSE42 = 1U << 8, AVX2 = 1U << 10, AVX512F = 1U << 15, AVX512VL = 1U << 20,
+                   AVX512BW = 1U << 21, AVX512DQ = 1U << 22;
 
 // The registers that the system keeps: SSE's and AVX's, and AVX-512's beside these.
 constexpr unsigned KEPT_AVX = 0x06, KEPT_AVX512 = 0xE6;
