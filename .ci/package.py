@@ -10,6 +10,7 @@ DIST/motus-VERSION-legacy.zip     add-on, Blender 3.4-4.1: a folder motus/, with
 import argparse
 import ast
 import hashlib
+import json
 import re
 import shutil
 import subprocess
@@ -31,14 +32,37 @@ def version():
     return re.search(r"^project\(motus VERSION ([0-9.]+)", text, re.MULTILINE)[1]
 
 
-def stage(folder, modules):
-    """Fills `folder` with what an installed add-on consists of."""
+def stub():
+    """The signatures of the native module."""
+    return CLONE / "native" / "bindings" / "motus_native.pyi"
+
+
+def stage(folder, modules, platforms=("linux-x64",), wheels=()):
+    """Fills `folder` with what an installed add-on for these platforms consists of: with native modules, or with wheels of it for an extension."""
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(SOURCES, folder, ignore=IGNORED)
-    template = (SOURCES / f"{MANIFEST}.in").read_text(encoding="utf-8")
-    (folder / MANIFEST).write_text(template.replace("@MOTUS_VERSION@", version()), encoding="utf-8")
-    for source in (CLONE / "LICENSE", *(CLONE / "native" / "bindings").glob("*.pyi"), *modules):
-        shutil.copy2(source, folder)
+    manifest = (SOURCES / f"{MANIFEST}.in").read_text(encoding="utf-8")
+    for name, value in (
+        ("VERSION", version()),
+        ("PLATFORMS", json.dumps(list(platforms))),
+        ("WHEELS", json.dumps([f"./wheels/{wheel.name}" for wheel in wheels])),
+    ):
+        manifest = manifest.replace(f"@MOTUS_{name}@", value)
+    (folder / MANIFEST).write_text(manifest, encoding="utf-8")
+    shutil.copy2(CLONE / "LICENSE", folder)
+    for module in (stub(), *modules) if modules else ():
+        shutil.copy2(module, folder)
+    for wheel in wheels:
+        (folder / "wheels").mkdir(exist_ok=True)
+        shutil.copy2(wheel, folder / "wheels")
+
+
+def stage_legacy(folder, modules, platforms=("linux-x64",)):
+    """What stage() does, for Blender before 4.2."""
+    stage(folder, modules, platforms)
+    manifest = tomllib.loads((folder / MANIFEST).read_text(encoding="utf-8"))
+    package = folder / "__init__.py"
+    package.write_text(insert_bl_info(package.read_text(encoding="utf-8"), manifest), encoding="utf-8")
 
 
 def digest(*folders):
@@ -89,15 +113,20 @@ def write_zip(path, folder, prefix):
             archive.writestr(entry, file.read_bytes())
 
 
-def build_extension(blender, folder, path):
-    """Lets Blender make the zip, which checks the manifest; a plain zip where there is no Blender that can."""
-    if not blender:
-        write_zip(path, folder, "")
-        return
-    command = [*blender, "--command", "extension", "build", "--source-dir", str(folder), "--output-filepath", str(path)]
+def extension_build(blender, *options):
+    """Lets Blender make zips, which checks the manifest."""
+    command = [*blender, "--command", "extension", "build", *map(str, options)]
     done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
-    if done.returncode or not path.is_file():
+    if done.returncode:
         sys.exit(f"{done.stdout}\nmotus: `extension build` failed, see above")
+
+
+def build_extension(blender, folder, path):
+    """Lets Blender make the zip; a plain zip where there is no Blender that can."""
+    if blender:
+        extension_build(blender, "--source-dir", folder, "--output-filepath", path)
+    else:
+        write_zip(path, folder, "")
 
 
 def main(arguments):
@@ -120,10 +149,7 @@ def main(arguments):
         return
 
     stamp.unlink(missing_ok=True)
-    stage(legacy_stage, options.modules)
-    manifest = tomllib.loads((legacy_stage / MANIFEST).read_text(encoding="utf-8"))
-    package = legacy_stage / "__init__.py"
-    package.write_text(insert_bl_info(package.read_text(encoding="utf-8"), manifest), encoding="utf-8")
+    stage_legacy(legacy_stage, options.modules)
     options.dist.mkdir(parents=True, exist_ok=True)
     for old in options.dist.glob("motus-*.zip"):
         old.unlink()
@@ -134,4 +160,5 @@ def main(arguments):
     print(f"motus: packaged {extension.name} and {legacy.name} in {options.dist} (native modules: {abis})", file=sys.stderr)
 
 
-main(sys.argv[1:])
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -17,6 +17,7 @@ from pathlib import Path
 
 import blenders
 import inside
+import platforms
 from broken import what_broke
 
 CI = Path(__file__).resolve().parent
@@ -34,9 +35,10 @@ def has_blender(name):
     return subprocess.run([MOTUS, "has_blender", name], check=False).returncode == 0
 
 
-def configure(groups, elsewhere, patterns):
-    """Tells CMake which groups there are inside Blenders, for which other compilers and systems, and which patterns of tests."""
-    options = {"BUILD": BUILD, "PYTHON": sys.executable, "ELSEWHERE": ";".join(elsewhere), "PATTERNS": ";".join(patterns)} | groups.lists()
+def configure(groups, elsewhere, packaged, patterns):
+    """Tells CMake which groups there are inside Blenders, for which other compilers and systems, for which packages, and which patterns of tests."""
+    lists = {"ELSEWHERE": ";".join(elsewhere), "PLATFORMS": ",".join(packaged), "PATTERNS": ";".join(patterns)}
+    options = {"BUILD": BUILD, "PYTHON": sys.executable} | lists | groups.lists()
     subprocess.run(
         ["cmake", "-S", CI, "-B", FOLDER, *(f"-DMOTUS_{name}={value}" for name, value in options.items())],
         check=True,
@@ -138,7 +140,8 @@ def main():
     elsewhere = [
         preset for preset in ELSEWHERE if options.all or any(part in f"library, {preset}" and part not in "library, " for part in only)
     ]
-    configure(groups, elsewhere, options.patterns)
+    packaged = platforms.PLATFORMS if options.all or any(part and part in "packages" for part in only) else ()
+    configure(groups, elsewhere, packaged, options.patterns)
     status = run_groups(only)
     results = ElementTree.parse(RESULTS) if RESULTS.exists() else None  # none where CTest itself was ended
     if results is None or results.find("testcase") is None:

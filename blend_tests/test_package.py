@@ -2,6 +2,7 @@
 
 import ast
 import importlib.machinery
+import re
 import tomllib
 import unittest
 from pathlib import Path
@@ -33,12 +34,20 @@ class Package(unittest.TestCase):
 
     def test_the_manifest_asks_for_what_is_used(self):
         manifest = tomllib.loads((self.folder / "blender_manifest.toml").read_text(encoding="utf-8"))
-        used = {"clipboard" for path in self.folder.rglob("*.py") if "clipboard" in path.read_text(encoding="utf-8")}
+        signs = {
+            "clipboard": r"\.clipboard\b",
+            "files": r"\bAddPresetBase\b|\.(images|movieclips|sounds|libraries)\.load\(|\bopen\(.*[\"']w|write_(text|bytes)\(",
+            "network": r"(?m)^\s*(import|from) (urllib|requests|socket|http|ftplib|ssl)\b",
+            "camera": r"(?m)^\s*(import|from) cv2\b",
+            "microphone": r"(?m)^\s*(import|from) sounddevice\b",
+        }
+        sources = [path.read_text(encoding="utf-8") for path in self.folder.rglob("*.py")]
+        used = {name for name, sign in signs.items() if any(re.search(sign, source) for source in sources)}
         self.assertEqual(set(manifest.get("permissions", {})), used)
 
     def test_nothing_is_included_that_does_not_belong(self):
         suffixes = {path.suffix for path in self.folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts}
-        self.assertLessEqual(suffixes, {".py", ".pyi", ".so", ".toml", "", ".svg", ".blend", ".json", ".png", ".dat"})
+        self.assertLessEqual(suffixes, {".py", ".pyi", ".so", ".whl", ".toml", "", ".svg", ".blend", ".json", ".png", ".dat"})
 
     def test_bl_info_only_where_blender_reads_it(self):
         source = (self.folder / "__init__.py").read_text(encoding="utf-8")

@@ -1,5 +1,6 @@
 """Without a usable native module the add-on still registers, and says in one sentence what to do."""
 
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -52,6 +53,45 @@ class NativeStatus(unittest.TestCase):
     def test_wrong_abi(self):
         (self.package / self.own).rename(self.package / "motus_native.cpython-39-x86_64-linux-gnu.so")
         self.assert_status('WRONG_ABI', "Python 3.9", "install")
+
+    def test_every_module_of_a_wrong_python_is_named(self):
+        """As other systems name the files, too."""
+        (self.package / self.own).rename(self.package / "motus_native.cpython-39-darwin.so")
+        (self.package / "motus_native.cp310-win_amd64.pyd").write_bytes(b"")
+        self.assert_status('WRONG_ABI', "Python 3.9, 3.10,", "install")
+
+    def test_wheels_of_a_wrong_python(self):
+        (self.package / self.own).unlink()
+        (self.package / "wheels").mkdir()
+        for python in ("cp39", "cp310"):
+            (self.package / "wheels" / f"motus_native-0.1.0-{python}-{python}-win_amd64.whl").write_bytes(b"")
+        self.assert_status('WRONG_ABI', "Python 3.9, 3.10,", "install")
+
+    def test_wheel_that_was_not_installed(self):
+        (self.package / self.own).unlink()
+        (self.package / "wheels").mkdir()
+        tag = "cp{}{}".format(*sys.version_info)
+        (self.package / "wheels" / f"motus_native-0.1.0-{tag}-{tag}-manylinux_2_28_x86_64.whl").write_bytes(b"")
+        self.assert_status('LOAD_ERROR', "motus_native", "reinstall")
+
+    def for_platforms(self, *names):
+        """Has the manifest say what Blender writes into the zip of one platform."""
+        with (self.package / "blender_manifest.toml").open("a", encoding="utf-8") as manifest:
+            manifest.write(
+                "\n\n# BEGIN GENERATED CONTENT.\n[build.generated]\nplatforms = [{}]\n".format(", ".join(f'"{name}"' for name in names))
+            )
+
+    def test_wrong_platform(self):
+        """The file of another system, one of another processor, which has the same name, and none: the zip to take is named."""
+        ending = ".zip" if support.module_name().startswith("bl_ext.") else "-legacy.zip"
+        sentence = ("windows-x64", support.addon("core.native").this_platform(), f"linux_x64{ending}")
+        self.for_platforms("windows-x64")
+        (self.package / self.own).write_bytes(b"of another processor")
+        self.assert_status('WRONG_PLATFORM', *sentence)
+        (self.package / self.own).rename(self.package / "motus_native.cp311-win_amd64.pyd")
+        self.assert_status('WRONG_PLATFORM', *sentence)
+        (self.package / "motus_native.cp311-win_amd64.pyd").unlink()
+        self.assert_status('WRONG_PLATFORM', *sentence)
 
     def test_broken_file(self):
         (self.package / self.own).write_bytes(b"not a shared library")

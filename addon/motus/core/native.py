@@ -5,11 +5,14 @@
 
 from __future__ import annotations
 
-import importlib.machinery
+import importlib
 import re
 import sys
+import sysconfig
 from pathlib import Path
 from typing import Any, NamedTuple
+
+import bpy
 
 from . import keeping
 from .translations import tr
@@ -17,10 +20,13 @@ from .translations import tr
 OK = 'OK'
 MISSING = 'MISSING'
 WRONG_ABI = 'WRONG_ABI'
+WRONG_PLATFORM = 'WRONG_PLATFORM'
 LOAD_ERROR = 'LOAD_ERROR'
 VERSION_MISMATCH = 'VERSION_MISMATCH'
 
 PACKAGE_FOLDER = Path(__file__).resolve().parent.parent
+PLATFORMS = ("linux-x64", "windows-x64", "macos-arm64", "macos-x64")
+"""What there are zips of Motus for, as Blender names it."""
 
 
 class Status(NamedTuple):
@@ -39,28 +45,78 @@ class Status(NamedTuple):
         return tr(self.template).format(**self.values)
 
 
+def _manifest() -> str:
+    """The text of blender_manifest.toml, which the extension's zip and the legacy zip both contain."""
+    return (PACKAGE_FOLDER / "blender_manifest.toml").read_text(encoding="utf-8")
+
+
 def addon_version() -> str:
-    """Version of the add-on, read from blender_manifest.toml, which the extension's zip and the legacy zip both contain."""
-    manifest = (PACKAGE_FOLDER / "blender_manifest.toml").read_text(encoding="utf-8")
-    return re.findall(r'^version\s*=\s*"([^"]+)"', manifest, re.MULTILINE)[0]
+    """Version of the add-on."""
+    return re.findall(r'^version\s*=\s*"([^"]+)"', _manifest(), re.MULTILINE)[0]
+
+
+def _platforms() -> list[str]:
+    """The platforms that this copy of the add-on is for. Of several lists the last counts, which Blender writes into the zip of one platform."""
+    lists = re.findall(r"^platforms\s*=\s*\[([^\]]*)\]", _manifest(), re.MULTILINE)
+    return re.findall(r'"([^"]+)"', lists[-1]) if lists else []
+
+
+def this_platform() -> str:
+    """The system and the processor that this Blender is built for, as Blender names it: linux-x64, macos-arm64."""
+    parts = sysconfig.get_platform().split("-")  # linux-x86_64, win-amd64, macosx-11.00-arm64
+    system = {"win": "windows", "macosx": "macos"}.get(parts[0], parts[0])
+    machine = {"x86_64": "x64", "amd64": "x64", "aarch64": "arm64"}.get(parts[-1], parts[-1])
+    return f"{system}-{machine}"
+
+
+def _modules() -> list[str]:
+    """Names of the files with a native module in the add-on's folder."""
+    return sorted(path.name for path in PACKAGE_FOLDER.glob("motus_native.*") if path.suffix in {".so", ".pyd"})
+
+
+def _wheels() -> list[str]:
+    """Names of the wheels with the native module, from which Blender has installed one."""
+    return sorted(path.name for path in PACKAGE_FOLDER.glob("wheels/motus_native-*.whl"))
+
+
+def _wrong_platform() -> Status | None:
+    """Status of a copy that is for other platforms than this one."""
+    platforms, here = _platforms(), this_platform()
+    if not platforms or here in platforms:
+        return None
+    if here not in PLATFORMS:
+        return Status(
+            WRONG_PLATFORM,
+            "This copy of Motus is for {platforms}, and there is none for {platform}, which this Blender runs on",
+            {"platforms": ", ".join(platforms), "platform": here},
+        )
+    ending = "" if bpy.app.version >= (4, 2) else "-legacy"
+    return Status(
+        WRONG_PLATFORM,
+        "This copy of Motus is for {platforms}, but this Blender runs on {platform}: remove the add-on and install {zip}",
+        {"platforms": ", ".join(platforms), "platform": here, "zip": f"motus-{addon_version()}-{here.replace('-', '_')}{ending}.zip"},
+    )
 
 
 def _import_failure(error: str) -> Status:
-    """Status of a failed import of the native module: file missing, built for a different Python, or failed to load.
+    """Status of a failed import of the native module: made for another platform, file missing, built for a different Python, or failed to load.
 
-    The cause is found from the module's files in the add-on's folder. error: text of the ImportError.
+    The cause is found from the manifest and the module's files in the add-on's folder. error: text of the ImportError.
     """
     this_python = f"{sys.version_info.major}.{sys.version_info.minor}"
-    files = sorted(path.name for path in PACKAGE_FOLDER.glob("motus_native.*") if path.suffix in {".so", ".pyd"})
+    files = _modules() + _wheels()
+    if wrong := _wrong_platform():
+        return wrong
     if not files:
         return Status(MISSING, "The native module is missing from this copy of Motus: remove the add-on and install it from a release zip")
-    if not any(f"motus_native{suffix}" in files for suffix in importlib.machinery.EXTENSION_SUFFIXES):
-        pythons = ", ".join(".".join(found) for found in re.findall(r"cpython-(\d)(\d+)", " ".join(files)))
+    # motus_native.cpython-311-x86_64-linux-gnu.so, motus_native.cp311-win_amd64.pyd, motus_native-0.1.0-cp311-cp311-win_amd64.whl
+    found = {(int(major), int(minor)) for major, minor in re.findall(r"[.-]cp(?:ython-)?(\d)(\d+)-", " ".join(files))}
+    if sys.version_info[:2] not in found:
         return Status(
             WRONG_ABI,
             "This copy of Motus is built for Python {pythons}, but this Blender runs Python {python}: "
             "install a Motus release that contains it",
-            {"pythons": pythons or "?", "python": this_python},
+            {"pythons": ", ".join(f"{major}.{minor}" for major, minor in sorted(found)) or "?", "python": this_python},
         )
     return Status(
         LOAD_ERROR,
@@ -69,9 +125,18 @@ def _import_failure(error: str) -> Status:
     )
 
 
+def _imported() -> Any:
+    """The native module: of the add-on's own folder, or from the wheel of an extension, which Blender installs where all modules are found."""
+    if not _modules() and _wheels():
+        return importlib.import_module("motus_native")
+    from .. import motus_native  # type: ignore[attr-defined]
+
+    return motus_native
+
+
 def _load() -> tuple[Any, Status]:
     try:
-        from .. import motus_native  # type: ignore[attr-defined]
+        motus_native = _imported()
     except (ImportError, OSError) as error:
         return None, _import_failure(str(error))
     found, wanted = motus_native.__version__, addon_version()

@@ -34,7 +34,7 @@ void check_size(std::span<const glm::dvec3> points, std::string_view name) {
 }
 
 /// The result as Python sees it.
-struct Solution {
+struct ChainSolution {
     DoubleArray joints;
     py::object rotations;
     double residual;
@@ -115,10 +115,10 @@ struct LimitedInput {
     }
 };
 
-Solution solve(const py::object& reason_type, const ArrayLike& joints, const ArrayLike& target,
-               const Number& tolerance, const WholeNumber& max_iterations, const OptionalArrayLike& pole,
-               const OptionalArrayLike& limits, const OptionalArrayLike& plane,
-               const OptionalArrayLike& frames) {
+ChainSolution solve(const py::object& reason_type, const ArrayLike& joints, const ArrayLike& target,
+                    const Number& tolerance, const WholeNumber& max_iterations, const OptionalArrayLike& pole,
+                    const OptionalArrayLike& limits, const OptionalArrayLike& plane,
+                    const OptionalArrayLike& frames) {
     const Points given(joints, "joints");
     const std::span<const glm::dvec3> pose = given.values();
     if (pose.size() < 2 || pose.size() > chains::most_bones + 1)
@@ -154,15 +154,16 @@ Solution solve(const py::object& reason_type, const ArrayLike& joints, const Arr
 }
 
 void bind_solution(py::module_& m) {
-    py::class_<Solution>(m, "ChainSolution", py::module_local(), R"(
+    py::class_<ChainSolution>(m, "ChainSolution", py::module_local(), R"(
 The positions of a chain's joints, from solve_chain().)")
-        .def_readonly("joints", &Solution::joints, "(n + 1, 3), the root first.")
-        .def_readonly("rotations", &Solution::rotations, R"(
+        .def_readonly("joints", &ChainSolution::joints, "(n + 1, 3), the root first.")
+        .def_readonly("rotations", &ChainSolution::rotations, R"(
 (n, 4): each bone's rotation relative to the given pose, seen from the bone before it, for which the limits hold.
 None without limits.)")
-        .def_readonly("residual", &Solution::residual, "Distance from the tip to the target.")
-        .def_readonly("iterations", &Solution::iterations, "Steps taken; with limits those of all starts.")
-        .def_readonly("reason", &Solution::reason, R"(
+        .def_readonly("residual", &ChainSolution::residual, "Distance from the tip to the target.")
+        .def_readonly("iterations", &ChainSolution::iterations,
+                      "Steps taken; with limits those of all starts.")
+        .def_readonly("reason", &ChainSolution::reason, R"(
 A Reason: REACHED if the residual is within the tolerance; TOO_FAR or TOO_NEAR if no chain of these lengths
 reaches the target; LIMIT if the limits do not let it; ITERATIONS if there were too few of them.)");
 }

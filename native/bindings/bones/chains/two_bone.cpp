@@ -133,17 +133,17 @@ struct Columns {
 };
 
 /// The result as Python sees it: values for one chain, arrays for many.
-struct Solution {
+struct TwoBoneSolution {
     py::object elbow, tip, normal, scale, residual, reason;
 };
 
-[[nodiscard]] Solution solve_one(const Columns& columns, const py::object& reason_type) {
+[[nodiscard]] TwoBoneSolution solve_one(const Columns& columns, const py::object& reason_type) {
     const chains::TwoBoneSolution at = chains::solve_two_bone(columns.chain(0));
     return {to_array(at.elbow),   to_array(at.tip),        to_array(at.normal),
             py::float_(at.scale), py::float_(at.residual), reason_type(static_cast<int>(at.reason))};
 }
 
-[[nodiscard]] Solution solve_many(const Columns& columns, std::size_t count) {
+[[nodiscard]] TwoBoneSolution solve_many(const Columns& columns, std::size_t count) {
     DoubleArray elbow = new_array({count, 3});
     DoubleArray tip = new_array({count, 3});
     DoubleArray normal = new_array({count, 3});
@@ -176,10 +176,11 @@ struct Solution {
     return {elbow, tip, normal, scale, residual, reason};
 }
 
-[[nodiscard]] Solution solve(const py::object& reason_type, const ArrayLike& root, const ArrayLike& target,
-                             const ArrayLike& length1, const ArrayLike& length2, const ArrayLike& pole,
-                             const ArrayLike& bend, const ArrayLike& softness, const ArrayLike& stretch,
-                             const OptionalArrayLike& plane) {
+[[nodiscard]] TwoBoneSolution solve(const py::object& reason_type, const ArrayLike& root,
+                                    const ArrayLike& target, const ArrayLike& length1,
+                                    const ArrayLike& length2, const ArrayLike& pole, const ArrayLike& bend,
+                                    const ArrayLike& softness, const ArrayLike& stretch,
+                                    const OptionalArrayLike& plane) {
     const VectorArgument roots(root, "root");
     const VectorArgument targets(target, "target");
     const NumberArgument lengths1 = length_argument(length1, "length1");
@@ -210,16 +211,18 @@ struct Solution {
 }
 
 void bind_solution(py::module_& m) {
-    py::class_<Solution>(m, "TwoBoneSolution", py::module_local(), R"(
+    py::class_<TwoBoneSolution>(m, "TwoBoneSolution", py::module_local(), R"(
 The positions of the joints of two bones, from solve_two_bone(): of one chain values, of m chains arrays with m rows.)")
-        .def_readonly("elbow", &Solution::elbow, "(3,) or (m, 3).")
-        .def_readonly("tip", &Solution::tip, "(3,) or (m, 3); the target itself where it is reached exactly.")
-        .def_readonly("normal", &Solution::normal, R"(
+        .def_readonly("elbow", &TwoBoneSolution::elbow, "(3,) or (m, 3).")
+        .def_readonly("tip", &TwoBoneSolution::tip,
+                      "(3,) or (m, 3); the target itself where it is reached exactly.")
+        .def_readonly("normal", &TwoBoneSolution::normal, R"(
 (3,) or (m, 3), unit: across the plane of the bend; cross(normal, target - root) points to the elbow's side.)")
-        .def_readonly("scale", &Solution::scale, "A float or (m,): of both bones, > 1 if they are stretched.")
-        .def_readonly("residual", &Solution::residual,
+        .def_readonly("scale", &TwoBoneSolution::scale,
+                      "A float or (m,): of both bones, > 1 if they are stretched.")
+        .def_readonly("residual", &TwoBoneSolution::residual,
                       "A float or (m,): distance from the tip to the target.")
-        .def_readonly("reason", &Solution::reason, R"(
+        .def_readonly("reason", &TwoBoneSolution::reason, R"(
 A Reason or (m,) int64 of their codes: REACHED, if the residual is at most 1e-12 of length1 + length2 +
 |target - root|; TOO_FAR or TOO_NEAR.)");
 }

@@ -1,0 +1,89 @@
+# `./motus package --platforms`: wheels and zips for other systems and for this one's official Blenders; a part of ../motus, which sources this file.
+# shellcheck shell=bash
+
+# Debian's packages beside build_needs: the client of Maven Central, and what pip is run by.
+platform_needs=(maven:mvn "${module_needs[@]}")
+
+# build_platform PLATFORM: builds its native modules. Exit status 77, with the reason, where what that needs cannot be had.
+build_platform() {
+    local given found launcher status=0
+    found=$("$python" "$here/.ci/platforms.py" "$cache" "$1") || status=$?
+    case $status in
+        0) ;;
+        2) fail "$found" ;;
+        *) say "SKIPPED: $1: $found"; exit 77 ;;
+    esac
+    mapfile -t given <<<"$found"
+    use_ccache
+    # What the compiler is called by is a script of this build; which compiler it is stands in there.
+    export CCACHE_COMPILERCHECK=content ZIG_GLOBAL_CACHE_DIR=$cache/zig ZIG_LOCAL_CACHE_DIR=$build/zig
+    configure "module-$1" "${given[@]}" "${launcher[@]}"
+    logged "build-$1" ninja --quiet -j "$(nproc)" -C "$build/module-$1" motus_modules
+    "$programs/python" "$here/.ci/check_modules.py" "$1" "$build/module-$1/python" 3.11 3.13
+}
+
+# split_builder: sets `builder`, the command of a Blender that makes and validates zips; false where there is none.
+split_builder() {
+    local name blender blender_version profile
+    for name in 4.5-lts 5.2-lts; do
+        if choose_blender "$name"; then
+            builder=("${blender[@]}")
+            return
+        fi
+    done
+    extension_builder
+    ((${#builder[@]}))
+}
+
+# validate_platforms: by the command of each official Blender that there is.
+validate_platforms() {
+    local name zip blender blender_version profile
+    for name in 4.5-lts 5.2-lts; do
+        choose_blender "$name" || continue
+        for zip in "$dist"/platforms/motus-*.zip; do
+            [[ $zip == *-legacy.zip ]] || (use_profile && logged validate "${blender[@]}" --command extension validate "$zip")
+        done
+        say "Blender $name finds the zips of all platforms valid"
+    done
+}
+
+# package_platforms PLATFORM...: what can be had of it; the last line counts what was skipped. Exit status 77 if that is all.
+package_platforms() {
+    local platform programs builder made=() skipped=0 status
+    need "${build_needs[@]}"
+    if is_bookworm; then need "${platform_needs[@]}"; fi
+    pinned package || { say "SKIPPED: no platform could be packaged"; exit 77; }
+    for platform; do
+        status=0
+        (build_platform "$platform") || status=$?
+        case $status in
+            0) made+=("$platform=$build/module-$platform/python") ;;
+            77) ((skipped += 1)) ;;
+            *) exit "$status" ;;
+        esac
+    done
+    if ((${#made[@]} == 0)) || ! split_builder; then
+        say "SKIPPED: no platform could be packaged"
+        exit 77
+    fi
+    "$programs/python" "$here/.ci/package_platforms.py" --stage "$build/stage-platforms" --dist "$dist/platforms" "${made[@]}" -- "${builder[@]}"
+    validate_platforms
+    say "packaged for ${#made[@]} platforms, $skipped skipped"
+}
+
+# The next two are for .ci's groups of tests: what `./motus package --platforms` has made for this machine.
+command_test_package() { # VERSION PATTERN...: the extension, in an official Blender
+    MOTUS_ZIP=$(ls "$dist"/platforms/motus-*-linux_x64.zip 2>/dev/null) || { say "SKIPPED: there are no packages of linux-x64"; exit 77; }
+    export MOTUS_ZIP
+    command_test_inside "$@"
+}
+command_test_wheel() { # PATTERN...: the native module as pip installs it, by the tests of the bindings
+    local wheel tag programs
+    tag=$("$python" -c 'import sys; print("cp%d%d" % sys.version_info[:2])')
+    wheel=$(ls "$dist/platforms"/motus_native-*-"$tag-$tag"-manylinux*.whl 2>/dev/null) || { say "SKIPPED: there is no wheel of linux-x64 for $tag"; exit 77; }
+    pinned test || exit 77
+    rm -rf "$build/wheel"
+    logged wheel "$programs/pip" install --no-index --no-deps --target "$build/wheel" "$wheel"
+    cd "$here"
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$build/wheel exec "$programs/python" .ci/outside_blender.py native/tests/python "$@"
+}
