@@ -14,12 +14,31 @@
 
 namespace motus::dynamics {
 
-inline void require_times(std::span<const double> times) {
+/// What an array is checked for is found for so many of its numbers at once, of which none waits for another.
+inline constexpr std::size_t checked_at_once = 4;
+
+/// Throws if times are not those of samples; returns the shortest time between two, or infinity.
+inline double require_times(std::span<const double> times) {
     require(!times.empty(), "times: must have at least one sample");
-    require(are_finite(times), "times: must be finite");
-    require(std::ranges::adjacent_find(times, std::ranges::greater_equal{}) == times.end(),
-            "times: must strictly rise");
+    std::array<double, checked_at_once> shortest{};
+    shortest.fill(std::numeric_limits<double>::infinity());
+    bool rise = true;
+    const auto look = [&](std::size_t k, double& least) {
+        const double length = times[k + 1] - times[k];
+        rise &= length > 0.0;
+        least = length < least ? length : least;
+    };
+    std::size_t k = 0;
+    for (; k + checked_at_once < times.size(); k += checked_at_once)
+        for (std::size_t i = 0; i < checked_at_once; ++i) look(k + i, shortest[i]);
+    for (; k + 1 < times.size(); ++k) look(k, shortest[0]);
+    if (!rise || !are_finite(times.front(), times.back())) {
+        require(are_finite(times), "times: must be finite");
+        require(std::ranges::adjacent_find(times, std::ranges::greater_equal{}) == times.end(),
+                "times: must strictly rise");
+    }
     require(std::isfinite(times.back() - times.front()), "times: must be finite, their range too");
+    return *std::ranges::min_element(shortest);
 }
 
 inline void require_time(double time, std::span<const double> times) {
@@ -30,22 +49,41 @@ inline void require_time(double time, std::span<const double> times) {
 /// Of a filter whose inputs change by at most `slope` a second: whether outputs stay finite, roughly. Each
 /// sample adds at most this to the pair (e, u) of Step, and no step makes the pair larger than the filter's
 /// rate does, whatever its damping.
-inline void require_bounded(const SecondOrder& filter, std::span<const double> times, double slope,
-                            double input) {
+[[nodiscard]] inline bool is_bounded(const SecondOrder& filter, std::size_t samples, double slope,
+                                     double input) {
     const double rate = filter.rate();
     const double lag = std::abs(filter.lead() - filter.coefficients().k1);
     const double scale = (1.0 + rate) * (1.0 + 1.0 / rate);
-    const double added = slope * (1.0 + lag) * scale * scale * static_cast<double>(times.size());
-    require(std::isfinite(added + input) && added < 1e300 && input < 1e300,
+    const double added = slope * (1.0 + lag) * scale * scale * static_cast<double>(samples);
+    return std::isfinite(added + input) && added < 1e300 && input < 1e300;
+}
+
+inline void require_bounded(const SecondOrder& filter, std::span<const double> times, double slope,
+                            double input) {
+    require(is_bounded(filter, times.size(), slope, input),
             "inputs: must be smaller, or change more slowly, for such a filter");
 }
 
-/// The largest change a second, and the largest number.
-[[nodiscard]] inline std::array<double, 2> largest_of(std::span<const double> times,
-                                                      std::span<const double> inputs,
-                                                      std::size_t dimensions) {
-    double slope = 0.0, input = 0.0;
-    for (const double x : inputs) input = std::max(input, std::abs(x));
+/// The largest size of a number; NaN or infinity if one is not finite.
+[[nodiscard]] inline double largest_of(std::span<const double> numbers) {
+    std::array<double, checked_at_once> largest{}, nothing{};
+    const auto look = [](double number, double& most, double& none) {
+        none += 0.0 * number;  // NaN if the number is not finite
+        most = std::abs(number) > most ? std::abs(number) : most;
+    };
+    std::size_t k = 0;
+    for (; k + checked_at_once <= numbers.size(); k += checked_at_once)
+        for (std::size_t i = 0; i < checked_at_once; ++i) look(numbers[k + i], largest[i], nothing[i]);
+    for (; k < numbers.size(); ++k) look(numbers[k], largest[0], nothing[0]);
+    double all = 0.0;
+    for (const double none : nothing) all += none;
+    return *std::ranges::max_element(largest) + all;
+}
+
+/// The largest change a second.
+[[nodiscard]] inline double steepest_of(std::span<const double> times, std::span<const double> inputs,
+                                        std::size_t dimensions) {
+    double slope = 0.0;
     for (std::size_t k = 1; k < times.size(); ++k) {
         double change = 0.0;
         for (std::size_t i = 0; i < dimensions; ++i)
@@ -53,18 +91,20 @@ inline void require_bounded(const SecondOrder& filter, std::span<const double> t
                 std::max(change, std::abs(inputs[k * dimensions + i] - inputs[(k - 1) * dimensions + i]));
         slope = std::max(slope, change / (times[k] - times[k - 1]));
     }
-    return {slope, input};
+    return slope;
 }
 
 inline void require_samples(const SecondOrder& filter, std::span<const double> times,
                             std::span<const double> inputs, std::size_t dimensions) {
-    require_times(times);
+    const double shortest = require_times(times);
     require(dimensions > 0, "dimensions: must be greater than 0");
     require(inputs.size() / dimensions == times.size() && inputs.size() % dimensions == 0,
             "inputs: must have a row for each time");
-    require(are_finite(inputs), "inputs: must be finite");
-    const auto [slope, input] = largest_of(times, inputs, dimensions);
-    require_bounded(filter, times, slope, input);
+    const double largest = largest_of(inputs);
+    require(std::isfinite(largest), "inputs: must be finite");
+    // No slope is as large as this one, which is found sooner.
+    if (!is_bounded(filter, times.size(), 2.0 * largest / shortest, largest))
+        require_bounded(filter, times, steepest_of(times, inputs, dimensions), largest);
 }
 
 inline void require_start(std::span<const double> times, std::span<const std::size_t> resets, Start start) {

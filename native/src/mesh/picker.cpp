@@ -88,14 +88,26 @@ void Picker::Tree::sort_in(std::span<const glm::ivec3> triangles) {
               static_cast<std::uint32_t>(triangles.size()));
 }
 
+template <class Use>
+void Picker::Tree::with_leaf_boxes(const Use& use) {
+    const auto with = [&](PickerBoxes& boxes, LeafKernel::Boxes kernel) {
+        use(boxes, [of = leaves(), kernel](std::size_t first, std::size_t last, PickerBox* out) {
+            kernel(of, first, last, out);
+        });
+    };
+    const LeafKernel& kernel = leaf_kernels().back();
+    with(around_vertices, kernel.around_vertices);
+    with(around_triangles, kernel.around_triangles);
+}
+
 void Picker::Tree::refit() {
-    around_vertices.refit([this](std::size_t leaf) { return vertex_box(leaf); }, executor);
-    around_triangles.refit([this](std::size_t leaf) { return triangle_box(leaf); }, executor);
+    with_leaf_boxes(
+        [this](PickerBoxes& boxes, const auto& leaf_boxes) { boxes.refit(leaf_boxes, executor); });
 }
 
 void Picker::Tree::refit_touching(const PickerBox& box) {
-    around_vertices.refit_touching(box, [this](std::size_t leaf) { return vertex_box(leaf); });
-    around_triangles.refit_touching(box, [this](std::size_t leaf) { return triangle_box(leaf); });
+    with_leaf_boxes(
+        [&box](PickerBoxes& boxes, const auto& leaf_boxes) { boxes.refit_touching(box, leaf_boxes); });
 }
 
 Picker::Picker(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -23,30 +22,8 @@ struct alignas(64) PickerNode {
     std::array<Lanes, 3> high;  ///< by axis
 };
 
-// The vector units' type, of the size that every processor has.
-using FourFloats __attribute__((vector_size(16))) = float;
-
-template <class Vector, class Values>
-[[nodiscard]] inline Vector load(const Values& values, std::size_t first) noexcept {
-    Vector vector;
-    std::memcpy(&vector, &values[first], sizeof(vector));
-    return vector;
-}
-template <class Vector, class Values>
-inline void store(const Vector& vector, Values& values, std::size_t first) noexcept {
-    std::memcpy(&values[first], &vector, sizeof(vector));
-}
-template <class Vector>
-[[nodiscard]] inline Vector larger(const Vector& a, const Vector& b) noexcept {
-    return a > b ? a : b;
-}
-template <class Vector>
-[[nodiscard]] inline Vector smaller(const Vector& a, const Vector& b) noexcept {
-    return a < b ? a : b;
-}
-
 /// A vertex and 0. NaN in all four, if one coordinate is not finite.
-using PickerPoint = FourFloats;
+struct alignas(16) PickerPoint : std::array<float, 4> {};
 
 /// A bounding box; it grows by comparisons that are false for NaN.
 struct PickerBox {
@@ -54,8 +31,10 @@ struct PickerBox {
     PickerPoint high{-inf, -inf, -inf, -inf};
 
     void add(const PickerPoint& point) noexcept {
-        low = smaller(point, low);
-        high = larger(point, high);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = point[axis] < low[axis] ? point[axis] : low[axis];
+            high[axis] = point[axis] > high[axis] ? point[axis] : high[axis];
+        }
     }
 
     static constexpr float inf = std::numeric_limits<float>::infinity();
@@ -84,57 +63,79 @@ class PickerBoxes {
     [[nodiscard]] PickerBox box(std::size_t level, std::size_t index) const noexcept {
         const PickerNode& from = levels_[level][index];
         PickerBox box;
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto of_axis = static_cast<std::size_t>(axis);
-            box.low[axis] = *std::min_element(from.low[of_axis].begin(), from.low[of_axis].end());
-            box.high[axis] = *std::max_element(from.high[of_axis].begin(), from.high[of_axis].end());
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            box.low[axis] = *std::min_element(from.low[axis].begin(), from.low[axis].end());
+            box.high[axis] = *std::max_element(from.high[axis].begin(), from.high[axis].end());
         }
         return box;
     }
 
-    /// Computes all boxes, beginning with those of the leaves.
-    template <class LeafBox>
-    void refit(const LeafBox& leaf_box, const Executor& executor) {
+    /// Computes all boxes, beginning with those of the leaves. leaf_boxes(first, last, out) writes those of
+    /// the leaves from `first` to before `last`.
+    template <class LeafBoxes>
+    void refit(const LeafBoxes& leaf_boxes, const Executor& executor) {
         constexpr std::size_t grain = 64;
         for (std::size_t level = 0; level < levels_.size(); ++level) {
-            const std::size_t children = level == 0 ? leaves_ : levels_[level - 1].size();
+            const std::size_t all = level == 0 ? leaves_ : levels_[level - 1].size();
             const auto refit_nodes = [&](std::size_t first, std::size_t last) {
-                for (std::size_t child = first * fan_out; child < std::min(children, last * fan_out); ++child)
-                    set(level, child, level == 0 ? leaf_box(child) : box(level - 1, child));
+                for (std::size_t node = first; node < last; ++node) {
+                    const std::size_t begin = node * fan_out, end = std::min(all, begin + fan_out);
+                    if (level == 0) {
+                        refit_leaves(leaf_boxes, begin, end);
+                    } else {
+                        for (std::size_t child = begin; child < end; ++child)
+                            set(level, child, box(level - 1, child));
+                    }
+                }
             };
             in_parts(levels_[level].size(), grain, refit_nodes, executor);
         }
     }
 
     /// Updates the boxes of the leaves that touch `region`, and the boxes above them.
-    template <class LeafBox>
-    void refit_touching(const PickerBox& region, const LeafBox& leaf_box) {
-        if (!empty()) refit_below(region, leaf_box, top(), 0);
+    template <class LeafBoxes>
+    void refit_touching(const PickerBox& region, const LeafBoxes& leaf_boxes) {
+        if (!empty()) refit_below(region, leaf_boxes, top(), 0);
     }
 
   private:
-    template <class LeafBox>
-    void refit_below(const PickerBox& region, const LeafBox& leaf_box, std::size_t level, std::size_t index) {
+    template <class LeafBoxes>
+    void refit_below(const PickerBox& region, const LeafBoxes& leaf_boxes, std::size_t level,
+                     std::size_t index) {
+        std::size_t first = fan_out, last = 0;  // of the leaves that touch the region
         for (std::size_t lane = 0; lane < fan_out; ++lane) {
             const PickerNode& node = levels_[level][index];
             bool touches = true;
-            for (int axis = 0; axis < 3; ++axis) {
-                const auto of_axis = static_cast<std::size_t>(axis);
-                touches = touches && node.low[of_axis][lane] <= region.high[axis] &&
-                          node.high[of_axis][lane] >= region.low[axis];
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                touches = touches && node.low[axis][lane] <= region.high[axis] &&
+                          node.high[axis][lane] >= region.low[axis];
             }
             if (!touches) continue;
             const std::size_t child = index * fan_out + lane;
-            if (level > 0) refit_below(region, leaf_box, level - 1, child);
-            set(level, child, level == 0 ? leaf_box(child) : box(level - 1, child));
+            if (level > 0) {
+                refit_below(region, leaf_boxes, level - 1, child);
+                set(level, child, box(level - 1, child));
+            } else {
+                first = std::min(first, lane);
+                last = lane + 1;
+            }
         }
+        if (first < last) refit_leaves(leaf_boxes, index * fan_out + first, index * fan_out + last);
+    }
+
+    /// Of one node.
+    template <class LeafBoxes>
+    void refit_leaves(const LeafBoxes& leaf_boxes, std::size_t first, std::size_t last) {
+        std::array<PickerBox, fan_out> around;
+        leaf_boxes(first, last, around.data());
+        for (std::size_t leaf = first; leaf < last; ++leaf) set(0, leaf, around[leaf - first]);
     }
 
     void set(std::size_t level, std::size_t child, const PickerBox& box) noexcept {
         PickerNode& node = levels_[level][child / fan_out];
-        for (int axis = 0; axis < 3; ++axis) {
-            node.low[static_cast<std::size_t>(axis)][child % fan_out] = box.low[axis];
-            node.high[static_cast<std::size_t>(axis)][child % fan_out] = box.high[axis];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            node.low[axis][child % fan_out] = box.low[axis];
+            node.high[axis][child % fan_out] = box.high[axis];
         }
     }
 

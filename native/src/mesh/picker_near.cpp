@@ -3,16 +3,37 @@
 // Rounding is monotonic: the differences p - point of the vertices in a box lie between those of its corners,
 // rounded as they are, and so do products and sums made in the same order. Bounds of boxes made this way hold
 // to the last bit.
+#include "picker_near.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
+#include "motus/core/instruction_sets.hpp"
 #include "motus/core/numeric.hpp"
 #include "picker_tree.hpp"
 
-namespace motus::mesh {
+// This include compiles the file once for each of Highway's targets; code for no target stands at the end.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "picker_near.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace motus::mesh::HWY_NAMESPACE {
 namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// As many of a node's lanes at once as the instruction set has numbers.
+constexpr hn::CappedTag<float, fan_out> as_numbers;
+constexpr std::size_t at_once = hn::MaxLanes(as_numbers);
+using Numbers = hn::Vec<decltype(as_numbers)>;
 
 /// Least and greatest squared distance of anything in each lane's box.
 struct Distances {
@@ -20,13 +41,13 @@ struct Distances {
     Lanes most;
 };
 
-/// The least square of a number between low and high.
-inline FourFloats least_square(const FourFloats& low, const FourFloats& high) noexcept {
-    const FourFloats gap = larger(larger(low, -high), FourFloats{});
+/// The least square of a number between low and high. Of NaN and a number, Max gives the number.
+HWY_INLINE Numbers least_square(Numbers low, Numbers high) {
+    const Numbers gap = hn::Max(hn::Max(low, hn::Neg(high)), hn::Zero(as_numbers));
     return gap * gap;
 }
-inline FourFloats most_square(const FourFloats& low, const FourFloats& high) noexcept {
-    const FourFloats far = larger(-low, high);
+HWY_INLINE Numbers most_square(Numbers low, Numbers high) {
+    const Numbers far = hn::Max(hn::Neg(low), high);
     return far * far;
 }
 
@@ -42,17 +63,17 @@ class Straight {
 
     [[nodiscard]] Distances bounds(const PickerNode& node) const noexcept {
         Distances found{};
-        for (std::size_t lanes = 0; lanes < fan_out; lanes += 4) {
-            FourFloats least{}, most{};
+        for (std::size_t lanes = 0; lanes < fan_out; lanes += at_once) {
+            Numbers least = hn::Zero(as_numbers), most = hn::Zero(as_numbers);
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                const float from = from_[static_cast<glm::length_t>(axis)];
-                const FourFloats low = load<FourFloats>(node.low[axis], lanes) - from;
-                const FourFloats high = load<FourFloats>(node.high[axis], lanes) - from;
-                least += least_square(low, high);
-                most += most_square(low, high);
+                const Numbers from = hn::Set(as_numbers, from_[static_cast<glm::length_t>(axis)]);
+                const Numbers low = hn::LoadU(as_numbers, &node.low[axis][lanes]) - from;
+                const Numbers high = hn::LoadU(as_numbers, &node.high[axis][lanes]) - from;
+                least = least + least_square(low, high);
+                most = most + most_square(low, high);
             }
-            store(least, found.least, lanes);
-            store(most, found.most, lanes);
+            hn::StoreU(least, as_numbers, &found.least[lanes]);
+            hn::StoreU(most, as_numbers, &found.most[lanes]);
         }
         return found;
     }
@@ -78,25 +99,24 @@ class Metric {
 
     [[nodiscard]] Distances bounds(const PickerNode& node) const noexcept {
         Distances found{};
-        for (std::size_t lanes = 0; lanes < fan_out; lanes += 4) {
-            FourFloats least{}, most{};
+        for (std::size_t lanes = 0; lanes < fan_out; lanes += at_once) {
+            Numbers least = hn::Zero(as_numbers), most = hn::Zero(as_numbers);
             for (int row = 0; row < 3; ++row) {
-                FourFloats low{}, high{};
+                Numbers low = hn::Zero(as_numbers), high = hn::Zero(as_numbers);
                 for (int axis = 0; axis < 3; ++axis) {
                     const auto of_axis = static_cast<std::size_t>(axis);
-                    const float factor = metric_[axis][row];
-                    const FourFloats one =
-                        (load<FourFloats>(node.low[of_axis], lanes) - from_[axis]) * factor;
-                    const FourFloats other =
-                        (load<FourFloats>(node.high[of_axis], lanes) - from_[axis]) * factor;
-                    low += smaller(one, other);
-                    high += larger(one, other);
+                    const Numbers factor = hn::Set(as_numbers, metric_[axis][row]);
+                    const Numbers from = hn::Set(as_numbers, from_[axis]);
+                    const Numbers one = (hn::LoadU(as_numbers, &node.low[of_axis][lanes]) - from) * factor;
+                    const Numbers other = (hn::LoadU(as_numbers, &node.high[of_axis][lanes]) - from) * factor;
+                    low = low + hn::Min(one, other);
+                    high = high + hn::Max(one, other);
                 }
-                least += least_square(low, high);
-                most += most_square(low, high);
+                least = least + least_square(low, high);
+                most = most + most_square(low, high);
             }
-            store(least, found.least, lanes);
-            store(most, found.most, lanes);
+            hn::StoreU(least, as_numbers, &found.least[lanes]);
+            hn::StoreU(most, as_numbers, &found.most[lanes]);
         }
         return found;
     }
@@ -107,14 +127,14 @@ class Metric {
 };
 
 /// Collects the vertices whose squared distance is at most a given one.
-template <class Measure, class Tree>
+template <class Measure>
 class Collection {
   public:
-    Collection(const Tree& tree, const Measure& measure, float most)
+    Collection(const NearTree& tree, const Measure& measure, float most)
         : tree_(tree), measure_(measure), most_(most) {}
 
     void collect(std::size_t level, std::size_t node) {
-        const Distances distances = measure_.bounds(tree_.around_vertices.node(level, node));
+        const Distances distances = measure_.bounds(tree_.boxes.node(level, node));
         for (std::size_t lane = 0; lane < fan_out; ++lane) {
             if (!(distances.least[lane] <= most_)) continue;
             const std::size_t child = node * fan_out + lane;
@@ -134,20 +154,19 @@ class Collection {
     [[nodiscard]] std::vector<std::uint32_t> take() { return std::move(found_); }
 
   private:
-    const Tree& tree_;
+    const NearTree& tree_;
     Measure measure_;
     float most_;
     std::vector<std::uint32_t> found_;
 };
 
 /// The nearest vertex so far, and the search for nearer ones.
-template <class Tree>
 class Search {
   public:
-    Search(const Tree& tree, const glm::vec3& point) : tree_(tree), measure_(point) {}
+    Search(const NearTree& tree, const glm::vec3& point) : tree_(tree), measure_(point) {}
 
     void descend(std::size_t level, std::size_t node) {
-        const Lanes least = measure_.bounds(tree_.around_vertices.node(level, node)).least;
+        const Lanes least = measure_.bounds(tree_.boxes.node(level, node)).least;
         // The nearest lane first: after it, hardly any other is worth a visit, in whatever order. Those as
         // near as what is found may have a vertex of a lower index.
         std::size_t nearest = 0;
@@ -179,11 +198,42 @@ class Search {
         }
     }
 
-    const Tree& tree_;
+    const NearTree& tree_;
     Straight measure_;
     float best_ = std::numeric_limits<float>::infinity();
     std::optional<std::uint32_t> found_;
 };
+
+std::optional<std::uint32_t> nearest(const NearTree& tree, const glm::vec3& point) {
+    Search search(tree, point);
+    if (!tree.boxes.empty() && is_finite(point)) search.descend(tree.boxes.top(), 0);
+    return search.found();
+}
+
+template <class Measure>
+std::vector<std::uint32_t> collected(const NearTree& tree, const glm::vec3& point, const Measure& measure,
+                                     float radius) {
+    if (tree.boxes.empty() || !(radius >= 0.0f) || !is_finite(point)) return {};
+    Collection collection(tree, measure, radius * radius);
+    collection.collect(tree.boxes.top(), 0);
+    return collection.take();
+}
+
+std::vector<std::uint32_t> within(const NearTree& tree, const glm::vec3& point, float radius,
+                                  const glm::mat3& metric) {
+    return metric == glm::mat3(1.0f) ? collected(tree, point, Straight(point), radius)
+                                     : collected(tree, point, Metric(point, metric), radius);
+}
+
+constexpr NearKernel kernel{HWY_STR(HWY_NAMESPACE), &nearest, &within};
+
+}  // namespace
+}  // namespace motus::mesh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace motus::mesh {
+namespace {
 
 /// Sorts indices of which none comes twice.
 void sort_indices(std::vector<std::uint32_t>& indices) {
@@ -209,30 +259,24 @@ void sort_indices(std::vector<std::uint32_t>& indices) {
                       static_cast<std::uint32_t>(std::countr_zero(left));
 }
 
-template <class Measure, class Tree>
-std::vector<std::uint32_t> collected(const Tree& tree, const glm::vec3& point, const Measure& measure,
-                                     float radius) {
-    if (tree.around_vertices.empty() || !(radius >= 0.0f) || !is_finite(point)) return {};
-    Collection collection(tree, measure, radius * radius);
-    collection.collect(tree.around_vertices.top(), 0);
-    return collection.take();
-}
-
 }  // namespace
 
+std::span<const NearKernel> near_kernels() {
+    static const Kernels<NearKernel> kernels({MOTUS_EVERY_TARGET(kernel)});
+    return kernels.runnable();
+}
+
 std::optional<std::uint32_t> Picker::nearest(const glm::vec3& point) const {
-    Search search(tree(), point);
-    if (!tree().around_vertices.empty() && is_finite(point)) search.descend(tree().around_vertices.top(), 0);
-    return search.found();
+    return near_kernels().back().nearest(tree().for_points(), point);
 }
 
 std::vector<std::uint32_t> Picker::within(const glm::vec3& point, float radius,
                                           const glm::mat3& metric) const {
-    std::vector<std::uint32_t> found = metric == glm::mat3(1.0f)
-                                           ? collected(tree(), point, Straight(point), radius)
-                                           : collected(tree(), point, Metric(point, metric), radius);
+    std::vector<std::uint32_t> found =
+        near_kernels().back().within(tree().for_points(), point, radius, metric);
     sort_indices(found);
     return found;
 }
 
 }  // namespace motus::mesh
+#endif

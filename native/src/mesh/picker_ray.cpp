@@ -23,13 +23,14 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "picker_ray.cpp"
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+#include "motus/core/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace motus::mesh::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
+using namespace motus::HWY_NAMESPACE;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -47,7 +48,8 @@ class Ray {
 
     /// The distance to a triangle, and the corners' weights that give the point; infinity if it is not
     /// met.
-    [[nodiscard]] double meet(const std::array<glm::dvec3, 3>& triangle, glm::dvec3& weights) const {
+    [[nodiscard]] HWY_INLINE double meet(const std::array<glm::dvec3, 3>& triangle,
+                                         glm::dvec3& weights) const {
         const glm::dvec3 a = sheared(triangle[0]), b = sheared(triangle[1]), c = sheared(triangle[2]);
         const double u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
         if (!((u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0))) return infinity;
@@ -72,6 +74,9 @@ class Ray {
     glm::length_t x_ = 0, y_ = 0, z_ = 0;
     glm::dvec3 shear_{0.0};
 };
+
+/// Where the corners of a triangle are.
+using Corners = std::array<const PickerPoint*, 3>;
 
 /// A point and the end of its neighbourhood along an axis, rounded so that the neighbourhood is larger.
 [[nodiscard]] float rounded_down(double number) {
@@ -116,16 +121,15 @@ class Part {
         return bits;
     }
 
-    [[nodiscard]] bool touches(const std::array<PickerPoint, 3>& triangle) const {
-        constexpr hn::CappedTag<float, 4> numbers;
-        const auto* const corners = reinterpret_cast<const float*>(triangle.data());
+    [[nodiscard]] bool touches(const Corners& corners) const {
         bool touches = true;
-        for (std::size_t axis = 0; axis < 4; axis += hn::MaxLanes(numbers)) {
-            const auto a = hn::LoadU(numbers, corners + axis), b = hn::LoadU(numbers, corners + 4 + axis);
-            const auto c = hn::LoadU(numbers, corners + 8 + axis);
-            const auto low = hn::Min(hn::Min(a, b), c), high = hn::Max(hn::Max(a, b), c);
-            touches = touches && hn::AllTrue(numbers, hn::And(low <= hn::LoadU(numbers, &high_[axis]),
-                                                              high >= hn::LoadU(numbers, &low_[axis])));
+        for (std::size_t axis = 0; axis < 4; axis += lanes_of_four) {
+            const Four a = hn::LoadU(as_four, corners[0]->data() + axis);
+            const Four b = hn::LoadU(as_four, corners[1]->data() + axis);
+            const Four c = hn::LoadU(as_four, corners[2]->data() + axis);
+            const Four low = hn::Min(hn::Min(a, b), c), high = hn::Max(hn::Max(a, b), c);
+            touches = touches && hn::AllTrue(as_four, hn::And(low <= hn::LoadU(as_four, &high_[axis]),
+                                                              high >= hn::LoadU(as_four, &low_[axis])));
         }
         return touches;
     }
@@ -222,12 +226,18 @@ class Search {
   private:
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();  ///< above all triangles
 
-    void try_leaf(std::size_t leaf) {
+    HWY_NOINLINE void try_leaf(std::size_t leaf) {
+        std::array<PickerPoint, 3> moved;
         for (std::size_t slot = tree_.starts[leaf]; slot < tree_.starts[leaf + 1]; ++slot) {
             const auto [a, b, c] = tree_.corners[slot];
-            const std::array corners{tree_.corner(a), tree_.corner(b), tree_.corner(c)};
+            Corners corners{&moved[0], &moved[1], &moved[2]};
+            if (tree_.positions.empty()) {
+                corners = {&tree_.points[a], &tree_.points[b], &tree_.points[c]};
+            } else {
+                moved = {moved_point(a), moved_point(b), moved_point(c)};
+            }
             if (!part_.touches(corners)) continue;
-            const std::array triangle{position(corners[0]), position(corners[1]), position(corners[2])};
+            const std::array triangle{position(*corners[0]), position(*corners[1]), position(*corners[2])};
             glm::dvec3 weights(0.0);
             const double distance = ray_.meet(triangle, weights);
             const std::uint32_t name = tree_.names[slot];
@@ -240,6 +250,19 @@ class Search {
                 part_.end_at(distance + rounding_);
             }
         }
+    }
+
+    /// Where the vertex at a place is, if the tree does not hold that.
+    [[nodiscard]] PickerPoint moved_point(std::uint32_t place) const {
+        const glm::vec3& position = tree_.positions[tree_.order[place]];
+        PickerPoint point;
+        for (std::size_t axis = 0; axis < 4; axis += lanes_of_four) {
+            const auto coordinate = [&](std::size_t i) HWY_ATTR {
+                return axis + i < 3 ? position[static_cast<glm::length_t>(axis + i)] : 0.0F;
+            };
+            hn::StoreU(four_of(coordinate), as_four, point.data() + axis);
+        }
+        return point;
     }
 
     [[nodiscard]] static glm::dvec3 position(const PickerPoint& point) {

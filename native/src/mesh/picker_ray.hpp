@@ -22,12 +22,6 @@ struct RayTree {
     std::span<const std::uint32_t> order;
     std::span<const PickerPoint> points;     ///< by place
     std::span<const glm::vec3> positions{};  ///< by vertex, in place of the points, if there are any
-
-    [[nodiscard]] PickerPoint corner(std::uint32_t place) const {
-        if (positions.empty()) return points[place];
-        const glm::vec3& position = positions[order[place]];
-        return PickerPoint{position.x, position.y, position.z, 0.0f};
-    }
 };
 
 /// The same bits by all of them.

@@ -5,17 +5,17 @@
 // the leaf of one of its corners. Boxes are there twice: tight ones around the vertices, and those around the
 // triangles.
 #pragma once
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
-#include <utility>
 
 #include "motus/core/executor.hpp"
 #include "motus/mesh/picker.hpp"
 #include "picker_boxes.hpp"
+#include "picker_leaves.hpp"
+#include "picker_near.hpp"
 #include "picker_order.hpp"
 #include "picker_ray.hpp"
 
@@ -41,19 +41,13 @@ struct Picker::Tree {
     void refit();
     /// Updates the boxes that touch a box in which vertices were moved.
     void refit_touching(const PickerBox& box);
+    /// use(boxes, leaf_boxes): for both PickerBoxes, with what computes those of their leaves.
+    template <class Use>
+    void with_leaf_boxes(const Use& use);
 
-    [[nodiscard]] PickerBox vertex_box(std::size_t leaf) const noexcept {
-        PickerBox box;
-        for (std::size_t i = 0; i < fan_out; ++i) box.add(points[leaf * fan_out + i]);
-        return box;
+    [[nodiscard]] PickerLeaves leaves() const {
+        return {.points = points, .starts = starts, .corners = corners};
     }
-    [[nodiscard]] PickerBox triangle_box(std::size_t leaf) const noexcept {
-        PickerBox box;
-        for (std::size_t slot = starts[leaf]; slot < starts[leaf + 1]; ++slot)
-            for (const std::uint32_t corner : corners[slot]) box.add(points[corner]);
-        return box;
-    }
-
     [[nodiscard]] RayTree for_rays() const {
         return {.boxes = around_triangles,
                 .starts = starts,
@@ -63,11 +57,8 @@ struct Picker::Tree {
                 .points = points};
     }
 
-    /// The vertices, by place, below a lane of a node: from the first to before the second.
-    [[nodiscard]] std::pair<std::size_t, std::size_t> below(std::size_t level,
-                                                            std::size_t child) const noexcept {
-        const std::size_t shift = 3 * (level + 1);
-        return {std::min(order.size(), child << shift), std::min(order.size(), (child + 1) << shift)};
+    [[nodiscard]] NearTree for_points() const {
+        return {.boxes = around_vertices, .all_finite = all_finite, .order = order, .points = points};
     }
 };
 

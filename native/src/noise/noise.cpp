@@ -221,11 +221,7 @@ template <int dimensions>
     return {places.empty() ? nullptr : &places[0].x, dimensions * places.size()};
 }
 
-/// The kernels, which bring coordinates into their range, take a NaN for the end of it.
 void pass_on_nan(std::size_t dimensions, std::span<const float> places, std::span<float> out) {
-    bool is_any = false;
-    for (const float number : places) is_any |= number != number;
-    if (!is_any) return;
     for (std::size_t i = 0; i < places.size(); ++i)
         if (std::isnan(places[i])) out[i / dimensions] = not_a_number;
 }
@@ -237,17 +233,19 @@ void fill(std::size_t dimensions, std::span<const float> places, std::uint32_t s
         for (std::size_t begin = 0; begin < out.size(); begin += noise_block) {
             const std::size_t count = std::min(noise_block, out.size() - begin);
             const float* const from = &places[dimensions * begin];
+            bool is_any_nan = false;
             if (count == noise_block) {
-                fill_by(from, seed, &out[begin]);
+                is_any_nan = fill_by(from, seed, &out[begin]);
             } else {
                 std::array<float, 3 * noise_block> padded{};
                 std::array<float, noise_block> found{};
                 std::copy_n(from, dimensions * count, padded.begin());
-                fill_by(padded.data(), seed, found.data());
+                is_any_nan = fill_by(padded.data(), seed, found.data());
                 std::copy_n(found.begin(), count, &out[begin]);
             }
-            pass_on_nan(dimensions, places.subspan(dimensions * begin, dimensions * count),
-                        out.subspan(begin, count));
+            if (is_any_nan)
+                pass_on_nan(dimensions, places.subspan(dimensions * begin, dimensions * count),
+                            out.subspan(begin, count));
         }
     });
 }

@@ -151,8 +151,11 @@ HWY_INLINE Sum sum_at(Words start, const std::array<Floats, dimensions>& place) 
                 floats(Lattice<dimensions>::slopes) * variance.slopes};
 }
 
+using Mask = hn::Mask<decltype(as_floats)>;
+
+/// are_nan: also of places before, in the same lane.
 template <std::size_t dimensions>
-HWY_INLINE std::array<Floats, dimensions> places_at(const float* from) {
+HWY_INLINE std::array<Floats, dimensions> places_at(const float* from, Mask& are_nan) {
     std::array<Floats, dimensions> place;
     if constexpr (dimensions == 1)
         place[0] = hn::LoadU(as_floats, from);
@@ -160,29 +163,34 @@ HWY_INLINE std::array<Floats, dimensions> places_at(const float* from) {
         hn::LoadInterleaved2(as_floats, from, place[0], place[1]);
     else
         hn::LoadInterleaved3(as_floats, from, place[0], place[1], place[2]);
+    for (std::size_t axis = 0; axis < dimensions; ++axis) are_nan = hn::Or(are_nan, hn::IsNaN(place[axis]));
     return place;
 }
 
-void fill_line(const float* places, std::uint32_t seed, float* out) {
+bool fill_line(const float* places, std::uint32_t seed, float* out) {
     const Words start = words(mixed(seed));
+    Mask are_nan = hn::MaskFromVec(hn::Zero(as_floats));
     for (std::size_t i = 0; i < noise_block; i += lanes)
-        hn::StoreU(noise_at(start, places_at<1>(places + i)), as_floats, out + i);
+        hn::StoreU(noise_at(start, places_at<1>(places + i, are_nan)), as_floats, out + i);
+    return !hn::AllFalse(as_floats, are_nan);
 }
 
 /// The root and the quotient, which take long, wait for those of the places before.
 template <std::size_t dimensions>
-void fill(const float* places, std::uint32_t seed, float* out) {
+bool fill(const float* places, std::uint32_t seed, float* out) {
     const Words start = words(mixed(seed));
+    Mask are_nan = hn::MaskFromVec(hn::Zero(as_floats));
     const auto write = [out](const Sum& found, std::size_t i) HWY_ATTR {
         hn::StoreU(found.sum / hn::Sqrt(found.expected + found.sum * found.sum), as_floats, out + i);
     };
-    Sum last = sum_at(start, places_at<dimensions>(places));
+    Sum last = sum_at(start, places_at<dimensions>(places, are_nan));
     for (std::size_t i = lanes; i < noise_block; i += lanes) {
-        const Sum next = sum_at(start, places_at<dimensions>(places + dimensions * i));
+        const Sum next = sum_at(start, places_at<dimensions>(places + dimensions * i, are_nan));
         write(last, i - lanes);
         last = next;
     }
     write(last, noise_block - lanes);
+    return !hn::AllFalse(as_floats, are_nan);
 }
 
 constexpr NoiseKernel kernel{HWY_STR(HWY_NAMESPACE), {&fill_line, &fill<2>, &fill<3>}};

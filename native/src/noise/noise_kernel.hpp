@@ -11,10 +11,11 @@ namespace motus::noise {
 inline constexpr std::size_t noise_block = 256;
 
 /// Noise at noise_block places for one instruction set; all sets give the bits of value(). fill[d - 1]: of d
-/// dimensions, the numbers of a place after each other.
+/// dimensions, the numbers of a place after each other; whether one is NaN. For a coordinate that is NaN they
+/// take the end of its range.
 struct NoiseKernel {
     const char* name;
-    std::array<void (*)(const float* places, std::uint32_t seed, float* out), 3> fill;
+    std::array<bool (*)(const float* places, std::uint32_t seed, float* out), 3> fill;
 };
 
 /// The kernels that this processor can run, the fastest last.

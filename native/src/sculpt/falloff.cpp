@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "motus/core/ieee_floats.hpp"
@@ -59,23 +61,52 @@ ForceTerms force_terms(const Profile& profile, float radius) {
     return terms;
 }
 
+namespace {
+
+/// Puts what `of` makes of each distance into `out`; returns whether one is NaN. That is seen by the bits,
+/// which the compiler compares several at once, as it does not compare numbers.
+template <class Of>
+[[nodiscard]] bool put(std::span<const float> distances, std::span<float> out, const Of& of) {
+    constexpr std::uint32_t all_but_the_sign = 0x7fffffff;
+    constexpr std::int32_t infinity = 0x7f800000;
+    std::int32_t is_any_nan = 0;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const float distance = distances[i];
+        const auto size =
+            static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(distance) & all_but_the_sign);
+        is_any_nan |= size > infinity ? 1 : 0;
+        out[i] = of(distance);
+    }
+    return is_any_nan != 0;
+}
+
+/// Of at most pull_block distances, which `out` may be. The kernel gives 0 for NaN, by which vertices that a
+/// pull does not reach stay.
+void fill_forces(const PullKernel& kernel, const ForceTerms& terms, std::span<const float> distances,
+                 std::span<float> out) {
+    const bool is_any_nan = terms.of_squares ? put(distances, out, [](float d) { return d * d; })
+                                             : put(distances, out, [](float d) { return d; });
+    if (!is_any_nan) {
+        kernel.force(terms, out.data(), out.size());
+        return;
+    }
+    std::array<bool, pull_block> is_nan{};
+    std::ranges::transform(out, is_nan.begin(), [](float distance) { return std::isnan(distance); });
+    kernel.force(terms, out.data(), out.size());
+    for (std::size_t k = 0; k < out.size(); ++k)
+        if (is_nan[k]) out[k] = std::numeric_limits<float>::quiet_NaN();
+}
+
+}  // namespace
+
 void forces(const Profile& profile, float radius, std::span<const float> distances, std::span<float> out) {
     require(distances.size() == out.size(), "out: must be as long as distances");
     in_ieee_floats([&] {
         const ForceTerms terms = force_terms(profile, radius);
         const PullKernel& kernel = pull_kernels().back();
-        std::transform(distances.begin(), distances.end(), out.begin(), [&terms](float distance) {
-            return terms.of_squares ? distance * distance : distance;
-        });
         for (std::size_t i = 0; i < out.size(); i += pull_block) {
-            const auto block = out.subspan(i, std::min(pull_block, out.size() - i));
-            // The kernel gives 0 for NaN, by which unreached vertices of a pull stay.
-            std::array<bool, pull_block> is_nan{};
-            std::ranges::transform(block, is_nan.begin(),
-                                   [](float distance) { return std::isnan(distance); });
-            kernel.force(terms, block.data(), block.size());
-            for (std::size_t k = 0; k < block.size(); ++k)
-                if (is_nan[k]) block[k] = std::numeric_limits<float>::quiet_NaN();
+            const std::size_t count = std::min(pull_block, out.size() - i);
+            fill_forces(kernel, terms, distances.subspan(i, count), out.subspan(i, count));
         }
     });
 }

@@ -10,15 +10,14 @@
 #include <optional>
 #include <utility>
 
+#include "heaps_kernel.hpp"
 #include "holding.hpp"
 
 namespace motus::snow {
 namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
-constexpr int rings = 32;          ///< of vertices that are near the line at which snow ends
-constexpr float widest = 12.0F;    ///< cells, of the slope beside the line,
-constexpr float narrowest = 2.0F;  ///< which a mesh can show without steps
+constexpr int rings = 32;  ///< of vertices that are near the line at which snow ends
 
 [[nodiscard]] std::uint32_t vertex(const glm::ivec3& corners, std::size_t corner) {
     return static_cast<std::uint32_t>(corners[static_cast<int>(corner % 3)]);
@@ -46,18 +45,18 @@ struct Stretch {
 class Heaps::Linker {
   public:
     Linker(Heaps& heaps, const Net& net)
-        : net_(net), ways_(heaps.ways_), nowhere_(static_cast<std::uint32_t>(net.positions.size())) {
+        : net_(net), ways_(heaps.plan_.ways), nowhere_(static_cast<std::uint32_t>(net.positions.size())) {
         find_spokes();
         next_.assign(starts_.begin(), starts_.end() - 1);
-        ways_.reserve(net.edges.size() / width + 2 * block);
+        ways_.reserve(net.edges.size() / HeapPlan::width + 2 * HeapPlan::block);
         open_.reserve(ways_.capacity());
         for (const bool is_at_end : {false, true}) {
             free_.assign(nowhere_, static_cast<std::uint32_t>(ways_.size()));
             for (std::uint32_t i = 0; i < nowhere_; ++i)
                 while (next_[i] < starts_[i + 1] && is_end(spokes_[next_[i]]) == is_at_end)
                     add_with_those_before(spokes_[next_[i]]);
-            while (ways_.size() % block != 0) add_ways();
-            if (!is_at_end) heaps.whole_ = ways_.size();
+            while (ways_.size() % HeapPlan::block != 0) add_ways();
+            if (!is_at_end) heaps.plan_.whole = ways_.size();
         }
     }
 
@@ -135,7 +134,7 @@ class Heaps::Linker {
         ways.x.at(place) = ends.x;
         ways.y.at(place) = ends.y;
         ways.lengths.at(place) = length(ends.x, ends.y);
-        if (place + 1 == width) open_[at] = at + 1;
+        if (place + 1 == HeapPlan::width) open_[at] = at + 1;
     }
     void add_ways() {
         open_.push_back(static_cast<std::uint32_t>(ways_.size()));
@@ -198,33 +197,34 @@ void Heaps::measure(const Net& net) {
     }
     // Over what is so large that floats cannot tell how large nothing goes.
     constexpr double most = 1e30;
-    areas_.reserve(areas.size() + 1);
-    for (const double area : areas) areas_.push_back(area < most ? static_cast<float>(area) : 0.0F);
-    areas_.push_back(0.0F);
+    plan_.areas.reserve(areas.size() + 1);
+    for (const double area : areas) plan_.areas.push_back(area < most ? static_cast<float>(area) : 0.0F);
+    plan_.areas.push_back(0.0F);
 }
 
 void Heaps::gather_groups() {
-    std::vector<std::uint32_t> last_block(areas_.size() / group + 1);  // of each group, from 1 on
-    group_starts_.assign(1, 0);
-    for (std::size_t first = 0; first < ways_.size(); first += block) {
-        for (const Ways& ways : std::span(ways_).subspan(first, block)) {
+    std::vector<std::uint32_t> last_block(plan_.areas.size() / HeapPlan::group +
+                                          1);  // of each group, from 1 on
+    plan_.group_starts.assign(1, 0);
+    for (std::size_t first = 0; first < plan_.ways.size(); first += HeapPlan::block) {
+        for (const Ways& ways : std::span(plan_.ways).subspan(first, HeapPlan::block)) {
             for (const auto& ends : {ways.x, ways.y}) {
                 for (const std::uint32_t end : ends) {
-                    if (end + 1 == areas_.size()) continue;  // a missing edge's
-                    std::uint32_t& last = last_block[end / group];
-                    if (last == group_starts_.size()) continue;
-                    last = static_cast<std::uint32_t>(group_starts_.size());
-                    groups_.push_back(static_cast<std::uint32_t>(end / group));
+                    if (end + 1 == plan_.areas.size()) continue;  // a missing edge's
+                    std::uint32_t& last = last_block[end / HeapPlan::group];
+                    if (last == plan_.group_starts.size()) continue;
+                    last = static_cast<std::uint32_t>(plan_.group_starts.size());
+                    plan_.groups.push_back(static_cast<std::uint32_t>(end / HeapPlan::group));
                 }
             }
         }
-        group_starts_.push_back(static_cast<std::uint32_t>(groups_.size()));
+        plan_.group_starts.push_back(static_cast<std::uint32_t>(plan_.groups.size()));
     }
 }
 
 /// Hands the nearest stretch of the line at which snow ends on from ring to ring of vertices.
 void Heaps::find_shores(const Net& net, const Linker& linker) {
-    if (whole_ == ways_.size()) return;
+    if (plan_.whole == plan_.ways.size()) return;
     std::vector<Stretch> stretches;
     std::vector<std::uint32_t> nearest(net.positions.size()), ring, next;
     std::vector<std::uint8_t> is_next(net.positions.size());
@@ -279,10 +279,11 @@ void Heaps::find_shores(const Net& net, const Linker& linker) {
             order.emplace_back(
                 (std::uint64_t{std::bit_cast<std::uint32_t>(distances[i])} << 32U) | net.ranks[i], i);
     std::ranges::sort(order);
-    shores_.reserve(order.size());
+    plan_.shores.reserve(order.size());
     for (const auto& [key, at] : order) {
         const Stretch& stretch = stretches[nearest[at]];
-        shores_.push_back({at, distances[at], stretch.cell, glm::uvec3(net.triangles[stretch.triangle])});
+        plan_.shores.push_back(
+            {at, distances[at], stretch.cell, glm::uvec3(net.triangles[stretch.triangle])});
     }
     find_handings(distances, linker);
 }
@@ -290,199 +291,27 @@ void Heaps::find_shores(const Net& net, const Linker& linker) {
 /// What is too much for a shore lies on what is farther from the line, in proportion to how much farther that
 /// is and to its area; what would lie on vertices that are no shores is gone.
 void Heaps::find_handings(std::span<const float> distances, const Linker& linker) {
-    std::vector<std::uint32_t> places(distances.size());  // among shores_
-    for (std::uint32_t i = 0; i < shores_.size(); ++i) places[shores_[i].vertex] = i;
-    handing_starts_.assign(1, 0);
-    for (Shore& shore : shores_) {
+    std::vector<std::uint32_t> places(distances.size());  // among plan_.shores
+    for (std::uint32_t i = 0; i < plan_.shores.size(); ++i) places[plan_.shores[i].vertex] = i;
+    plan_.handing_starts.assign(1, 0);
+    for (Shore& shore : plan_.shores) {
         linker.each_spoke(shore.vertex, [&](std::uint32_t other, bool is_at_end) {
             if (is_at_end || !(distances[other] > shore.distance)) return;
             const float farther =
                 std::min(distances[other] - shore.distance, linker.length(shore.vertex, other));
             if (!(farther > 0.0F)) return;
-            const double weight = static_cast<double>(farther) * static_cast<double>(areas_[other]);
+            const double weight = static_cast<double>(farther) * static_cast<double>(plan_.areas[other]);
             shore.weights += weight;
-            if (distances[other] < infinite && weight > 0.0) handings_.push_back({places[other], weight});
+            if (distances[other] < infinite && weight > 0.0)
+                plan_.handings.push_back({places[other], weight});
         });
-        handing_starts_.push_back(static_cast<std::uint32_t>(handings_.size()));
+        plan_.handing_starts.push_back(static_cast<std::uint32_t>(plan_.handings.size()));
     }
 }
 
-/// One settling of depths.
-class Heaps::Fall {
-  public:
-    /// `depths`: of the vertices, and 0 in the end.
-    Fall(const Heaps& heaps, std::vector<float>& depths, float steepest)
-        : heaps_(heaps),
-          depths_(depths),
-          steepest_(steepest),
-          changed_(depths.size() / group + 1),
-          seen_(heaps.block_count()) {}
-
-    void run() {
-        round_off();
-        go_through(heaps_.whole_ / block, [&](Steep& some) { hand_on(some); });
-        lower_shores();
-        for (const std::uint32_t at : left_) seen_[at] = 0;
-        // What is still too high is left out.
-        go_through(seen_.size(), [&](Steep& some) { some.high = some.low + steepest_ * some.lengths; });
-    }
-
-  private:
-    /// A little less steep than may be, so that there is an end to it.
-    static constexpr float slack = 0.02F;
-    static constexpr int most_rounds = 8;
-
-    /// A number of each of a few edges.
-    using Lanes [[gnu::vector_size(width * sizeof(float))]] = float;
-    /// Whether something is true of each: all bits, or none.
-    using Mask [[gnu::vector_size(width * sizeof(float))]] = std::int32_t;
-    /// Edges without a common vertex, at least one of which is too steep.
-    struct Steep {
-        std::size_t index = 0;           ///< of the Ways
-        Mask is_steep{}, is_x{};         ///< whether x is the higher end
-        Lanes lengths{}, high{}, low{};  ///< m; the depths of the ends
-    };
-
-    [[nodiscard]] static bool is_any(Mask mask) {
-        const auto halves = __builtin_bit_cast(std::array<std::uint64_t, 2>, mask);
-        return (halves[0] | halves[1]) != 0;
-    }
-    [[nodiscard]] static Lanes at(const std::vector<float>& numbers,
-                                  const std::array<std::uint32_t, width>& vertices) {
-        return Lanes{numbers[vertices[0]], numbers[vertices[1]], numbers[vertices[2]], numbers[vertices[3]]};
-    }
-
-    /// Changes the edges of the first so many blocks, where they are too steep, there and back in turn;
-    /// blocks about which nothing has changed rest.
-    template <class Change>
-    void go_through(std::size_t blocks, const Change& change) {
-        bool has_changed = true;
-        for (int round = 0; round < most_rounds && has_changed; ++round) {
-            has_changed = false;
-            for (std::size_t i = 0; i < blocks; ++i) {
-                const std::size_t at = round % 2 == 0 ? i : blocks - 1 - i;
-                if (!is_active(at)) continue;
-                seen_[at] = ++now_;
-                for (std::size_t j = 0; j < block; ++j)
-                    has_changed |= go_over(at * block + (round % 2 == 0 ? j : block - 1 - j), change);
-            }
-        }
-    }
-    /// Changes edges that are too steep, and tells whether any depth is different now.
-    template <class Change>
-    [[nodiscard]] bool go_over(std::size_t index, const Change& change) {
-        const Ways& ways = heaps_.ways_[index];
-        const Lanes x = at(depths_, ways.x), y = at(depths_, ways.y);
-        const auto lengths = __builtin_bit_cast(Lanes, ways.lengths);
-        const Mask is_x = x > y;
-        const Lanes high = is_x ? x : y, low = is_x ? y : x;
-        const Mask is_steep = high - low > steepest_ * lengths;
-        if (!is_any(is_steep)) return false;
-        Steep some{index, is_steep, is_x, lengths, high, low};
-        change(some);
-        const Lanes new_high = is_steep ? some.high : high, new_low = is_steep ? some.low : low;
-        // An edge that is as steep as may be can be too steep by a rounding.
-        if (!is_any((new_high != high) | (new_low != low))) return false;
-        const Lanes new_x = is_x ? new_high : new_low, new_y = is_x ? new_low : new_high;
-        for (std::size_t i = 0; i < width; ++i) {
-            depths_[ways.x[i]] = new_x[i];
-            depths_[ways.y[i]] = new_y[i];
-            mark(ways.x[i]);
-            mark(ways.y[i]);
-        }
-        return true;
-    }
-    /// Whether something has changed about a block since it was seen.
-    [[nodiscard]] bool is_active(std::size_t at) const {
-        for (std::uint32_t i = heaps_.group_starts_[at]; i < heaps_.group_starts_[at + 1]; ++i)
-            if (changed_[heaps_.groups_[i]] >= seen_[at]) return true;
-        return false;
-    }
-    void mark(std::uint32_t vertex) { changed_[vertex / group] = now_; }
-
-    /// Of the slope from the line up to a depth.
-    [[nodiscard]] float width_of(const Shore& shore, float depth) const {
-        return std::clamp(2.0F * depth / steepest_, narrowest * shore.cell, widest * shore.cell);
-    }
-    /// How deep the snow on a shore may be, without what lies on both sides of the line.
-    [[nodiscard]] float rounded(const Shore& shore, float depth) const {
-        const float part = shore.distance / width_of(shore, depth);
-        return part < 1.0F ? depth * part * (2.0F - part) : depth;
-    }
-
-    /// Lets the snow rise from the line at which it ends as roundly as a mesh can show, and no steeper than
-    /// it may be. What is too much lies on what is farther from the line, the less the farther.
-    void round_off() {
-        const std::size_t count = heaps_.shores_.size();
-        if (count == 0) return;
-        bases_.reserve(count);
-        for (const Shore& shore : heaps_.shores_) {
-            const glm::uvec3& corners = shore.corners;
-            bases_.push_back(
-                std::max(0.0F, std::min({depths_[corners.x], depths_[corners.y], depths_[corners.z]})));
-        }
-        std::vector<double> carried(count);  // m^3
-        for (std::size_t i = 0; i < count; ++i) {
-            const Shore& shore = heaps_.shores_[i];
-            const double area = static_cast<double>(heaps_.areas_[shore.vertex]);
-            if (!(area > 0.0)) continue;
-            const double left = take(shore, bases_[i], carried[i] / area);
-            if (!(left > 0.0)) continue;
-            for (std::uint32_t j = heaps_.handing_starts_[i]; j < heaps_.handing_starts_[i + 1]; ++j)
-                carried[heaps_.handings_[j].shore] +=
-                    area * left * heaps_.handings_[j].weight / shore.weights;
-        }
-    }
-    /// Lays some of what is handed to a shore on it, m, and returns what is too much.
-    [[nodiscard]] double take(const Shore& shore, float base, double more) {
-        constexpr float reach = 2.0F;    // times the width of the slope: where most of it lies
-        constexpr float highest = 0.2F;  // of the depth, so that nothing is heaped up where ways meet
-        float& depth = depths_[shore.vertex];
-        const float own = std::max(0.0F, depth - base);
-        const float share = std::min(1.0F, shore.cell / (reach * width_of(shore, own)));
-        const float taken = std::min(share * static_cast<float>(more), highest * own);
-        const float whole = depth + taken;
-        depth = whole > base ? base + rounded(shore, whole - base) : whole;
-        return more - static_cast<double>(taken) + static_cast<double>(whole - depth);
-    }
-    void lower_shores() {
-        for (std::size_t i = 0; i < bases_.size(); ++i) {
-            const Shore& shore = heaps_.shores_[i];
-            const float most = bases_[i] + steepest_ * shore.distance;
-            if (!(depths_[shore.vertex] > most)) continue;
-            depths_[shore.vertex] = most;
-            mark(shore.vertex);
-        }
-    }
-
-    /// What is too high goes to the lower vertex of two, so that volumes stay; not where one of them has no
-    /// area.
-    void hand_on(Steep& some) {
-        const Ways& ways = heaps_.ways_[some.index];
-        const Lanes x = at(heaps_.areas_, ways.x), y = at(heaps_.areas_, ways.y);
-        const Lanes here = some.is_x ? x : y, there = some.is_x ? y : x;
-        const Lanes over = some.high - some.low - (1.0F - slack) * steepest_ * some.lengths;
-        const Lanes moved = over / (here + there);
-        const Mask can_change = (here > 0.0F) & (there > 0.0F);
-        some.high = can_change ? some.high - there * moved : some.high;
-        some.low = can_change ? some.low + here * moved : some.low;
-        if (is_any(some.is_steep & ~can_change))
-            left_.push_back(static_cast<std::uint32_t>(some.index / block));
-    }
-
-    const Heaps& heaps_;
-    std::vector<float>& depths_;
-    float steepest_;
-    std::uint32_t now_ = 0;               ///< blocks that have been gone through
-    std::vector<std::uint32_t> changed_;  ///< when a vertex of each group changed last,
-    std::vector<std::uint32_t> seen_;     ///< and when each block was gone through
-    std::vector<std::uint32_t> left_;     ///< blocks with edges that cannot be changed
-    std::vector<float> bases_;            ///< m, what lies on both sides of the line beside each shore
-};
-
 void Heaps::settle(std::vector<float>& depths, float steepest) const {
     depths.push_back(0.0F);
-    Fall(*this, depths, steepest).run();
+    heap_kernels().back().settle(plan_, depths, steepest);
     depths.pop_back();
 }
 

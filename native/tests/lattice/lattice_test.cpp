@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "checks.hpp"
+#include "deform_kernel.hpp"
 
 using namespace motus;
 using namespace motus::lattice;
@@ -178,6 +179,36 @@ TEST_CASE("a lattice deforms many positions to the same bits as few", "[lattice]
         glm::vec3 alone(0.0f);
         deform(lattice, displacements, {}, {&positions[i], 1}, {&alone, 1});
         REQUIRE(alone == out[i]);
+    }
+}
+
+TEST_CASE("all instruction sets deform with the same bits", "[lattice]") {
+    Dice dice(25);
+    for (int round = 0; round < 60; ++round) {
+        const Lattice lattice = dice.lattice();
+        const Grid grid(lattice);
+        std::vector<WeightedMove> moves(point_count(lattice));
+        for (WeightedMove& one : moves) one = {dice.in_cube(2.0f), dice.between(0.0f, 1.0f)};
+        std::vector<glm::vec3> positions(40);
+        std::vector<float> factors(positions.size());
+        for (glm::vec3& position : positions) position = glm::vec3(dice.place(lattice));
+        for (float& factor : factors) factor = static_cast<float>(dice.whole(0, 2)) * 0.7f;
+        const auto deformed = [&](const DeformKernel& kernel) {
+            std::vector<glm::vec3> out(positions.size());
+            kernel.deform({.grid = grid,
+                           .moves = moves,
+                           .fades = round % 2 == 0,
+                           .factors = factors,
+                           .positions = positions,
+                           .out = out},
+                          0, out.size());
+            return out;
+        };
+        const std::vector<glm::vec3> expected = deformed(deform_kernels().front());
+        for (const DeformKernel& kernel : deform_kernels()) {
+            INFO(kernel.name);
+            CHECK(deformed(kernel) == expected);
+        }
     }
 }
 

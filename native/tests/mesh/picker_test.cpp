@@ -1,18 +1,29 @@
 #include "motus/mesh/picker.hpp"
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
+#include "motus/core/numeric.hpp"
+#include "picker_leaves.hpp"
 #include "picker_meshes.hpp"
+#include "picker_near.hpp"
+#include "picker_ray.hpp"
 
 using namespace motus;
 using namespace motus::mesh;
 using namespace motus::mesh::checks;
 
 namespace {
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+constexpr PickerPoint nowhere{not_a_number, not_a_number, not_a_number, not_a_number};
 
 const std::vector<Mesh>& meshes() {
     static const std::vector<Mesh> all = troubling_meshes();
@@ -378,6 +389,86 @@ TEST_CASE("picker results do not depend on the number of threads", "[picker]") {
     check_same(mesh, alone, shared, 110);
     shared.refit(mesh.positions);
     check_same(mesh, alone, shared, 111);
+}
+
+TEST_CASE("all instruction sets compute the same boxes, and find the same vertices and triangles",
+          "[picker]") {
+    Dice dice(77);
+    for (const Mesh& mesh : meshes()) {
+        INFO(mesh.name);
+        // A tree of one leaf for each eight vertices, in the order in which they are given.
+        Array<PickerPoint> points((mesh.positions.size() + fan_out - 1) / fan_out * fan_out, nowhere);
+        Array<std::uint32_t> order(mesh.positions.size());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const glm::vec3& p = mesh.positions[i];
+            order[i] = static_cast<std::uint32_t>(i);
+            points[i] = is_finite(p) ? PickerPoint{p.x, p.y, p.z, 0.0f} : nowhere;
+        }
+        std::vector<std::array<std::uint32_t, 3>> corners;
+        for (const glm::ivec3& t : mesh.triangles)
+            corners.push_back({static_cast<std::uint32_t>(t.x), static_cast<std::uint32_t>(t.y),
+                               static_cast<std::uint32_t>(t.z)});
+        std::vector<std::uint32_t> names(corners.size()), starts{0};
+        std::iota(names.begin(), names.end(), 0U);
+        const std::size_t leaves = points.size() / fan_out;
+        for (std::size_t leaf = 1; leaf <= leaves; ++leaf)
+            starts.push_back(
+                static_cast<std::uint32_t>(corners.size() * leaf / std::max<std::size_t>(leaves, 1)));
+        const PickerLeaves of_leaves{points, starts, corners};
+        PickerBoxes around_vertices(leaves), around_triangles(leaves);
+        const LeafKernel& first = leaf_kernels().front();
+        const auto refit = [&](PickerBoxes& boxes, LeafKernel::Boxes kernel) {
+            boxes.refit(
+                [&](std::size_t from, std::size_t to, PickerBox* out) { kernel(of_leaves, from, to, out); },
+                1);
+        };
+        refit(around_vertices, first.around_vertices);
+        refit(around_triangles, first.around_triangles);
+        for (const LeafKernel& kernel : leaf_kernels()) {
+            INFO(kernel.name);
+            for (const auto part : {&LeafKernel::around_vertices, &LeafKernel::around_triangles}) {
+                std::vector<PickerBox> expected(leaves), found(leaves);
+                (first.*part)(of_leaves, 0, leaves, expected.data());
+                (kernel.*part)(of_leaves, 0, leaves, found.data());
+                for (std::size_t leaf = 0; leaf < leaves; ++leaf) {
+                    CHECK(found[leaf].low == expected[leaf].low);
+                    CHECK(found[leaf].high == expected[leaf].high);
+                }
+            }
+        }
+        const NearTree near{around_vertices, false, order, points};
+        glm::mat3 metric(1.0f);
+        metric[0][1] = 0.3f;
+        for (const glm::vec3& point : points_around(mesh, 20, dice)) {
+            const float radius = dice.between(0.0f, 1.0f) * extent(mesh).size;
+            for (const NearKernel& kernel : near_kernels()) {
+                INFO(kernel.name);
+                const NearKernel& one = near_kernels().front();
+                CHECK(kernel.nearest(near, point) == one.nearest(near, point));
+                for (const glm::mat3& way : {glm::mat3(1.0f), metric})
+                    CHECK(kernel.within(near, point, radius, way) == one.within(near, point, radius, way));
+            }
+        }
+        for (const std::span<const glm::vec3> moved :
+             {std::span<const glm::vec3>(), std::span(mesh.positions)}) {
+            const RayTree rays{around_triangles, 0.0, starts, names, corners, order, points, moved};
+            for (int i = 0; i < 50; ++i) {
+                const auto [centre, size] = extent(mesh);
+                const glm::dvec3 origin = glm::dvec3(centre) + dice.in_cube(2.0 * size);
+                const glm::dvec3 way = glm::dvec3(centre) + dice.in_cube(0.5 * size) - origin;
+                const auto expected = ray_kernels().front().first_met(rays, origin, way, 1e30);
+                for (const RayKernel& kernel : ray_kernels()) {
+                    INFO(kernel.name);
+                    const auto hit = kernel.first_met(rays, origin, way, 1e30);
+                    REQUIRE(hit.has_value() == expected.has_value());
+                    if (!hit) continue;
+                    CHECK(hit->triangle == expected->triangle);
+                    CHECK(hit->distance == expected->distance);
+                    CHECK(hit->point == expected->point);
+                }
+            }
+        }
+    }
 }
 
 TEST_CASE("a picker can be moved from one variable to another", "[picker]") {

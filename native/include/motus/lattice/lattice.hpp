@@ -44,11 +44,12 @@ struct Lattice {
     std::array<Basis, 3> basis{Basis::bspline, Basis::bspline, Basis::bspline};
 };
 
+/// Throws std::invalid_argument if the resolution is out of its domain.
 [[nodiscard]] std::size_t point_count(const Lattice& lattice);
 
 /// The points' positions at rest, point_count() of them. This and the next functions throw
-/// std::invalid_argument if the resolution is out of its domain, or the axes are not finite or not
-/// independent.
+/// std::invalid_argument if the resolution is out of its domain, the origin or an axis is not finite or
+/// larger than 1e100, or the axes are not independent.
 [[nodiscard]] std::vector<glm::dvec3> rest_points(const Lattice& lattice);
 
 /// How much each lattice point moves a place: the place moves by the sum of weight * displacement of the
@@ -113,7 +114,8 @@ struct OrientedBox {
 };
 
 /// The box along given orthonormal axes around all points; at the origin and of no size if there are none.
-/// This and the next function throw std::invalid_argument if a point or an axis is not finite.
+/// This and the next function throw std::invalid_argument if a point is not finite, or the axes are not
+/// orthonormal.
 [[nodiscard]] OrientedBox box_along(std::span<const glm::vec3> points, const glm::dmat3& axes);
 
 /// A small box around all points: turning it about one of its axes does not make it smaller, and it is not

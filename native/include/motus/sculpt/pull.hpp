@@ -37,7 +37,8 @@ struct PullImage {
     glm::vec3 displacement;
 };
 
-/// The dab itself first, then its reflections, in the order of the bits: 1, 2, 4 or 8 of them.
+/// The dab itself first, then its reflections, in the order of the bits: 1, 2, 4 or 8 of them. Throws
+/// std::invalid_argument if the root or the displacement is not finite, or `mirror` has other bits.
 [[nodiscard]] std::vector<PullImage> images_of(const Dab& dab);
 
 /// Moves vertices by force * weight * displacement, and clamps those that it moves. Where several images

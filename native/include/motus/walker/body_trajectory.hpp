@@ -46,8 +46,9 @@ struct Axes {
 /// leg whose rest place moves fastest across `up`. Immutable.
 class BodyTrajectory {
   public:
-    /// Throws std::invalid_argument, naming the argument, if sizes differ, or a number is not finite,
-    /// larger than 1e12 or outside its domain.
+    /// Throws std::invalid_argument, naming the argument, if sizes differ, a number is not finite, larger
+    /// than 1e12 or outside its domain, times are less than 1e-12 s apart, resets do not rise, or there are
+    /// more samples or legs than may be.
     explicit BodyTrajectory(Way way);
 
     [[nodiscard]] const Way& way() const noexcept { return way_; }

@@ -61,7 +61,8 @@ class Ground {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
     /// The first hit of the ray from `origin` along `direction` (unit), not farther away than `farthest`;
-    /// that of the triangle if plane and triangle are met at the same distance. Nothing if a number is NaN.
+    /// that of the triangle if plane and triangle are met at the same distance. Nothing if a number is NaN,
+    /// or the direction is not finite.
     [[nodiscard]] std::optional<Contact> ray(const glm::dvec3& origin, const glm::dvec3& direction,
                                              double farthest) const;
 

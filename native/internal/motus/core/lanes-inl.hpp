@@ -33,6 +33,23 @@ HWY_INLINE Words words(std::uint32_t word) {
     return hn::Set(as_words, word);
 }
 
+/// Four floats, or one at a time of four, if the instruction set has no more.
+inline constexpr hn::CappedTag<float, 4> as_four;
+inline constexpr std::size_t lanes_of_four = hn::MaxLanes(as_four);
+using Four = hn::Vec<decltype(as_four)>;
+
+/// number(i) in each lane i; not by way of memory, where what is written number by number cannot be read at
+/// once without a wait.
+template <class Number>
+HWY_INLINE Four four_of(const Number& number) {
+#if HWY_TARGET == HWY_SCALAR
+    return hn::Set(as_four, number(0));
+#else
+    return hn::InterleaveLower(hn::InterleaveLower(hn::Set(as_four, number(0)), hn::Set(as_four, number(2))),
+                               hn::InterleaveLower(hn::Set(as_four, number(1)), hn::Set(as_four, number(3))));
+#endif
+}
+
 }  // namespace motus::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -63,7 +63,8 @@ Convergence solve_limited(const Limited& chain, const glm::dvec3& target, const 
                           std::span<glm::dquat> rotations,
                           const std::optional<glm::dquat>& orientation = std::nullopt);
 
-/// Joints of a chain: joints.size() == offsets.size() + 1, else std::invalid_argument; limits are not read.
+/// Joints of a chain, offsets.size() + 1 of them; limits are not read. Throws std::invalid_argument if sizes
+/// do not fit, a place is not finite or larger than 1e300, or a rotation is not of length 1, to 1e-3.
 void joints_of(const Limited& chain, std::span<const glm::dquat> rotations, std::span<glm::dvec3> joints);
 
 /// Frames, +Y along the bones, of a chain of which only joints are known: frames.size() == joints.size() - 1
