@@ -38,7 +38,8 @@ Input random_input(Random& random, std::size_t samples, std::size_t dimensions) 
 /// Output at the last sample by small steps of Runge and Kutta's method: the equation itself, not its
 /// solution.
 double integrated(const SecondOrder& filter, const Input& input) {
-    const auto [k1, k2, k3] = filter.coefficients();
+    const auto all = filter.coefficients();
+    const double k1 = all.k1, k2 = all.k2, k3 = all.k3;
     double y = input.values[0];
     double v = 0.0;
     for (std::size_t k = 1; k < input.times.size(); ++k) {
