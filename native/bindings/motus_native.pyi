@@ -257,7 +257,8 @@ class PoseBuffer:
         Writes location and Euler angles (order XYZ, rad) of each member into slots, and then the scales of all members.
         
         slots: a C-contiguous float64 array (6 * count,), or (9 * count,) if has_scales. Nothing is written if the poses are those
-        at the last call of matrices() or write_slots().  Returns whether the slots were written.  Raises ValueError or TypeError that names the argument.
+        at the last call of matrices() or write_slots().
+        Returns whether the slots were written.  Raises ValueError or TypeError that names the argument.
         """
     @property
     def locations(self) -> numpy.ndarray:
