@@ -227,10 +227,10 @@ class Search {
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();  ///< above all triangles
 
     HWY_NOINLINE void try_leaf(std::size_t leaf) {
-        std::array<PickerPoint, 3> moved;
+        std::array<PickerPoint, 3> moved{};
         for (std::size_t slot = tree_.starts[leaf]; slot < tree_.starts[leaf + 1]; ++slot) {
             const auto [a, b, c] = tree_.corners[slot];
-            Corners corners{&moved[0], &moved[1], &moved[2]};
+            Corners corners{moved.data(), moved.data() + 1, moved.data() + 2};
             if (tree_.positions.empty()) {
                 corners = {&tree_.points[a], &tree_.points[b], &tree_.points[c]};
             } else {
