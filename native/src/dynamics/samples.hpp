@@ -174,7 +174,8 @@ struct Place {
     Place place;
     if (is_loop) {
         const double cycle = times.back() - times.front();
-        place.cycles = std::floor((time - times.front()) / cycle);
+        constexpr double most = std::numeric_limits<double>::max();  // of short cycles there are more
+        place.cycles = std::floor(std::clamp((time - times.front()) / cycle, -most, most));
         time = std::clamp(time - place.cycles * cycle, times.front(), times.back());
     }
     place.sample = sample_before(time, times);

@@ -26,6 +26,8 @@ namespace {
     return std::abs(determinant) < lost;
 }
 
+constexpr double farthest = 1e308;  // to which a loop takes an input: the offset may be added to it
+
 }  // namespace
 
 Track::Track(const SecondOrder& filter, std::span<const double> times, std::span<const double> inputs,
@@ -101,7 +103,10 @@ void Track::at(double time, const Visit& visit) const {
         double speed = from[dimensions_ + i];
         if (place.seconds > 0.0) advance(step, slope, offset, speed);
         double input = x[i] + slope * place.seconds;
-        if (is_loop_) input += place.cycles * (inputs_[last * dimensions_ + i] - inputs_[i]);
+        if (is_loop_) {
+            const double gained = place.cycles * (inputs_[last * dimensions_ + i] - inputs_[i]);
+            input = std::clamp(input + gained, -farthest, farthest);
+        }
         visit(i, input, offset, speed);
     }
 }

@@ -247,6 +247,21 @@ TEST_CASE("rotations about one axis are the filtered angle", "[track]") {
     }
 }
 
+TEST_CASE("a loop of short cycles is finite at the farthest times", "[track]") {
+    constexpr double largest = std::numeric_limits<double>::max();
+    const std::array times{1.0, 1.3, 1.5};
+    const std::array inputs{0.0, 1.0, 0.5, 2.0, 0.0, 3.0};  // closed in one dimension, going on in the other
+    const Track loop(SecondOrder(1.0, 0.5, 0.0), times, inputs, 2, {}, Start::loop);
+    for (const double time : {largest, -largest, 1e308, 1e17}) {
+        std::array<double, 2> found{}, velocity{};
+        loop.evaluate(time, found, velocity);
+        CHECK(std::abs(found[0]) < 10.0);
+        CHECK(std::isfinite(found[1]));
+        CHECK(std::signbit(found[1]) == std::signbit(time));
+        CHECK((std::isfinite(velocity[0]) && std::isfinite(velocity[1])));
+    }
+}
+
 TEST_CASE("rotations know no first axis, and loop without a seam", "[track]") {
     Random random(9);
     const glm::dquat turned = about({1.0, 2.0, -0.5}, 2.0);

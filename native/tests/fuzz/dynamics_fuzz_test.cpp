@@ -113,9 +113,10 @@ TEST_CASE("tracks of any numbers are refused, and those of ordinary ones finite 
         for (int round = 0; round < 400; ++round) {
             const std::size_t count = 1 + dice.below(5);
             const std::vector<double> times = dice.rising(count), inputs = dice.numbers(2 * count);
-            const SecondOrder filter(dice.between(0.1, 5.0), dice.between(0.05, 2.0),
-                                     dice.between(-2.0, 2.0));
-            const std::vector<std::size_t> resets(dice.below(2), dice.below(count + 1));
+            const SecondOrder filter{dice.between(0.1, 5.0), dice.between(0.05, 2.0),
+                                     dice.between(-2.0, 2.0)};
+            const std::size_t reset_count = dice.below(2);
+            const std::vector<std::size_t> resets(reset_count, dice.below(count + 1));
             const Start start = dice.chance(0.3) ? Start::loop : Start::at_rest;
             const double time = wild.number(-3.0, 9.0);
             std::vector<double> out(2), all(inputs.size());

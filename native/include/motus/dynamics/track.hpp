@@ -38,6 +38,7 @@ class Track {
     [[nodiscard]] std::size_t dimensions() const noexcept { return dimensions_; }
 
     /// Output at a time, dimensions() values. After the last sample the input rests there, unless it loops.
+    /// A loop whose cycles add up is followed up to 1e308, beyond which numbers end.
     void evaluate(double time, std::span<double> out) const;
     /// Output at a time, and its derivative by time, 1/s.
     void evaluate(double time, std::span<double> out, std::span<double> velocity) const;
