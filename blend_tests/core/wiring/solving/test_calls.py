@@ -15,14 +15,14 @@ import support
 
 WARM, COUNTED = range(1, 6), range(6, 16)
 MOST = {
-    "one follower": 80,
-    "50 followers, one curve": 150,
-    "50 followers, 50 curves": 2500,
-    "one rig, four limbs": 116,
-    "10 pendulums": 555,
-    "10 objects with dynamics": 580,
-    "10 look-ats": 620,
-    "10 rigs with a layer": 610,
+    "one follower": 75,
+    "50 followers, one curve": 138,
+    "50 followers, 50 curves": 2290,
+    "one rig, four limbs": 112,
+    "10 pendulums": 523,
+    "10 objects with dynamics": 576,
+    "10 look-ats": 618,
+    "10 rigs with a layer": 607,
 }
 """Most calls a frame for each scene of the benchmark typical_bench, of Python's functions and of built-in ones.
 
