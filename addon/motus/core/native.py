@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import importlib
 import re
 import sys
 import sysconfig
@@ -128,7 +127,9 @@ def _import_failure(error: str) -> Status:
 def _imported() -> Any:
     """The native module: of the add-on's own folder, or from the wheel of an extension, which Blender installs where all modules are found."""
     if not _modules() and _wheels():
-        return importlib.import_module("motus_native")
+        import motus_native as installed
+
+        return installed
     from .. import motus_native  # type: ignore[attr-defined]
 
     return motus_native
