@@ -181,8 +181,8 @@ SCENES = {  # what is there, what Motus and Blender add to it, and the wanted ms
     f"{OWNERS} rigs with a layer": (lambda: new_characters(OWNERS), layer, nothing, 1.0),
     f"{OWNERS} objects with dynamics": (lambda: dynamics_bench.new_objects(OWNERS), dynamics_bench.follow, nothing, 0.9),
     f"{OWNERS} walkers": (lambda: walker_bench.new_spiders(OWNERS), walker_bench.walk, nothing, 4.5),
-    f"{OWNERS} emitters of 1000 flakes": (lambda: None, snow, nothing, None),
-    f"{OWNERS} stereo rigs": (lambda: stereo_bench.new_cameras(OWNERS), stereo_bench.by_object, nothing, None),
+    f"{OWNERS} emitters of 1000 flakes": (lambda: None, snow, nothing, 1.8),
+    f"{OWNERS} stereo rigs": (lambda: stereo_bench.new_cameras(OWNERS), stereo_bench.by_object, nothing, 0.28),
 }
 
 
