@@ -370,7 +370,7 @@ def _made_anew(context, copy, scene, share):
 
 def _are_constrained(thing):
     """Whether active constraints move an evaluated Object or PoseBone, other than those by which Motus applies dynamics or poses."""
-    followed = [registered["dynamics"], *laying_systems()]
+    followed = answered("what dynamics follow", lambda: [registered["dynamics"], *laying_systems()])
     return any(
         not one.mute and one.influence > 0.0 and not any(wiring.is_sink(system, one) for system in followed) for one in thing.constraints
     )
