@@ -3,6 +3,7 @@
 # its current drive; so a path such as /tmp/file is the same for both.
 set -euo pipefail
 export WINEPREFIX=$1 WINEDEBUG=-all DISPLAY=''
+export PYTHONUTF8=1 # as the Python in Blender has it
 wine=/usr/lib/wine/wine64
 
 # Made by one process, and used by all.

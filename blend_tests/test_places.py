@@ -50,7 +50,9 @@ def film(folder):
     return str(folder / "film.mp4")
 
 
-class Places(support.SceneTestCase):
+class PlaceTestCase(support.SceneTestCase):
+    """A folder `self.place` with such a name."""
+
     def setUp(self):
         super().setUp()
         self.place = self.folder / NAME
@@ -68,6 +70,8 @@ class Places(support.SceneTestCase):
         cases.open_file(path)
         self.assertEqual(cases.numbers(FRAME), wanted)
 
+
+class Places(PlaceTestCase):
     def test_a_file_with_any_name(self):
         wanted = self.scene()
         path = self.place / f"{NAME}.blend"
@@ -126,7 +130,7 @@ class Places(support.SceneTestCase):
 
 
 @unittest.skipUnless(sys.platform == "win32", "drives and two kinds of slashes are Windows' own")
-class WindowsPaths(support.SceneTestCase):
+class WindowsPaths(PlaceTestCase):
     def test_slashes_and_drives_of_both_kinds(self):
         wanted = self.scene()
         path = str(self.place / "scene.blend")
