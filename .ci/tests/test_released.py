@@ -1,13 +1,18 @@
 """Which packages are made for which groups of tests."""
 
+import os
+import subprocess
+import tempfile
 import unittest
+from pathlib import Path
 
 import blenders
 import official
 import platforms
 import released
 
-LINUX, WINDOWS = ["4.5-lts", "5.2-lts"], ["4.5-windows"]
+MOTUS = Path(__file__).resolve().parents[2] / "motus"
+WINDOWS = ["4.5-windows"]
 
 
 def planned(*only, **keywords):
@@ -38,3 +43,21 @@ class Planned(unittest.TestCase):
             self.assertIn(one.kind, blenders.KINDS)
             self.assertLessEqual(one.tests, set(blenders.TESTS))
             self.assertTrue(one.kind == "program" or official.pip_arguments(one))
+
+
+class NotPackaged(unittest.TestCase):
+    def test_it_is_said_what_makes_it(self):
+        for command, part in (
+            (("has_blender", "4.5-windows"), "Blender 4.5-windows takes what `./motus package --platforms windows-x64` makes"),
+            (("test_package", "4.5-lts"), "there are no packages of linux-x64"),
+        ):
+            with tempfile.TemporaryDirectory() as folder:
+                done = subprocess.run(
+                    [MOTUS, *command],
+                    env=os.environ | {"MOTUS_DIST": folder, "MOTUS_WITHOUT": ""},
+                    check=False,
+                    text=True,
+                    capture_output=True,
+                )
+            self.assertEqual(done.returncode, 77, done.stderr)
+            self.assertIn(f"SKIPPED: {part}", done.stderr)
