@@ -12,12 +12,25 @@ REQUIREMENTS = Path(__file__).resolve().parent / "official"
 """What pip installs for each official Blender: NAME.txt, with exact versions and checksums."""
 
 
+KINDS = {
+    "program": "of this machine, or of the Debian in a folder that `root` names",
+    "module": "official, a module of Python that pip installs",
+    "windows": "the same for Windows, run by wine",
+}
+TESTS = {
+    "whole": "the suite without a window",
+    "window": "the tests in a window",
+    "smoke": "a minute of every system",
+    "packages": "what is released, for its system",
+}
+
+
 class Blender(NamedTuple):
     """A Blender, and what `./motus test` runs in it unless other is asked for."""
 
     name: str
-    kind: str  # "program": of this machine, or of the Debian in a folder that `root` names; "module": official, installed by pip
-    tests: frozenset  # of "whole", the suite without a window; "window", that in a window; and "smoke", a minute of every system
+    kind: str  # one of the keys of KINDS
+    tests: frozenset  # kinds of tests, keys of TESTS
     root: str = ""  # Debian's suite: which system in a folder it runs in; empty: in this machine's own
     python: str = ""  # of a module: the one Python that can load it
     stands_in_for: str = ""  # the Blender in whose stead it runs the whole suite where that cannot be had
@@ -29,7 +42,7 @@ class Blender(NamedTuple):
 
     @property
     def version(self):
-        """Numbers of the version: the two of a program, the three of a module."""
+        """Numbers of the version: the two of a program, the three of an official Blender."""
         if self.kind == "program":
             return self.name
         return re.search(r"^bpy==([0-9.]+)", self.requirements.read_text(encoding="utf-8"), re.MULTILINE)[1]
@@ -44,11 +57,13 @@ BLENDERS = (
     Blender("3.4", "program", frozenset({"whole", "window"})),
     Blender("4.2-lts", "module", frozenset({"smoke"}), python="3.11"),
     Blender("4.3", "program", frozenset({"smoke"}), root="trixie", stands_in_for="4.5-lts"),
-    Blender("4.5-lts", "module", frozenset({"whole"}), python="3.11"),
+    Blender("4.5-lts", "module", frozenset({"whole", "packages"}), python="3.11"),
+    Blender("4.5-windows", "windows", frozenset({"packages"}), python="3.11"),
     Blender("5.2", "program", frozenset({"window", "smoke"}), root="sid", stands_in_for="5.2-lts"),
-    Blender("5.2-lts", "module", frozenset({"whole"}), root="trixie", python="3.13"),
+    Blender("5.2-lts", "module", frozenset({"whole", "packages"}), root="trixie", python="3.13"),
 )
-NAMES = tuple(one.name for one in BLENDERS)
+NAMES = tuple(one.name for one in BLENDERS if one.kind != "windows")
+"""Those that run the add-on as it is built for this machine."""
 PROGRAMS = tuple(one.name for one in BLENDERS if one.kind == "program")
 
 

@@ -73,6 +73,25 @@ choose_module() {
     blender_version=${exact%.*}
 }
 
+# find_windows_python VERSION: sets `windows_python`, the program of a Python for Windows; false, with the reason, where it or wine cannot be had.
+find_windows_python() {
+    if is_bookworm; then need "${wine_needs[@]}"; fi
+    [[ -x /usr/lib/wine/wine64 ]] || { say "SKIPPED: programs for Windows are run by /usr/lib/wine/wine64, which this system does not have"; return 1; }
+    windows_python=$("$python" "$here/.ci/platforms.py" "$cache" windows-x64 "$1") ||
+        { say "SKIPPED: Python $1 for Windows could not be fetched: $windows_python"; return 1; }
+}
+
+# choose_windows NAME: what choose_blender does for an official Blender for Windows, which wine runs. The zip that it takes is that of `./motus package --platforms`.
+choose_windows() {
+    local folder windows_python
+    MOTUS_ZIP=$(ls "$dist"/platforms/motus-*-windows_x64.zip 2>/dev/null) ||
+        { say "SKIPPED: Blender $1 takes what \`./motus package --platforms windows-x64\` makes, which has not been run"; return 1; }
+    find_windows_python "$abi" || return 1
+    install_module "$1" || return 1
+    blender=(bash "$here/.ci/in_wine.sh" "$build/wine" "$windows_python" -s -P "$here/.ci/module_program.py" "$folder")
+    blender_version=${exact%.*}
+}
+
 # choose_blender [NAME]: sets `blender` (the command), `blender_version` and `profile`. False where there is none of it.
 choose_blender() {
     local own=${BLENDER:-blender} wanted=${1:-} key kind exact suite abi
@@ -86,8 +105,8 @@ choose_blender() {
         key=$blender_version-$(cksum <<<"${blender[0]}" | cut -d ' ' -f 1)
     else
         row_of "$wanted" || kind=none
-        if [[ $kind == module ]]; then
-            choose_module "$wanted" || return 1
+        if [[ $kind == module || $kind == windows ]]; then
+            "choose_$kind" "$wanted" || return 1
         elif [[ $kind == none || $suite == - ]]; then
             say "SKIPPED: this machine has no Blender $wanted"
             return 1

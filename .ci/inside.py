@@ -30,7 +30,7 @@ class Groups(NamedTuple):
 
 def kind_of_whole(name):
     """The first word of the group that runs the whole suite in a Blender."""
-    return "official" if blenders.named(name).kind == "module" else "blender"
+    return "blender" if blenders.named(name).kind == "program" else "official"
 
 
 def _sorted(names):
@@ -47,7 +47,7 @@ def planned(names, only, is_here):
     ours = [blenders.named(name) for name in names or blenders.NAMES]
     runs = {one.name: {"whole", "window", "smoke"} if is_asked_for else set(one.tests) for one in ours}
     for one in ours:
-        if one.kind == "module":
+        if one.kind != "program":
             runs[one.name].discard("window")
         if names:
             runs[one.name].discard("smoke")  # which is in the whole

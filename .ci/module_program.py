@@ -8,6 +8,7 @@ Run with `python -s -P`, so that neither the user's packages nor this folder are
 """
 
 import atexit
+import ctypes
 import os
 import shlex
 import sys
@@ -230,6 +231,8 @@ def main():
     atexit._run_exitfuncs()
     sys.stdout.flush()
     sys.stderr.flush()
+    if sys.platform == "win32":  # where os._exit, too, has libraries free what they hold
+        ctypes.windll.kernel32.TerminateProcess(ctypes.c_void_p(-1), status)
     os._exit(status)
 
 

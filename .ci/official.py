@@ -11,12 +11,16 @@ from pathlib import Path
 import blenders
 import once
 
-PLATFORMS = ("manylinux_2_28_x86_64", "manylinux_2_27_x86_64", "manylinux2014_x86_64", "any")
+PLATFORMS = {
+    "module": ("manylinux_2_28_x86_64", "manylinux_2_27_x86_64", "manylinux2014_x86_64", "any"),
+    "windows": ("win_amd64", "any"),
+}
+"""Tags of the wheels that a kind of Blender is installed from."""
 
 
 def pip_arguments(blender):
-    """What pip is told to install a module with: for another Python than that which runs pip, too."""
-    platforms = [argument for platform in PLATFORMS for argument in ("--platform", platform)]
+    """What pip is told to install a module with: for another Python, and another system, than that which runs pip, too."""
+    platforms = [argument for platform in PLATFORMS[blender.kind] for argument in ("--platform", platform)]
     python = ("--implementation", "cp", "--python-version", blender.python, "--ignore-requires-python")  # pip asks that of its own Python
     return (*platforms, *python, "--requirement", blender.requirements)
 

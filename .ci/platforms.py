@@ -1,5 +1,7 @@
 """The platforms that Motus is packaged for, and what is fetched to build for them: platforms.py CACHE PLATFORM prints CMake's options, a line each.
 
+platforms.py CACHE windows-x64 PYTHON prints where the program of a Python such as 3.11 is, for wine to run.
+
 Compiler and Pythons come into folders of CACHE, which clones share. What they are, exactly, stands in platforms/*.txt with checksums; a folder is
 named by that. Where something cannot be had, the reason is printed, with exit status 1; with 2 where there is no such platform.
 """
@@ -98,8 +100,13 @@ def _copied(artifact, folder):
 
 def pythons(system, cache, copied=_copied):
     """([folders], ""), or (None, why one cannot be had). `copied` puts one there."""
+    return _fetched(artifacts(system), cache, copied)
+
+
+def _fetched(wanted, cache, copied):
     folders = []
-    for artifact in artifacts(system):
+    for artifact in wanted:
+        system = artifact.system
         place = cache / "pythons" / f"{system}-{artifact.python}-{artifact.checksum[-8:]}"
         found, why_not = once.fetched(
             place, f"fetching Python {artifact.python} for {system} by Maven (25 MB)", lambda to, it=artifact: copied(it, to)
@@ -119,12 +126,22 @@ def tools(cache):
     )
 
 
-def main(cache, name):
+def program(python, cache, copied=_copied):
+    """(the program of a Python for Windows, ""), or (None, why it cannot be had). `copied` puts its folder there."""
+    folders, why_not = _fetched([one for one in artifacts("windows") if one.python == python], cache, copied)
+    return (folders[0] / "python.exe", "") if folders else (None, why_not)
+
+
+def main(cache, name, python=""):
     """Returns the exit status."""
     if name not in PLATFORMS:
         print(f"there is no platform {name}: there are {', '.join(PLATFORMS)}")
         return 2
     cache = Path(cache).resolve()
+    if python:
+        found, why_not = program(python, cache)
+        print(found or why_not)
+        return 0 if found else 1
     compiler, why_not = tools(cache)
     folders = None
     if compiler:

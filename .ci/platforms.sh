@@ -71,19 +71,35 @@ package_platforms() {
     say "packaged for ${#made[@]} platforms, $skipped skipped"
 }
 
-# The next two are for .ci's groups of tests: what `./motus package --platforms` has made for this machine.
-command_test_package() { # VERSION PATTERN...: the extension, in an official Blender
-    MOTUS_ZIP=$(ls "$dist"/platforms/motus-*-linux_x64.zip 2>/dev/null) || { say "SKIPPED: there are no packages of linux-x64"; exit 77; }
-    export MOTUS_ZIP
+# The next two are for .ci's groups of tests: what `./motus package --platforms` has made, on this system and, run by wine, on Windows.
+command_test_package() { # NAME PATTERN...: the extension, in an official Blender
+    local kind exact suite abi
+    row_of "$1" || fail "there is no Blender $1"
+    if [[ $kind != windows ]]; then
+        MOTUS_ZIP=$(ls "$dist"/platforms/motus-*-linux_x64.zip 2>/dev/null) || { say "SKIPPED: there are no packages of linux-x64"; exit 77; }
+    fi
     command_test_inside "$@"
 }
-command_test_wheel() { # PATTERN...: the native module as pip installs it, by the tests of the bindings
-    local wheel tag programs
-    tag=$("$python" -c 'import sys; print("cp%d%d" % sys.version_info[:2])')
-    wheel=$(ls "$dist/platforms"/motus_native-*-"$tag-$tag"-manylinux*.whl 2>/dev/null) || { say "SKIPPED: there is no wheel of linux-x64 for $tag"; exit 77; }
-    pinned test || exit 77
-    rm -rf "$build/wheel"
-    logged wheel "$programs/pip" install --no-index --no-deps --target "$build/wheel" "$wheel"
+command_test_wheel() { # PLATFORM PATTERN...: the native module as pip installs it, by the tests of the bindings
+    local wheel tag programs folder windows_python windows=() target=$build/wheel-$1 tests=$here/native/tests/python
+    if [[ $1 == windows-x64 ]]; then
+        tag=cp311-cp311-win_amd64
+        find_windows_python 3.11 || exit 77
+        install_module 4.5-windows || exit 77 # for NumPy
+        windows=(bash "$here/.ci/in_wine.sh" "$build/wine" "$windows_python")
+    else
+        tag=$("$python" -c 'import sys; print("cp%d%d" % sys.version_info[:2])')
+        tag=$tag-$tag-manylinux_2_28_x86_64
+        pinned test || exit 77
+    fi
+    wheel=$(ls "$dist/platforms"/motus_native-*-"$tag".whl 2>/dev/null) || { say "SKIPPED: there is no wheel $tag"; exit 77; }
+    rm -rf "$target"
     cd "$here"
-    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$build/wheel exec "$programs/python" .ci/outside_blender.py native/tests/python "$@"
+    export PYTHONDONTWRITEBYTECODE=1
+    if ((${#windows[@]})); then
+        logged wheel "${windows[@]}" -m pip install --no-index --no-deps --target "$target" "$wheel"
+        PYTHONPATH="Z:$target;Z:$folder" exec "${windows[@]}" .ci/suite.py "$tests" "${@:2}"
+    fi
+    logged wheel "$programs/pip" install --no-index --no-deps --target "$target" "$wheel"
+    PYTHONPATH=$target exec "$programs/python" .ci/outside_blender.py "$tests" "${@:2}"
 }

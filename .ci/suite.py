@@ -1,4 +1,7 @@
-"""Runs the unittest modules of a folder: a traceback for each failure, and one summary line that .ci/test.py reads."""
+"""Runs the unittest modules of a folder: a traceback for each failure, and one summary line that .ci/test.py reads.
+
+suite.py FOLDER [PATTERN...] does so in a Python that has no pytest; Blenders call run_folder().
+"""
 
 import faulthandler
 import os
@@ -94,3 +97,7 @@ def _run(folder, patterns):
     passed = max(result.testsRun - failed - skipped, 0)
     print(f"summary: {passed} passed, {failed} failed, {skipped} skipped", flush=True)
     return 1 if failed or not (result.testsRun or patterns) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(run_folder(sys.argv[1], sys.argv[2:]))

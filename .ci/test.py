@@ -17,7 +17,7 @@ from pathlib import Path
 
 import blenders
 import inside
-import platforms
+import released
 from broken import what_broke
 
 CI = Path(__file__).resolve().parent
@@ -35,10 +35,10 @@ def has_blender(name):
     return subprocess.run([MOTUS, "has_blender", name], check=False).returncode == 0
 
 
-def configure(groups, elsewhere, packaged, patterns):
+def configure(groups, elsewhere, packages, patterns):
     """Tells CMake which groups there are inside Blenders, for which other compilers and systems, for which packages, and which patterns of tests."""
-    lists = {"ELSEWHERE": ";".join(elsewhere), "PLATFORMS": ",".join(packaged), "PATTERNS": ";".join(patterns)}
-    options = {"BUILD": BUILD, "PYTHON": sys.executable} | lists | groups.lists()
+    lists = {"ELSEWHERE": elsewhere, "PATTERNS": patterns} | packages
+    options = {"BUILD": BUILD, "PYTHON": sys.executable} | {name: ";".join(items) for name, items in lists.items()} | groups.lists()
     subprocess.run(
         ["cmake", "-S", CI, "-B", FOLDER, *(f"-DMOTUS_{name}={value}" for name, value in options.items())],
         check=True,
@@ -132,7 +132,7 @@ def main():
     parser.add_argument("patterns", nargs="*", help="only the tests whose name contains one of these")
     options = parser.parse_args()
 
-    only = options.only.split(",")
+    only = re.split(r",(?! )", options.only)  # a group's name may have a comma, with a space behind it
     names = blenders.NAMES if options.all else [name for name in options.blenders.split(",") if name]
     groups = inside.planned(names, only, has_blender)
     os.environ["MOTUS_WITHOUT"] = " ".join(groups.missing)  # its absence is said once, and not looked for again
@@ -140,8 +140,7 @@ def main():
     elsewhere = [
         preset for preset in ELSEWHERE if options.all or any(part in f"library, {preset}" and part not in "library, " for part in only)
     ]
-    packaged = platforms.PLATFORMS if options.all or any(part and part in "packages" for part in only) else ()
-    configure(groups, elsewhere, packaged, options.patterns)
+    configure(groups, elsewhere, released.planned(only, options.all), options.patterns)
     status = run_groups(only)
     results = ElementTree.parse(RESULTS) if RESULTS.exists() else None  # none where CTest itself was ended
     if results is None or results.find("testcase") is None:

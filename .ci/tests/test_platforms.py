@@ -70,6 +70,18 @@ class Fetched(Temporary):
         self.assertEqual([(folder / "include" / "patchlevel.h").read_text(encoding="utf-8") for folder in folders], list(platforms.PYTHONS))
         self.assertEqual(self.pythons(self.fail), (folders, ""))
 
+    def test_the_program_of_a_python_for_windows(self):
+        """Of the one Python that is asked for, which is all that is fetched."""
+        fetched = []
+        with contextlib.redirect_stderr(io.StringIO()):
+            found, why_not = platforms.program(
+                "3.13", self.folder, lambda artifact, place: fetched.append(artifact) or self.whole(artifact, place)
+            )
+        self.assertEqual(
+            ((found.parent / "include" / "patchlevel.h").read_text(encoding="utf-8"), found.name, why_not), ("3.13", "python.exe", "")
+        )
+        self.assertEqual([(one.system, one.python) for one in fetched], [("windows", "3.13")])
+
     def test_what_cannot_be_had_leaves_nothing(self):
         def broken(_, place):
             (place / "half").mkdir(parents=True)

@@ -63,6 +63,13 @@ def turning(name, turns, first=FIRST, last=LAST):
     return new_action(name, keys)
 
 
+def play(rig, action):
+    """Let an action be the rig's own."""
+    actions = support.addon("core.blender.actions")
+    slot = actions.slots_for_objects(action)[0].identifier if hasattr(action, "slots") else ""
+    actions.assign(rig, action, slot)
+
+
 class LayerTestCase(LookAtTestCase):
     """A figure "Rig" whose own action is "Walk", and an action "Throw"."""
 
@@ -74,10 +81,7 @@ class LayerTestCase(LookAtTestCase):
         self.play(self.rig, self.walk)
         bpy.context.view_layer.update()
 
-    def play(self, rig, action):
-        """Let an action be the rig's own."""
-        slot = self.actions.slots_for_objects(action)[0].identifier if hasattr(action, "slots") else ""
-        self.actions.assign(rig, action, slot)
+    play = staticmethod(play)
 
     def add(self, rig="Rig", **keywords):
         """Add a layer; returns it."""

@@ -128,7 +128,7 @@ def look_at():
 
 def layers():
     puppet = look_at_cases.build_rig(name="Puppet")
-    support.addon("core.blender.actions").assign(puppet, layer_cases.turning("Walk", layer_cases.WALKING))
+    layer_cases.play(puppet, layer_cases.turning("Walk", layer_cases.WALKING))
     layer_cases.turning("Wave", layer_cases.THROWING)
     motus.layer_add(object="Puppet", action="Wave", bones="Chest", start=5.0, after='REPEAT', in_armature=True, feather=1)
     motus.layer_add(

@@ -255,6 +255,6 @@ def _pixels(image):
 
 
 def linear(encoded):
-    """Convert sRGB-encoded values to linear values (Rec. 709 primaries)."""
-    encoded = np.maximum(encoded, 0.0)
+    """Convert sRGB-encoded values to linear values (Rec. 709 primaries), in double precision: powers of others differ from system to system."""
+    encoded = np.maximum(np.asarray(encoded, float), 0.0)
     return np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)

@@ -1,5 +1,6 @@
 """Trails: the recent paths of the end bobs, as tubes in the bobs' colours, computed anew on each frame."""
 
+import math
 from dataclasses import dataclass
 
 import bpy
@@ -98,16 +99,23 @@ def _fill(points, pivot, ways, ages, looks):
             points["radius"][rows], points["tint"][rows], points["age"][rows] = 0.0, 0.0, 0.0
             points["position"][rows], points["curve"][rows] = 0.0, -1
             continue
-        # NumPy's sine is not always the same to the last bit; its complex exponential is.
-        turned = np.exp(1j * (swing * angles))
-        points["position"][rows, 0] = turned.imag @ lengths
+        turned = swing * angles
+        points["position"][rows, 0] = _each(math.sin, turned) @ lengths
         points["position"][rows, 1] = offsets.get(number, 0.0)
-        points["position"][rows, 2] = -(turned.real @ lengths)
+        points["position"][rows, 2] = -(_each(math.cos, turned) @ lengths)
         points["curve"][rows] = number
         points["radius"][rows] = thickness * shares
         points["tint"][rows, :3] = colors.get(number, PLAIN)
         points["tint"][rows, 3] = shares
         points["age"][rows] = ages
+
+
+def _each(function, angles):
+    """Return an array of the function of each angle.
+
+    function: of the module math, because the last bit of NumPy's sine and cosine depends on an angle's place in its array.
+    """
+    return np.fromiter(map(function, angles.ravel().tolist()), float, angles.size).reshape(angles.shape)
 
 
 def _of_bobs(settings):
