@@ -117,5 +117,5 @@ choose_official() {
         say "there is no Blender on the PATH, so the official Blender $name is used"
         choose_blender "$name" && return
     done
-    fail "there is no Blender on the PATH, and no official one for Python $(own_python): install it with: $(install_line blender)"
+    fail "there is no Blender here that Motus could run, not even an official one for Python $(own_python); install one with: $(install_line blender)"
 }

@@ -21,6 +21,7 @@ module_needs=("python3-venv:/usr/lib*/python3.*/ensurepip")
 # What official Blenders, which are modules of Python, are linked to.
 official_needs=(
     "${module_needs[@]}" "libxrender1:/usr/lib/*/libXrender.so.1|/usr/lib64/libXrender.so.1|/usr/lib/libXrender.so.1"
+    "libxfixes3:/usr/lib/*/libXfixes.so.3|/usr/lib64/libXfixes.so.3|/usr/lib/libXfixes.so.3"
     "libxi6:/usr/lib/*/libXi.so.6|/usr/lib64/libXi.so.6|/usr/lib/libXi.so.6"
     "libxkbcommon0:/usr/lib/*/libxkbcommon.so.0|/usr/lib64/libxkbcommon.so.0|/usr/lib/libxkbcommon.so.0"
     "libsm6:/usr/lib/*/libSM.so.6|/usr/lib64/libSM.so.6|/usr/lib/libSM.so.6"
@@ -41,13 +42,13 @@ declare -A preset_needs=(
 declare -A dnf_names=(
     [g++]=gcc-c++ [ninja-build]=ninja-build [libglm-dev]=glm-devel [libhwy-dev]=highway-devel [pybind11-dev]=pybind11-devel [catch2]=catch-devel
     [python3-dev]=python3-devel [xvfb]=xorg-x11-server-Xvfb [libgl1-mesa-dri]=mesa-dri-drivers [python3-venv]=python3
-    [libxrender1]=libXrender [libxi6]=libXi [libxkbcommon0]=libxkbcommon [libsm6]=libSM [libegl1]=libglvnd-egl [libgl1]=libglvnd-glx
+    [libxrender1]=libXrender [libxfixes3]=libXfixes [libxi6]=libXi [libxkbcommon0]=libxkbcommon [libsm6]=libSM [libegl1]=libglvnd-egl [libgl1]=libglvnd-glx
     [clang-format]=clang-tools-extra [clang-tidy]=clang-tools-extra [shellcheck]=ShellCheck
 )
 declare -A pacman_names=(
     [g++]=gcc [ninja-build]=ninja [libglm-dev]=glm [libhwy-dev]=highway [pybind11-dev]=pybind11
     [python3-dev]=python [python3-numpy]=python-numpy [xvfb]=xorg-server-xvfb [libgl1-mesa-dri]=mesa [python3-venv]=python
-    [libxrender1]=libxrender [libxi6]=libxi [libxkbcommon0]=libxkbcommon [libsm6]=libsm [libegl1]=libglvnd [libgl1]=libglvnd
+    [libxrender1]=libxrender [libxfixes3]=libxfixes [libxi6]=libxi [libxkbcommon0]=libxkbcommon [libsm6]=libsm [libegl1]=libglvnd [libgl1]=libglvnd
     [clang-format]=clang [clang-tidy]=clang
 )
 
