@@ -18,9 +18,10 @@ test_needs=(
     ccache:ccache clang:clang++ xvfb:Xvfb "libgl1-mesa-dri:/usr/lib/*/dri|/usr/lib64/dri|/usr/lib/dri"
 )
 module_needs=("python3-venv:/usr/lib*/python3.*/ensurepip")
-# What official Blenders, which are modules of Python, are linked to.
+# What official Blenders, which are modules of Python, are linked to and import.
 official_needs=(
-    "${module_needs[@]}" "libxrender1:/usr/lib/*/libXrender.so.1|/usr/lib64/libXrender.so.1|/usr/lib/libXrender.so.1"
+    "${module_needs[@]}" "python3-requests:/usr/lib/python3/dist-packages/requests|/usr/lib*/python3.*/site-packages/requests"
+    "libxrender1:/usr/lib/*/libXrender.so.1|/usr/lib64/libXrender.so.1|/usr/lib/libXrender.so.1"
     "libxfixes3:/usr/lib/*/libXfixes.so.3|/usr/lib64/libXfixes.so.3|/usr/lib/libXfixes.so.3"
     "libxi6:/usr/lib/*/libXi.so.6|/usr/lib64/libXi.so.6|/usr/lib/libXi.so.6"
     "libxkbcommon0:/usr/lib/*/libxkbcommon.so.0|/usr/lib64/libxkbcommon.so.0|/usr/lib/libxkbcommon.so.0"
@@ -47,7 +48,7 @@ declare -A dnf_names=(
 )
 declare -A pacman_names=(
     [g++]=gcc [ninja-build]=ninja [libglm-dev]=glm [libhwy-dev]=highway [pybind11-dev]=pybind11
-    [python3-dev]=python [python3-numpy]=python-numpy [xvfb]=xorg-server-xvfb [libgl1-mesa-dri]=mesa [python3-venv]=python
+    [python3-dev]=python [python3-numpy]=python-numpy [python3-requests]=python-requests [xvfb]=xorg-server-xvfb [libgl1-mesa-dri]=mesa [python3-venv]=python
     [libxrender1]=libxrender [libxfixes3]=libxfixes [libxi6]=libxi [libxkbcommon0]=libxkbcommon [libsm6]=libsm [libegl1]=libglvnd [libgl1]=libglvnd
     [clang-format]=clang [clang-tidy]=clang
 )
