@@ -91,3 +91,13 @@ command_install() {
     said=$(says_native) || fail "installed into Blender $blender_version, which cannot use it: $said"
     say "installed into Blender $blender_version (${blender[*]}) and enabled: $said"
 }
+
+# command_without_motus VERSION ARGS...: runs a Blender in a fresh profile, for pictures of how Motus is installed. Exit status 77: there is none.
+command_without_motus() {
+    choose_blender "$1" || exit 77
+    profile=$build/profiles/without-motus-$1
+    rm -rf "$profile"
+    mkdir -p "$profile"
+    use_profile
+    exec "${blender[@]}" "${@:2}"
+}

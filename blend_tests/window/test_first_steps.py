@@ -13,7 +13,7 @@ def test_the_hint_is_drawn_until_it_is_hidden():
     support.enable()
     own = bpy.context.preferences.addons[support.module_name()].preferences
     sentences, ui = [], support.addon("core.interface.ui")
-    with mock.patch.object(ui, "draw_message", lambda _layout, sentence, _icon: sentences.append(sentence)):
+    with mock.patch.object(ui, "draw_message", lambda _layout, sentence, *_icon, **_width: sentences.append(sentence)):
         try:
             own.show_first_steps = True
             yield from window_support.open_tab("Motus")

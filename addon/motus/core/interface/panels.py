@@ -263,7 +263,8 @@ class _Adding:
 
 def _draw_first_steps(layout):
     row = layout.row()
-    ui.draw_message(row, tr("Select an object and choose below what it shall do, or build an example with Demo Scene at the end"), 'INFO')
+    sentence = tr("Select an object and choose below what it shall do, or build an example with Demo Scene at the end")
+    ui.draw_message(row, sentence, 'INFO', beside=ui.BUTTON)
     row.operator(first_steps.MOTUS_OT_hide_first_steps.bl_idname, text="", icon='X', emboss=False)
 
 
