@@ -52,19 +52,24 @@ at_least() { [[ $(printf '%s\n' "$1" "$2" | sort -V | head -n 1) == "$2" ]]; }
 
 # install_module NAME: sets `folder`, in which an official Blender is; false, with the reason, where it cannot be had.
 install_module() {
-    if is_bookworm; then need "${module_needs[@]}"; fi
+    wish "${official_needs[@]}" || return 1
     folder=$("$python" "$here/.ci/official.py" "$cache/official" "$1") ||
         { say "SKIPPED: pip could not install the official Blender $1: $folder"; return 1; }
 }
 
+# own_python: major.minor of this system's Python.
+own_python() { "$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])'; }
+
 # choose_module NAME: what choose_blender does for an official Blender, which is a module of Python.
 choose_module() {
     local folder in_root=()
-    if [[ $suite != - ]]; then
+    if [[ $(own_python) == "$abi" ]]; then
+        : # no other system is needed
+    elif [[ $suite != - ]]; then
         make_root "$suite" || return 1
         can_enter_roots || { say "SKIPPED: this system lets nobody mount, which Blender $1 needs"; return 1; }
         in_root=(bash "$here/.ci/in_root.sh" "$roots/$suite")
-    elif [[ $("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])') != "$abi" ]]; then
+    else
         say "SKIPPED: the official Blender $1 is a module of Python $abi, which $python is not"
         return 1
     fi
@@ -119,4 +124,17 @@ choose_blender() {
         key=$wanted
     fi
     profile=${MOTUS_PROFILE:-$build/profiles/$key}
+}
+
+# wish_blender: installs this system's own Blender; false where it has none, or nobody may install it.
+wish_blender() { installs_itself && wish "${blender_needs[@]}"; }
+
+# choose_official: what choose_blender does, for the newest official Blender that this system's Python can load.
+choose_official() {
+    local name
+    for name in $("$python" "$here/.ci/blenders.py" | tac | awk -v abi="$(own_python)" '$5 == abi { print $1 }'); do
+        say "there is no Blender on the PATH, so the official Blender $name is used"
+        choose_blender "$name" && return
+    done
+    fail "there is no Blender here that Motus could run, not even an official one for Python $(own_python); install one with: $(install_line blender)"
 }

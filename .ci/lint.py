@@ -1,6 +1,6 @@
 """Runs the linters and formatters: lint.py --programs FOLDER [--fix] [TOOL...]; called by `./motus lint`.
 
-The tools' settings, and the versions of those that pip installs, stand in pyproject.toml. A tool that cannot be had is skipped, which is
+The tools' settings, and the versions of those that are fetched, stand in pyproject.toml. A tool that cannot be had is skipped, which is
 said and counted. With --fix the tools that can mend what they find do so, one after the other; the others check as without.
 """
 
@@ -33,7 +33,7 @@ class Tool(NamedTuple):
 
     name: str
     program: str
-    by_pip: bool
+    source: str  # "pip" or "go", by which it is fetched as pyproject.toml pins it; "system", which has it or not
     check: Callable  # arguments, of (places, files); None means that there is nothing to check
     fix: Callable | None = None
 
@@ -76,18 +76,23 @@ def _cpp(_, files):
     return named(files, ".cpp", ".hpp")
 
 
+def _workflows(_, files):
+    return [path for path in named(files, ".yml", ".yaml") if path.startswith(".github/workflows/")]
+
+
 def _all(_, files):
     return files
 
 
 TOOLS = (
-    Tool("ruff", "ruff", True, lambda *_: ["check", "--quiet"], lambda *_: ["check", "--quiet", "--fix"]),
-    Tool("ruff-format", "ruff", True, lambda *_: ["format", "--quiet", "--diff"], lambda *_: ["format", "--quiet"]),
-    Tool("mypy", "mypy", True, lambda *_: []),
-    Tool("codespell", "codespell", True, with_files(choose=_all), with_files("--write-changes", choose=_all)),
-    Tool("shellcheck", "shellcheck", False, with_files("--external-sources", "--check-sourced", choose=shell_scripts)),
-    Tool("clang-format", "clang-format", False, with_files("--dry-run", "-Werror", choose=_cpp), with_files("-i", choose=_cpp)),
-    Tool("clang-tidy", str(CI.parent / "motus"), False, lambda *_: ["tidy"]),
+    Tool("ruff", "ruff", "pip", lambda *_: ["check", "--quiet"], lambda *_: ["check", "--quiet", "--fix"]),
+    Tool("ruff-format", "ruff", "pip", lambda *_: ["format", "--quiet", "--diff"], lambda *_: ["format", "--quiet"]),
+    Tool("mypy", "mypy", "pip", lambda *_: []),
+    Tool("codespell", "codespell", "pip", with_files(choose=_all), with_files("--write-changes", choose=_all)),
+    Tool("shellcheck", "shellcheck", "system", with_files("--external-sources", "--check-sourced", choose=shell_scripts)),
+    Tool("actionlint", "actionlint", "go", with_files(choose=_workflows)),
+    Tool("clang-format", "clang-format", "system", with_files("--dry-run", "-Werror", choose=_cpp), with_files("-i", choose=_cpp)),
+    Tool("clang-tidy", str(CI.parent / "motus"), "system", lambda *_: ["tidy"]),
 )
 
 
@@ -98,12 +103,13 @@ def files_of(clone):
     return [name for name in dict.fromkeys(names) if name and (clone / name).is_file()]
 
 
-def run(tool, places, files, programs, why_not, fix):
-    """The Outcome of one tool. programs: the folder of those that pip has installed, or None, for the reason `why_not`."""
+def run(tool, places, files, fetched, fix):
+    """The Outcome of one tool. fetched: {source: (the folder with its programs, "")}, or (None, why they cannot be had)."""
     began = time.monotonic()
-    if tool.by_pip and not programs:
-        return Outcome(tool.name, "SKIPPED", f"it could not be installed by pip: {why_not}", 0.0)
-    program = str(programs / tool.program) if tool.by_pip else shutil.which(tool.program)
+    programs, why_not = fetched.get(tool.source, (None, ""))
+    if why_not:
+        return Outcome(tool.name, "SKIPPED", f"it could not be installed by {tool.source}: {why_not}", 0.0)
+    program = str(programs / tool.program) if programs else shutil.which(tool.program)
     if not program or (tool.name.startswith("clang") and not shutil.which(tool.name)):
         return Outcome(tool.name, "SKIPPED", "it is not on this machine", 0.0)
     arguments = (tool.fix if fix and tool.fix else tool.check)(places, files)
@@ -125,10 +131,15 @@ def lint(places, names=(), fix=False):
     """Runs the tools of these names, or all, two at a time; prints what they find, and returns the exit status."""
     tools = [tool for tool in TOOLS if not names or tool.name in names]
     files = files_of(places.clone)
-    programs, why_not = pinned.installed("lint", places.programs, places.clone) if any(tool.by_pip for tool in tools) else (None, "")
+    sources = {tool.source for tool in tools}
+    fetched = {}
+    if "pip" in sources:
+        fetched["pip"] = pinned.installed("lint", places.programs, places.clone)
+    if "go" in sources:
+        fetched["go"] = pinned.built("actionlint", places.programs, places.clone)
     counts = dict.fromkeys(("passed", "FAILED", "SKIPPED"), 0)
     with ThreadPoolExecutor(1 if fix else os.cpu_count()) as pool:
-        for outcome in pool.map(lambda tool: run(tool, places, files, programs, why_not, fix), tools):
+        for outcome in pool.map(lambda tool: run(tool, places, files, fetched, fix), tools):
             counts[outcome.verdict] += 1
             if outcome.verdict != "passed":
                 print(outcome.output.rstrip() if outcome.verdict == "FAILED" else f"SKIPPED {outcome.name}: {outcome.output}")

@@ -104,8 +104,16 @@ def insert_bl_info(source, manifest):
 
 
 def write_zip(path, folder, prefix):
-    """Writes all files below `folder` into a zip, their names with `prefix` in front."""
+    """Writes all files below `folder` into a zip, their names with `prefix` in front.
+
+    `prefix` has an entry of its own. By that Blender before 4.2 knows which folder of an older version it has to remove: without it the files
+    are written over the old ones, the native module too, which a running Blender has mapped, and Blender crashes.
+    """
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        if prefix:
+            entry = zipfile.ZipInfo(prefix, EPOCH)
+            entry.external_attr = 0o40755 << 16
+            archive.writestr(entry, b"")
         for file in sorted(file for file in folder.rglob("*") if file.is_file()):
             entry = zipfile.ZipInfo(prefix + file.relative_to(folder).as_posix(), EPOCH)
             entry.compress_type = zipfile.ZIP_DEFLATED

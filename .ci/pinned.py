@@ -9,8 +9,11 @@ import hashlib
 import shutil
 import subprocess
 import sys
+import tempfile
 import tomllib
 from pathlib import Path
+
+import once
 
 CLONE = Path(__file__).resolve().parents[1]
 
@@ -31,6 +34,27 @@ def installed(group, programs, clone=CLONE):
                     return None, (done.stderr.strip() or done.stdout.strip() or "no reason was given").splitlines()[-1]
             (folder / "complete").touch()
     return folder / "bin", ""
+
+
+def built(name, programs, clone=CLONE):
+    """(the folder with a program that is a Go module, ""), or (None, why it cannot be had). pyproject.toml pins it, and the compiler.
+
+    The compiler is 200 MB, so it is not kept: pip installs it for as long as the program is built.
+    """
+    settings = tomllib.loads((clone / "pyproject.toml").read_text(encoding="utf-8"))
+    module, compiler = settings["tool"]["motus"][name], settings["dependency-groups"]["go"]
+
+    def fill(folder):
+        with tempfile.TemporaryDirectory(dir=folder.parent, prefix="go-") as work:
+            own = (f"GOBIN={folder}", f"GOPATH={work}/path", f"GOCACHE={work}/cache", "GOFLAGS=-modcacherw", "GOTOOLCHAIN=local")
+            return (
+                once.run(sys.executable, "-m", "venv", f"{work}/venv")
+                or once.run(f"{work}/venv/bin/pip", "install", "--quiet", *compiler)
+                or once.run("env", *own, f"{work}/venv/bin/go", "install", module)
+            )
+
+    key = hashlib.sha256(" ".join((module, *compiler)).encode()).hexdigest()[:16]
+    return once.fetched(programs / key, f"building {module}, with {' '.join(compiler)}", fill)
 
 
 def main():

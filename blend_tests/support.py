@@ -34,9 +34,11 @@ def is_enabled():
 
 
 def enable():
-    """Enables the add-on; raises what its register() raised."""
+    """Enables the add-on, without the hint where to begin, which would move what tests and pictures show; raises what its register() raised."""
     if not is_enabled():
         addon_utils.enable(module_name(), default_set=True, persistent=True, handle_error=_raise)
+    if own := bpy.context.preferences.addons.get(module_name()):
+        own.preferences.show_first_steps = False
 
 
 def disable():

@@ -26,7 +26,7 @@ def package():
 
 def registered_classes():
     """All classes the add-on has registered."""
-    kinds = (bpy.types.Operator, bpy.types.Panel, bpy.types.Menu, bpy.types.PropertyGroup, bpy.types.UIList)
+    kinds = (bpy.types.Operator, bpy.types.Panel, bpy.types.Menu, bpy.types.PropertyGroup, bpy.types.UIList, bpy.types.AddonPreferences)
     return [
         cls
         for kind in kinds

@@ -141,6 +141,7 @@ class Command(unittest.TestCase):
             ("install", "there"),
             ("install", "--blender"),
             ("package", "x"),
+            ("release", "x"),
             ("clean", "all"),
             ("docs", "y"),
             ("docs", "steps", "y"),
@@ -179,6 +180,6 @@ class Command(unittest.TestCase):
 
     def test_help_names_every_command(self):
         shown = motus("help").stdout
-        for name in ("demo", "test", "lint", "bench", "package", "install", "docs", "python", "blender", "clean"):
+        for name in ("demo", "test", "lint", "bench", "package", "release", "install", "docs", "python", "blender", "clean"):
             self.assertIn(f"\n  {name}", shown)
         self.assertEqual(motus("no-such-command").returncode, 2)

@@ -11,6 +11,7 @@ from pathlib import Path
 from unittest import mock
 
 import lint
+import pinned
 
 CLONE = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(os.environ.get("MOTUS_CACHE") or Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "motus"), "programs")
@@ -20,8 +21,17 @@ FAULTS = {  # tool: the file in which it finds one, and the file's text
     "mypy": ("addon/motus/fault.py", '"""Gives back another type."""\n\n\ndef count() -> int:\n    return "two"\n'),
     "codespell": ("docs/fault.md", "Teh page.\n"),
     "shellcheck": ("tool", "#!/usr/bin/env bash\nrm $1\n"),
+    "actionlint": (".github/workflows/fault.yml", "on: push\njobs:\n  test:\n    runs-on: ubuntu-latest\n    steps: [{ruin: something}]\n"),
     "clang-format": ("native/fault.cpp", "int  value;\n"),
 }
+NOWHERE = """
+[dependency-groups]
+lint = ["/no such folder/motus-linter.whl"]
+go = ["/no such folder/motus-go.whl"]
+[tool.motus]
+actionlint = "no such module"
+"""
+"""Of pyproject.toml: what neither pip nor Go can have."""
 MENDED = {"ruff", "ruff-format", "codespell", "clang-format"}
 
 
@@ -52,9 +62,12 @@ class Lint(unittest.TestCase):
     def test_each_tool_finds_a_fault_and_passes_without(self):
         status, printed = self.lint(*FAULTS)
         self.assertEqual(status, 0, printed)
-        self.assertIn(f"summary: {len(FAULTS)} passed, 0 failed, 0 skipped", printed)
+        go, why_not = pinned.built("actionlint", PROGRAMS)
+        self.assertIn(f"summary: {len(FAULTS) - bool(why_not)} passed, 0 failed, {int(bool(why_not))} skipped", printed)
         for name, (file, text) in FAULTS.items():
             with self.subTest(name):
+                if name == "actionlint" and not go:
+                    self.skipTest(f"it cannot be built: {why_not}")
                 path = self.write(file, text)
                 status, printed = self.lint(name)
                 self.assertEqual(status, 1, printed)
@@ -81,10 +94,11 @@ class Lint(unittest.TestCase):
 
     def test_what_pip_cannot_install_is_skipped_with_the_reason(self):
         settings = self.places.clone / "pyproject.toml"
-        settings.write_text('[dependency-groups]\nlint = ["/no such folder/motus-linter.whl"]\n', encoding="utf-8")
+        settings.write_text(NOWHERE, encoding="utf-8")
         self.places = self.places._replace(programs=self.places.clone / "programs")
         with contextlib.redirect_stderr(io.StringIO()):
-            status, printed = self.lint("ruff", "shellcheck")
+            status, printed = self.lint("ruff", "shellcheck", "actionlint")
         self.assertEqual(status, 0, printed)
         self.assertRegex(printed, r"SKIPPED ruff: it could not be installed by pip: .*motus-linter")
-        self.assertIn("summary: 1 passed, 0 failed, 1 skipped", printed)
+        self.assertRegex(printed, r"SKIPPED actionlint: it could not be installed by go: .*motus-go")
+        self.assertIn("summary: 1 passed, 0 failed, 2 skipped", printed)

@@ -59,27 +59,27 @@ class Strip:
 
         has_mouse: the mouse is drawn. is_moved: a picture that would not show the mouse is moved until it does.
         """
-        screen = yield from _smooth_screen()
+        screen = yield from smooth_screen()
         number = len(self._pictures) + 1
         width = WIDE if number == COUNT else WIDTH
         x, y = hand.place[0], screen.shape[0] - hand.place[1]
         if has_mouse:
-            _paint_cursor(screen, x, y)
+            paint_cursor(screen, x, y)
         if is_moved:
             left, top = min(max(left, x + AROUND - width), x - AROUND), min(max(top, y + AROUND - HEIGHT), y - AROUND)
         left, top = min(max(left, 0), screen.shape[1] - width), min(max(top, 0), screen.shape[0] - HEIGHT)
         picture = screen[top : top + HEIGHT, left : left + width].copy()
-        _paint_badge(picture, number)
+        paint_badge(picture, number)
         self._pictures.append(picture)
 
     def panel(self, name, left, top, right, bottom):
         """Generator: keeps a part of the window as a picture of its own."""
-        screen = yield from _smooth_screen()
+        screen = yield from smooth_screen()
         self._panels[name] = screen[top:bottom, left:right].copy()
 
     def inset(self, file, left, top):
         """Generator: lays the middle of the viewport into a corner of a picture, half as large."""
-        screen = yield from _smooth_screen()
+        screen = yield from smooth_screen()
         x, y = window_support.centre()
         y = screen.shape[0] - y
         found = screen[y - INSET[1] : y + INSET[1], x - INSET[0] : x + INSET[0]].astype(np.uint16)
@@ -88,7 +88,7 @@ class Strip:
         picture = np.round(np.array(values).reshape(height, width, 4)[::-1, :, :3] * 255.0).astype(np.uint8)
         picture[top - RIM : top + INSET[1] + RIM, left - RIM : left + INSET[0] + RIM] = PAPER
         picture[top : top + INSET[1], left : left + INSET[0]] = small
-        file.write_bytes(_png(picture))
+        file.write_bytes(png(picture))
         print(f"docs/pictures/{file.name}", flush=True)
 
     def save(self, file):
@@ -102,11 +102,16 @@ class Strip:
             sheet[top : top + HEIGHT, left : left + picture.shape[1]] = picture
         pictures = {file: sheet, **{file.with_name(f"{name}.png"): found for name, found in self._panels.items()}}
         for path, pixels in pictures.items():
-            path.write_bytes(_png(pixels & 0xFC | pixels >> 6))  # 64 shades of each colour are enough, and pack better
+            path.write_bytes(png(coarse(pixels)))
         return list(pictures)
 
 
-def _smooth_screen():
+def coarse(pixels):
+    """64 shades of each colour, which are enough, and pack better."""
+    return pixels & 0xFC | pixels >> 6
+
+
+def smooth_screen():
     """Generator: the window with smooth edges, which take most of the time where they are drawn in software."""
     system = bpy.context.preferences.system
     system.viewport_aa = '8'
@@ -117,7 +122,8 @@ def _smooth_screen():
     return screen
 
 
-def _paint_cursor(screen, x, y):
+def paint_cursor(screen, x, y):
+    """Draw the mouse with its point at (x, y), from the upper left."""
     colors = {"#": 0, ".": 255}
     for row, line in enumerate(CURSOR):
         for column, pixel in enumerate(line):
@@ -126,7 +132,8 @@ def _paint_cursor(screen, x, y):
                 screen[place] = colors[pixel]
 
 
-def _paint_badge(picture, number):
+def paint_badge(picture, number):
+    """Draw the number of a picture into its upper left corner."""
     middle = BADGE + 5
     rows, columns = np.ogrid[: 2 * middle, : 2 * middle]
     distance = np.hypot(rows - middle, columns - middle)
@@ -140,7 +147,7 @@ def _paint_badge(picture, number):
                 corner[top : top + 2, left : left + 2] = 0
 
 
-def _png(pixels):
+def png(pixels):
     """The content of a PNG file; each line has the filter that leaves least."""
 
     def chunk(kind, data):

@@ -10,6 +10,7 @@ import bpy
 from .. import native
 from ..refusals import Refused, check_local
 from ..translations import tr
+from . import first_steps
 from .view.offering import is_offered, pressed
 
 
@@ -99,6 +100,7 @@ class Operator:
             return self.refuse(refusal)
         if is_offered(context, type(self)):
             pressed.add(type(self))
+        first_steps.hide(context)
         return {'FINISHED'}
 
     def _take_former_keywords(self):

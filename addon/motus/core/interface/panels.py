@@ -13,7 +13,8 @@ import bpy
 from .. import native
 from ..bake import state
 from ..declare import described, registered, title
-from . import overlay, ui
+from ..translations import tr
+from . import first_steps, overlay, ui
 from .view import offering
 
 REFRESH = "motus.refresh"
@@ -243,6 +244,8 @@ class _Adding:
         layout = self.layout
         if not ui.draw_native_status(layout):
             return
+        if first_steps.is_shown(context):
+            _draw_first_steps(layout)
         if context.object is None:
             layout.label(text="Nothing is selected", icon='INFO')
         else:
@@ -256,6 +259,13 @@ class _Adding:
         for panel in (panel for system in registered.values() for panel in described(system)):
             if panel.draw_about and context.object is not None:
                 panel.draw_about(column, context)
+
+
+def _draw_first_steps(layout):
+    row = layout.row()
+    sentence = tr("Select an object and choose below what it shall do, or build an example with Demo Scene at the end")
+    ui.draw_message(row, sentence, 'INFO', beside=ui.BUTTON)
+    row.operator(first_steps.MOTUS_OT_hide_first_steps.bl_idname, text="", icon='X', emboss=False)
 
 
 menus_of_scenes = []

@@ -10,6 +10,8 @@ from .view import playback, widths
 TAB = "Motus"
 FEWEST = 16
 """Smallest number of characters in a line of a message, however narrow the region is."""
+BUTTON = 24.0
+"""Pixels, at a scale of 1, that a button with an icon alone takes in a row."""
 
 
 class Sidebar:
@@ -157,21 +159,24 @@ def draw_rig_influence(layout, settings):
     split(row, text).prop(settings, "influence", text=text, translate=False, slider=True)
 
 
-def draw_message(layout, sentence, icon):
-    """Draw a box with a sentence, wrapped to the width of the region that is drawn. icon: before the first line."""
+def draw_message(layout, sentence, icon, beside=0.0):
+    """Draw a box with a sentence, wrapped to the width of the region that is drawn.
+
+    icon: before the first line. beside: width in pixels, at a scale of 1, that something beside the box takes.
+    """
     import textwrap
 
-    box, most = layout.box().column(align=True), _characters(bpy.context)
+    box, most = layout.box().column(align=True), _characters(bpy.context, beside)
     for index, line in enumerate(textwrap.wrap(bpy.app.translations.pgettext_tip(sentence), most)):
         box.label(text=line, icon=icon if index == 0 else 'BLANK1', translate=False)
 
 
-def _characters(context):
-    """Number of characters that fit into a line of the region, beside an icon and the margins."""
+def _characters(context, beside):
+    """Number of characters that fit into a line of the region, beside an icon, the margins and what else takes width."""
     if context.region is None:
         return FEWEST
     scale = context.preferences.system.ui_scale
-    return max(FEWEST, int((context.region.width / scale - 90.0) / widths.CHARACTER_WIDTH))
+    return max(FEWEST, int((context.region.width / scale - 90.0 - beside) / widths.CHARACTER_WIDTH))
 
 
 classes = (MOTUS_OT_copy_text,)

@@ -45,6 +45,11 @@ INTERFACE = {
     "Object whose settings drive this one": "Objeto cuyos ajustes mueven este",
     "Copy the message to the clipboard": "Copiar el mensaje al portapapeles",
     "Nothing is selected": "No hay nada seleccionado",
+    "Select an object and choose below what it shall do, or build an example with Demo Scene at the end": "Selecciona un objeto y elige abajo lo que ha de hacer, o crea un ejemplo con Escena de demostración, al final",
+    "Do not show this hint again; it can be switched on in the add-on's preferences": "No volver a mostrar este consejo; se puede activar en las preferencias del complemento",
+    "Motus is in the sidebar of the 3D viewport, which N opens, and in the menus Add, Object and Pose": "Motus está en la barra lateral de la vista 3D, que se abre con N, y en los menús Agregar, Objeto y Pose",
+    "First Steps": "Primeros pasos",
+    "Show where to begin, in the tab Motus of the 3D viewport's sidebar; switched off when an operator of Motus was used": "Mostrar por dónde empezar, en la pestaña Motus de la barra lateral de la vista 3D; se desactiva al usar un operador de Motus",
     "Motus could not compute this: see the system console": "Motus no pudo calcular esto: consulta la consola del sistema",
     "The data of this system in the file is damaged: press Refresh, or set it up again": "Los datos de este sistema en el archivo están dañados: pulsa Actualizar, o configúralo de nuevo",
     "There are more points than there is room for: only the first ones are shown": "Hay más puntos que sitio para ellos: solo se ven los primeros",
@@ -363,6 +368,7 @@ OWN_SENSE = {
 }
 
 OPERATORS = {
+    "Hide First Steps": "Ocultar los primeros pasos",
     "To All Selected": "A selección",
     "Add": "Agregar",
     "Use Follow Path Preset": "Usar preajuste de seguir trayectoria",

@@ -1,0 +1,98 @@
+"""What a command needs is installed on Debian 12 and 13, and elsewhere named in one line for the system's own package manager."""
+
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+CI = Path(__file__).resolve().parents[1]
+SYSTEMS = {
+    "bookworm": 'ID=debian\nVERSION_CODENAME=bookworm\n',
+    "trixie": 'ID=debian\nVERSION_CODENAME=trixie\n',
+    "sid": 'ID=debian\nVERSION_CODENAME=forky\n',
+    "ubuntu": 'ID=ubuntu\nID_LIKE=debian\nVERSION_CODENAME=noble\n',
+    "mint": 'ID=linuxmint\nID_LIKE="ubuntu debian"\n',
+    "fedora": 'ID=fedora\nVERSION_ID=43\n',
+    "rocky": 'ID="rocky"\nID_LIKE="rhel centos fedora"\n',
+    "arch": 'ID=arch\n',
+    "manjaro": 'ID=manjaro\nID_LIKE=arch\n',
+    "slackware": 'ID=slackware\n',
+}
+WANTED = "g++:no-such-program libglm-dev:/no/such/file catch2:/no/such/*/file clang-format:no-such-tool clang-tidy:no-such-tool"
+APT = "sudo apt-get install g++ libglm-dev catch2 clang-format clang-tidy"
+DNF = "sudo dnf install gcc-c++ glm-devel catch-devel clang-tools-extra"
+PACMAN = "sudo pacman -S --needed gcc glm catch2 clang"
+LINES = {
+    "sid": APT,
+    "ubuntu": APT,
+    "mint": APT,
+    "fedora": DNF,
+    "rocky": DNF,
+    "arch": PACMAN,
+    "manjaro": PACMAN,
+}
+
+
+class Needs(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="motus test ")
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+
+    def bash(self, system, command, has_root=True):
+        """(exit status, what is said) of a command on a system, where apt-get is only printed."""
+        self.folder.joinpath("os-release").write_text(SYSTEMS[system], encoding="utf-8")
+        script = f"""
+            set -euo pipefail
+            say() {{ printf 'motus: %s\\n' "$*"; }}
+            fail() {{ say "$@"; exit 1; }}
+            logged() {{ "${{@:2}}"; }}
+            source {CI}/needs.sh
+            os_release='{self.folder}/os-release'
+            as_root() {{ {'[[ $1 == true ]] || echo "as root: $*"' if has_root else 'return 1'}; }}
+            {command}
+        """
+        done = subprocess.run(["bash", "-c", script], text=True, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        return done.returncode, done.stdout
+
+    def test_elsewhere_one_line_says_what_to_install(self):
+        for system, line in LINES.items():
+            with self.subTest(system):
+                status, said = self.bash(system, f"need {WANTED}; echo went on")
+                self.assertEqual(status, 1)
+                self.assertEqual(said, f"motus: this system lacks what Motus needs here; install it with: {line}\n")
+
+    def test_an_unknown_system_goes_by_what_it_has(self):
+        for program, line in (("apt-get", APT), ("dnf", DNF), ("pacman", PACMAN)):
+            found = f'command() {{ [[ $2 == {program} ]]; }}'
+            self.assertIn(line, self.bash("slackware", f"{found}; need {WANTED}")[1])
+        said = self.bash("slackware", f"command() {{ false; }}; need {WANTED}")[1]
+        self.assertIn("by your system's names for what Debian calls g++ libglm-dev", said)
+
+    def test_debian_installs_what_is_missing(self):
+        for system in ("bookworm", "trixie"):
+            status, said = self.bash(system, f"need {WANTED} bash:bash; echo went on")
+            self.assertEqual(status, 0, said)
+            self.assertIn("apt-get install -y -q --no-install-recommends g++ libglm-dev catch2 clang-format clang-tidy\n", said)
+            self.assertIn("went on", said)
+
+    def test_debian_without_root_says_what_to_install(self):
+        status, said = self.bash("trixie", f"need {WANTED}", has_root=False)
+        self.assertEqual((status, said), (1, f"motus: this system lacks what Motus needs here; install it with: {APT}\n"))
+
+    def test_what_is_there_is_not_asked_for(self):
+        command = f"need 'a:no-such|bash' 'b:/no/such|{CI}/need*.sh' c:bash; echo went on"
+        self.assertEqual(self.bash("fedora", command), (0, "went on\n"))
+
+    def test_what_can_be_done_without_is_not_asked_for_elsewhere(self):
+        self.assertEqual(self.bash("fedora", f"wish {WANTED}; echo went on"), (0, "went on\n"))
+        status, said = self.bash("trixie", f"wish {WANTED} || echo does without", has_root=False)
+        self.assertEqual(status, 0)
+        self.assertIn("does without", said)
+
+    def test_every_need_has_a_name_everywhere(self):
+        """Names that only Debian has would be no help."""
+        command = 'for pair in "${build_needs[@]}" "${test_needs[@]}" "${official_needs[@]}" "${lint_needs[@]}"; do install_line "${pair%%:*}"; done'
+        for system in ("fedora", "arch"):
+            for line in self.bash(system, command)[1].splitlines():
+                self.assertNotRegex(line, r"-dev$|(?<!gcc-c)\+\+$|python3-venv|lib\w+\d$")
