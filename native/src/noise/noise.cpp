@@ -221,9 +221,19 @@ template <int dimensions>
     return {places.empty() ? nullptr : &places[0].x, dimensions * places.size()};
 }
 
-void pass_on_nan(std::size_t dimensions, std::span<const float> places, std::span<float> out) {
-    for (std::size_t i = 0; i < places.size(); ++i)
-        if (std::isnan(places[i])) out[i / dimensions] = not_a_number;
+/// Those of the places that the kernels do not know, one by one.
+void fill_far(std::size_t dimensions, std::span<const float> places, std::uint32_t seed,
+              std::span<float> out) {
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const std::span<const float> place = places.subspan(dimensions * i, dimensions);
+        if (std::ranges::all_of(place, [](float number) { return std::abs(number) <= near; })) continue;
+        if (dimensions == 1)
+            out[i] = value(place[0], seed);
+        else if (dimensions == 2)
+            out[i] = value(glm::dvec2(place[0], place[1]), seed);
+        else
+            out[i] = value(glm::dvec3(place[0], place[1], place[2]), seed);
+    }
 }
 
 void fill(std::size_t dimensions, std::span<const float> places, std::uint32_t seed, std::span<float> out) {
@@ -233,19 +243,19 @@ void fill(std::size_t dimensions, std::span<const float> places, std::uint32_t s
         for (std::size_t begin = 0; begin < out.size(); begin += noise_block) {
             const std::size_t count = std::min(noise_block, out.size() - begin);
             const float* const from = &places[dimensions * begin];
-            bool is_any_nan = false;
+            bool are_near = false;
             if (count == noise_block) {
-                is_any_nan = fill_by(from, seed, &out[begin]);
+                are_near = fill_by(from, seed, &out[begin]);
             } else {
                 std::array<float, 3 * noise_block> padded{};
                 std::array<float, noise_block> found{};
                 std::copy_n(from, dimensions * count, padded.begin());
-                is_any_nan = fill_by(padded.data(), seed, found.data());
+                are_near = fill_by(padded.data(), seed, found.data());
                 std::copy_n(found.begin(), count, &out[begin]);
             }
-            if (is_any_nan)
-                pass_on_nan(dimensions, places.subspan(dimensions * begin, dimensions * count),
-                            out.subspan(begin, count));
+            if (!are_near)
+                fill_far(dimensions, places.subspan(dimensions * begin, dimensions * count), seed,
+                         out.subspan(begin, count));
         }
     });
 }

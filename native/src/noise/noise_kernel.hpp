@@ -10,9 +10,12 @@ namespace motus::noise {
 /// Places worked on at once, a multiple of every set's lanes.
 inline constexpr std::size_t noise_block = 256;
 
+/// Largest number that the kernels know.
+inline constexpr float near = 0x1p22F;
+
 /// Noise at noise_block places for one instruction set; all sets give the bits of value(). fill[d - 1]: of d
-/// dimensions, the numbers of a place after each other; whether one is NaN. For a coordinate that is NaN they
-/// take the end of its range.
+/// dimensions, the numbers of a place after each other; whether all of them are near. What is written for
+/// places of which one is not, or is NaN, means nothing.
 struct NoiseKernel {
     const char* name;
     std::array<bool (*)(const float* places, std::uint32_t seed, float* out), 3> fill;
