@@ -80,7 +80,7 @@ choose_module() {
 
 # find_windows_python VERSION: sets `windows_python`, the program of a Python for Windows; false, with the reason, where it or wine cannot be had.
 find_windows_python() {
-    if is_bookworm; then need "${wine_needs[@]}"; fi
+    wish "${wine_needs[@]}" || true
     [[ -x /usr/lib/wine/wine64 ]] || { say "SKIPPED: programs for Windows are run by /usr/lib/wine/wine64, which this system does not have"; return 1; }
     windows_python=$("$python" "$here/.ci/platforms.py" "$cache" windows-x64 "$1") ||
         { say "SKIPPED: Python $1 for Windows could not be fetched: $windows_python"; return 1; }
@@ -132,7 +132,7 @@ wish_blender() { installs_itself && wish "${blender_needs[@]}"; }
 # choose_official: what choose_blender does, for the newest official Blender that this system's Python can load.
 choose_official() {
     local name
-    for name in $("$python" "$here/.ci/blenders.py" | tac | awk -v abi="$(own_python)" '$5 == abi { print $1 }'); do
+    for name in $("$python" "$here/.ci/blenders.py" | tac | awk -v abi="$(own_python)" '$2 == "module" && $5 == abi { print $1 }'); do
         say "there is no Blender on the PATH, so the official Blender $name is used"
         choose_blender "$name" && return
     done
