@@ -6,9 +6,9 @@ from . import bake, declare, keeping, settings, translations, wiring
 from .blender import handlers
 from .evaluated import read_keys, shares
 from .file import deleted
-from .interface import baking, bone_entries, first_steps, menus, overlay, panels, refreshing, ui
+from .interface import baking, bone_entries, menus, overlay, panels, refreshing, ui
 from .interface.tracks import operators as track_operators, panel as track_panel
-from .interface.view import playback, viewports
+from .interface.view import first_steps, playback, viewports
 
 _undo = []
 _FORGETTING = handlers.Forgetting(keeping.forget_file, keeping.forget_all)

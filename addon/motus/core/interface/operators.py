@@ -10,7 +10,7 @@ import bpy
 from .. import native
 from ..refusals import Refused, check_local
 from ..translations import tr
-from . import first_steps
+from .view import first_steps
 from .view.offering import is_offered, pressed
 
 

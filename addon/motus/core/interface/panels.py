@@ -14,8 +14,8 @@ from .. import native
 from ..bake import state
 from ..declare import described, registered, title
 from ..translations import tr
-from . import first_steps, overlay, ui
-from .view import offering
+from . import overlay, ui
+from .view import first_steps, offering
 
 REFRESH = "motus.refresh"
 

@@ -5,7 +5,7 @@ The add-on's preferences remember that, so that the hint is not shown again.
 
 import bpy
 
-PACKAGE = __package__.removesuffix(".core.interface")
+PACKAGE = __package__.removesuffix(".core.interface.view")
 """Name by which Blender knows the add-on: motus, or of an extension bl_ext.REPOSITORY.motus."""
 
 

@@ -10,7 +10,7 @@ import support
 HIDE = """
 import bpy, support
 from unittest import mock
-first_steps = support.addon("core.interface.first_steps")
+first_steps = support.addon("core.interface.view.first_steps")
 with mock.patch.object(first_steps, "has_window", lambda: True):
     print("FIRST", first_steps.is_shown(bpy.context))
     bpy.ops.motus.hide_first_steps()
@@ -18,7 +18,7 @@ bpy.ops.wm.save_userpref()
 """
 LATER = """
 import bpy, support
-first_steps = support.addon("core.interface.first_steps")
+first_steps = support.addon("core.interface.view.first_steps")
 first_steps.has_window = lambda: True
 print("LATER", first_steps.is_shown(bpy.context))
 """
@@ -30,7 +30,7 @@ class FirstStepsTest(support.SceneTestCase):
         if support.module_name() not in bpy.context.preferences.addons:  # `blender --addons` enables it without
             support.disable()
             support.enable()
-        self.first_steps = support.addon("core.interface.first_steps")
+        self.first_steps = support.addon("core.interface.view.first_steps")
         self.own = bpy.context.preferences.addons[support.module_name()].preferences
         self.addCleanup(setattr, self.own, "show_first_steps", False)
         self.own.show_first_steps = True
