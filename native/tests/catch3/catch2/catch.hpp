@@ -1,4 +1,5 @@
-// Catch2 3 under the names of Catch2 2, which the tests use: Debian 12 has 2, and Debian 13, Fedora and Arch have 3.
+// Catch2 3 under the names of Catch2 2, which the tests use: Debian 12 has 2, and Debian 13, Fedora and Arch
+// have 3.
 #pragma once
 
 #include <catch2/catch_all.hpp>
@@ -11,6 +12,8 @@ namespace Catch {
 using Matchers::StartsWith;
 
 /// A text that has `part` somewhere.
-inline auto Contains(const std::string& part) { return Matchers::ContainsSubstring(part); }
+inline auto Contains(const std::string& part) {
+    return Matchers::ContainsSubstring(part);
+}
 
 }  // namespace Catch
