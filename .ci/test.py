@@ -29,16 +29,18 @@ WHOLE_OUTPUT = str(10**8)
 ELSEWHERE = ("libcxx", "threads", "aarch64-linux", "windows-x64")
 """CMake's presets of other compilers and systems, for which the library is tested if all is asked for, or its group by name."""
 
+FUZZED = ("curve", "clip", "mesh", "snow")
+"""Topics that fuzzers look through, in the same cases."""
+
 
 def has_blender(name):
     """Whether this machine has a Blender of this name, or can get it; ./motus says why not."""
     return subprocess.run([MOTUS, "has_blender", name], check=False).returncode == 0
 
 
-def configure(groups, elsewhere, packaged, patterns):
-    """Tells CMake which groups there are inside Blenders, for which other compilers and systems, for which packages, and which patterns of tests."""
-    lists = {"ELSEWHERE": ";".join(elsewhere), "PLATFORMS": ",".join(packaged), "PATTERNS": ";".join(patterns)}
-    options = {"BUILD": BUILD, "PYTHON": sys.executable} | lists | groups.lists()
+def configure(groups, **lists):
+    """Tells CMake which groups there are: inside Blenders, and by `lists` ELSEWHERE, PLATFORMS, FUZZED and PATTERNS."""
+    options = {"BUILD": BUILD, "PYTHON": sys.executable} | {name.upper(): ";".join(values) for name, values in lists.items()} | groups.lists()
     subprocess.run(
         ["cmake", "-S", CI, "-B", FOLDER, *(f"-DMOTUS_{name}={value}" for name, value in options.items())],
         check=True,
@@ -141,7 +143,8 @@ def main():
         preset for preset in ELSEWHERE if options.all or any(part in f"library, {preset}" and part not in "library, " for part in only)
     ]
     packaged = platforms.PLATFORMS if options.all or any(part and part in "packages" for part in only) else ()
-    configure(groups, elsewhere, packaged, options.patterns)
+    fuzzed = [topic for topic in FUZZED if not options.patterns and (options.all or any(part and part in f"fuzz {topic}" for part in only))]
+    configure(groups, elsewhere=elsewhere, platforms=[",".join(packaged)], fuzzed=fuzzed, patterns=options.patterns)
     status = run_groups(only)
     results = ElementTree.parse(RESULTS) if RESULTS.exists() else None  # none where CTest itself was ended
     if results is None or results.find("testcase") is None:
