@@ -29,16 +29,18 @@ WHOLE_OUTPUT = str(10**8)
 ELSEWHERE = ("libcxx", "threads", "aarch64-linux", "windows-x64")
 """CMake's presets of other compilers and systems, for which the library is tested if all is asked for, or its group by name."""
 
+FUZZED = ("curve", "clip", "mesh", "snow")
+"""Topics that fuzzers look through, in the same cases."""
+
 
 def has_blender(name):
     """Whether this machine has a Blender of this name, or can get it; ./motus says why not."""
     return subprocess.run([MOTUS, "has_blender", name], check=False).returncode == 0
 
 
-def configure(groups, elsewhere, packages, patterns):
-    """Tells CMake which groups there are inside Blenders, for which other compilers and systems, for which packages, and which patterns of tests."""
-    lists = {"ELSEWHERE": elsewhere, "PATTERNS": patterns} | packages
-    options = {"BUILD": BUILD, "PYTHON": sys.executable} | {name: ";".join(items) for name, items in lists.items()} | groups.lists()
+def configure(groups, **lists):
+    """Tells CMake which groups there are: inside Blenders, and by `lists` ELSEWHERE, PLATFORMS, RELEASED, FUZZED and PATTERNS."""
+    options = {"BUILD": BUILD, "PYTHON": sys.executable} | {name.upper(): ";".join(values) for name, values in lists.items()} | groups.lists()
     subprocess.run(
         ["cmake", "-S", CI, "-B", FOLDER, *(f"-DMOTUS_{name}={value}" for name, value in options.items())],
         check=True,
@@ -140,7 +142,8 @@ def main():
     elsewhere = [
         preset for preset in ELSEWHERE if options.all or any(part in f"library, {preset}" and part not in "library, " for part in only)
     ]
-    configure(groups, elsewhere, released.planned(only, options.all), options.patterns)
+    fuzzed = [topic for topic in FUZZED if not options.patterns and (options.all or any(part and part in f"fuzz {topic}" for part in only))]
+    configure(groups, elsewhere=elsewhere, fuzzed=fuzzed, patterns=options.patterns, **released.planned(only, options.all))
     status = run_groups(only)
     results = ElementTree.parse(RESULTS) if RESULTS.exists() else None  # none where CTest itself was ended
     if results is None or results.find("testcase") is None:

@@ -74,9 +74,9 @@ class Random {
     }
     /// A rotation by this angle about any axis.
     glm::dquat turn(double angle) { return glm::angleAxis(angle, direction()); }
-    /// A rotation by an angle of up to `largest` about any axis.
-    glm::dquat rotation(double largest) {
-        const double angle = between(-largest, largest);
+    /// A rotation by an angle of up to `most` about any axis.
+    glm::dquat rotation(double most) {
+        const double angle = between(-most, most);
         return turn(angle);
     }
     /// Every rotation alike, nearly.

@@ -105,6 +105,7 @@ template <class Real>
     return place.y - way.y / way.x * (place.x - frame);
 }
 
+/// The value of the keys at a frame that is a number.
 template <class Real>
 [[nodiscard]] Real keyed(std::span<const Key> keys, bool goes_on, Real frame, Root<Real>& root) {
     const Key& first = keys.front();
@@ -142,7 +143,8 @@ template <class Real>
     return cycles.influence;
 }
 
-/// Where between the keys a frame is played, and what is added to the value there.
+/// Where between the keys a frame is played, and what is added to the value there. NaN where products of
+/// the modifier's numbers overflow.
 struct Played {
     float frame, offset;
 };
@@ -260,6 +262,7 @@ float FCurve::value(double frame, Root<float>& root) const {
     const std::optional<Cycles>& cycles = data_->cycles;
     if (!cycles) return keyed(data_->keys, data_->goes_on, at, root);
     const Played found = played(data_->keys, *cycles, at);
+    if (std::isnan(found.frame)) return found.frame;
     const float value = keyed(data_->keys, data_->goes_on, found.frame, root);
     // Blender asks for the influence on the value at the frame that is played.
     const float influence = influence_at(*cycles, found.frame);

@@ -221,6 +221,17 @@ TEST_CASE("cycles act within their frames, by their influence", "[fcurve]") {
     CHECK(cyclic(fading).value(40.0) == 5.0f);
 }
 
+TEST_CASE("where the numbers of cycles overflow the value is NaN, of however many keys", "[fcurve]") {
+    Cycles overflowing;
+    overflowing.influence = std::numeric_limits<float>::max();
+    const double last_frame = std::numeric_limits<float>::max();
+    for (const std::size_t count : {1U, 2U, 3U}) {
+        std::vector<Key> keys = steps_and_lines();
+        keys.resize(count);
+        CHECK(std::isnan(FCurve(keys, false, overflowing).value(last_frame)));
+    }
+}
+
 TEST_CASE("laps are counted in double precision, or in single as older versions of Blender do", "[fcurve]") {
     // The float before the end of lap 100 of 10.1 frames: in single precision the quotient is 100, a lap too
     // far, and the mirrored lap is played from its wrong end.
