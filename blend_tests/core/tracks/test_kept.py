@@ -67,8 +67,10 @@ class Answers(TrackTestCase):
         self.thing.constraints.remove(constraint)
         self.assert_right("no constraint")
         self.thing.driver_add("location", 2)
+        self.thing.update_tag()  # in Blender 3.4 the evaluated object has the driver only then
         self.assert_right("a driver")
         self.thing.driver_remove("location", 2)
+        self.thing.update_tag()
         self.assert_right("no driver")
         self.thing.parent = self.link("Top")
         self.key(self.thing.parent, "location", index=2)
