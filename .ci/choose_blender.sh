@@ -52,7 +52,7 @@ at_least() { [[ $(printf '%s\n' "$1" "$2" | sort -V | head -n 1) == "$2" ]]; }
 
 # install_module NAME: sets `folder`, in which an official Blender is; false, with the reason, where it cannot be had.
 install_module() {
-    wish "${official_needs[@]}" || return 1
+    wish "${official_needs[@]}" || { say "SKIPPED: the official Blender $1 lacks what is named above"; return 1; }
     folder=$("$python" "$here/.ci/official.py" "$cache/official" "$1") ||
         { say "SKIPPED: pip could not install the official Blender $1: $folder"; return 1; }
 }
