@@ -3,7 +3,6 @@
 import os
 import shutil
 import sys
-import unittest
 from pathlib import Path
 
 import bpy
@@ -39,15 +38,9 @@ def film(folder):
     scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = 'CYCLES', 1, False
     scene.render.resolution_x = scene.render.resolution_y = 32
     scene.frame_start, scene.frame_end = 1, 2
-    settings = scene.render.image_settings
-    if "media_type" in settings.bl_rna.properties:
-        settings.media_type = 'VIDEO'
-    settings.file_format = 'FFMPEG'
-    scene.render.ffmpeg.format, scene.render.ffmpeg.codec = 'MPEG4', 'H264'
-    scene.render.filepath = str(folder / "film.mp4")
-    bpy.ops.render.render(animation=True, scene=scene.name)
+    path = chroma_cases.render_film(scene, folder)
     bpy.data.scenes.remove(scene)
-    return str(folder / "film.mp4")
+    return path
 
 
 class PlaceTestCase(support.SceneTestCase):
@@ -129,38 +122,41 @@ class Places(PlaceTestCase):
         self.assertIn(ascii(NAME)[1:-1], told)
 
 
-@unittest.skipUnless(sys.platform == "win32", "drives and two kinds of slashes are Windows' own")
-class WindowsPaths(PlaceTestCase):
-    def test_slashes_and_drives_of_both_kinds(self):
-        wanted = self.scene()
-        path = str(self.place / "scene.blend")
-        self.assertRegex(path, r"^[A-Z]:\\")
-        self.saved(path)
-        for other in (path.replace("\\", "/"), path[0].lower() + path[1:]):
-            self.assert_opens(other, wanted)
-            self.saved(other)
-            self.assertEqual(sorted(found.name for found in self.place.glob("*.blend")), ["scene.blend"])
+if sys.platform == "win32":
 
-    def test_footage_on_paths_of_both_kinds(self):
-        pictures = [f"shot_{number:03d}.png" for number in range(3, 6)]
-        for name in pictures:
-            footage(self.place, name=name)
-        for folder in (str(self.place), str(self.place).replace("\\", "/"), f"{self.place}\\"):
-            bpy.ops.motus.chroma_key_setup(directory=folder, files=[{"name": name} for name in pictures])
-            node = support.addon("chroma.compositor").node_of(bpy.context.scene, "Footage")
-            self.assertEqual((node.image.source, node.frame_duration, node.frame_offset), ('SEQUENCE', 3, 2), folder)
-            bpy.ops.motus.chroma_key_remove()
+    class WindowsPaths(PlaceTestCase):
+        """Drives, and slashes of two kinds."""
 
-    def test_a_library_on_another_drive(self):
-        """It has no path from the file on."""
-        there = Path(os.environ["BLENDER_USER_RESOURCES"], "library.blend")
-        self.assertNotEqual(there.drive, self.place.drive)
-        self.addCleanup(there.unlink)
-        self.scene()
-        self.saved(there)
-        found = cases.numbers(FRAME)["Eased"]
-        self.load(str(there), True, "Eased")
-        self.saved(self.place / "shot.blend")
-        cases.open_file(self.place / "shot.blend")
-        self.assertEqual([Path(library.filepath) for library in bpy.data.libraries], [there])
-        self.assertEqual(cases.numbers(FRAME)["Eased"], found)
+        def test_slashes_and_drives_of_both_kinds(self):
+            wanted = self.scene()
+            path = str(self.place / "scene.blend")
+            self.assertRegex(path, r"^[A-Z]:\\")
+            self.saved(path)
+            for other in (path.replace("\\", "/"), path[0].lower() + path[1:]):
+                self.assert_opens(other, wanted)
+                self.saved(other)
+                self.assertEqual(sorted(found.name for found in self.place.glob("*.blend")), ["scene.blend"])
+
+        def test_footage_on_paths_of_both_kinds(self):
+            pictures = [f"shot_{number:03d}.png" for number in range(3, 6)]
+            for name in pictures:
+                footage(self.place, name=name)
+            for folder in (str(self.place), str(self.place).replace("\\", "/"), f"{self.place}\\"):
+                bpy.ops.motus.chroma_key_setup(directory=folder, files=[{"name": name} for name in pictures])
+                node = support.addon("chroma.compositor").node_of(bpy.context.scene, "Footage")
+                self.assertEqual((node.image.source, node.frame_duration, node.frame_offset), ('SEQUENCE', 3, 2), folder)
+                bpy.ops.motus.chroma_key_remove()
+
+        def test_a_library_on_another_drive(self):
+            """It has no path from the file on."""
+            there = Path(os.environ["BLENDER_USER_RESOURCES"], "library.blend")
+            self.assertNotEqual(there.drive, self.place.drive)
+            self.addCleanup(there.unlink)
+            self.scene()
+            self.saved(there)
+            found = cases.numbers(FRAME)["Eased"]
+            self.load(str(there), True, "Eased")
+            self.saved(self.place / "shot.blend")
+            cases.open_file(self.place / "shot.blend")
+            self.assertEqual([Path(library.filepath) for library in bpy.data.libraries], [there])
+            self.assertEqual(cases.numbers(FRAME)["Eased"], found)

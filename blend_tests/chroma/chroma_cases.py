@@ -124,16 +124,22 @@ def filmed_of(pictures, folder, fps):
     nodes.link(tree, node.outputs["Image"], compositor.outlet(tree))
     for other in [other for other in tree.nodes if other.type == 'R_LAYERS']:
         tree.nodes.remove(other)
-    settings = scene.render.image_settings
+    path = render_film(scene, folder)
+    bpy.data.scenes.remove(scene)
+    bpy.data.images.remove(image)
+    return path
+
+
+def render_film(scene, folder):
+    """Render a scene's frames as a film of H.264; gives its path."""
+    path, settings = str(folder / "film.mp4"), scene.render.image_settings
     if "media_type" in settings.bl_rna.properties:
         settings.media_type = 'VIDEO'
     settings.file_format = 'FFMPEG'
     scene.render.ffmpeg.format, scene.render.ffmpeg.codec, scene.render.ffmpeg.constant_rate_factor = 'MPEG4', 'H264', 'HIGH'
-    scene.render.filepath = str(folder / "film.mp4")
+    scene.render.filepath = path
     bpy.ops.render.render(animation=True, scene=scene.name)
-    bpy.data.scenes.remove(scene)
-    bpy.data.images.remove(image)
-    return str(folder / "film.mp4")
+    return path
 
 
 def keyed(view, name="keyed"):
