@@ -5,9 +5,9 @@
 os_release=/etc/os-release
 
 # PACKAGE:PROBE, Debian's name of a package, and what shows that it is there: a program, or a file. Of several with | between one is enough, as
-# systems lay files differently.
+# systems lay files differently. GCC optimises on all processors at once where there is a make.
 build_needs=(
-    g++:g++ cmake:cmake ninja-build:ninja binutils:objdump libglm-dev:/usr/include/glm/glm.hpp
+    g++:g++ make:make cmake:cmake ninja-build:ninja binutils:objdump libglm-dev:/usr/include/glm/glm.hpp
     libhwy-dev:/usr/include/hwy/highway.h
     pybind11-dev:/usr/include/pybind11/pybind11.h "catch2:/usr/include/catch2/catch.hpp|/usr/include/catch2/catch_all.hpp"
     python3-dev:/usr/bin/python3-config
