@@ -33,9 +33,24 @@ HWY_INLINE Product product(Bits all, std::uint32_t by) {
     return {hn::BitCast(as_words, both), hn::BitCast(as_words, hn::ShiftRight<32>(both))};
 }
 
-/// philox() of each.
-HWY_INLINE Counters philox(Counters counters, Key key) {
-    for (int round = 0; round < philox_rounds; ++round) {
+/// The first two rounds of philox() for flakes with these lower words in even lanes. Half of each is the same
+/// for all flakes.
+HWY_INLINE Counters after_two_rounds(Key key, std::uint32_t high, Bits lows, Stream stream) {
+    const snow::Words once = philox_round({0, high, static_cast<std::uint32_t>(stream), 0}, key);
+    const Product first = product(lows, philox_factor_of_a);
+    const Bits c = first.upper ^ words(key.high);
+    key = next_key(key);
+    const snow::Words twice = philox_round({once.a, 0, 0, 0}, key);
+    const Product second = product(c, philox_factor_of_c);
+    return {second.upper ^ words(once.b ^ key.low), second.lower, first.lower ^ words(twice.c),
+            words(twice.d)};
+}
+
+/// philox() of the flakes with these lower words in even lanes.
+HWY_INLINE Counters words_of(Key key, std::uint32_t high, Bits lows, Stream stream) {
+    Counters counters = after_two_rounds(key, high, lows, stream);
+    key = next_key(next_key(key));
+    for (int round = 2; round < philox_rounds; ++round) {
         const Product first = product(counters.a, philox_factor_of_a);
         const Product second = product(counters.c, philox_factor_of_c);
         counters = {second.upper ^ counters.b ^ words(key.low), second.lower,
@@ -43,12 +58,6 @@ HWY_INLINE Counters philox(Counters counters, Key key) {
         key = next_key(key);
     }
     return counters;
-}
-
-/// Of the flakes with these lower words in even lanes.
-HWY_INLINE Counters words_of(Key key, std::uint32_t high, Bits lows, Stream stream) {
-    const Bits third = words(static_cast<std::uint32_t>(stream));
-    return philox({lows, words(high), third, hn::Zero(as_words)}, key);
 }
 
 /// fraction() of each.
@@ -73,6 +82,7 @@ HWY_INLINE Draws drawn(Key key, std::uint32_t high, const std::uint32_t* lows, S
     return {joined(even.a, odd.a), joined(even.b, odd.b), joined(even.c, odd.c), joined(even.d, odd.d)};
 }
 
+/// All four numbers of the stream.
 inline void draw(const Kind& kind, const Run& run, Stream stream, std::size_t n, FloatRow& a, FloatRow& b,
                  FloatRow& c, FloatRow& d) {
     for (std::size_t i = 0; i < n; i += lanes) {
@@ -81,6 +91,15 @@ inline void draw(const Kind& kind, const Run& run, Stream stream, std::size_t n,
         store(all.b, b, i);
         store(all.c, c, i);
         store(all.d, d, i);
+    }
+}
+
+/// The first two.
+inline void draw(const Kind& kind, const Run& run, Stream stream, std::size_t n, FloatRow& a, FloatRow& b) {
+    for (std::size_t i = 0; i < n; i += lanes) {
+        const Draws all = drawn(kind.key, run.high, run.lows + i, stream);
+        store(all.a, a, i);
+        store(all.b, b, i);
     }
 }
 

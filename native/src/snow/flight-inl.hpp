@@ -41,14 +41,20 @@ HWY_INLINE Vectors direction_in_world(const Glide& glide, Floats w, const Vector
     return product(glide.rotation, glide.is_moving ? turned(glide, w, direction) : direction);
 }
 
+/// How fast flakes are born. Where all are alike, their draws are not there.
+HWY_INLINE Floats speeds(const Kind& kind, const Scratch& rows, std::size_t i) {
+    if (kind.speed_range == 0.0F) return floats(kind.speed);
+    return floats(kind.speed) + floats(kind.speed_range) * spread(load(rows.speed, i));
+}
+
 /// Places of birth, and the velocities there.
 inline void to_world(const Kind& kind, const Run& run, std::size_t n, Scratch& rows) {
     const bool is_world = kind.shape == Shape::frustum;  // what the directions are in
     for (std::size_t i = 0; i < n; i += lanes) {
         const Floats w = part_of(run.glide, load(rows.u, i));
-        const Floats speed = floats(kind.speed) + floats(kind.speed_range) * spread(load(rows.speed, i));
         const Vectors direction = load(rows.direction, i);
-        store((is_world ? direction : direction_in_world(run.glide, w, direction)) * speed, rows.velocity, i);
+        store((is_world ? direction : direction_in_world(run.glide, w, direction)) * speeds(kind, rows, i),
+              rows.velocity, i);
         store(place_in_world(run.glide, w, load(rows.birth, i)), rows.birth, i);
     }
 }

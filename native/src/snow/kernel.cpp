@@ -34,11 +34,11 @@ void stream_ages(double time, double delay, double rate, std::uint64_t streamed,
 }
 
 void set_ages(const Run& run, std::size_t n, Scratch& rows) {
-    const Doubles start = hn::Set(as_doubles, run.start), step = hn::Set(as_doubles, run.step);
+    const Doubles start = hn::Set(as_doubles, run.start), per_step = hn::Set(as_doubles, 1.0 / run.step);
     for (std::size_t i = 0; i < n; i += double_lanes) {
         const Doubles age = hn::LoadU(as_doubles, run.ages + i);
         hn::Store(hn::DemoteTo(as_half_floats, age), as_half_floats, rows.age.data() + i);
-        hn::Store(hn::DemoteTo(as_half_floats, (age - start) / step), as_half_floats, rows.u.data() + i);
+        hn::Store(hn::DemoteTo(as_half_floats, (age - start) * per_step), as_half_floats, rows.u.data() + i);
     }
 }
 
@@ -58,9 +58,8 @@ HWY_INLINE Colors colors(const std::array<float, 4>& one) {
 }
 
 void write_color(const Kind& kind, const Run& run) {
-    const Colors all = colors(kind.first_color);
-    for (std::size_t i = 0; i < run.count; i += lanes)
-        write(run.color, i, run.count, all.r, all.g, all.b, all.a);
+    const std::array<float, 4> color = kind.first_color;
+    for (std::size_t i = 0; i < run.count; ++i) std::ranges::copy(color, run.color + color.size() * i);
 }
 
 void write_random_colors(const Kind& kind, const Run& run, const Scratch& rows) {
@@ -91,7 +90,10 @@ void fill(const Kind& kind, const Run& run, Scratch& rows) {
     const bool has_sizes = run.size != nullptr && kind.size_range > 0.0F;
     const bool has_colors = run.color != nullptr && kind.random_color;
 
-    if (heads || has_sizes) draw(kind, run, Stream::place, n, rows.x, rows.y, rows.speed, rows.size);
+    if (has_sizes || (heads && kind.speed_range > 0.0F))
+        draw(kind, run, Stream::place, n, rows.x, rows.y, rows.speed, rows.size);
+    else if (heads)
+        draw(kind, run, Stream::place, n, rows.x, rows.y);
     if (has_colors || (heads && kind.turns_out))
         draw(kind, run, Stream::life, n, rows.life, rows.color, rows.tilt, rows.turn);
     if (heads && (kind.snow_offsets || kind.shape == Shape::box || kind.shape == Shape::sphere ||

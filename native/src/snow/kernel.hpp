@@ -137,7 +137,8 @@ struct Kind {
     std::array<Wave, wave_count> waves{};
 };
 
-/// Flakes of ages within one interval, u = (age - start) / step going from 0 to 1.
+/// Flakes of ages within one interval, u = (age - start) / step going from 0 to 1; the step is a power of
+/// two.
 struct Run {
     const double* ages = nullptr;         ///< block_size of them, whatever follows the first `count`
     const std::uint32_t* lows = nullptr;  ///< lower words of flake numbers, as many

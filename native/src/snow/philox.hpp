@@ -22,15 +22,18 @@ inline constexpr std::uint32_t philox_factor_of_a = 0xd2511f53U, philox_factor_o
     return {key.low + 0x9e3779b9U, key.high + 0xbb67ae85U};
 }
 
+[[nodiscard]] inline Words philox_round(Words counter, Key key) {
+    const std::uint64_t first = std::uint64_t{philox_factor_of_a} * counter.a;
+    const std::uint64_t second = std::uint64_t{philox_factor_of_c} * counter.c;
+    return {
+        static_cast<std::uint32_t>(second >> 32U) ^ counter.b ^ key.low, static_cast<std::uint32_t>(second),
+        static_cast<std::uint32_t>(first >> 32U) ^ counter.d ^ key.high, static_cast<std::uint32_t>(first)};
+}
+
 /// A bijection of the counter for each key.
 [[nodiscard]] inline Words philox(Words counter, Key key) {
     for (int round = 0; round < philox_rounds; ++round) {
-        const std::uint64_t first = std::uint64_t{philox_factor_of_a} * counter.a;
-        const std::uint64_t second = std::uint64_t{philox_factor_of_c} * counter.c;
-        counter = {static_cast<std::uint32_t>(second >> 32U) ^ counter.b ^ key.low,
-                   static_cast<std::uint32_t>(second),
-                   static_cast<std::uint32_t>(first >> 32U) ^ counter.d ^ key.high,
-                   static_cast<std::uint32_t>(first)};
+        counter = philox_round(counter, key);
         key = next_key(key);
     }
     return counter;
