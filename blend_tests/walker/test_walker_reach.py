@@ -67,6 +67,21 @@ class Reach(cases.WalkerTestCase):
         self.lower(0.3)
         self.assert_right(is_missed=False)
 
+    def test_a_body_bone_whose_parts_are_moved_at_rest(self):
+        """How a body bone moves its children depends on where it rests."""
+        body = self.spider.pose.bones["body"]
+        body.rotation_mode = 'XYZ'
+        body.rotation_euler.x = 0.4
+        bpy.context.view_layer.update()
+        before = cases.plan_of(self.spider).stamp
+        bpy.context.view_layer.objects.active = self.spider
+        bpy.ops.object.mode_set(mode='EDIT')
+        for end in ("head", "tail"):
+            getattr(self.spider.data.edit_bones["body"], end).y += 0.2
+        bpy.ops.object.mode_set(mode='OBJECT')
+        bpy.context.view_layer.update()
+        self.assertNotEqual(cases.plan_of(self.spider).stamp, before)
+
     def test_a_body_bone_whose_keys_lower_it_on_the_way(self):
         self.harden()
         self.lower(0.0, 30)

@@ -18,7 +18,7 @@ NUMBERS = ("frequency", "damping", "response")
 
 def numbers(entry):
     """Return (frequency in Hz, damping, response) of an entry of the dynamics list or of an operator."""
-    return tuple(getattr(entry, name) for name in NUMBERS)
+    return entry.frequency, entry.damping, entry.response
 
 
 FORGOTTEN = 20.0

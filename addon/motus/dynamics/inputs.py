@@ -75,7 +75,7 @@ class _Input:
         """[(track, keywords of motus.track_record)] of the tracks that have to be recorded, or have been recorded."""
         return [(track, keywords) for track, keywords in self.listed if track.reason is not None]
 
-    @property
+    @functools.cached_property
     def is_known(self):
         """Whether the whole input can be read."""
         return self.reason is None and all(track.is_known for track, _ in self.listed)

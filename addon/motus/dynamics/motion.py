@@ -190,22 +190,23 @@ def _closed(turns):
     return turns
 
 
-def tails_of(source, bones, entries, rows, places, scene, reach):
+def tails_of(source, bones, numbers, rows, places, scene, reach):
     """Make a list of Tails, one for the bones that share the filter, delay, loop and jump of their entries; [] if nothing moves.
 
-    source: the TailInput of the bones. bones, entries, rows, places: of equal length; rows: indices for Tails.rows, places: indices of the entries.
+    source: the TailInput of the bones. bones, numbers, rows, places: of equal length; numbers: of the entries, an attribute for each setting;
+    rows: indices for Tails.rows; places: indices of the entries.
     Raises ValueError if the numbers of an entry make no filter.
     """
     ways = {}
-    for index, entry in enumerate(entries):
+    for index, entry in enumerate(numbers):
         loop = (entry.loop_start, entry.loop_end) if inputs.has_loop(entry) else None
         way = filters.numbers(entry), entry.delay, loop, entry.jump
         ways.setdefault(way, []).append(index)
     found, known = [], {}
     if source.extent is None:
         return []
-    for (numbers, delay, loop, jump), members in ways.items():
-        frames = source.times(reach, entries[members[0]])
+    for (filtered, delay, loop, jump), members in ways.items():
+        frames = source.times(reach, numbers[members[0]])
         place = frames.tobytes()
         if place not in known:
             known[place] = source.tails(frames)
@@ -213,7 +214,7 @@ def tails_of(source, bones, entries, rows, places, scene, reach):
         names = [bones[index].name for index in members]
         jumps = inputs.sampling.resets(frames, tails[bones[0].name], jump)
         track = native.module.Track(
-            filters.second_order(numbers),
+            filters.second_order(filtered),
             inputs.seconds_of(frames, scene),
             np.concatenate([tails[name] for name in names], axis=1),
             [] if loop else jumps,

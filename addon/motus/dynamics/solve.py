@@ -209,6 +209,29 @@ def _animation_of(owner, path):
         return None
 
 
+class Numbers(NamedTuple):
+    """The numbers of an entry: attributes of the same names as those of its settings, which Blender takes ten times as long to look up."""
+
+    frequency: float
+    damping: float
+    response: float
+    delay: float
+    jump: float
+    weight: float
+    loop_start: int
+    loop_end: int
+    use_loop: bool
+    is_muted: bool
+
+
+def _numbers(entries):
+    """List the Numbers of all entries of an owner."""
+    columns = [np.empty(len(entries), {float: np.float32, int: np.int32}.get(kind, bool)) for kind in Numbers.__annotations__.values()]
+    for name, column in zip(Numbers._fields, columns):
+        entries.foreach_get(name, column)
+    return [Numbers(*row) for row in zip(*(column.tolist() for column in columns))]
+
+
 class _Making:
     """Collects the units and properties of a group, makes their filtered motions and lists their problems.
 
@@ -219,6 +242,7 @@ class _Making:
         self._owner, self._settings, self._scene = owner, settings, scene
         self._ready, self._count, self.reach = [], 0, None
         self.parts, self.tails, self.values, self.members, self.problems, self.carriers, self.laid = [], [], [], [], [], [], []
+        self._numbers = _numbers(settings.entries)
         self._places = {
             (entry.name, entry.data_path, entry.index if entry.data_path else -1): place for place, entry in enumerate(settings.entries)
         }
@@ -237,13 +261,17 @@ class _Making:
         source = Unit("", kind, entries, things).input(self._scene)
         self.carriers += source.carriers
         self.laid += source.laid
-        if self._is_ready(source, entries):
-            make = functools.partial(self._make_tails, source) if kind == 'TAILS' else self._make_part
-            self._ready.append((source, entries, functools.partial(make, things, entries, rows, places)))
+        numbers = [self._numbers[place] for place in places]
+        if self._is_ready(source, numbers):
+            if kind == 'TAILS':
+                make = functools.partial(self._make_tails, source, things, numbers, rows, places)
+            else:
+                make = functools.partial(self._make_part, things, entries, rows, places)
+            self._ready.append((source, numbers, make))
 
-    def _make_tails(self, source, things, entries, rows, places):
+    def _make_tails(self, source, things, numbers, rows, places):
         first = len(self.members)
-        made = motion.tails_of(source, things, entries, range(first, first + len(things)), places, self._scene, self.reach)
+        made = motion.tails_of(source, things, numbers, range(first, first + len(things)), places, self._scene, self.reach)
         if made:
             self.members += zip([thing.name for thing in things], rows)
         self.tails += made
@@ -260,20 +288,21 @@ class _Making:
         entry = self._settings.entries[place]
         self._count += 1
         source = inputs.ValueInput(self._owner, entry, self._scene)
-        if len(source.tracks) == outputs.stop - outputs.start and self._is_ready(source, [entry]):
-            self._ready.append((source, [entry], functools.partial(self._make_values, source, entry, outputs, place)))
+        numbers = [self._numbers[place]]
+        if len(source.tracks) == outputs.stop - outputs.start and self._is_ready(source, numbers):
+            self._ready.append((source, numbers, functools.partial(self._make_values, source, entry, outputs, place)))
 
     def _make_values(self, source, entry, outputs, place):
         made = motion.values_of(source, entry, outputs, place, self._scene, self.reach)
         self.values += [made] if made else []
         return [made] if made else []
 
-    def _is_ready(self, source, entries):
-        if any(entry.use_loop and not inputs.has_loop(entry) for entry in entries):
+    def _is_ready(self, source, numbers):
+        if any(entry.use_loop and not inputs.has_loop(entry) for entry in numbers):
             self.problems.append(EMPTY_LOOP)
-        if not source.is_known and not all(entry.is_muted for entry in entries):
+        if not source.is_known and not all(entry.is_muted for entry in numbers):
             self.problems.append(NOT_KNOWN if source.reason else NEEDS_RECORDING)
-        if not all(math.isfinite(number) for entry in entries for number in (entry.delay, entry.jump, entry.weight)):
+        if not all(math.isfinite(number) for entry in numbers for number in (entry.delay, entry.jump, entry.weight)):
             self.problems.append(BAD_NUMBERS)
             return False
         return source.is_known
@@ -287,8 +316,8 @@ class _Making:
         count = max(1, self._count)  # a script may have removed all entries
         share *= count / max(count, len(self._settings.entries))
         self.reach = sampling.reach_of(self._scene, frame, frame, price, share)
-        for source, entries, make in self._ready:
-            if source.is_cut(self.reach, entries):
+        for source, numbers, make in self._ready:
+            if source.is_cut(self.reach, numbers):
                 self.problems.append(TOO_LONG)
             self._try(make)
 
@@ -303,6 +332,11 @@ class _Making:
 
 
 def _make(context, copy, scene, share):
+    # One question, so that what many bones depend on, such as the motion of their rig, is found once.
+    return answered(object(), lambda: _made_anew(context, copy, scene, share))
+
+
+def _made_anew(context, copy, scene, share):
     owner, settings = context.owner, context.settings
     plan = stored.parse(context.data.get(PLAN), _FORM)
     making = _Making(owner, settings, scene)
@@ -316,7 +350,7 @@ def _make(context, copy, scene, share):
         slot += count
     if (row, slot) != (len(context.locations), len(context.outputs)):
         raise stored.Damaged("another number of members or outputs")
-    answered((making, "all"), lambda: making.make(context.frame, share))
+    making.make(context.frame, share)
     asked = Asked(tuple(dict.fromkeys(making.carriers)), tuple(path for path, _, _ in properties), tuple(dict.fromkeys(making.laid)))
     is_still = copy is not None and not copy.has_animated_settings
     return Made(
@@ -336,7 +370,7 @@ def _make(context, copy, scene, share):
 
 def _are_constrained(thing):
     """Whether active constraints move an evaluated Object or PoseBone, other than those by which Motus applies dynamics or poses."""
-    followed = [registered["dynamics"], *laying_systems()]
+    followed = answered("what dynamics follow", lambda: [registered["dynamics"], *laying_systems()])
     return any(
         not one.mute and one.influence > 0.0 and not any(wiring.is_sink(system, one) for system in followed) for one in thing.constraints
     )

@@ -5,10 +5,18 @@ It moves the hips, from which the reach of each leg is measured.
 
 import hashlib
 
-from ..core import tracks
+from ..core import keeping, tracks
 from ..core.animation import strips
+from ..core.evaluated import copies
 from ..core.lazy import numpy as np
+from ..core.tracks import in_world
 from . import legs
+
+_CARRIED = keeping.OfEvaluation(
+    "matrices by which a walker's body bone moves its children",
+    "the walker's rig; recomputed if the stamp of its action, its armature or the planned frames differ",
+    "one for each walker whose body bone is moved by nothing but keys",
+)
 
 
 def moved(owner, times, digest):
@@ -21,13 +29,23 @@ def moved(owner, times, digest):
     body = legs.body(owner) if owner.pose else None
     if body is None:
         return None, None
+    kept = _CARRIED.on(copies.of(owner))
+    key = strips.together((digest, body.name, copies.stamp_of_data(owner), tracks.keys_stamp(owner)))
+    if key is not None and kept.get("key") == key:
+        return kept["moved"]
     chain = [body, *body.parent_recursive]
     own = [tracks.own_track(bone) for bone in chain]
+    found = kept["moved"] = _moved(chain, own, times, digest)
+    kept["key"] = key if all(track.rests_on_keys for track in own) else None
+    return found
+
+
+def _moved(chain, own, times, digest):
     if all(track.is_constant or not track.is_known for track in own):
         if all(bone.matrix_basis.is_identity for bone in chain):
             return None, None
         return _stamped(_posed(chain, [_present(bone) for bone in chain]), len(times))
-    stamp = strips.together((digest, *(track.stamp for track in own)))
+    stamp = strips.together((digest, *map(in_world.rest_stamp, chain), *(track.stamp for track in own)))
     return tracks.kept_by(
         stamp,
         "walker body",

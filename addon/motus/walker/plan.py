@@ -10,9 +10,10 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from ..core import native, tracks
+from ..core import keeping, native, tracks
 from ..core.animation import keys
 from ..core.declare import Problem
+from ..core.evaluated import copies
 from ..core.lazy import numpy as np
 from ..core.measures import axes, scene_time
 from ..core.refusals import INFINITE
@@ -79,6 +80,12 @@ PROBLEMS = (
 )
 
 EVER = -math.inf, math.inf
+
+_KEPT = keeping.OfEvaluation(
+    "a walker's plan, and the frame at which its present evaluated copy was first evaluated",
+    "name of the value; the plan is looked up again if what it is made from differs",
+    "one for each name",
+)
 
 
 class Poses(NamedTuple):
@@ -148,18 +155,27 @@ def of(owner, scene, numbers, frame=None):
         if not poses.known[0] <= frame <= poses.known[1]:
             # A body that stands where the first or last sample has it, such as one that has arrived, is planned correctly.
             beyond = BEYOND if _differs(owner, poses.matrices[0 if frame < poses.known[0] else -1]) else None
-        elif _is_elsewhere(owner, poses, frame / fps):
+        elif _may_be_elsewhere(owner, scene, frame) and _is_elsewhere(owner, poses, frame / fps):
             poses, fault = _standing(owner), UNRECORDED if body_track(owner, scene).reason else UNKEYED
     if poses is None:
         return MOTION_NOT_FINITE
     placed, unsure = ground.parts(owner.motus.walker, scene)
     bodies, moving = carrying.moved(owner, poses.seconds * fps, poses.digest) if any(numbers.lengths) else (None, None)
     stamp = numbers, poses.digest, tuple(one.stamp for one in placed), moving
-    made = tracks.kept_by(stamp, "walker plan", lambda: _made(numbers, poses, placed, bodies))
+    made = _kept(owner, stamp, lambda: tracks.kept_by(stamp, "walker plan", lambda: _made(numbers, poses, placed, bodies)))
     if isinstance(made, Problem):
         return made
     walker, has_problems = made
     return Plan(walker, fault or unsure or beyond, poses.known, stamp, has_problems)
+
+
+def _kept(owner, stamp, make):
+    """Return make(), kept with the evaluated owner until the stamp changes: to compare two stamps takes less time than to hash one."""
+    kept = _KEPT.on(copies.of(owner))
+    if kept.get("stamp") != stamp:
+        kept["plan"] = make()
+        kept["stamp"] = stamp
+    return kept["plan"]
 
 
 def read(settings):
@@ -214,7 +230,7 @@ def body(owner, scene, fps):
     if not track.is_known:
         return _standing(owner), UNKNOWN
     stamp = track.stamp
-    # The extent takes longer to find than the stamp: it is kept until the stamp changes.
+    # The extent may take longer to find than the stamp: it is kept until the stamp changes.
     extent = tracks.kept_by(stamp, "walker", lambda: track.extent)
     if extent is None:
         return _standing(owner), None
@@ -234,6 +250,21 @@ def is_moved(owner, scene):
     return fault != UNKNOWN and (poses is None or len(poses.seconds) > 1)
 
 
+def _may_be_elsewhere(owner, scene, frame):
+    """Whether the artist may have moved an evaluated owner without keys at this frame.
+
+    To move it makes a new evaluated copy. If nothing but keys moves the owner, they set it again on the next other frame.
+    """
+    if not body_track(owner, scene).rests_on_keys:
+        return True
+    kept = _KEPT.on(copies.of(owner))
+    if "frame" not in kept:
+        kept["frame"] = frame
+    if kept["frame"] not in (frame, None):
+        kept["frame"] = None
+    return kept["frame"] is not None
+
+
 def _is_elsewhere(owner, poses, seconds):
     """Whether an evaluated owner stands at a place different from its Poses, because the artist has moved it without keys.
 
@@ -242,14 +273,16 @@ def _is_elsewhere(owner, poses, seconds):
     times = poses.seconds
     if len(times) == 1:
         return False
-    row = min(np.searchsorted(times, seconds), len(times) - 1)
+    row = min(int(times.searchsorted(seconds)), len(times) - 1)
     rests = (seconds > times[-1] and poses.known[1] == EVER[1]) or (seconds < times[0] and poses.known[0] == EVER[0])
     return (times[row] == seconds or rests) and _differs(owner, poses.matrices[row])
 
 
 def _differs(owner, known):
     """Whether the world matrix of an evaluated owner differs from a known one, (4, 4), by more than UNLIKE."""
-    return np.abs(np.array(owner.matrix_world, float) - known).max() > UNLIKE * max(1.0, np.abs(known).max())
+    numbers = known.ravel().tolist()
+    apart = [abs(one - other) for one, other in zip(itertools.chain(*owner.matrix_world), numbers)]
+    return max(apart) > UNLIKE * max(1.0, *map(abs, numbers))
 
 
 def _standing(owner):

@@ -11,6 +11,73 @@ import support
 from core.tracks.track_cases import TrackTestCase
 
 
+class Answers(TrackTestCase):
+    """When and why a marked object moves is asked once for each evaluated copy, and again after whatever may change the answer."""
+
+    def setUp(self):
+        super().setUp()
+        self.thing = self.link("Thing")
+        self.key(self.thing, "location", index=0)
+        support.addon("core.evaluated.copies").mark(self.thing)
+        self.world = support.addon("core.tracks.in_world").World
+
+    def answers(self, obj):
+        track = self.world(obj, self.scene)
+        return track.reason and track.reason.sentence, track.extent, track.values(np.array([3.0, 12.5])).tolist()
+
+    def assert_right(self, what):
+        """The same answers as those about the original, of which nothing is kept."""
+        with self.subTest(what):
+            for _ in range(2):
+                bpy.context.view_layer.update()
+                self.assertEqual(self.answers(self.evaluated(self.thing)), self.answers(self.thing))
+
+    def test_asked_once_while_frames_pass(self):
+        extents = []
+
+        class Counted(self.world):
+            @property
+            def _links(self):
+                extents.append(self)
+                return super()._links
+
+        for frame in (1, 5, 30, 2.5):
+            self.go_to(frame)
+            track = Counted(self.evaluated(self.thing), self.scene)
+            self.assertTrue(track.rests_on_keys)
+            self.assertIsNone(track.reason)
+            self.assertEqual(track.extent, self.world(self.thing, self.scene).extent)
+        self.assertEqual(len(extents), 2, "once for the reason, once for the extent")
+
+    def test_every_edit_asks_again(self):
+        self.assert_right("at first")
+        self.thing.location.y = 2.0
+        self.assert_right("a channel without keys")
+        self.thing.keyframe_insert("location", index=1, frame=70)
+        self.assert_right("another key")
+        curve = support.addon("core.blender.actions").find(self.thing, "location", 0)
+        curve.keyframe_points[-1].co[0] += 9.0
+        curve.update()
+        self.assert_right("a later key")
+        curve.mute = True
+        self.assert_right("a muted curve")
+        curve.mute = False
+        constraint = self.thing.constraints.new('LIMIT_LOCATION')
+        self.assert_right("a constraint")
+        self.thing.constraints.remove(constraint)
+        self.assert_right("no constraint")
+        self.thing.driver_add("location", 2)
+        self.assert_right("a driver")
+        self.thing.driver_remove("location", 2)
+        self.assert_right("no driver")
+        self.thing.parent = self.link("Top")
+        self.key(self.thing.parent, "location", index=2)
+        self.assert_right("a parent that moves")
+        self.thing.parent = None
+        self.thing.animation_data.action = None
+        self.assert_right("no action")
+
+
 class Kept(TrackTestCase):
     """What a solver keeps of a track lasts until the track changes."""
 

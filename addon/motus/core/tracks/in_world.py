@@ -5,8 +5,10 @@ import functools
 import bpy
 from mathutils import Matrix
 
+from .. import keeping
 from ..animation import keys, strips
 from ..animation.reason import Reason
+from ..evaluated import copies
 from ..evaluated.question import answered
 from ..lazy import numpy as np
 from . import laid, rotations, solved
@@ -14,6 +16,12 @@ from .transforms import Own
 
 DEEPEST = 256
 """Most parents above each other that are followed, of objects and of bones. A longer chain of parents is taken for a loop."""
+
+_ANSWERS = keeping.OfEvaluation(
+    "whether and when an object moves that nothing but keys moves: answers of its track",
+    "stamp of its action; the question",
+    "three for each object",
+)
 
 
 class World:
@@ -41,10 +49,39 @@ class World:
     @functools.cached_property
     def reason(self):
         """Reason why the world matrix is unknown at frames other than the present one; None if it is known."""
-        return answered(
-            (self, "reason"),
+        return self._answer(
+            "reason",
             lambda: next(filter(None, (self._of(link, "reason", lambda link=link: link.reason) for link in reversed(self._links))), None),
         )
+
+    @property
+    def rests_on_keys(self):
+        """As Own.rests_on_keys. False for bones, and for objects with a parent, a constraint or a rigid body."""
+        return self._kept is not None
+
+    @functools.cached_property
+    def _kept(self):
+        """Dictionary of answers that stay true for as long as the evaluated copy and its keys do; None if there are no such answers."""
+        obj = self._thing
+        if self._is_bone or obj.parent is not None or len(obj.constraints) or obj.rigid_body is not None:
+            return None
+        copy, stamp = copies.of(obj), strips.stamp_of(obj.animation_data)
+        if copy is None or stamp is None:
+            return None
+        known = _ANSWERS.on(copy)
+        if stamp not in known:
+            known.clear()
+            known[stamp] = {} if Own(obj).rests_on_keys else None
+        return known[stamp]
+
+    def _answer(self, question, make):
+        """Return make(), the answer to a question: kept, if possible with the evaluated copy, else while the outermost question is answered."""
+        kept = self._kept
+        if kept is None:
+            return answered((self, question), make)
+        if question not in kept:
+            kept[question] = make()
+        return kept[question]
 
     @property
     def solvers(self):
@@ -85,8 +122,8 @@ class World:
     @property
     def extent(self):
         """(first, last) frame between which the world matrix changes, infinite if it goes on changing; None if it is constant."""
-        return answered(
-            (self, "extent"), lambda: keys.united([self._of(link, "extent", lambda link=link: link.extent) for link in self._links])
+        return self._answer(
+            "extent", lambda: keys.united([self._of(link, "extent", lambda link=link: link.extent) for link in self._links])
         )
 
     @property
@@ -97,8 +134,8 @@ class World:
     @property
     def stamp(self):
         """Hashable value that changes whenever the world matrix may change at any time; None if changes cannot be detected."""
-        return answered(
-            (self, "stamp"), lambda: strips.together([self._of(link, "stamp", lambda link=link: link.stamp) for link in self._links])
+        return self._answer(
+            "stamp", lambda: strips.together([self._of(link, "stamp", lambda link=link: link.stamp) for link in self._links])
         )
 
     @property

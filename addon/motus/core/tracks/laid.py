@@ -13,6 +13,7 @@ from .. import rigs, wiring
 from ..animation import keys
 from ..animation.strips import together
 from ..declare import laying_systems
+from ..evaluated.question import answered
 from ..lazy import numpy as np
 from . import solved
 
@@ -24,13 +25,17 @@ def over(own, thing):
     """
     if not isinstance(thing, bpy.types.PoseBone) or not len(thing.constraints):
         return own
-    sources = [source for system in laying_systems() if (source := solved.of_bone_by(system, thing, None))]
+    sources = [source for system in _laying() if (source := solved.of_bone_by(system, thing, None))]
     return Laid(own, thing, sources) if sources else own
 
 
 def is_laid(bone):
     """Whether a PoseBone has a constraint by which a system lays poses (System.lays_pose) over the bone."""
-    return any(wiring.is_sink(system, one) for system in laying_systems() for one in bone.constraints)
+    return any(wiring.is_sink(system, one) for system in _laying() for one in bone.constraints)
+
+
+def _laying():
+    return answered("laying systems", laying_systems)
 
 
 class Laid:

@@ -7,6 +7,7 @@ from .. import keeping
 from ..animation import channel
 from ..animation.channel import Channel
 from ..animation.strips import keys_stamp
+from ..evaluated import copies
 from ..file import stored
 from ..lazy import numpy as np
 from ..translations import tr
@@ -24,6 +25,12 @@ _made = keeping.OfFile(
     LARGEST_MEMORY,
     lambda _, found: _bytes(found),
     "bytes",
+)
+
+_KEYED = keeping.OfEvaluation(
+    "F-curves of an evaluated action that animate numbers of a datablock, with the limits of the numbers",
+    "stamp of the action and slot, type of the datablock, names of the properties",
+    "one for each set of names",
 )
 
 
@@ -140,6 +147,11 @@ class Track:
             return self._source.stamp
         return self.recording and self.recording.stamp
 
+    @property
+    def rests_on_keys(self):
+        """Whether values() stay as they are for as long as the evaluated copy of the datablock does, and keys_stamp() of it."""
+        return getattr(self._source, "rests_on_keys", False)
+
     def present(self):
         """Present value of the input on an evaluated datablock, as a sample for a recording, (width,)."""
         return self._source.present
@@ -168,15 +180,20 @@ def moving_numbers(id_data, names, frame):
     if stamp is None:
         found = {name: property_track(id_data, name) for name in names}
         return {name: float(track.values([frame])[0]) for name, track in found.items() if track.is_known and not track.is_constant}
-    ranges = kept_by(stamp, ("moving", type(id_data).__name__, names), lambda: _keyed_ranges(id_data, names))
-    curves = {name: channel.acting_curve(id_data, name) for name in ranges if not channel.is_driven(id_data, name)}
-    return {name: min(max(curve.evaluate(frame), ranges[name][0]), ranges[name][1]) for name, curve in curves.items() if curve}
+    kept, place = _KEYED.within(copies.found_of_action(played.action)), (stamp, type(id_data).__name__, names)
+    if place not in kept:
+        kept[place] = _keyed(id_data, names)
+    keyed = kept[place]
+    if len(played.drivers):
+        keyed = [one for one in keyed if not channel.is_driven(id_data, one[0])]
+    return {name: min(max(curve.evaluate(frame), least), most) for name, curve, least, most in keyed}
 
 
-def _keyed_ranges(id_data, names):
-    """Limits {name: (least, most)} of those properties among `names` that the datablock's active action animates."""
-    keyed = [channel.number(id_data, name) for name in names if channel.acting_curve(id_data, name)]
-    return {number.name: (number.least, number.most) for number in keyed}
+def _keyed(id_data, names):
+    """(name, F-curve, least, most value) of those properties among `names` that the datablock's active action animates."""
+    curves = {name: channel.acting_curve(id_data, name) for name in names}
+    found = [(channel.number(id_data, name), curve) for name, curve in curves.items() if curve]
+    return [(number.name, curve, number.least, number.most) for number, curve in found]
 
 
 def own_track(thing, parts=PARTS):

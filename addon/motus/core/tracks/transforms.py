@@ -110,6 +110,11 @@ class Own:
             return strips.together((self._mode, *(one.stamp for one in self._counted)))
         return strips.together((self._mode, self._prefix, self._action, *self._still_values()))
 
+    @property
+    def rests_on_keys(self):
+        """Whether nothing but keys of the active action can change the own transform over time while the evaluated copy stays."""
+        return self._is_simple and not self._keys_at[1]
+
     def values(self, times):
         """Own transforms at times, (n,) frames of the scene, as Transforms."""
         if self._is_simple:

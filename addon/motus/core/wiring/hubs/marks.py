@@ -11,6 +11,7 @@ identify a sink.
 
 import re
 
+from ...evaluated.question import answered
 from . import outbox
 
 KINDS = {'LIMIT_LOCATION', 'TRANSFORM', 'GEOMETRY_ATTRIBUTE', 'COPY_TRANSFORMS'}
@@ -49,7 +50,7 @@ def read(system, constraint):
     # The original is taken because the caller need not have declared a dependency on the hub's evaluated geometry. Until Blender has
     # evaluated the hub, the data of its evaluated copy can be memory that was freed.
     mesh = hub.original.data if hub and hub.type == 'MESH' else None
-    key = outbox.key_on_hub(system, mesh) if mesh else None
+    key = answered((hash(mesh), system.name, "key on hub"), lambda: outbox.key_on_hub(system, mesh)) if mesh else None
     return None if key is None else (mesh, key)
 
 

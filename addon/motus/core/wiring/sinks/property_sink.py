@@ -266,22 +266,33 @@ def is_resting(mesh):
     return REST_KEY in mesh
 
 
-def clear(mesh, box):
+def checked(mesh, box):
+    """Return the Notes of all properties that a hub drives, as a tuple. Raises Damaged if they do not fit the outbox.
+
+    mesh: mesh of the hub. box: numbers of the outbox.
+    """
+    found = _notes(mesh)
+    if not all(outbox.FIRST_OUTPUT <= note.slot < len(box) for note in found):
+        raise stored.Damaged("no such output")
+    return found
+
+
+def clear(notes, box):
     """Set the outputs of all driven properties to NaN, which means "do not set"; called before the solver.
 
-    mesh: mesh of the hub. box: array of the outbox.
+    notes: result of checked(). box: numbers of the outbox.
     """
-    for note in _checked(mesh, box):
+    for note in notes:
         box[note.slot] = math.nan
 
 
-def blend(mesh, owner, box, frame, weight):
+def blend(notes, mesh, owner, box, frame, weight):
     """Replace the output of each driven property by a blend of the property's own value and the output.
 
-    weight: share of the output, 0 to 1. If an output is NaN or infinite, the own value replaces the output. owner: evaluated owner. box:
-    array of the outbox.
+    weight: share of the output, 0 to 1. If an output is NaN or infinite, the own value replaces the output. notes: result of checked().
+    mesh: mesh of the hub. owner: evaluated owner. box: numbers of the outbox.
     """
-    for order, note in enumerate(_checked(mesh, box)):
+    for order, note in enumerate(notes):
         value = box[note.slot]
         is_set = weight != 0.0 and abs(value) < INFINITE
         if weight == 1.0 and is_set:
@@ -296,7 +307,7 @@ def blend_none(system, key, mesh, frame):
     key: key of the group. Raises Damaged if the data on the hub's mesh cannot be read.
     """
     box = stored.doubles(mesh.get(outbox.out_key(system, key)))
-    blend(mesh, mesh.get(outbox.OWNER_KEY), box, frame, 0.0)
+    blend(checked(mesh, box), mesh, mesh.get(outbox.OWNER_KEY), box, frame, 0.0)
 
 
 def _own(obj, note, frame):
@@ -352,13 +363,6 @@ def renamed_bones(system, owner):
 def is_foreign(mesh):
     """Whether a hub drives properties whose data paths start from objects different from the owner. mesh: mesh of the hub."""
     return any(_object_key(order) in mesh for order, _ in enumerate(_notes_of(mesh)))
-
-
-def _checked(mesh, box):
-    for note in _notes(mesh):
-        if not outbox.FIRST_OUTPUT <= note.slot < len(box):
-            raise stored.Damaged("no such output")
-        yield note
 
 
 def _parsed(text):

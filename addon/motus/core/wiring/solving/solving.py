@@ -102,6 +102,7 @@ class Solver:
         self._matrices = MatrixSink(poses, carrier, layout.has_scales) if layout.has_attribute else None
         self._pose_slots = self._box[layout.base :]
         self._drives_properties = property_sink.KEY in carrier
+        self._notes = property_sink.checked(carrier, self._slots)
         self._reading = read_keys.reading_of(carrier, system.name) if system.reads_keys or self._drives_properties else None
         # Owners without outputs and driven properties need not be wired again if their settings become animated.
         self._counts = bool(system.outputs) or self._drives_properties
@@ -154,7 +155,7 @@ class Solver:
         inputs = self._read(values)
         room = geometry_sink.room(system, carrier, inputs, context) if self._has_modifier else None
         if self._drives_properties:
-            property_sink.clear(carrier, self._box)
+            property_sink.clear(self._notes, box)
         problem = system.solve(context, **inputs)
         is_finite = (room is None and poses.is_ordinary()) or self._is_finite(room)
         is_blocked = not is_finite or (problem is not None and problem.blocking)
@@ -163,7 +164,7 @@ class Solver:
         if not 0.0 <= influence <= 1.0:
             influence = finite.share(influence)
         if self._drives_properties:
-            property_sink.blend(carrier, owner, self._box, frame, 0.0 if is_blocked else influence)
+            property_sink.blend(self._notes, carrier, owner, box, frame, 0.0 if is_blocked else influence)
         # If any member is relative, solve() applies the influence itself, to the absolute members of the group too.
         weight = 0.0 if is_blocked else 1.0 if self._layout.is_relative else influence
         box[outbox.WEIGHT] = weight
@@ -246,6 +247,6 @@ class Solver:
 
     def _do_nothing(self, frame):
         do_nothing(self._box, self._layout)
-        property_sink.blend(self._carrier, self._owner, self._box, frame, 0.0)
+        property_sink.blend(self._notes, self._carrier, self._owner, self._slots, frame, 0.0)
         if self._system.has_modifier:
             geometry_sink.write_nothing(self._system, self._carrier)
