@@ -67,7 +67,7 @@ class Installed(Temporary):
         requirements = self.folder / "requirements.txt"
         requirements.write_text(f"pip @ {(self.folder / 'x.whl').as_uri()} --hash=sha256:{'0' * 64}\n", encoding="utf-8")
         (self.folder / "x.whl").write_bytes(b"another content")
-        one = type("Blender", (), {"kind": "module", "requirements": requirements, "python": self.blender.python})
+        one = type("Blender", (), {"requirements": requirements, "python": self.blender.python, "kind": self.blender.kind})
         why_not = official._fill(one, self.folder / "place")
         self.assertRegex(why_not, "^ERROR")
         self.assertEqual(list(self.folder.glob("place/*")), [])
