@@ -24,7 +24,7 @@ FOREIGN = re.compile(rb"/(?:root|home|tmp|work|build|Users|usr/src|usr/include|u
 """Paths that no system has where a module is used."""
 UNNAMED = re.compile(rb"(?<=\0)\*?(N5motus\w*12_GLOBAL__N_1\w+)(?=\0)")
 """Names of types of namespaces without a name, as exceptions and pybind11 have them."""
-ZIGS = re.compile(r"__mh_dylib_header|___dso_handle|__Z(n[wa]|d[la])\w+")
+ZIGS = re.compile(r"__mh_dylib_header|___dso_handle|__Z(n[wa]|d[la])\w+|__ZT[IS]P?F[a-zP0KR]+E")
 
 
 class Seen:
@@ -84,7 +84,8 @@ class MachO(Seen):
     libraries = property(
         lambda self: [library.name for library in self.binary.libraries if library.command != lief.MachO.LoadCommand.TYPE.ID_DYLIB]
     )
-    # Zig's linker shows two names of its own, and the standard library's functions that allocate: macOS takes its own ones for these, which do the same.
+    # Zig's linker, which is given no list of what to show, shows two names of its own, the standard library's functions that allocate (macOS takes its
+    # own ones for these, which do the same), and on Intel's processors the types of functions of plain values, which are the same in every library.
     shown = property(lambda self: {one.symbol.name for one in self.binary.dyld_info.exports if not ZIGS.fullmatch(one.symbol.name)})
     oldest = property(lambda self: tuple(self.binary.build_version.minos[:2]))
 
@@ -161,6 +162,7 @@ def main(arguments):
     parser.add_argument("folder", type=Path)
     parser.add_argument("pythons", nargs="+")
     options = parser.parse_args(arguments)
+    lief.logging.disable()  # it tells of what it does not understand of zig's libraries for macOS, which is not asked for
     platform = PLATFORMS[options.platform]
     oldest = tuple(map(int, options.oldest.split("."))) if options.oldest else platform.oldest
     failed = 0

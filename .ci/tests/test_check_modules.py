@@ -122,6 +122,13 @@ class CheckModules(unittest.TestCase):
                 self.build(name, source=ENTRY + "SHOWN int more(void) { return 1; }")
                 self.assert_found(name, r"shows these symbols, not _?PyInit_motus_native alone: .*more")
 
+    def test_types_of_functions_are_everybodys_on_macos(self):
+        for symbol, is_well in {"__ZTIFvvE": True, "__ZTSPFPKcvE": True, "__ZTI6Widget": False, "__ZTIPFv6WidgetE": False}.items():
+            with self.subTest(symbol):
+                self.build("macos-x64", source=f'{ENTRY}SHOWN int more __asm__("{symbol}") = 1;')
+                status, said = self.check("macos-x64")
+                self.assertEqual(status == 0, is_well, said)
+
     def test_asks_for_another_library(self):
         library = self.build("linux-x64", "-Wl,-soname,libother.so.1", source="int other(void) { return 1; }", shown=True)
         library = library.rename(self.folder / "libother.so")

@@ -63,6 +63,13 @@ using namespace snow;
     s.ground = -1.0;
     return s;
 }
+/// Which ends: where flakes land is found for 256 at a time, and here there are no more than 20.
+[[nodiscard]] SnowSettings few_flakes() {
+    SnowSettings s = sample_settings();
+    s.looping = false;
+    s.duration = 2.0;
+    return s;
+}
 [[nodiscard]] std::vector<double> told(const Snow& snow, double time) {
     const Living living = snow.living(time, 1);
     std::vector<glm::vec3> positions(living.count()), velocities(living.count());
@@ -206,7 +213,7 @@ void add_snows(Table& table) {
                  some = from(0.0, 1000.0).open();
     add(
         table, "snow::Snow::Snow(settings)", [](const S& given) { return told(Snow(given), 0.6); },
-        of(sample_settings(), member("start_speed", &S::start_speed, single),
+        of(few_flakes(), member("start_speed", &S::start_speed, single),
            member("lifetime", &S::lifetime, size.open().tested_to(10.0)),
            member("start_size", &S::start_size, single),
            member("start_color", &S::start_color, single, at_least_many(1)),
