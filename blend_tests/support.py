@@ -18,6 +18,7 @@ TESTS = Path(__file__).resolve().parent
 CLONE = TESTS.parent
 
 
+@functools.cache
 def module_name():
     """Name of the add-on's package: an extension's lies below its repository (4.2 on), a legacy add-on's is its own."""
     names = {module.__name__ for module in addon_utils.modules(refresh=False)}

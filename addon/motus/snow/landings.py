@@ -71,9 +71,12 @@ def are_left(context, snow, seconds):
     """
     if context.owner.library:  # a timer cannot let Blender evaluate a linked object again
         return False
+    before = snow.find_landings(seconds, 0)
+    if before == 0:
+        _searches.drop(context.owner.name)
+        return False
     at_once = max(1, bounds.times(BLOCK, share_of(registered["snow"], context.owner, context.depsgraph)))
     if bpy.app.background:
-        before = snow.find_landings(seconds, 0)
         # If the memory for landing places is full, the number of remaining blocks stays.
         return 0 < snow.find_landings(seconds, at_once) < before
     name = context.owner.name

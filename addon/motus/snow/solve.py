@@ -97,7 +97,8 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
     if poses is None or wind is None:
         return flakes.NOT_FINITE
     acceleration = tuple(scene.gravity) if scene.use_gravity else (0.0, 0.0, 0.0)
-    barrier, fault = colliders.barrier(context) if colliders.are_any(settings) else (None, None)
+    lands = context.kept("lands", None, lambda: colliders.are_any(settings))
+    barrier, fault = colliders.barrier(context) if lands else (None, None)
     snow = flakes.made(keywords, acceleration, poses, wind, faces, angles, barrier)
     if isinstance(snow, Problem):
         return snow

@@ -36,17 +36,17 @@ class CacheOff {
 
 TEST_CASE("animated curves of many segments hold no more memory than the budget", "[cache]") {
     const std::size_t usual = cache_budget();
-    constexpr std::size_t budget = std::size_t{96} << 20;
+    constexpr std::size_t budget = std::size_t{24} << 20;
     set_cache_budget(budget);
     const std::size_t before = arc_length_cache().size();
-    std::vector<glm::dvec3> points = RandomCurves(7).points(40'000);
+    std::vector<glm::dvec3> points = RandomCurves(7).points(10'000);
     constexpr std::size_t shots = 8;
     std::vector<std::shared_ptr<const ArcLength>> used;
     for (std::size_t i = 0; i < shots; ++i) {
         points[0].x += 0.001;
         const auto path = shared_arc_length(Curve::chain(3, points, false));
         CHECK(cached_bytes() <= budget);
-        CHECK(path->bytes() >= path->curve().control_points().size_bytes() + 8 * 10'000);
+        CHECK(path->bytes() >= path->curve().control_points().size_bytes() + 8 * 2'500);
         used.push_back(path);
     }
     CHECK(arc_length_cache().size() < before + shots);

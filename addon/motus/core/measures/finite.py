@@ -24,14 +24,14 @@ def share(value: float) -> float:
     return min(max(0.0, value), 1.0)
 
 
-def is_finite(numbers: np.ndarray[Any, Any]) -> bool:
-    """Whether all numbers of a contiguous array of floats are finite, and stay finite in single precision, which Blender uses."""
-    flat = numbers.reshape(-1)
-    if len(flat) <= _FEW and math.hypot(*flat.tolist()) < INFINITE:
+def is_finite(*numbers: np.ndarray[Any, Any]) -> bool:
+    """Whether all numbers of contiguous arrays of floats are finite, and stay finite in single precision, which Blender uses."""
+    flat = [one.reshape(-1) for one in numbers]
+    if all(len(one) <= _FEW and math.hypot(*one.tolist()) < INFINITE for one in flat):
         return True
     # One dot product decides nearly every array in a tenth of the time. It also overflows for large finite numbers.
     with np.errstate(over='ignore'):
-        return bool(flat.dot(flat) < INFINITE) or bool((np.abs(flat) < INFINITE).all())
+        return all(bool(one.dot(one) < INFINITE) or bool((np.abs(one) < INFINITE).all()) for one in flat)
 
 
 def has_bad_settings(settings: Any) -> bool:

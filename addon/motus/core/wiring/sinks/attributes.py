@@ -50,6 +50,21 @@ def memory(mesh, name, data_type, domain='POINT'):
     return found
 
 
+def made(mesh, name, data_type, count):
+    """Return the memory of an attribute that a mesh has just been given, as memory() does, without asking for its type and domain.
+
+    Raises Damaged if the attribute has another number of items than `count`, or if they are not contiguous.
+    """
+    _, numbers, shape = _FORMS[data_type]
+    data = mesh.attributes[name].data
+    if count == 0 or len(data) != count:
+        return memory(mesh, name, data_type)
+    start, size = data[0].as_pointer(), 4 * math.prod(shape)
+    if data[count - 1].as_pointer() != start + (count - 1) * size:
+        raise Damaged("items that lie otherwise in memory")
+    return np.asarray(_Memory(start, (count, *shape), size, numbers))
+
+
 def items(data, numbers, shape):
     """Return an array over the memory of a Blender collection, with the numbers with which each item's struct begins.
 

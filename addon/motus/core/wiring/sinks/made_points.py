@@ -55,7 +55,7 @@ class Room:
     """
 
     def __init__(self, system, carrier, _inputs, context):
-        self._system, self._made, self._carrier, self._settings = system, system.makes_points, carrier, context.settings
+        self._system, self._made, self._carrier, self._context = system, system.makes_points, carrier, context
         self._found: dict[str, Any] | None = None
         self._staged: list[Any] = []
         self.is_full = False
@@ -66,18 +66,20 @@ class Room:
         if self.is_full and self._made.shape == 'FACES':
             count = edges = triangles = 0  # no points at all: a part of a surface would be a different surface
         count = min(count, self._made.capacity)
-        present = _resize(self._system, self._carrier, int(count), self._settings)
+        present = _resize(self._system, self._carrier, int(count), self._context)
         self._staged = []
         self._found = {"position": self._positions(count)}
         if self._made.shape == 'FACES':
             self._found |= _faces(self._carrier, int(edges), int(triangles))
         for name, kind in present:
-            self._found[name] = self._rotations(name, count) if kind == 'EULER' else attributes.memory(self._carrier, name, _TYPES[kind])
+            self._found[name] = (
+                self._rotations(name, count) if kind == 'EULER' else attributes.made(self._carrier, name, _TYPES[kind], count)
+            )
         return self._found
 
     def _positions(self, count):
         if "position" in self._carrier.attributes:
-            return attributes.memory(self._carrier, "position", 'FLOAT_VECTOR')
+            return attributes.made(self._carrier, "position", 'FLOAT_VECTOR', count)
         # Before Blender 3.5 a vertex is a struct that begins with its position.
         places = attributes.items(self._carrier.vertices, "<f4", (3,))
         positions = scratch("positions", (count, 3), np.float32)
@@ -97,7 +99,7 @@ class Room:
             for name, kind in (("position", 'VECTOR'), *self._made.attributes)
             if name == "position" or name == RADIUS or kind == 'QUATERNION'
         )
-        return self._found is None or all(finite.is_finite(self._found[name]) for name in placing if name in self._found)
+        return self._found is None or finite.is_finite(*(self._found[name] for name in placing if name in self._found))
 
     def write(self, weight):
         """Finish the points that the solver has filled in: store what could not be filled in place, and join points of curves by edges.
@@ -233,23 +235,32 @@ def _found_as(mesh, name, kind):
     return 'EULER' if kind == 'QUATERNION' and mesh.attributes[name].data_type == _TYPES['EULER'] else kind
 
 
-def _resize(system, carrier, count, settings):
+def _resize(system, carrier, count, context):
     """Give an evaluated hub's mesh (carrier) the attributes of the points, and `count` points with undefined contents.
 
     Returns (name, kind) of each attribute, as a tuple. Raises Damaged if the original mesh lacks attributes that the settings need.
     """
-    mesh, made = carrier.original, system.makes_points
-    names = mesh.attributes.keys()
+    mesh = carrier.original
+    names = tuple(mesh.attributes.keys())
+    form, present = context.kept("form", names, lambda: _form(system, mesh, names, context.settings))
+    # BMesh.to_mesh() is the only way to empty the mesh that keeps the driver that is being evaluated.
+    form.to_mesh(carrier)
+    carrier.vertices.add(count)
+    return present
+
+
+def _form(system, mesh, names, settings):
+    """Return (empty BMesh, (name, kind) of each attribute) of a hub's original mesh; names: of its attributes.
+
+    Raises Damaged if the mesh lacks attributes that the settings need.
+    """
+    made = system.makes_points
     present = tuple((name, _found_as(mesh, name, kind)) for name, kind in made.attributes if name in names)
     if len(present) < len(made.attributes):
         missing = {name for name, _ in made.attributes}.difference(names)
         if not missing.issubset(made.unneeded(settings)):
             raise Damaged("another form than that of the points")
-    form = _forms.made((system.name, present), lambda: _form_of(mesh, present))
-    # BMesh.to_mesh() is the only way to empty the mesh that keeps the driver that is being evaluated.
-    form.to_mesh(carrier)
-    carrier.vertices.add(count)
-    return present
+    return _forms.made((system.name, present), lambda: _form_of(mesh, present)), present
 
 
 def _form_of(mesh, present):

@@ -93,7 +93,7 @@ class RowsSolver:
         """Make a row neutral, and its status outbox.NOT_FINITE, if it has a number that sinks must not get, such as NaN or infinity."""
         context = self._context
         for row, slots, *found in zip(self._rows, self._table, context.locations, context.rotations, context.outputs):
-            if row is None or all(map(finite.is_finite, found)):
+            if row is None or finite.is_finite(*found):
                 continue
             if slots[outbox.STATUS] >= 0.0:
                 slots[outbox.STATUS] = outbox.NOT_FINITE

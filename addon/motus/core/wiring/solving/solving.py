@@ -197,7 +197,7 @@ class Solver:
             return False
         if room is not None:
             return room.is_finite()
-        return all(map(finite.is_finite, (self._context.locations, self._context.rotations, self._context.scales)))
+        return finite.is_finite(self._context.locations, self._context.rotations, self._context.scales)
 
     def _read(self, values):
         """Return {name: value} of the arguments of System.solve. values: values of the inputs that the driver passes on."""
