@@ -22,6 +22,7 @@ class DynamicsLimitsTest(support.SceneTestCase):
             add(one, follow='WORLD' if one.parent else 'OWN', frequency=2.0)
         return found
 
+    @support.in_one_blender
     def test_nested_things_are_worked_out_once_a_level(self):
         motion = support.addon("dynamics.motion")
         levels = self.nested()
@@ -32,6 +33,7 @@ class DynamicsLimitsTest(support.SceneTestCase):
         self.assertLess(made.call_count, 2 * LEVELS * LEVELS)
         np.testing.assert_array_equal(last, place(levels[-1], 30))
 
+    @support.in_one_blender
     def test_nested_things_in_any_order(self):
         levels = self.nested()
         alone = matrix(levels[-1], 33)
