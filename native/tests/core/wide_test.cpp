@@ -118,11 +118,27 @@ void check_vectors() {
 }
 
 template <class Several>
+void check_fields() {
+    constexpr std::size_t lanes = lane_count<Several>, count = 8, step = 11;
+    std::array<double, step * lanes> given{}, written{};
+    for (std::size_t at = 0; at < given.size(); ++at) given.at(at) = static_cast<double>(at);
+    Several fields[count];  // NOLINT(*-avoid-c-arrays, *-member-init): load_fields() wants it
+    load_fields(given.data(), step * sizeof(double), fields);
+    for (std::size_t i = 0; i < lanes; ++i)
+        for (std::size_t k = 0; k < count; ++k)
+            CHECK(lane(fields[k], static_cast<int>(i)) == given.at(i * step + k));
+    store_fields(fields, written.data(), step * sizeof(double));
+    for (std::size_t at = 0; at < given.size(); ++at)
+        CHECK(written.at(at) == (at % step < count ? given.at(at) : 0.0));
+}
+
+template <class Several>
 void check_numbers() {
     check_arithmetic<Several>();
     check_choices<Several>();
     check_masks<Several>();
     check_vectors<Several>();
+    if constexpr (lane_count<Several> < 8) check_fields<Several>();
 }
 
 constexpr Checks checks{HWY_STR(HWY_NAMESPACE), &check_numbers<Wide<2>>, &check_numbers<Wide<4>>,

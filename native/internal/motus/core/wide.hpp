@@ -4,6 +4,7 @@
 // takes sqrt, abs, min and max unqualified.
 #pragma once
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -52,7 +53,7 @@ struct Wide {
     using Mask = WideMask<n>;
     Numbers lanes;
 
-    Wide() = default;  // not initialised, since glm's vectors are unions
+    Wide() = default;  // NOLINT(*-member-init): not initialised, since glm's vectors are unions
     [[gnu::always_inline]] Wide(double all) : lanes(all - Numbers{}) {}
     template <class... Double>
     requires(sizeof...(Double) == n) [[gnu::always_inline]] Wide(Double... each) : lanes{each...} {}
@@ -162,6 +163,58 @@ template <class Real>
 inline constexpr int lane_count = 1;
 template <int n>
 inline constexpr int lane_count<Wide<n>> = n;
+
+// Arrays of C, since GCC 12 keeps what stands in a std::array in memory: two bones then take a third more
+// time. NOLINTBEGIN(*-avoid-c-arrays, *-member-init)
+
+/// Rows of as many numbers as there are rows, turned into columns: number j of row i becomes number i of row
+/// j.
+[[gnu::always_inline]] inline void transpose(Wide<2> (&rows)[2]) {
+    const auto a = rows[0].lanes, b = rows[1].lanes;
+    rows[0].lanes = __builtin_shufflevector(a, b, 0, 2);
+    rows[1].lanes = __builtin_shufflevector(a, b, 1, 3);
+}
+[[gnu::always_inline]] inline void transpose(Wide<4> (&rows)[4]) {
+    const auto a = rows[0].lanes, b = rows[1].lanes, c = rows[2].lanes, d = rows[3].lanes;
+    // Halves first: the processor puts them together as it loads them.
+    const auto low_ac = __builtin_shufflevector(a, c, 0, 1, 4, 5),
+               low_bd = __builtin_shufflevector(b, d, 0, 1, 4, 5);
+    const auto high_ac = __builtin_shufflevector(a, c, 2, 3, 6, 7),
+               high_bd = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+    rows[0].lanes = __builtin_shufflevector(low_ac, low_bd, 0, 4, 2, 6);
+    rows[1].lanes = __builtin_shufflevector(low_ac, low_bd, 1, 5, 3, 7);
+    rows[2].lanes = __builtin_shufflevector(high_ac, high_bd, 0, 4, 2, 6);
+    rows[3].lanes = __builtin_shufflevector(high_ac, high_bd, 1, 5, 3, 7);
+}
+
+/// Sets lane(fields[k], i) to number k of structure i, for structures that begin with doubles and stand
+/// `step` bytes apart, the first at `from`. count: a multiple of n.
+template <int n, std::size_t count>
+[[gnu::always_inline]] inline void load_fields(const void* from, std::size_t step, Wide<n> (&fields)[count]) {
+    static_assert(count % n == 0);
+    for (std::size_t k = 0; k < count; k += n) {
+        Wide<n> rows[n];
+        for (std::size_t i = 0; i < n; ++i)
+            rows[i] =
+                Wide<n>::load(reinterpret_cast<const double*>(static_cast<const char*>(from) + i * step) + k);
+        transpose(rows);
+        for (std::size_t i = 0; i < n; ++i) fields[k + i] = rows[i];
+    }
+}
+/// The reverse: sets number k of structure i to lane(fields[k], i).
+template <int n, std::size_t count>
+[[gnu::always_inline]] inline void store_fields(const Wide<n> (&fields)[count], void* to, std::size_t step) {
+    static_assert(count % n == 0);
+    for (std::size_t k = 0; k < count; k += n) {
+        Wide<n> rows[n];
+        for (std::size_t i = 0; i < n; ++i) rows[i] = fields[k + i];
+        transpose(rows);
+        for (std::size_t i = 0; i < n; ++i)
+            rows[i].store(reinterpret_cast<double*>(static_cast<char*>(to) + i * step) + k);
+    }
+}
+
+// NOLINTEND(*-avoid-c-arrays, *-member-init)
 
 // For glm's vectors of one or several doubles.
 

@@ -2,9 +2,14 @@
 // inlined into. Private to the library.
 #pragma once
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "motus/bones/chains/bend_plane.hpp"
@@ -54,28 +59,42 @@ template <class Real>
     return select(is_before | is_straight, ends, min(distance - excess * t * (one - t * third), reach));
 }
 
-[[nodiscard, gnu::always_inline]] inline Reason reason_of(double distance, double end, double residual,
-                                                          double longest) {
-    if (residual <= reach_tolerance * (longest + distance)) return Reason::reached;
-    return distance > end ? Reason::too_far : Reason::too_near;
+/// The number whose bytes are a Reason, for TwoBoneSolution::reason and what is unused behind it.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline Real reason_bits(Reason reason) {
+    return Real(std::bit_cast<double>(static_cast<std::uint64_t>(reason)));
 }
 
-/// One number of each of as many chains as a Real has lanes.
-template <class Real, class Number>
-[[nodiscard, gnu::always_inline]] inline Real gathered(const TwoBone* chains, Number&& number) {
-    return [&]<int... i>(std::integer_sequence<int, i...>) {
-        return Real(number(chains[i])...);
+// A chain's numbers as they stand in memory, one behind the other, and its solution's.
+inline constexpr std::size_t chain_numbers = 16, solution_numbers = 12;
+static_assert(std::endian::native == std::endian::little && std::is_standard_layout_v<TwoBone> &&
+              std::is_standard_layout_v<TwoBoneSolution>);
+static_assert(offsetof(TwoBone, bend) == chain_numbers * sizeof(double) &&
+              offsetof(TwoBoneSolution, reason) == (solution_numbers - 1) * sizeof(double) &&
+              sizeof(TwoBoneSolution) == solution_numbers * sizeof(double));
+
+/// The numbers of several chains, each of all chains in the lanes of a Real.
+template <class Real>
+struct ChainNumbers {
+    Real of[chain_numbers];  // NOLINT(*-avoid-c-arrays): see load_fields()
+
+    [[gnu::always_inline]] explicit ChainNumbers(const TwoBone* chains) {
+        load_fields(chains, sizeof(TwoBone), of);
     }
-    (std::make_integer_sequence<int, lane_count<Real>>());
-}
+    [[nodiscard, gnu::always_inline]] Real operator[](std::size_t number) const { return of[number]; }
+};
+/// Those of one chain are read where they are needed: it has no registers for all of them.
+template <>
+struct ChainNumbers<double> {
+    const TwoBone* chain;
 
-template <class Real, class Point>
-[[nodiscard, gnu::always_inline]] inline glm::vec<3, Real> gathered_points(const TwoBone* chains,
-                                                                           Point&& point) {
-    return {gathered<Real>(chains, [&](const TwoBone& chain) -> double { return point(chain).x; }),
-            gathered<Real>(chains, [&](const TwoBone& chain) -> double { return point(chain).y; }),
-            gathered<Real>(chains, [&](const TwoBone& chain) -> double { return point(chain).z; })};
-}
+    [[gnu::always_inline]] explicit ChainNumbers(const TwoBone* one) : chain(one) {}
+    [[nodiscard, gnu::always_inline]] double operator[](std::size_t number) const {
+        double value = 0.0;
+        std::memcpy(&value, reinterpret_cast<const char*>(chain) + number * sizeof(double), sizeof(double));
+        return value;
+    }
+};
 
 /// Fields of TwoBone for one chain, or for several chains in the lanes of Real.
 template <class Real>
@@ -83,14 +102,25 @@ struct Chains {
     using Vector = glm::vec<3, Real>;
 
     const TwoBone* given;
-    Vector root = gathered_points<Real>(given, [](const TwoBone& c) { return c.root; });
-    Vector goal = gathered_points<Real>(given, [](const TwoBone& c) { return c.target; });
+    ChainNumbers<Real> numbers{given};
+    Vector root{numbers[0], numbers[1], numbers[2]};
+    Vector goal{numbers[3], numbers[4], numbers[5]};
     Vector target = goal - root;  ///< seen from the root
-    Vector pole = gathered_points<Real>(given, [](const TwoBone& c) { return c.pole; }) - root;
-    Real length1 = gathered<Real>(given, [](const TwoBone& c) { return c.length1; });
-    Real length2 = gathered<Real>(given, [](const TwoBone& c) { return c.length2; });
+    Vector pole = Vector(numbers[6], numbers[7], numbers[8]) - root;
+    Real length1 = numbers[9];
+    Real length2 = numbers[10];
 
     [[gnu::always_inline]] explicit Chains(const TwoBone* chains) : given(chains) {}
+
+    [[nodiscard, gnu::always_inline]] Real softness() const { return numbers[11]; }
+    [[nodiscard, gnu::always_inline]] Real stretch() const { return numbers[12]; }
+    [[nodiscard, gnu::always_inline]] Vector plane() const { return {numbers[13], numbers[14], numbers[15]}; }
+    [[nodiscard, gnu::always_inline]] Real bend() const {
+        return [&]<int... i>(std::integer_sequence<int, i...>) {
+            return Real(static_cast<double>(given[i].bend)...);
+        }
+        (std::make_integer_sequence<int, lane_count<Real>>());
+    }
 
     /// Whether the squares of all relevant numbers, and the products of two squares, neither overflow nor
     /// underflow.
@@ -113,14 +143,13 @@ template <class Real, class Faded>
     const Real longest = chains.length1 + chains.length2;
     const Real shortest = abs(chains.length1 - chains.length2);
     const Real distance = sqrt(glm::dot(target, target));
-    const Real softness = gathered<Real>(chains.given, [](const TwoBone& c) { return c.softness; });
-    const Real reach = max(softened(distance, longest, softness), shortest);
+    const Real reach = max(softened(distance, longest, chains.softness()), shortest);
 
     // Distance of the tip from the root, and length of the first bone; stretch multiplies both by one factor.
     Real end = reach;
     Real length1 = chains.length1;
     Real scale = one;
-    const Real stretch = gathered<Real>(chains.given, [](const TwoBone& c) { return c.stretch; });
+    const Real stretch = chains.stretch();
     const auto is_stretched = (stretch > zero) & (distance > reach) & (reach > zero);
     if (any(is_stretched)) {
         const Real part = reach + stretch * (distance - reach);
@@ -136,23 +165,43 @@ template <class Real, class Faded>
         if (lane(is_coincident, i))
             set_lane(along, i, line_of_coincident(chains.given[i], lane(target, i), lane(chains.pole, i)));
 
-    const Vector plane = gathered_points<Real>(chains.given, [](const TwoBone& c) { return c.plane; });
-    const Real bend = gathered<Real>(chains.given, [](const TwoBone& c) -> double { return c.bend; });
+    const Vector plane = chains.plane();
     const auto has_no_plane = (plane.x == zero) & (plane.y == zero) & (plane.z == zero);
     const Real band = select(has_no_plane, Real(pole_band_no_plane), Real(pole_band));
-    const Vector normal = bend_normal(BendSide<Real>{along, chains.pole, plane, longest, band, bend}, faded);
+    const Vector normal =
+        bend_normal(BendSide<Real>{along, chains.pole, plane, longest, band, chains.bend()}, faded);
     const Direction<Real> bone = shoulder(chains.length1, chains.length2, longest, shortest, reach);
     const Vector elbow =
         chains.root + (along * (length1 * bone.cosine) + glm::cross(normal, along) * (length1 * bone.sine));
     const Vector tip = select(distance == end, chains.goal, chains.root + along * end);
     const Real residual = abs(distance - end);
-    for (int i = 0; i < lane_count<Real>; ++i)
-        out[i] = {.elbow = lane(elbow, i),
-                  .tip = lane(tip, i),
-                  .normal = lane(normal, i),
-                  .scale = lane(scale, i),
-                  .residual = lane(residual, i),
-                  .reason = reason_of(lane(distance, i), lane(end, i), lane(residual, i), lane(longest, i))};
+    const auto is_reached = residual <= Real(reach_tolerance) * (longest + distance);
+    const auto is_too_far = distance > end;
+    if constexpr (std::is_same_v<Real, double>) {
+        const Reason why_not = is_too_far ? Reason::too_far : Reason::too_near;
+        // Number by number: what is put together first is copied in parts that are larger, and waits for
+        // them.
+        out->elbow.x = elbow.x;
+        out->elbow.y = elbow.y;
+        out->elbow.z = elbow.z;
+        out->tip.x = tip.x;
+        out->tip.y = tip.y;
+        out->tip.z = tip.z;
+        out->normal.x = normal.x;
+        out->normal.y = normal.y;
+        out->normal.z = normal.z;
+        out->scale = scale;
+        out->residual = residual;
+        out->reason = is_reached ? Reason::reached : why_not;
+    } else {
+        const Real why_not =
+            select(is_too_far, reason_bits<Real>(Reason::too_far), reason_bits<Real>(Reason::too_near));
+        const Real reason = select(is_reached, reason_bits<Real>(Reason::reached), why_not);
+        // NOLINTNEXTLINE(*-avoid-c-arrays): see store_fields()
+        const Real found[solution_numbers] = {elbow.x,  elbow.y,  elbow.z,  tip.x, tip.y,    tip.z,
+                                              normal.x, normal.y, normal.z, scale, residual, reason};
+        store_fields(found, out, sizeof(TwoBoneSolution));
+    }
 }
 
 /// Solves as many chains at once as a Real has lanes. chains and out have the same size.
