@@ -37,8 +37,8 @@ declare -A preset_needs=(
     [aarch64-linux]="g++-aarch64-linux-gnu:aarch64-linux-gnu-g++ qemu-user:qemu-aarch64"
     [windows-x64]="g++-mingw-w64-x86-64-posix:x86_64-w64-mingw32-g++-posix wine64:/usr/lib/wine/wine64"
     [libcxx]="clang-19:clang++-19 libc++-19-dev:/usr/lib/llvm-19/include/c++/v1 libc++abi-19-dev:/usr/lib/llvm-19/lib/libc++abi.so"
-    [threads]="clang:clang++ libclang-rt-14-dev:/usr/lib/llvm-14/lib/clang/14.0.6/lib/linux/libclang_rt.tsan-x86_64.a"
-    [fuzz]="clang:clang++ libclang-rt-14-dev:/usr/lib/llvm-14/lib/clang/14.0.6/lib/linux/libclang_rt.fuzzer-x86_64.a"
+    [threads]="clang:clang++ libclang-rt-dev:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.tsan-x86_64.a"
+    [fuzz]="clang:clang++ libclang-rt-dev:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-x86_64.a"
 )
 
 # Names of the same packages: of Fedora and its kin, and of Arch.
@@ -58,7 +58,6 @@ declare -A pacman_names=(
 # of_os KEY: a value of os-release, without quotation marks.
 of_os() { sed -n "s/^$1=//p" "$os_release" 2>/dev/null | tr -d '"' | head -n 1; }
 
-is_bookworm() { [[ $(of_os VERSION_CODENAME) == bookworm ]]; }
 # installs_itself: whether the packages of this system are known by name and contents, so that a command may install what it needs.
 installs_itself() { [[ $(of_os ID) == debian && $(of_os VERSION_CODENAME) =~ ^(bookworm|trixie)$ ]]; }
 
@@ -109,10 +108,17 @@ is_there() {
     return 1
 }
 
+# find_missing PACKAGE:PROBE...: sets `missing` to the packages that are not there.
+find_missing() {
+    local pair
+    missing=()
+    for pair; do is_there "${pair#*:}" || missing+=("${pair%%:*}"); done
+}
+
 # need PACKAGE:PROBE...: installs what is missing on Debian 12 and 13; elsewhere, or with no way to be root, says how to install it and stops.
 need() {
-    local pair missing=()
-    for pair; do is_there "${pair#*:}" || missing+=("${pair%%:*}"); done
+    local missing
+    find_missing "$@"
     ((${#missing[@]})) || return 0
     if ! installs_itself || ! as_root true 2>/dev/null; then
         fail "this system lacks what Motus needs here; install it with: $(install_line "${missing[@]}")"
@@ -124,3 +130,12 @@ need() {
 
 # wish PACKAGE:PROBE...: the same for what a command can do without; false where it cannot be installed.
 wish() { if installs_itself; then (need "$@"); fi; }
+
+# has_preset PRESET: false, with the reason, where a compiler or emulator of it is neither there nor can be installed.
+has_preset() {
+    local needs missing
+    read -ra needs <<<"${preset_needs[$1]:-}"
+    wish "${needs[@]}" || true
+    find_missing "${needs[@]}"
+    ((${#missing[@]} == 0)) || { say "SKIPPED: the preset $1 lacks what Debian calls ${missing[*]}"; return 1; }
+}
