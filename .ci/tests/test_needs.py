@@ -94,7 +94,9 @@ class Needs(unittest.TestCase):
 
     def test_packaging_for_other_systems_installs_what_it_can(self):
         """Wherever Debian's names are known; each platform says itself what it cannot be built without."""
-        command = "pinned() { echo it went on; return 1; }; build_needs=(); platform_needs=(maven:no-such-program); package_platforms linux-x64"
+        command = (
+            "pinned() { echo it went on; return 1; }; build_needs=(); platform_needs=(maven:no-such-program); package_platforms linux-x64"
+        )
         for system in ("bookworm", "trixie"):
             with self.subTest(system):
                 self.assertRegex(self.bash(system, command)[1], "(?s)apt-get install .*maven\n.*it went on")
@@ -107,7 +109,9 @@ class Needs(unittest.TestCase):
         for system in SYSTEMS:
             with self.subTest(system):
                 status, said = self.bash(system, lacking)
-                self.assertEqual((status, said.splitlines()[-1]), (1, "motus: SKIPPED: the preset odd lacks what Debian calls odd-compiler"))
+                self.assertEqual(
+                    (status, said.splitlines()[-1]), (1, "motus: SKIPPED: the preset odd lacks what Debian calls odd-compiler")
+                )
                 self.assertEqual("apt-get install" in said, system in {"bookworm", "trixie"})
                 self.assertEqual(self.bash(system, "has_preset release; echo built"), (0, "built\n"))
 
