@@ -191,10 +191,13 @@ class SceneTestCase(unittest.TestCase):
         self.addCleanup(self._assert_context_is_nobodys)
 
     def _delete_folder(self):
-        """Deletes the temporary folder; Windows deletes no file that is open, as films of the scene are."""
+        """Deletes the temporary folder; Windows deletes no file that is open, as films of the scene are.
+
+        tempfile takes what it may not delete for a folder, which then says that it is none: NotADirectoryError, or its like in wine.
+        """
         try:
             self._temporary.cleanup()
-        except PermissionError:
+        except OSError:
             empty_scene()
             self._temporary.cleanup()
 
