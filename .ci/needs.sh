@@ -13,21 +13,24 @@ build_needs=(
     python3-dev:/usr/bin/python3-config
     "python3-numpy:/usr/lib/python3/dist-packages/numpy|/usr/lib*/python3.*/site-packages/numpy"
 )
-blender_needs=(blender:blender)
-test_needs=(
-    ccache:ccache clang:clang++ xvfb:Xvfb "libgl1-mesa-dri:/usr/lib/*/dri|/usr/lib64/dri|/usr/lib/dri"
+# What a Blender draws with: it opens these libraries when it begins to render, and Debian's package asks for none of them.
+drawing_needs=(
+    "libegl1:/usr/lib/*/libEGL.so.1|/usr/lib64/libEGL.so.1|/usr/lib/libEGL.so.1"
+    "libgl1:/usr/lib/*/libGL.so.1|/usr/lib64/libGL.so.1|/usr/lib/libGL.so.1"
+    "libgl1-mesa-dri:/usr/lib/*/dri|/usr/lib64/dri|/usr/lib/dri|/usr/lib/*/libEGL_nvidia.so.0"
 )
+blender_needs=(blender:blender "${drawing_needs[@]}")
+test_needs=(ccache:ccache clang:clang++ xvfb:Xvfb "${drawing_needs[@]}")
 module_needs=("python3-venv:/usr/lib*/python3.*/ensurepip")
 # What official Blenders, which are modules of Python, are linked to and import.
 official_needs=(
-    "${module_needs[@]}" "python3-requests:/usr/lib/python3/dist-packages/requests|/usr/lib*/python3.*/site-packages/requests"
+    "${module_needs[@]}" "${drawing_needs[@]}"
+    "python3-requests:/usr/lib/python3/dist-packages/requests|/usr/lib*/python3.*/site-packages/requests"
     "libxrender1:/usr/lib/*/libXrender.so.1|/usr/lib64/libXrender.so.1|/usr/lib/libXrender.so.1"
     "libxfixes3:/usr/lib/*/libXfixes.so.3|/usr/lib64/libXfixes.so.3|/usr/lib/libXfixes.so.3"
     "libxi6:/usr/lib/*/libXi.so.6|/usr/lib64/libXi.so.6|/usr/lib/libXi.so.6"
     "libxkbcommon0:/usr/lib/*/libxkbcommon.so.0|/usr/lib64/libxkbcommon.so.0|/usr/lib/libxkbcommon.so.0"
     "libsm6:/usr/lib/*/libSM.so.6|/usr/lib64/libSM.so.6|/usr/lib/libSM.so.6"
-    "libegl1:/usr/lib/*/libEGL.so.1|/usr/lib64/libEGL.so.1|/usr/lib/libEGL.so.1"
-    "libgl1:/usr/lib/*/libGL.so.1|/usr/lib64/libGL.so.1|/usr/lib/libGL.so.1"
 )
 wine_needs=(wine64:/usr/lib/wine/wine64 maven:mvn)
 lint_needs=(clang-format:clang-format clang-tidy:clang-tidy shellcheck:shellcheck git:git "${module_needs[@]}")

@@ -49,6 +49,7 @@ class Needs(unittest.TestCase):
             logged() {{ "${{@:2}}"; }}
             here={CI.parent} cache={self.folder}
             source {CI}/needs.sh
+            source {CI}/choose_blender.sh
             source {CI}/platforms.sh
             os_release='{self.folder}/os-release'
             as_root() {{ {'[[ $1 == true ]] || echo "as root: $*"' if has_root else 'return 1'}; }}
@@ -114,6 +115,15 @@ class Needs(unittest.TestCase):
                 )
                 self.assertEqual("apt-get install" in said, system in {"bookworm", "trixie"})
                 self.assertEqual(self.bash(system, "has_preset release; echo built"), (0, "built\n"))
+
+    def test_what_blender_draws_with_comes_with_it(self):
+        """Debian's package of Blender 4.3 asks for none of it, and ends by a signal where it is to render."""
+        for needs in ("blender_needs", "official_needs", "test_needs"):
+            for package in ("libegl1", "libgl1", "libgl1-mesa-dri"):
+                with self.subTest(needs, package=package):
+                    said = self.bash("trixie", f'is_there() {{ false; }}; need "${{{needs}[@]}}"')[1]
+                    self.assertRegex(said, f"apt-get install .* {package}( |$)")
+        self.assertIn("libegl1", self.bash("trixie", 'is_there() { false; }; default_blender() { echo chosen; }; drawing_blender')[1])
 
     def test_every_need_has_a_name_everywhere(self):
         """Names that only Debian has would be no help."""
