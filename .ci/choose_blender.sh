@@ -138,3 +138,9 @@ choose_official() {
     done
     fail "there is no Blender here that Motus could run, not even an official one for Python $(own_python); install one with: $(install_line blender)"
 }
+
+# drawing_blender: the default Blender, for what it renders; without the libraries that it draws with EEVEE ends the process.
+drawing_blender() {
+    wish "${drawing_needs[@]}" || true
+    default_blender
+}

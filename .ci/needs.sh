@@ -13,21 +13,24 @@ build_needs=(
     python3-dev:/usr/bin/python3-config
     "python3-numpy:/usr/lib/python3/dist-packages/numpy|/usr/lib*/python3.*/site-packages/numpy"
 )
-blender_needs=(blender:blender)
-test_needs=(
-    ccache:ccache clang:clang++ xvfb:Xvfb "libgl1-mesa-dri:/usr/lib/*/dri|/usr/lib64/dri|/usr/lib/dri"
+# What a Blender draws with: it opens these libraries when it begins to render, and Debian's package asks for none of them.
+drawing_needs=(
+    "libegl1:/usr/lib/*/libEGL.so.1|/usr/lib64/libEGL.so.1|/usr/lib/libEGL.so.1"
+    "libgl1:/usr/lib/*/libGL.so.1|/usr/lib64/libGL.so.1|/usr/lib/libGL.so.1"
+    "libgl1-mesa-dri:/usr/lib/*/dri|/usr/lib64/dri|/usr/lib/dri|/usr/lib/*/libEGL_nvidia.so.0"
 )
+blender_needs=(blender:blender "${drawing_needs[@]}")
+test_needs=(ccache:ccache clang:clang++ xvfb:Xvfb "${drawing_needs[@]}")
 module_needs=("python3-venv:/usr/lib*/python3.*/ensurepip")
 # What official Blenders, which are modules of Python, are linked to and import.
 official_needs=(
-    "${module_needs[@]}" "python3-requests:/usr/lib/python3/dist-packages/requests|/usr/lib*/python3.*/site-packages/requests"
+    "${module_needs[@]}" "${drawing_needs[@]}"
+    "python3-requests:/usr/lib/python3/dist-packages/requests|/usr/lib*/python3.*/site-packages/requests"
     "libxrender1:/usr/lib/*/libXrender.so.1|/usr/lib64/libXrender.so.1|/usr/lib/libXrender.so.1"
     "libxfixes3:/usr/lib/*/libXfixes.so.3|/usr/lib64/libXfixes.so.3|/usr/lib/libXfixes.so.3"
     "libxi6:/usr/lib/*/libXi.so.6|/usr/lib64/libXi.so.6|/usr/lib/libXi.so.6"
     "libxkbcommon0:/usr/lib/*/libxkbcommon.so.0|/usr/lib64/libxkbcommon.so.0|/usr/lib/libxkbcommon.so.0"
     "libsm6:/usr/lib/*/libSM.so.6|/usr/lib64/libSM.so.6|/usr/lib/libSM.so.6"
-    "libegl1:/usr/lib/*/libEGL.so.1|/usr/lib64/libEGL.so.1|/usr/lib/libEGL.so.1"
-    "libgl1:/usr/lib/*/libGL.so.1|/usr/lib64/libGL.so.1|/usr/lib/libGL.so.1"
 )
 wine_needs=(wine64:/usr/lib/wine/wine64 maven:mvn)
 lint_needs=(clang-format:clang-format clang-tidy:clang-tidy shellcheck:shellcheck git:git "${module_needs[@]}")
@@ -37,8 +40,8 @@ declare -A preset_needs=(
     [aarch64-linux]="g++-aarch64-linux-gnu:aarch64-linux-gnu-g++ qemu-user:qemu-aarch64"
     [windows-x64]="g++-mingw-w64-x86-64-posix:x86_64-w64-mingw32-g++-posix wine64:/usr/lib/wine/wine64"
     [libcxx]="clang-19:clang++-19 libc++-19-dev:/usr/lib/llvm-19/include/c++/v1 libc++abi-19-dev:/usr/lib/llvm-19/lib/libc++abi.so"
-    [threads]="clang:clang++ libclang-rt-14-dev:/usr/lib/llvm-14/lib/clang/14.0.6/lib/linux/libclang_rt.tsan-x86_64.a"
-    [fuzz]="clang:clang++ libclang-rt-14-dev:/usr/lib/llvm-14/lib/clang/14.0.6/lib/linux/libclang_rt.fuzzer-x86_64.a"
+    [threads]="clang:clang++ libclang-rt-dev:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.tsan-x86_64.a"
+    [fuzz]="clang:clang++ libclang-rt-dev:/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-x86_64.a"
 )
 
 # Names of the same packages: of Fedora and its kin, and of Arch.
@@ -58,7 +61,6 @@ declare -A pacman_names=(
 # of_os KEY: a value of os-release, without quotation marks.
 of_os() { sed -n "s/^$1=//p" "$os_release" 2>/dev/null | tr -d '"' | head -n 1; }
 
-is_bookworm() { [[ $(of_os VERSION_CODENAME) == bookworm ]]; }
 # installs_itself: whether the packages of this system are known by name and contents, so that a command may install what it needs.
 installs_itself() { [[ $(of_os ID) == debian && $(of_os VERSION_CODENAME) =~ ^(bookworm|trixie)$ ]]; }
 
@@ -109,10 +111,17 @@ is_there() {
     return 1
 }
 
+# find_missing PACKAGE:PROBE...: sets `missing` to the packages that are not there.
+find_missing() {
+    local pair
+    missing=()
+    for pair; do is_there "${pair#*:}" || missing+=("${pair%%:*}"); done
+}
+
 # need PACKAGE:PROBE...: installs what is missing on Debian 12 and 13; elsewhere, or with no way to be root, says how to install it and stops.
 need() {
-    local pair missing=()
-    for pair; do is_there "${pair#*:}" || missing+=("${pair%%:*}"); done
+    local missing
+    find_missing "$@"
     ((${#missing[@]})) || return 0
     if ! installs_itself || ! as_root true 2>/dev/null; then
         fail "this system lacks what Motus needs here; install it with: $(install_line "${missing[@]}")"
@@ -124,3 +133,12 @@ need() {
 
 # wish PACKAGE:PROBE...: the same for what a command can do without; false where it cannot be installed.
 wish() { if installs_itself; then (need "$@"); fi; }
+
+# has_preset PRESET: false, with the reason, where a compiler or emulator of it is neither there nor can be installed.
+has_preset() {
+    local needs missing
+    read -ra needs <<<"${preset_needs[$1]:-}"
+    wish "${needs[@]}" || true
+    find_missing "${needs[@]}"
+    ((${#missing[@]} == 0)) || { say "SKIPPED: the preset $1 lacks what Debian calls ${missing[*]}"; return 1; }
+}

@@ -51,7 +51,7 @@ validate_platforms() {
 package_platforms() {
     local platform programs builder made=() skipped=0 status
     need "${build_needs[@]}"
-    if is_bookworm; then need "${platform_needs[@]}"; fi
+    wish "${platform_needs[@]}" || true # each platform says what it cannot do without
     pinned package || { say "SKIPPED: no platform could be packaged"; exit 77; }
     for platform; do
         status=0

@@ -145,6 +145,37 @@ def use_eevee(scene, engine, samples):
         scene.eevee.use_shadows, scene.eevee.shadow_pool_size = False, '16'
 
 
+RENDERS = """
+import bpy, support
+scene = bpy.context.scene
+support.use_eevee(scene, support.addon("core.blender.capabilities").eevee_engine(), samples=1)
+scene.render.resolution_x = scene.render.resolution_y = 8
+bpy.ops.render.render()
+print("RENDERED", flush=True)
+"""
+
+
+@functools.cache
+def can_draw():
+    """Whether a Blender without a window can draw with OpenGL or its like here. Where it cannot, EEVEE ends the process, so another one tries."""
+    status, output = run_blender(RENDERS)
+    if status == 1:  # of an exception
+        raise AssertionError(output)
+    return "RENDERED" in output
+
+
+def needs_drawing(test):
+    """For a test that renders with EEVEE: skipped where nothing can be drawn without a window."""
+
+    @functools.wraps(test)
+    def drawn(self):
+        if not can_draw():
+            self.skipTest("no OpenGL: EEVEE ends the process")
+        test(self)
+
+    return drawn
+
+
 class SceneTestCase(unittest.TestCase):
     """Each test starts in an empty scene, and has a temporary folder `self.folder`."""
 
@@ -156,9 +187,20 @@ class SceneTestCase(unittest.TestCase):
     def setUp(self):
         empty_scene()
         self._temporary = tempfile.TemporaryDirectory(prefix="motus-test-")
-        self.addCleanup(self._temporary.cleanup)
+        self.addCleanup(self._delete_folder)
         self.folder = Path(self._temporary.name)
         self.addCleanup(self._assert_context_is_nobodys)
+
+    def _delete_folder(self):
+        """Deletes the temporary folder; Windows deletes no file that is open, as films of the scene are.
+
+        tempfile takes what it may not delete for a folder, which then says that it is none: NotADirectoryError, or its like in wine.
+        """
+        try:
+            self._temporary.cleanup()
+        except OSError:
+            empty_scene()
+            self._temporary.cleanup()
 
     def _assert_context_is_nobodys(self):
         """That nothing was read which makes a scene the owner of bpy.context for good, as some Blenders do (docs/gotchas.md)."""

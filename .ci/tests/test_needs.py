@@ -47,7 +47,10 @@ class Needs(unittest.TestCase):
             say() {{ printf 'motus: %s\\n' "$*"; }}
             fail() {{ say "$@"; exit 1; }}
             logged() {{ "${{@:2}}"; }}
+            here={CI.parent} cache={self.folder}
             source {CI}/needs.sh
+            source {CI}/choose_blender.sh
+            source {CI}/platforms.sh
             os_release='{self.folder}/os-release'
             as_root() {{ {'[[ $1 == true ]] || echo "as root: $*"' if has_root else 'return 1'}; }}
             {command}
@@ -89,6 +92,38 @@ class Needs(unittest.TestCase):
         status, said = self.bash("trixie", f"wish {WANTED} || echo does without", has_root=False)
         self.assertEqual(status, 0)
         self.assertIn("does without", said)
+
+    def test_packaging_for_other_systems_installs_what_it_can(self):
+        """Wherever Debian's names are known; each platform says itself what it cannot be built without."""
+        command = (
+            "pinned() { echo it went on; return 1; }; build_needs=(); platform_needs=(maven:no-such-program); package_platforms linux-x64"
+        )
+        for system in ("bookworm", "trixie"):
+            with self.subTest(system):
+                self.assertRegex(self.bash(system, command)[1], "(?s)apt-get install .*maven\n.*it went on")
+                self.assertRegex(self.bash(system, command, has_root=False)[1], "(?s)sudo apt-get install maven\n.*it went on")
+        self.assertTrue(self.bash("fedora", command)[1].startswith("it went on"))
+
+    def test_a_preset_is_skipped_that_lacks_a_compiler(self):
+        """On any system, by what is there once it has been tried to install it."""
+        lacking = "preset_needs[odd]='odd-compiler:no-such-program bash:bash'; has_preset odd"
+        for system in SYSTEMS:
+            with self.subTest(system):
+                status, said = self.bash(system, lacking)
+                self.assertEqual(
+                    (status, said.splitlines()[-1]), (1, "motus: SKIPPED: the preset odd lacks what Debian calls odd-compiler")
+                )
+                self.assertEqual("apt-get install" in said, system in {"bookworm", "trixie"})
+                self.assertEqual(self.bash(system, "has_preset release; echo built"), (0, "built\n"))
+
+    def test_what_blender_draws_with_comes_with_it(self):
+        """Debian's package of Blender 4.3 asks for none of it, and ends by a signal where it is to render."""
+        for needs in ("blender_needs", "official_needs", "test_needs"):
+            for package in ("libegl1", "libgl1", "libgl1-mesa-dri"):
+                with self.subTest(needs, package=package):
+                    said = self.bash("trixie", f'is_there() {{ false; }}; need "${{{needs}[@]}}"')[1]
+                    self.assertRegex(said, f"apt-get install .* {package}( |$)")
+        self.assertIn("libegl1", self.bash("trixie", 'is_there() { false; }; default_blender() { echo chosen; }; drawing_blender')[1])
 
     def test_every_need_has_a_name_everywhere(self):
         """Names that only Debian has would be no help."""

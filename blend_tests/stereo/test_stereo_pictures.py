@@ -121,6 +121,7 @@ class Pictures(StereoTestCase):
         self.add(focus="Square 4.0", interocular=0.2)
         self.assert_disparity(0.2, 4.0)
 
+    @support.needs_drawing
     def test_pictures_of_other_engines(self):
         self.squares()
         self.add(interocular=0.2, distance=4.0)

@@ -108,7 +108,8 @@ class FollowPlan {
         for (Planned& one : followers_) {
             if (one.place >= curves.size())
                 value_error("curves", "one for each place of a follower is needed");
-            const BoundCurve& curve = curve_argument(curves[one.place]);
+            const py::object held = curves[one.place];  // another thread may take it out of the list
+            const BoundCurve& curve = curve_argument(held);
             place(one, curve, one.seconds(at_frame, rate), buffer.locations(), buffer.rotations(),
                   progress.data() + progress_size * one.follower);
         }

@@ -109,6 +109,20 @@ class Stacks(unittest.TestCase):
         found = Stack().solve(9.0, clips=[around], settings=settings(weight=0.5), laps=[laps])
         np.testing.assert_allclose(found["rotations"][1], about_z(0.5 * 4 * np.pi * 0.8), atol=1e-6)
 
+    def test_a_list_of_clips_that_changes_meanwhile(self):
+        clips = [clip(), clip()]
+
+        class Emptying:
+            def __array__(self, *_arguments, **_options):
+                clips.clear()
+                return np.empty(0)
+
+        two = {"settings": np.vstack((settings(), settings())), "masks": np.ones((2, 3)), "references": [None, None]}
+        found = Stack().solve(clips=clips, given=[Emptying(), None], **two)
+        expected = Stack().solve(clips=[clip(), clip()], given=[None, None], **two)
+        np.testing.assert_array_equal(found["laid"], expected["laid"])
+        self.assertEqual(clips, [])
+
     def test_no_layers(self):
         found = Stack().solve(clips=[], settings=np.empty((0, 10)), masks=np.empty((0, 3)), references=[], given=[])
         np.testing.assert_array_equal(found["laid"], [EYE, EYE])

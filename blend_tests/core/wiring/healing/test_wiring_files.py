@@ -271,6 +271,7 @@ class RenderTest(WiringTestCase):
         bpy.context.scene.render.motion_blur_shutter = 1.0
         self.assert_spans(self.render(11), 0.0, 4.0)
 
+    @support.needs_drawing
     def test_motion_blur_in_eevee(self):
         scene = bpy.context.scene
         support.use_eevee(scene, support.addon("core.blender.capabilities").eevee_engine(), samples=2)

@@ -227,8 +227,9 @@ class Layers {
   public:
     Layers(const layers::Stack& stack, const py::list& clips, const Float64Array& settings,
            const Float64Array& masks, const py::list& references, const py::list& given,
-           const Typed<"list[numpy.typing.NDArray[numpy.float64] | None] | None">& laps) {
-        const std::size_t count = clips.size();
+           const Typed<"list[numpy.typing.NDArray[numpy.float64] | None] | None">& laps)
+        : held_(clips) {
+        const std::size_t count = held_.size();
         const py::list of_laps = laps.is_none() ? all_none(count) : list(laps, "laps");
         if (of_laps.size() != count) value_error("laps", "must have one item for each clip");
         if (references.size() != count) value_error("references", "must have one item for each clip");
@@ -238,7 +239,8 @@ class Layers {
         if (std::ranges::any_of(masks_, [](double value) { return !(value >= 0.0 && value <= 1.0); }))
             value_error("masks", "must lie in [0, 1]");
         for (std::size_t i = 0; i < count; ++i) {
-            const auto& clip = instance<layers::Clip>(clips[i], "clips", "a LayerClip");
+            const py::object held = held_[i];
+            const auto& clip = instance<layers::Clip>(held, "clips", "a LayerClip");
             if (clip.bone_count() != stack.size()) value_error("clips", "another number of bones");
             given_.push_back(given_values(given[i], clip.given_count()));
             references_.push_back(reference_of(references[i], clip.bones().size()));
@@ -301,6 +303,7 @@ class Layers {
         return result;
     }
 
+    py::tuple held_;  // the clips, which somebody may take out of the list meanwhile
     std::vector<double> masks_;
     std::vector<std::vector<double>> given_;
     std::vector<std::vector<Transform>> references_;
