@@ -215,7 +215,7 @@ void add_arrays(Table& table) {
            const auto& inheritance) {
             return RigView({parents, rest, poses, basis, lengths, inheritance}).size();
         },
-        arg("parents", sample_parents(), parent(4)),
+        arg("parents", sample_parents(), parent(4).in_words("-1, or index of a bone")),
         arg("rest", sample_matrices(), any_at_rest("any"), as_many_as("the bones' matrices")),
         arg("poses", sample_matrices(), any_at_rest("any"), as_many_or_none("the bones' matrices")),
         arg("basis", sample_basis(), any_at_rest("any"), as_many_or_none("the bones' matrices")),

@@ -46,7 +46,7 @@ const std::vector<float> matrices = sample_matrices(), own = sample_basis();
     return {std::move(says), [](const Domain::Seen&) { return Verdict::open; }};
 }
 [[nodiscard]] Domain rests() {
-    return any_at_rest("any; a chain with a number that is not finite stays at rest, with reason -1");
+    return any_at_rest("any; a chain with a number that is not finite stays at rest, without a reason");
 }
 
 /// The arguments of a solve that are no spans.
