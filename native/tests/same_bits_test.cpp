@@ -122,7 +122,7 @@ TEST_CASE("meshes are picked from and measured with the same bits everywhere", "
             bits.add(hit->distance);
         }
     }
-    const mesh::Neighbours neighbours(hills.positions.size(), hills.triangles);
+    const auto neighbours = mesh::Neighbours::of_triangles(hills.positions.size(), hills.triangles);
     const mesh::Reach reach = mesh::surface_reach(hills.positions, neighbours, 312, 2.5F);
     for (std::size_t i = 0; i < reach.vertices.size(); ++i) {
         bits.add(std::uint64_t{reach.vertices[i]});
