@@ -1,4 +1,4 @@
-// Results that docs/library.md promises to be the same bits on every machine: each topic's are compared with
+// Results that docs/library.md says to be the same bits by all compilers that it names: each are compared with
 // one number, a hash that was computed once. The tests run this for an older processor as well.
 #include <bit>
 #include <catch2/catch.hpp>

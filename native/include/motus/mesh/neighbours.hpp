@@ -1,4 +1,4 @@
-// Which triangles and edges meet at each vertex of a mesh.
+// Which triangles and edges meet at each vertex of a mesh: its one-ring, as compressed sparse rows.
 //
 // Costs: O(n) to make, which allocates it; O(1) to ask. Immutable: any number of threads may share one.
 #pragma once
