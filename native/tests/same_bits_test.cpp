@@ -1,4 +1,4 @@
-// Results that docs/library.md says to be the same bits by all compilers that it names: each are compared with
+// Results that docs/library.md says to be the same bits by all compilers that it names: each is compared with
 // one number, a hash that was computed once. The tests run this for an older processor as well.
 #include <bit>
 #include <catch2/catch.hpp>
