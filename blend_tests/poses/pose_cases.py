@@ -64,7 +64,7 @@ SAME_BITS = {
     "pendulum": ("Hook outputs",),
     "snow": ("flakes",),
 }
-"""What docs/library.md promises to be the same bits on every machine: arrays whose name contains one of these. The walker's are the feet, the pendulum's
+"""What is the same bits by each compiler that docs/library.md names: arrays whose name contains one of these. The walker's are the feet, the pendulum's
 the double one."""
 
 

@@ -895,7 +895,7 @@ class Snow:
         out: a dict of C-contiguous arrays of m rows or more, written into, or a function that is called with m and gives one; the
         result has views of their first m rows.
         known: leave out flakes of which nobody has found yet where they land; otherwise that is found now.
-        The same bits on every machine, for any number of threads. Raises ValueError or TypeError that names the argument.
+        The same bits for any number of threads, and by the same compiler. Raises ValueError or TypeError that names the argument.
         """
     def find_landings(self, time: float, most: int) -> int:
         """
@@ -1233,8 +1233,8 @@ def double_pendulum(times: numpy.typing.ArrayLike, theta1: float, theta2: float,
     taken as damping * omega from both angular accelerations.  most_acceleration, most_velocity: None, or limits (> 0) on the
     sizes of angular accelerations and velocities, which no real pendulum has.  pivot_step, pivot_accelerations: see
     single_pendulum().
-    Returns (4,) or (m, 4). By Gauss's method of order 16; the energy stays within some 1e-11 of its range. The same bits on
-    every machine.  Raises ValueError if a value is not finite or outside its domain, and for times beyond
+    Returns (4,) or (m, 4). By Gauss's method of order 16; the energy stays within some 1e-11 of its range. The same bits by
+    the same compiler.  Raises ValueError if a value is not finite or outside its domain, and for times beyond
     double_pendulum_longest_time().
     """
 def double_pendulum_longest_time(theta1: float, theta2: float, omega1: float = 0.0, omega2: float = 0.0, mass1: float = 1.0, mass2: float = 1.0, length1: float = 1.0, length2: float = 1.0, gravity: float = 9.81) -> float:
@@ -1366,7 +1366,7 @@ def noise1(x: numpy.typing.ArrayLike, seed: int = 0) -> typing.Any:
     
     x: a float, taken in double precision, or (m,), taken in float32.  seed: a whole number from 0 to 2^32 - 1; different
     seeds give independent noises.
-    Returns a float or (m,) float32; beyond 2^30 the noise is constant. The same bits on every machine.
+    Returns a float or (m,) float32; beyond 2^30 the noise is constant. The same bits by the same compiler.
     Raises ValueError if a value is not finite, also as float32, or a shape is wrong.
     """
 def noise2(xy: numpy.typing.ArrayLike, seed: int = 0) -> typing.Any:

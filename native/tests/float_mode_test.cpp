@@ -113,7 +113,7 @@ TEST_CASE("surfaces and lattices of the smallest sizes do not depend on the thre
         std::vector<glm::vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
         for (glm::vec3& p : points) p *= size;
         const std::vector<glm::ivec3> triangles{{0, 1, 2}, {1, 3, 2}};
-        const Neighbours neighbours(points.size(), triangles);
+        const auto neighbours = Neighbours::of_triangles(points.size(), triangles);
         const float radius = 1.2f * size;  // here: in the other mode the product is 0
         const auto reach = [&] { return surface_reach(points, neighbours, 0, radius); };
         const Reach usual = reach(), other = flushed(reach);

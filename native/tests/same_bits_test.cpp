@@ -1,4 +1,4 @@
-// Results that docs/library.md promises to be the same bits on every machine: each topic's are compared with
+// Results that docs/library.md says to be the same bits by all compilers that it names: each is compared with
 // one number, a hash that was computed once. The tests run this for an older processor as well.
 #include <bit>
 #include <catch2/catch.hpp>
@@ -122,7 +122,7 @@ TEST_CASE("meshes are picked from and measured with the same bits everywhere", "
             bits.add(hit->distance);
         }
     }
-    const mesh::Neighbours neighbours(hills.positions.size(), hills.triangles);
+    const auto neighbours = mesh::Neighbours::of_triangles(hills.positions.size(), hills.triangles);
     const mesh::Reach reach = mesh::surface_reach(hills.positions, neighbours, 312, 2.5F);
     for (std::size_t i = 0; i < reach.vertices.size(); ++i) {
         bits.add(std::uint64_t{reach.vertices[i]});

@@ -63,7 +63,7 @@ void row(const bench::Table& table, const char* name, const Exact& exact, const 
 }
 
 void run(const char* name, const Surface& surface, std::uint32_t root, float radius, const Exact& exact) {
-    const Neighbours neighbours(surface.positions.size(), surface.triangles);
+    const auto neighbours = Neighbours::of_triangles(surface.positions.size(), surface.triangles);
     char title[100];
     std::snprintf(title, sizeof title, "Distances along a %s of %zu vertices, radius %g", name,
                   surface.positions.size(), static_cast<double>(radius));
@@ -83,7 +83,7 @@ void build(const bench::Table& table, const char* name, const Surface& surface) 
     double best = 1e9;
     for (int i = 0; i < 5; ++i) {
         const auto start = std::chrono::steady_clock::now();
-        const Neighbours neighbours(surface.positions.size(), surface.triangles);
+        const auto neighbours = Neighbours::of_triangles(surface.positions.size(), surface.triangles);
         bench::keep(neighbours);
         const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
         best = std::min(best, time.count());

@@ -85,10 +85,10 @@ template <class T>
 }
 
 /// All bones of a rig with these parents, without poses, basis and lengths, which not every solver reads.
-[[nodiscard]] inline bones::RigView rig_at_rest(std::span<const int> parents, py::handle rest,
-                                                py::handle inheritance) {
+[[nodiscard]] inline bones::RigArrays rig_at_rest(std::span<const int> parents, py::handle rest,
+                                                  py::handle inheritance) {
     const std::size_t count = parents.size();
-    bones::RigView rig;
+    bones::RigArrays rig;
     rig.parents = parents;
     rig.rest = elements<float>(rest, "rest", {count, 16});
     rig.inheritance = elements<int>(inheritance, "inheritance", {count});
@@ -101,12 +101,12 @@ class CopiedRig {
   public:
     CopiedRig(std::span<const int> parents, const Float32Array& rest, const py::object& poses,
               const py::object& basis, const Int32Array& inheritance) {
-        const bones::RigView given = rig_at_rest(parents, rest, inheritance);
+        const bones::RigArrays given = rig_at_rest(parents, rest, inheritance);
         rest_ = copied(given.rest);
         poses_ = copied(elements<float>(poses, "poses", {parents.size(), 16}));
         basis_ = copied(elements<float>(basis, "basis", {parents.size(), 16}));
         inheritance_ = copied(given.inheritance);
-        view_ = {parents, rest_, poses_, basis_, {}, inheritance_};
+        view_ = bones::RigArrays{parents, rest_, poses_, basis_, {}, inheritance_};
     }
     CopiedRig(const CopiedRig&) = delete;
     CopiedRig& operator=(const CopiedRig&) = delete;

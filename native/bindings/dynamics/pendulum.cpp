@@ -180,8 +180,8 @@ the state at time 0.  mass1, length1: of the upper bob and rod, kg and m, > 0.  
 taken as damping * omega from both angular accelerations.  most_acceleration, most_velocity: None, or limits (> 0) on the
 sizes of angular accelerations and velocities, which no real pendulum has.  pivot_step, pivot_accelerations: see
 single_pendulum().
-Returns (4,) or (m, 4). By Gauss's method of order 16; the energy stays within some 1e-11 of its range. The same bits on
-every machine.  Raises ValueError if a value is not finite or outside its domain, and for times beyond
+Returns (4,) or (m, 4). By Gauss's method of order 16; the energy stays within some 1e-11 of its range. The same bits by
+the same compiler.  Raises ValueError if a value is not finite or outside its domain, and for times beyond
 double_pendulum_longest_time().)");
     m.def(
         "double_pendulum_value",

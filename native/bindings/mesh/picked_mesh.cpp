@@ -186,7 +186,7 @@ const mesh::Neighbours& PickedMesh::neighbours() const {
         if (has_edges_)
             neighbours_.emplace(vertex_count(), triangles_, edges_);
         else
-            neighbours_.emplace(vertex_count(), triangles_);
+            neighbours_ = mesh::Neighbours::of_triangles(vertex_count(), triangles_);
         triangles_ = {};
         edges_ = {};
     });

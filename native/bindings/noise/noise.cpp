@@ -91,7 +91,7 @@ Smooth noise of one variable, in [-1, 1]: two continuous derivatives, no period,
 
 x: a float, taken in double precision, or (m,), taken in float32.  seed: a whole number from 0 to 2^32 - 1; different
 seeds give independent noises.
-Returns a float or (m,) float32; beyond 2^30 the noise is constant. The same bits on every machine.
+Returns a float or (m,) float32; beyond 2^30 the noise is constant. The same bits by the same compiler.
 Raises ValueError if a value is not finite, also as float32, or a shape is wrong.)");
     m.def(
         "noise2",

@@ -130,7 +130,7 @@ struct PulledMesh {
 
 [[nodiscard]] mesh::Neighbours neighbours_of(const PulledMesh& mesh) {
     if (mesh.has_edges) return {mesh.positions.size(), mesh.triangles, mesh.edges};
-    return {mesh.positions.size(), mesh.triangles};
+    return mesh::Neighbours::of_triangles(mesh.positions.size(), mesh.triangles);
 }
 
 /// The lowest index of the nearest vertices.

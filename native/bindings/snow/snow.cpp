@@ -462,7 +462,7 @@ fields: names of those wanted; None: those in out, or all.
 out: a dict of C-contiguous arrays of m rows or more, written into, or a function that is called with m and gives one; the
 result has views of their first m rows.
 known: leave out flakes of which nobody has found yet where they land; otherwise that is found now.
-The same bits on every machine, for any number of threads. Raises ValueError or TypeError that names the argument.)");
+The same bits for any number of threads, and by the same compiler. Raises ValueError or TypeError that names the argument.)");
 
     py::class_<Cover>(m, "SnowCover", py::module_local(), R"(
 How deep snow lies on each vertex of what its flakes land on, its collider, at any time, in any order of times. Immutable.

@@ -94,11 +94,10 @@ void TailPlan::solve(const RigView& rig, const glm::dmat4& world, std::span<cons
     if (targets.size() != size_) throw std::invalid_argument("targets: one per bone is needed");
     if (weights.size() != size_) throw std::invalid_argument("weights: one per bone is needed");
     if (rotations.size() != size_) throw std::invalid_argument("rotations: one per bone is needed");
-    if (!std::ranges::equal(rig.parents, parents_))
+    if (!std::ranges::equal(rig.parents(), parents_))
         throw std::invalid_argument("rig: its parents must be the plan's");
-    if (rig.rest.size() != 16 * bones || rig.poses.size() != 16 * bones || rig.basis.size() != 16 * bones ||
-        rig.inheritance.size() != bones)
-        throw std::invalid_argument("rig: must have as many bones as the plan");
+    if (rig.poses().size() != 16 * bones || rig.basis().size() != 16 * bones)
+        throw std::invalid_argument("rig: must have poses and basis");
 
     const glm::dmat4 to_rig = glm::inverse(world);
     std::vector<glm::dmat4> poses;
@@ -109,9 +108,9 @@ void TailPlan::solve(const RigView& rig, const glm::dmat4& world, std::span<cons
         if (link.above)
             parent_pose = poses[*link.above];
         else if (parent >= 0)
-            parent_pose = matrix_at(rig.poses, static_cast<std::size_t>(parent));
+            parent_pose = matrix_at(rig.poses(), static_cast<std::size_t>(parent));
         const ParentSpace space = parent_space(rest_of(rig, link.bone), parent_pose);
-        glm::dmat4 basis = matrix_at(rig.basis, link.bone);
+        glm::dmat4 basis = matrix_at(rig.basis(), link.bone);
         if (link.row) {
             const glm::dvec3 head(to_pose(space, basis)[3]);
             const glm::dvec3 tail(to_rig * glm::dvec4(targets[*link.row], 1.0));

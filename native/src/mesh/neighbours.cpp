@@ -123,43 +123,45 @@ Neighbours::Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> tri
     pack(vertex_count, each_triangle_and_wire, fan_starts_, fans_, executor);
 }
 
-Neighbours::Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> triangles,
-                       const Executor& executor) {
+Neighbours Neighbours::of_triangles(std::size_t vertex_count, std::span<const glm::ivec3> triangles,
+                                    const Executor& executor) {
     check_indices(triangles, vertex_count, "triangles: must hold indices of vertices", executor);
+    Neighbours made;
     pack(
-        vertex_count, [&](const auto& tell) { tell_triangles(triangles, tell); }, fan_starts_, fans_,
-        executor);
+        vertex_count, [&](const auto& tell) { tell_triangles(triangles, tell); }, made.fan_starts_,
+        made.fans_, executor);
 
     // At most two ends a triangle; what several triangles share is squeezed out afterwards.
-    std::vector<std::uint32_t> ends(2 * fans_.size());
-    end_starts_.assign(vertex_count + 1, 0);
+    std::vector<std::uint32_t> ends(2 * made.fans_.size());
+    made.end_starts_.assign(vertex_count + 1, 0);
     in_ranges(
         vertex_count,
         [&](std::size_t first, std::size_t last) {
             for (std::size_t vertex = first; vertex < last; ++vertex) {
-                const auto begin = ends.begin() + 2 * static_cast<std::ptrdiff_t>(fan_starts_[vertex]);
+                const auto begin = ends.begin() + 2 * static_cast<std::ptrdiff_t>(made.fan_starts_[vertex]);
                 auto end = begin;
-                for (const glm::uvec2& others : fan(static_cast<std::uint32_t>(vertex))) {
+                for (const glm::uvec2& others : made.fan(static_cast<std::uint32_t>(vertex))) {
                     *end++ = others.x;
                     *end++ = others.y;
                 }
                 std::sort(begin, end);
-                end_starts_[vertex + 1] = static_cast<std::uint32_t>(std::unique(begin, end) - begin);
+                made.end_starts_[vertex + 1] = static_cast<std::uint32_t>(std::unique(begin, end) - begin);
             }
         },
         executor);
     for (std::size_t vertex = 0; vertex < vertex_count; ++vertex)
-        end_starts_[vertex + 1] += end_starts_[vertex];
-    ends_.resize(end_starts_.back());
+        made.end_starts_[vertex + 1] += made.end_starts_[vertex];
+    made.ends_.resize(made.end_starts_.back());
     in_ranges(
         vertex_count,
         [&](std::size_t first, std::size_t last) {
             for (std::size_t vertex = first; vertex < last; ++vertex)
-                std::copy_n(ends.begin() + 2 * static_cast<std::ptrdiff_t>(fan_starts_[vertex]),
-                            end_starts_[vertex + 1] - end_starts_[vertex],
-                            ends_.begin() + end_starts_[vertex]);
+                std::copy_n(ends.begin() + 2 * static_cast<std::ptrdiff_t>(made.fan_starts_[vertex]),
+                            made.end_starts_[vertex + 1] - made.end_starts_[vertex],
+                            made.ends_.begin() + made.end_starts_[vertex]);
         },
         executor);
+    return made;
 }
 
 }  // namespace motus::mesh

@@ -9,7 +9,7 @@
 namespace motus::snow {
 namespace {
 
-/// e^{-x}, x >= 0, with the same bits on every machine, which the system's has not.
+/// e^{-x}, x >= 0, by arithmetic alone: the system's exp differs from release to release.
 [[nodiscard]] double decay_of(double x) {
     constexpr double farthest = 700.0;
     if (x > farthest) return 0.0;

@@ -234,7 +234,7 @@ void Cover::deposit(std::span<const Deposit> deposits, double volume) {
 
 void Cover::link_neighbours(const Collider& collider, const Holding& holding) {
     const std::size_t count = areas_.size();
-    const mesh::Neighbours around(count, collider.triangles());
+    const auto around = mesh::Neighbours::of_triangles(count, collider.triangles());
     const auto share_out = [&](std::size_t i) {
         return 0.5 * areas_[i] / static_cast<double>(around.edge_ends(static_cast<std::uint32_t>(i)).size());
     };

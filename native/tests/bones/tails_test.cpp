@@ -35,7 +35,7 @@ struct Rope {
         for (int i = 0; i < 16; ++i)
             matrices[16 * bone + static_cast<std::size_t>(i)] = static_cast<float>(matrix[i / 4][i % 4]);
     }
-    [[nodiscard]] RigView view() const { return {parents, rest, poses, basis, {}, inheritance}; }
+    [[nodiscard]] RigView view() const { return {{parents, rest, poses, basis, {}, inheritance}}; }
 
     /// Poses with the rotations of some bones on top of their own.
     [[nodiscard]] std::vector<glm::dmat4> posed(std::span<const int> bones,

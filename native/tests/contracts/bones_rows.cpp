@@ -210,17 +210,27 @@ void add_arrays(Table& table) {
         arg("bone", std::size_t{1}, index(2, "a matrix").open()))
         .costs("O(1)");
     add(
-        table, "bones::rest_of(rig, bone)",
-        [](const auto& parents, const auto& rest, const auto& inheritance, std::size_t bone) {
-            return rest_of({parents, rest, {}, {}, {}, inheritance}, bone);
+        table, "bones::RigView::RigView(arrays)",
+        [](const auto& parents, const auto& rest, const auto& poses, const auto& basis, const auto& lengths,
+           const auto& inheritance) {
+            return RigView({parents, rest, poses, basis, lengths, inheritance}).size();
         },
-        arg("rig", sample_parents(),
-            Domain{"parents: -1, or index of a bone", [](const Domain::Seen&) { return Verdict::open; }}),
-        arg("rig", sample_matrices(), partly_passed()),
-        arg("rig", std::vector<int>(4, 24), any_at_rest("inheritance: flags")),
+        arg("parents", sample_parents(), parent(4).in_words("-1, or index of a bone")),
+        arg("rest", sample_matrices(), any_at_rest("any"), as_many_as("the bones' matrices")),
+        arg("poses", sample_matrices(), any_at_rest("any"), as_many_or_none("the bones' matrices")),
+        arg("basis", sample_basis(), any_at_rest("any"), as_many_or_none("the bones' matrices")),
+        arg("lengths", std::vector<float>(4, 1.0F), any_at_rest("any"), as_many_or_none("the bones")),
+        arg("inheritance", std::vector<int>(4, 24), any_at_rest("flags"), as_many_as("the bones")))
+        .costs("O(bones)");
+    add(
+        table, "bones::rest_of(rig, bone)",
+        [](const auto& rest, std::size_t bone) {
+            static const std::vector<int> inheritance(4, 24), parents = sample_parents();
+            return rest_of({{parents, rest, {}, {}, {}, inheritance}}, bone);
+        },
+        arg("rest", sample_matrices(), partly_passed()),
         arg("bone", std::size_t{1}, index(4, "a bone").open()))
-        .costs("O(1)")
-        .adds("`rig` has the bone and its parent");
+        .costs("O(1)");
 }
 
 void add_tails(Table& table) {
@@ -239,12 +249,12 @@ void add_tails(Table& table) {
            const auto& targets, const auto& weights, auto rotations) {
             const std::vector<int> parents = sample_parents(), inheritance(4, 24);
             const std::vector<float> lengths(4, 1.0F);
-            plan.solve({parents, rest, poses, basis, lengths, inheritance}, world, targets, weights,
+            plan.solve({{parents, rest, poses, basis, lengths, inheritance}}, world, targets, weights,
                        rotations);
         },
-        arg("rig", sample_matrices(), rests, as_many_as("the bones' matrices")),
-        arg("rig", sample_matrices(), rests, as_many_as("the bones' matrices")),
-        arg("rig", sample_basis(), rests, as_many_as("the bones' matrices")),
+        arg("rest", sample_matrices(), rests, as_many_as("the bones' matrices")),
+        arg("poses", sample_matrices(), rests, as_many_as("the bones' matrices")),
+        arg("basis", sample_basis(), rests, as_many_as("the bones' matrices")),
         arg("world", glm::dmat4(1.0), rests),
         arg("targets", std::vector<glm::dvec3>(2, glm::dvec3(1.0, 2.0, 3.0)), rests, as_many_as("the bones")),
         arg("weights", std::vector<double>(2, 0.5), rests, as_many_as("the bones")),

@@ -30,7 +30,7 @@ using mesh::Picker;
     return made;
 }
 [[nodiscard]] const Neighbours& sample_neighbours() {
-    static const Neighbours made(5, sample_triangles(), 1);
+    static const auto made = Neighbours::of_triangles(5, sample_triangles(), 1);
     return made;
 }
 [[nodiscard]] mesh::Hit sample_hit() {
@@ -187,8 +187,8 @@ void add_neighbours(Table& table) {
         .costs("O(n)")
         .allocates(Memory::scratch);
     add(
-        table, "mesh::Neighbours::Neighbours(vertex_count, triangles, executor)",
-        [told](const auto& given) { return told(Neighbours(5, given, 1)); }, corners)
+        table, "mesh::Neighbours::of_triangles(vertex_count, triangles, executor)",
+        [told](const auto& given) { return told(Neighbours::of_triangles(5, given, 1)); }, corners)
         .costs("O(n)")
         .allocates(Memory::scratch);
     add(table, "mesh::Neighbours::fan(vertex)", [] { return sample_neighbours().fan(1).size(); })
@@ -198,7 +198,7 @@ void add_neighbours(Table& table) {
         .costs("O(1)")
         .adds("`vertex` is not checked");
     table.moved.push_back({"mesh::Neighbours", "of an empty mesh", [] {
-                               Neighbours from(5, sample_triangles(), 1);
+                               auto from = Neighbours::of_triangles(5, sample_triangles(), 1);
                                const Neighbours taken = std::move(from);
                                // NOLINTNEXTLINE(bugprone-use-after-move)
                                expect(from.vertex_count() == 0 && taken.vertex_count() == 5, "is empty");

@@ -8,7 +8,7 @@ namespace motus::contracts {
 
 template <Some<bones::ik::ChainDiagnostics> T>
 auto fields(Declared, T& v) {
-    return std::tie(v.residual, v.angle, v.reason, v.iterations, v.distance, v.reach, v.tip);
+    return std::tie(v.residual, v.angle, v.iterations, v.distance, v.reach, v.tip);
 }
 template <Some<bones::look_at::GazeDiagnostics> T>
 auto fields(Declared, T& v) {
@@ -35,7 +35,7 @@ const std::vector<int> parents = sample_parents();
 const std::vector<float> matrices = sample_matrices(), own = sample_basis();
 
 [[nodiscard]] RigView sample_rig() {
-    return {parents, matrices, matrices, own, lengths, flags};
+    return {{parents, matrices, matrices, own, lengths, flags}};
 }
 [[nodiscard]] const ik::Plan& sample_plan() {
     static const ik::Plan made(parents, {{{1, 2}, 3}}, {});
@@ -46,7 +46,7 @@ const std::vector<float> matrices = sample_matrices(), own = sample_basis();
     return {std::move(says), [](const Domain::Seen&) { return Verdict::open; }};
 }
 [[nodiscard]] Domain rests() {
-    return any_at_rest("any; a chain with a number that is not finite stays at rest, with reason -1");
+    return any_at_rest("any; a chain with a number that is not finite stays at rest, without a reason");
 }
 
 /// The arguments of a solve that are no spans.
@@ -63,7 +63,7 @@ struct Solve {
     return {made, given.poses, given.world, given.settings, given.targets, given.poles, {}};
 }
 [[nodiscard]] auto solve_arguments() {
-    const auto setting = [](const char* name, double ik::ChainSettings::*pointer) {
+    const auto setting = [](const char* name, auto ik::ChainSettings::*pointer) {
         return TypedSlot<Solve>{{name, rests(), {}, false},
                                 [=](Solve& solve, std::vector<Place>& all) {
                                     for (ik::ChainSettings& one : solve.settings)
@@ -83,8 +83,7 @@ struct Solve {
         setting("pole_angle", &ik::ChainSettings::pole_angle), setting("bend", &ik::ChainSettings::bend),
         setting("hinge_angle", &ik::ChainSettings::hinge_angle),
         setting("tolerance", &ik::ChainSettings::tolerance),
-        setting("iterations", &ik::ChainSettings::iterations),
-        setting("use_limits", &ik::ChainSettings::use_limits), setting("is_on", &ik::ChainSettings::is_on),
+        setting("max_iterations", &ik::ChainSettings::max_iterations),
         setting("left_out", &ik::ChainSettings::left_out));
 }
 
@@ -105,16 +104,19 @@ void add_ik(Table& table) {
         .allocates(Memory::scratch);
     add(
         table, "bones::ik::Plan::chain(index, left_out)",
-        [](std::size_t index, double left_out) { return sample_plan().chain(index, left_out).bones.size(); },
-        arg("index", std::size_t{0}, index(1, "a chain")), arg("left_out", 1.0, any_at_rest("any")))
+        [](std::size_t index, std::size_t left_out) {
+            return sample_plan().chain(index, left_out).bones.size();
+        },
+        arg("index", std::size_t{0}, index(1, "a chain")),
+        arg("left_out", std::size_t{1}, any_at_rest("any")))
         .costs("O(1)");
     add(
         table, "bones::ik::Rest::Rest(plan, rig)",
         [](const auto& rest, const auto& sizes) {
-            return ik::Rest(sample_plan(), {parents, rest, {}, {}, sizes, flags}).is_of(sample_plan());
+            return ik::Rest(sample_plan(), {{parents, rest, {}, {}, sizes, flags}}).is_of(sample_plan());
         },
-        arg("rig", matrices, any_at_rest("any"), as_many_as("the bones' matrices")),
-        arg("rig", lengths, any_at_rest("any"), as_many_as("the bones")))
+        arg("rest", matrices, any_at_rest("any"), as_many_as("the bones' matrices")),
+        arg("lengths", lengths, any_at_rest("any"), as_many_as("the bones")))
         .costs("O(bones)")
         .allocates(Memory::scratch);
     add(table, "bones::ik::Rest::is_of(plan)", [] { return ik::Rest().is_of(sample_plan()); }).costs("O(1)");
@@ -299,12 +301,12 @@ void add_look_at(Table& table) {
            const Input& input, const auto& eyes, auto rotations, auto reports) {
             Input whole = input;
             whole.eyes_forward = eyes;
-            plan.solve({parents, rested, posed, basis, {}, flags}, world, std::span(&whole, 1), rotations,
+            plan.solve({{parents, rested, posed, basis, {}, flags}}, world, std::span(&whole, 1), rotations,
                        reports);
         },
-        arg("rig", matrices, rest, as_many_as("the bones' matrices")),
-        arg("rig", matrices, rest, as_many_as("the bones' matrices")),
-        arg("rig", own, rest, as_many_as("the bones' matrices")), arg("world", glm::dmat4(1.0), rest),
+        arg("rest", matrices, rest, as_many_as("the bones' matrices")),
+        arg("poses", matrices, rest, as_many_as("the bones' matrices")),
+        arg("basis", own, rest, as_many_as("the bones' matrices")), arg("world", glm::dmat4(1.0), rest),
         of(good, member("target", &Input::target, rest), member("head_forward", &Input::head_forward, rest),
            member("up", &Input::up, rest)),
         arg("eyes_forward", std::vector<glm::dvec3>(1, up), rest, as_many_as("the eyes")),

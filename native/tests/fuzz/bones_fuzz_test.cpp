@@ -31,7 +31,7 @@ struct Rig {
         for (int& one : inheritance) one = dice.whole(0, 31);
         for (int i = 0; i < 6; ++i) lengths.push_back(dice.single(0.1, 2.0));
     }
-    [[nodiscard]] RigView view() const { return {parents, rest, poses, basis, lengths, inheritance}; }
+    [[nodiscard]] RigView view() const { return {{parents, rest, poses, basis, lengths, inheritance}}; }
 
     std::vector<int> parents{-1, 0, 1, 2, 3, 0};
     std::vector<float> rest, poses, basis, lengths;
@@ -207,9 +207,9 @@ TEST_CASE("poses made of finite numbers are finite", "[fuzz]") {
     const Rig rig(dice);
     CHECK(is_refused([&] { (void)matrix_at(rig.rest, 6); }, "bone"));
     CHECK(is_refused([&] { (void)rest_of(rig.view(), 6); }, "bone"));
-    RigView shorter = rig.view();
-    shorter.rest = shorter.rest.first(16);
-    CHECK(is_refused([&] { (void)rest_of(shorter, 1); }, "bone"));
+    Rig shorter = rig;
+    shorter.rest.resize(16);
+    CHECK(is_refused([&] { (void)shorter.view(); }, "rest"));
     const std::vector<glm::dvec3> places(3);
     const std::vector<glm::dquat> turns(3, no_turn);
     std::vector<float> out(47);
@@ -219,9 +219,11 @@ TEST_CASE("poses made of finite numbers are finite", "[fuzz]") {
 TEST_CASE("a plan takes the rig that it was made for", "[fuzz]") {
     Dice dice(16, 0.0);
     const Rig rig(dice);
-    RigView other = rig.view();
-    const std::vector<int> parents{-1, 0, 1, 2, 3, 100'000'000};
-    other.parents = parents;
+    Rig foreign = rig;
+    foreign.parents = {-1, 0, 1, 2, 3, 100'000'000};
+    CHECK(is_refused([&] { (void)foreign.view(); }, "parents"));
+    foreign.parents = {-1, 0, 1, 2, 3, 1};
+    const RigView other = foreign.view();
 
     const std::vector<int> turning{1, 2};
     const TailPlan tails(rig.parents, turning);
@@ -299,13 +301,13 @@ TEST_CASE("rigs of arbitrary numbers are solved to finite rotations", "[fuzz]") 
                        dice.number(0.0, 0.5),
                        dice.number(0.0, 1.0),
                        dice.number(),
-                       dice.number(),
+                       dice.chance(0.5) ? 1 : -1,
                        dice.number(),
                        1e-6,
-                       20.0,
-                       dice.whole(0, 1) * 1.0,
-                       1.0,
-                       dice.number(0.0, 2.0)};
+                       20,
+                       dice.chance(0.5),
+                       true,
+                       static_cast<std::size_t>(dice.whole(0, 2))};
             const std::vector<glm::dmat4> targets{dice.matrix(), dice.matrix()};
             const std::vector<glm::dvec3> poles = dice.places(2);
             std::vector<chains::JointLimits> limits(plan.chain_bone_count(),
@@ -322,7 +324,7 @@ TEST_CASE("rigs of arbitrary numbers are solved to finite rotations", "[fuzz]") 
             CHECK(are_rotations(rotations));
             for (const glm::dvec3& scale : scales) CHECK(is_finite(scale));
             for (const ik::ChainDiagnostics& one : report)
-                CHECK(are_finite(one.residual, one.reason, one.distance, one.reach));
+                CHECK(are_finite(one.residual, one.distance, one.reach));
             std::vector<glm::dmat4> matched(2);
             std::vector<glm::dvec3> matched_poles(2);
             ik::match(plan, task, matched, matched_poles);

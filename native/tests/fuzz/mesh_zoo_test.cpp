@@ -104,7 +104,7 @@ TEST_CASE("distances on a zoo of meshes are finite", "[zoo]") {
         CAPTURE(mesh.name);
         const std::vector<glm::ivec2> wires{{0, 1}};
         const bool was_made = returns([&] {
-            const mesh::Neighbours around(mesh.positions.size(), mesh.triangles);
+            const auto around = mesh::Neighbours::of_triangles(mesh.positions.size(), mesh.triangles);
             const auto count = static_cast<std::uint32_t>(mesh.positions.size());
             for (std::uint32_t root = 0; root < count; root += 3) {
                 for (const float radius : {0.0F, 1.5F, std::numeric_limits<float>::infinity()}) {
@@ -140,7 +140,7 @@ TEST_CASE("a zoo of meshes is pulled, deformed and boxed to finite places", "[zo
             CHECK(returns([&] { sculpt::pull_among(mesh.positions, dab, all, {}, out); }) == mesh.is_finite);
         }
         if (mesh.are_indices && mesh.is_finite && !mesh.positions.empty()) {
-            const mesh::Neighbours around(mesh.positions.size(), mesh.triangles);
+            const auto around = mesh::Neighbours::of_triangles(mesh.positions.size(), mesh.triangles);
             const std::vector<mesh::Reach> reaches(2, surface_reach(mesh.positions, around, 0, 3.0F));
             dab.radius = 2.0F;
             CHECK(returns([&] { sculpt::pull_along(mesh.positions, dab, reaches, {}, out); }));

@@ -29,7 +29,7 @@ using Ends = std::vector<std::uint32_t>;
 
 TEST_CASE("a vertex has the other corners of its triangles around it", "[neighbours]") {
     const std::vector<glm::ivec3> triangles{{0, 1, 2}, {0, 2, 3}};
-    const Neighbours around(5, triangles);
+    const auto around = Neighbours::of_triangles(5, triangles);
     CHECK(around.vertex_count() == 5);
     CHECK(list(around.fan(0)) == Pairs{{1, 2}, {2, 3}});
     CHECK(list(around.fan(1)) == Pairs{{2, 0}});
@@ -59,17 +59,17 @@ TEST_CASE("edges and triangles that repeat a vertex add no neighbour", "[neighbo
     CHECK(list(around.fan(0)) == Pairs{{1, 1}});
     CHECK(around.fan(2).empty());
     CHECK(list(around.edge_ends(0)) == Ends{1});
-    CHECK(Neighbours(3, triangles).edge_ends(0).empty());
+    CHECK(Neighbours::of_triangles(3, triangles).edge_ends(0).empty());
 }
 
 TEST_CASE("indices outside the mesh are refused", "[neighbours]") {
     const std::vector<glm::ivec3> none;
-    CHECK_THROWS_AS(Neighbours(2, std::vector<glm::ivec3>{{0, 1, 2}}), std::invalid_argument);
-    CHECK_THROWS_AS(Neighbours(2, std::vector<glm::ivec3>{{0, 1, -1}}), std::invalid_argument);
+    CHECK_THROWS_AS(Neighbours::of_triangles(2, std::vector<glm::ivec3>{{0, 1, 2}}), std::invalid_argument);
+    CHECK_THROWS_AS(Neighbours::of_triangles(2, std::vector<glm::ivec3>{{0, 1, -1}}), std::invalid_argument);
     CHECK_THROWS_AS(Neighbours(2, none, std::vector<glm::ivec2>{{0, 2}}), std::invalid_argument);
-    CHECK(Neighbours(0, none).vertex_count() == 0);
+    CHECK(Neighbours::of_triangles(0, none).vertex_count() == 0);
     CHECK(Neighbours().vertex_count() == 0);
-    CHECK(Neighbours(4, none, std::vector<glm::ivec2>{}).fan(3).empty());
+    CHECK(Neighbours(4, none, {}).fan(3).empty());
 }
 
 TEST_CASE("a large mesh has the neighbours that its triangles say", "[neighbours]") {
@@ -91,7 +91,7 @@ TEST_CASE("a large mesh has the neighbours that its triangles say", "[neighbours
     std::vector<glm::ivec2> edges;
     for (const auto& [a, b] : sides) edges.emplace_back(a, b);
 
-    const Neighbours by_triangles(surface.positions.size(), surface.triangles);
+    const auto by_triangles = Neighbours::of_triangles(surface.positions.size(), surface.triangles);
     const Neighbours by_edges(surface.positions.size(), surface.triangles, edges);
     std::size_t wrong = 0;
     for (std::uint32_t v = 0; v < surface.positions.size(); ++v) {

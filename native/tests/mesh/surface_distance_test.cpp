@@ -17,7 +17,7 @@ constexpr float everything = std::numeric_limits<float>::infinity();
 using Exact = std::function<double(std::uint32_t root, std::uint32_t vertex)>;
 
 [[nodiscard]] Neighbours neighbours_of(const Surface& surface) {
-    return {surface.positions.size(), surface.triangles};
+    return Neighbours::of_triangles(surface.positions.size(), surface.triangles);
 }
 
 [[nodiscard]] Reach reach_of(const Surface& surface, std::uint32_t root, float radius = everything) {

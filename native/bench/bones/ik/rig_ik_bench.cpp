@@ -48,7 +48,7 @@ struct Crowd {
             poles.push_back(root + glm::dvec3(0.0, 1.0, 3.0 * length));
         }
     }
-    [[nodiscard]] RigView rig() const { return {parents, rest, poses, basis, lengths, inheritance}; }
+    [[nodiscard]] RigView rig() const { return {{parents, rest, poses, basis, lengths, inheritance}}; }
     [[nodiscard]] Input input(const Plan& plan, const ik::Rest& at_rest) const {
         return {Bones(plan, at_rest, basis), poses, glm::dmat4(1.0), settings, targets, poles, limits};
     }
@@ -102,7 +102,7 @@ int main() {
     soft.softness = 0.2;
     soft.stretch = 1.0;
     ChainSettings limited = plain;
-    limited.use_limits = 1.0;
+    limited.use_limits = true;
     run(table, "two bones", 2, plain, false);
     run(table, "two bones, pole", 2, plain, true);
     run(table, "two bones, pole, orientation", 2, turned, true);

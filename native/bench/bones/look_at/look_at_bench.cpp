@@ -71,7 +71,7 @@ struct Crowd {
 void row(const bench::Table& table, const char* name, int spine_bones, bool eyes) {
     const Crowd crowd(spine_bones, eyes);
     const Plan plan(crowd.parents, crowd.bones);
-    const RigView rig{crowd.parents, crowd.matrices, crowd.matrices, crowd.basis, {}, crowd.inheritance};
+    const RigView rig({crowd.parents, crowd.matrices, crowd.matrices, crowd.basis, {}, crowd.inheritance});
     std::vector<glm::dquat> rotations(plan.rows().size());
     std::vector<GazeDiagnostics> reports(plan.size());
     const double taken = bench::nanoseconds(

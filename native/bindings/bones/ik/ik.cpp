@@ -3,8 +3,12 @@
 
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,6 +21,7 @@
 #include "core/arrays.hpp"
 #include "core/rotations.hpp"
 #include "core/typed.hpp"
+#include "motus/core/numeric.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -28,15 +33,27 @@ using namespace pybind11::literals;
 
 constexpr double chain_bone_cost = 500.0;  // ns, rough
 
+enum SettingsColumn : std::size_t {
+    position_weight,
+    rotation_weight,
+    softness,
+    stretch,
+    pole_angle,
+    bend,
+    hinge_angle,
+    tolerance,
+    iterations,
+    use_limits,
+    is_on,
+    left_out
+};
 constexpr std::array settings_columns{
     "position_weight", "rotation_weight", "softness",   "stretch",    "pole_angle", "bend",
     "hinge_angle",     "tolerance",       "iterations", "use_limits", "is_on",      "left_out"};
+using SettingsRow = std::span<const double, settings_columns.size()>;
 constexpr std::array report_columns{"residual", "angle", "reason", "iterations", "distance",
                                     "reach",    "tip_x", "tip_y",  "tip_z"};
 
-// The tables are read and written in place.
-static_assert(sizeof(ik::ChainSettings) == settings_columns.size() * sizeof(double));
-static_assert(sizeof(ik::ChainDiagnostics) == report_columns.size() * sizeof(double));
 static_assert(sizeof(glm::dmat4) == 16 * sizeof(double) && sizeof(chains::JointLimits) == 6 * sizeof(double));
 
 template <class Names>
@@ -44,6 +61,52 @@ Typed<"tuple[str, ...]"> names_of(const Names& names) {
     py::tuple result(names.size());
     for (std::size_t i = 0; i < names.size(); ++i) result[i] = names[i];
     return result;
+}
+
+/// The settings of a row of the table. A chain with a number that is not finite stays in its FK pose, as one
+/// whose weight is not.
+[[nodiscard]] ik::ChainSettings settings_of(SettingsRow row) {
+    constexpr double most_iterations = 1e6,
+                     most_left_out = chains::most_bones;  // more is the same to the library
+    const bool is_finite = are_finite(std::span<const double>(row));
+    ik::ChainSettings settings;
+    settings.position_weight = is_finite ? row[position_weight] : std::numeric_limits<double>::quiet_NaN();
+    settings.rotation_weight = row[rotation_weight];
+    settings.softness = row[softness];
+    settings.stretch = row[stretch];
+    settings.pole_angle = row[pole_angle];
+    settings.bend = row[bend] < 0.0 ? -1 : 1;
+    settings.hinge_angle = row[hinge_angle];
+    settings.tolerance = row[tolerance];
+    if (is_finite) {
+        settings.max_iterations = static_cast<int>(std::clamp(row[iterations], 0.0, most_iterations));
+        settings.left_out = static_cast<std::size_t>(std::clamp(row[left_out], 0.0, most_left_out));
+    }
+    settings.use_limits = row[use_limits] != 0.0;
+    settings.is_on = row[is_on] != 0.0;
+    return settings;
+}
+
+[[nodiscard]] std::vector<ik::ChainSettings> settings_of(const Float64Array& table, std::size_t count) {
+    const std::span<const double> numbers =
+        elements<double>(table, "settings", {count, settings_columns.size()});
+    std::vector<ik::ChainSettings> settings(count);
+    for (std::size_t i = 0; i < count; ++i)
+        settings[i] =
+            settings_of(numbers.subspan(i * settings_columns.size()).first<settings_columns.size()>());
+    return settings;
+}
+
+[[nodiscard]] DoubleArray table_of(std::span<const ik::ChainDiagnostics> report) {
+    DoubleArray table = new_array({report.size(), report_columns.size()});
+    double* next = table.mutable_data();
+    for (const ik::ChainDiagnostics& one : report) {
+        const double reason = one.reason ? static_cast<double>(*one.reason) : -1.0;
+        for (const double number : {one.residual, one.angle, reason, static_cast<double>(one.iterations),
+                                    one.distance, one.reach, one.tip.x, one.tip.y, one.tip.z})
+            *next++ = number;
+    }
+    return table;
 }
 
 /// Rows of an array of doubles as structures of so many doubles.
@@ -96,7 +159,7 @@ Typed<"tuple[bool, ...]"> flags_of(std::span<const unsigned char> flags) {
 ik::Rest read_rest(const ik::Plan& plan, const Float32Array& rest, const Float32Array& lengths,
                    const Int32Array& inheritance) {
     const std::size_t bones = plan.parents().size();
-    bones::RigView rig = rig_at_rest(plan.parents(), rest, inheritance);
+    bones::RigArrays rig = rig_at_rest(plan.parents(), rest, inheritance);
     rig.lengths = elements<float>(lengths, "lengths", {bones});
     return {plan, rig};
 }
@@ -121,7 +184,7 @@ struct CopiedInput {
     CopiedInput(const ik::Plan& plan, const ik::Bones& bones, const Float32Array& given_poses,
                 const ArrayLike& world, const Float64Array& given_settings)
         : poses(copied(elements<float>(given_poses, "poses", {plan.parents().size(), 16}))),
-          settings(copied(rows_of<ik::ChainSettings>(given_settings, "settings", plan.chain_count()))) {
+          settings(settings_of(given_settings, plan.chain_count())) {
         input.bones = bones;
         input.poses = poses;
         input.world = matrix_of_columns(world, "world");
@@ -151,17 +214,17 @@ py::object solve(const ik::Plan& plan, const Typed<"motus_native.IkBones">& bone
     auto rotation_rows = output<double>(rotations, "rotations", {static_cast<py::ssize_t>(rows), 4});
     auto scale_rows = output<double>(scales, "scales", {static_cast<py::ssize_t>(rows), 3});
     require_apart(values_of(rotation_rows), "rotations", values_of(scale_rows), "scales");
-    DoubleArray report;
+    std::vector<ik::ChainDiagnostics> report(chains);
     ik::Output result;
     result.rotations = quaternions_in(rotation_rows.mutable_data(), rows);
     result.scales = points_of(scale_rows);
-    result.report = new_rows<ik::ChainDiagnostics>(report, chains);
+    result.report = report;
     {
         const ReleaseGil released(plan.chain_bone_count(), chain_bone_cost);
         ik::solve(plan, given.input, result);
         rows_from_quaternions(result.rotations);
     }
-    return report;
+    return table_of(report);
 }
 
 Typed<"tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"> match(

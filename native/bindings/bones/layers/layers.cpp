@@ -211,7 +211,7 @@ DoubleArray mask(const ArrayLike& parents, const ArrayLike& chosen, const WholeN
 [[nodiscard]] layers::Stack make_stack(const ArrayLike& parents, const Float32Array& rest,
                                        const Int32Array& inheritance) {
     const std::vector<int> above = whole_numbers(parents, "parents");
-    const bones::RigView rig = rig_at_rest(above, rest, inheritance);
+    const bones::RigArrays rig = rig_at_rest(above, rest, inheritance);
     if (!are_finite(rig.rest)) value_error("rest", "every value must be finite");
     std::vector<glm::dquat> turns;
     std::vector<char> inherits;

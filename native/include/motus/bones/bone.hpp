@@ -1,4 +1,4 @@
-// A bone's pose from its parent's, by Blender's rules of inheritance.
+// A bone's pose from its parent's (forward kinematics), by Blender's rules of inheritance.
 // Blender 3.4-5.2, BKE_bone_parent_transform_calc_from_matrices, which is Bone.convert_local_to_pose in
 // Python.
 //

@@ -1,4 +1,4 @@
-// Products of many matrices at once.
+// Products of many matrices at once (batched multiplication).
 //
 // Costs: O(rows^2 columns) a product. Allocates nothing. Any number of threads at once, each with an `out`
 // of its own.

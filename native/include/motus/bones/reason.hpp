@@ -1,4 +1,4 @@
-// Why the end of a chain is or is not on its target.
+// Why the end of a chain, its end effector, is or is not on its target.
 #pragma once
 
 namespace motus::bones {

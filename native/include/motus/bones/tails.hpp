@@ -1,4 +1,4 @@
-// Bones that turn so that their tails point to given places: chains that trail behind their parent.
+// Bones that turn so that their tails point to given places, as by aim constraints: chains that trail.
 //
 // Costs: O(bones) to plan and to solve. Planning allocates the plan, solving some memory for its work. A
 // plan is immutable: any number of threads may solve by it at once.

@@ -1,4 +1,4 @@
-// Rotations that take a direction or frame to another one.
+// Rotations that take a direction or frame to another one (from-to rotations), and slerp.
 //
 // Costs: O(1). Allocates nothing. Any number of threads at once.
 #pragma once

@@ -1,4 +1,4 @@
-// Who shares out the work that functions of the library do in parallel.
+// Who shares out the work that functions of the library do in parallel: a thread pool, or a job system.
 //
 // Costs: some 20 us for each thread that is started. Several threads may use one at once.
 #pragma once

@@ -1,4 +1,4 @@
-// How much memory the caches of the process may take.
+// How much memory the caches of the process may take; least recently used tables go first.
 //
 // Costs: O(kept tables). Several threads may call these functions at once.
 #pragma once

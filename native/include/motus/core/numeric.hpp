@@ -57,7 +57,7 @@ template <glm::length_t columns, glm::length_t rows, class Number, glm::qualifie
 [[nodiscard]] std::optional<glm::dvec3> direction_of(const glm::dvec3& v);
 
 /// v, up to 1e150 in size, at unit length, in fewer steps than direction_of(); `otherwise` for lengths below
-/// 1e-140. NaN for NaN.
+/// 1e-140 (normalize-or). NaN for NaN.
 [[nodiscard]] inline glm::dvec3 direction_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double square = glm::dot(v, v);
     constexpr double vanished = 1e-280;

@@ -1,4 +1,4 @@
-// Arc length of a curve and its inverse, to 1e-10 of the length and better.
+// Arc length of a curve and its inverse (arc-length parametrization), to 1e-10 of the length and better.
 //
 // Costs: O(n) adaptive steps to build the tables, which are allocated; O(log n) for a length, O(1) for a
 // parameter, without allocating but for the first one, which builds the inverse. Any number of threads at

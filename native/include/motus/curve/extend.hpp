@@ -1,4 +1,4 @@
-// What a distance or a parameter outside a curve's interval means.
+// What a distance or a parameter outside a curve's interval means: its extrapolation, or wrap mode.
 //
 // Costs: O(1). Allocates nothing. Any number of threads at once.
 #pragma once

@@ -1,4 +1,4 @@
-// The point of a curve that is nearest to a given one.
+// The point of a curve that is nearest to a given one (closest point, point projection).
 //
 // Costs: O(n). Allocates some memory for its work. Any number of threads at once.
 #pragma once

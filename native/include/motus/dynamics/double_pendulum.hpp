@@ -3,8 +3,8 @@
 // Integrated in canonical variables (angles and their momenta) by Gauss's method of order 16, which keeps the
 // energy to some 1e-13 of its range. The states at equal intervals are cached and shared by all callers with
 // the same pendulum and start; one step leads from a cached state to any time. No function of the system's
-// mathematics library is used, so that results are the same on every machine: a chaotic motion would soon
-// show a difference.
+// mathematics library is used, which would differ from release to release: a chaotic motion would soon show
+// it. The same bits by the same compiler (docs/library.md).
 //
 // Costs: O(1) a time by steps that are cached, else as many steps as lie between time 0 and it. Allocates
 // the steps and some memory for its work. Any number of threads at once.

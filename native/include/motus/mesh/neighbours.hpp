@@ -1,4 +1,4 @@
-// Which triangles and edges meet at each vertex of a mesh.
+// Which triangles and edges meet at each vertex of a mesh: its one-ring, as compressed sparse rows.
 //
 // Costs: O(n) to make, which allocates it; O(1) to ask. Immutable: any number of threads may share one.
 #pragma once
@@ -25,9 +25,10 @@ class Neighbours {
     /// twice are left out. Throws std::invalid_argument if an index is not of [0, vertex_count).
     Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> triangles,
                std::span<const glm::ivec2> edges, const Executor& executor = {});
-    /// Every side of a triangle is an edge.
-    Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> triangles,
-               const Executor& executor = {});
+    /// Every side of a triangle is an edge, and there are no others. Throws as the constructor does.
+    [[nodiscard]] static Neighbours of_triangles(std::size_t vertex_count,
+                                                 std::span<const glm::ivec3> triangles,
+                                                 const Executor& executor = {});
 
     [[nodiscard]] std::size_t vertex_count() const noexcept {
         return fan_starts_.empty() ? 0 : fan_starts_.size() - 1;

@@ -1,4 +1,4 @@
-// The vertices within reach of a root, and how far away they are.
+// The vertices within reach of a root, and how far away they are: a geodesic disc.
 #pragma once
 #include <cstdint>
 #include <vector>

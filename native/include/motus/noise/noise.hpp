@@ -22,7 +22,7 @@ namespace motus::noise {
 
 /// Noise at a place, in [-1, 1]; its standard deviation is 0.31 in one dimension, 0.25 in two and
 /// three. Different seeds give independent noises. Beyond 2^30 the noise is
-/// constant; if a coordinate is NaN, it is NaN. The same bits on every machine.
+/// constant; if a coordinate is NaN, it is NaN. The same bits by the same compiler (docs/library.md).
 [[nodiscard]] float value(double place, std::uint32_t seed) noexcept;
 [[nodiscard]] float value(const glm::dvec2& place, std::uint32_t seed) noexcept;
 [[nodiscard]] float value(const glm::dvec3& place, std::uint32_t seed) noexcept;

@@ -1,4 +1,4 @@
-// Distance along a path as a function of time: ease, constant speed, and profiles through samples.
+// Distance along a path as a function of time: ease, constant speed, sampled motion profiles.
 //
 // Costs: O(n) to make, which allocates the pieces; O(log n) to ask, which allocates nothing. Immutable: any
 // number of threads may share one.

@@ -1,4 +1,4 @@
-// How strongly a pull acts at a distance from its root.
+// How strongly a pull acts at a distance from its root: the falloff of a soft selection.
 //
 // Costs: O(n). Allocates nothing. Any number of threads at once, each with an `out` of its own.
 #pragma once
@@ -33,8 +33,8 @@ inline constexpr float force_error = 1e-6f;
 [[nodiscard]] float reach_of(const Profile& profile, float radius);
 
 /// Forces at distances >= 0; 0 at the radius and beyond, NaN for NaN. radius > 0
-/// and finite. `out` may be `distances`. The same bits on every processor. Throws std::invalid_argument if
-/// the sizes differ or something is outside its domain.
+/// and finite. `out` may be `distances`. The same bits by the same compiler (docs/library.md). Throws
+/// std::invalid_argument if the sizes differ or something is outside its domain.
 void forces(const Profile& profile, float radius, std::span<const float> distances, std::span<float> out);
 
 }  // namespace motus::sculpt

@@ -1,4 +1,4 @@
-// Pulling a mesh at a vertex, the root: vertices near the root follow.
+// Pulling a mesh at a vertex, the root: vertices near the root follow (soft selection, a grab brush).
 //
 // Costs: O(n), pull_among() and pull_along() O(n) of the vertices listed. Allocates some memory for its
 // work. Any number of threads at once, each with an `out` of its own.

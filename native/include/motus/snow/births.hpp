@@ -1,4 +1,4 @@
-// When flakes are born: a steady stream and bursts, numbered in the order of birth.
+// When flakes are born (emission): a steady stream and bursts, numbered in the order of birth.
 //
 // Costs: O(bursts) to make, which allocates it; O(bursts) or O(log bursts) to ask, which allocates nothing.
 // Immutable: any number of threads may share one.

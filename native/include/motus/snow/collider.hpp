@@ -1,4 +1,4 @@
-// What flakes land on: triangles that stand still, and the way down over them.
+// What flakes land on (collision geometry): triangles that stand still, and the way down over them.
 //
 // Costs: O(n log n) to make, which allocates it; O(log n) to ask. Immutable: any number of threads may
 // share one.

@@ -1,4 +1,4 @@
-// Snow that lies: how deep it is on each vertex of what flakes land on, at any time.
+// Snow that lies (accumulation): how deep it is on each vertex of what flakes land on, at any time.
 //
 // Costs: O(flakes log flakes) to make, 10 us a flake if its landing is not known yet; O(vertices (log
 // flakes + rounds)) for the heights. Both allocate. Immutable: any number of threads may share one.

@@ -1,4 +1,4 @@
-// The mesh of snow that lies on a surface.
+// The mesh of snow that lies on a surface: a height field over it, with walls.
 //
 // Costs: O(triangles) to make and to ask, which both allocate. Immutable: any number of threads may share
 // one.

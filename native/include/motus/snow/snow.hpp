@@ -1,4 +1,4 @@
-// Flakes at any time, without a state: everything that a flake does follows from its number and its age.
+// A particle emitter without a state: everything that a flake does follows from its number and its age.
 //
 // Birth is a formula (births.hpp), random numbers are drawn by flake number (Philox 4x32-10, key the seed,
 // counter the number and what is drawn). The flake steers through the air as noise of its age turns it about
@@ -6,8 +6,8 @@
 // linear drag: c' = g + k (W - c), piece by piece where the wind is keyed. Turbulent air is a sum of waves,
 // each moving across its direction, integrated along a straight line, that of the first velocity and the
 // wind. Where a flake lands first is looked for once, along its whole way, and kept with those of the flakes
-// that are numbered next to it. The same bits on every machine, for any number of threads, whichever time is
-// asked for first.
+// that are numbered next to it. The same bits by the same compiler (docs/library.md), for any number of
+// threads, whichever time is asked for first.
 //
 // Costs: O(living flakes), 8 to 21 ms a million, and 10 us more for each whose landing is not known yet.
 // Allocates what is returned, the landings, and some memory for its work. Any number of threads may share
@@ -128,7 +128,7 @@ struct Fields {
     std::span<std::int64_t> id{};
 };
 
-/// Where and when a flake lands.
+/// Where and when a flake lands: a collision event.
 struct Touchdown {
     double time = 0.0;
     std::uint64_t id = 0;

@@ -1,4 +1,4 @@
-// The body's pose over a shot, and the phase of its legs' cycles.
+// The body's pose over a shot, and the phase of its legs' cycles (a gait phase track).
 //
 // Costs: O(samples legs) to make, which allocates it; O(log samples) to ask, which allocates nothing.
 // Immutable: any number of threads may share one.

@@ -1,4 +1,4 @@
-// The ground that feet stand on.
+// The ground that feet stand on, found by casting rays.
 //
 // Costs: O(n log n) to make, which allocates it; O(log n) a ray, which allocates nothing. Immutable: any
 // number of threads may share one.

@@ -1,4 +1,4 @@
-// Steps of feet, and the problems of some.
+// Steps of feet (footsteps: stance and swing), and the problems of some.
 //
 // Costs: O(1); step_at() O(log n). Only Footsteps::add() allocates, and it alone needs the object for
 // itself.

@@ -1,5 +1,5 @@
 // Legs that walk under a moving body: the steps of a whole shot, planned from the body's motion, and looked
-// up at any time.
+// up at any time (footstep planning).
 //
 // Costs: O(steps) rays to plan, which allocates the plan; O(log steps) to ask. Immutable: any number of
 // threads may share one.

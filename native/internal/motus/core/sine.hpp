@@ -1,5 +1,5 @@
-// Sine and cosine of several numbers at once, with the same bits on every machine. For the topics of the
-// library alone.
+// Sine and cosine of several numbers at once, by arithmetic alone: no release of the system's mathematics
+// changes a bit. For the topics of the library alone.
 #pragma once
 #include <cstdint>
 

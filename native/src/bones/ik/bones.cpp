@@ -19,12 +19,12 @@ bool is_matrix_finite(std::span<const float> matrices, std::size_t bone) {
 }
 
 void read(RestBone& result, const RigView& rig, std::size_t bone) {
-    const int parent = rig.parents[bone];
-    result.is_finite = is_matrix_finite(rig.rest, bone) && std::isfinite(rig.lengths[bone]) &&
-                       (parent < 0 || is_matrix_finite(rig.rest, static_cast<std::size_t>(parent)));
+    const int parent = rig.parents()[bone];
+    result.is_finite = is_matrix_finite(rig.rest(), bone) && std::isfinite(rig.lengths()[bone]) &&
+                       (parent < 0 || is_matrix_finite(rig.rest(), static_cast<std::size_t>(parent)));
     if (!result.is_finite) return;
     result.offset = offset_of(rest_of(rig, bone));
-    result.length = static_cast<double>(rig.lengths[bone]);
+    result.length = static_cast<double>(rig.lengths()[bone]);
 }
 
 void read(AnimatedBone& result, const RestBone& rest, std::span<const float> basis, std::size_t bone) {
@@ -62,11 +62,9 @@ OwnTransform own_transform(std::span<const float> basis, std::size_t bone) {
 }
 
 Rest::Rest(const Plan& plan, const RigView& rig) : plan_(plan.identity()) {
-    const std::size_t bones = plan.parents().size();
-    if (!std::ranges::equal(rig.parents, plan.parents()))
+    if (!std::ranges::equal(rig.parents(), plan.parents()))
         throw std::invalid_argument("rig: its parents must be the plan's");
-    if (rig.rest.size() != 16 * bones || rig.lengths.size() != bones || rig.inheritance.size() != bones)
-        throw std::invalid_argument("rig: its arrays must have an entry for each bone of the plan");
+    if (rig.lengths().size() != rig.size()) throw std::invalid_argument("rig: must have lengths");
     std::vector<RestBone> rows(plan.rows().size());
     for (std::size_t row = 0; row < rows.size(); ++row)
         read(rows[row], rig, static_cast<std::size_t>(plan.rows()[row]));

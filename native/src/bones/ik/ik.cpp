@@ -15,8 +15,6 @@
 namespace motus::bones::ik {
 namespace {
 
-constexpr double not_finite = -1.0;  // ChainDiagnostics::reason
-
 bool has_valid_limits(std::span<const chains::JointLimits> limits) {
     return std::all_of(limits.begin(), limits.end(), [](const chains::JointLimits& limit) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -43,7 +41,7 @@ std::optional<Task> read_task(const Input& input, const RigWorld& world, std::si
         if (!is_finite(pole)) return {};
         task.pole = world.to_pose(pole);
     }
-    if (settings.use_limits != 0.0 && !input.limits.empty()) {
+    if (settings.use_limits && !input.limits.empty()) {
         task.limits = input.limits.subspan(chain.first_row, chain.bones.size());
         if (!has_valid_limits(task.limits)) return {};
     }
@@ -89,7 +87,7 @@ void report_solution(ChainDiagnostics& report, const AimReport& aim, const Pose&
     const glm::dvec3 to_target = task.target - pose.root();
     const glm::dvec3 along = direction_or(to_target, direction_or(pose.tip() - pose.root(), {0.0, 1.0, 0.0}));
     report.residual = world.length(miss);
-    report.reason = static_cast<double>(reason);
+    report.reason = reason;
     report.iterations = aim.iterations;
     report.distance = world.length(to_target);
     report.reach = aim.reach * world.length(along);
@@ -100,14 +98,13 @@ void solve_one(const Plan& plan, const Input& input, std::size_t index, const Ri
                Solution& solution, const Output& output) {
     const Plan::Chain chain = plan.chain(index, input.settings[index].left_out);
     ChainDiagnostics& report = output.report[index];
-    report = ChainDiagnostics{};
-    report.reason = not_finite;
+    report = {.reason = std::nullopt};
     if (!are_guards_finite(input, chain) || !solution.read(input, chain)) {
         write_neutral(chain, output);
         return;
     }
     std::optional<Task> task = read_task(input, world, index, chain);
-    const bool is_on = task && task->settings.is_on != 0.0;
+    const bool is_on = task && task->settings.is_on;
     if (is_on) {
         std::optional<AimReport> aim;
         try {
@@ -120,7 +117,7 @@ void solve_one(const Plan& plan, const Input& input, std::size_t index, const Ri
         }
         report_solution(report, *aim, solution.pose(), *task, world);
     } else {
-        if (task) report.reason = static_cast<double>(Reason::reached);
+        if (task) report.reason = Reason::reached;
         task = Task{};
         solution.stay();
     }
@@ -128,8 +125,7 @@ void solve_one(const Plan& plan, const Input& input, std::size_t index, const Ri
     report.angle = solution.write(input.bones.rows(), chain, *task, output);
     if (!is_chain_finite(chain, output, report)) {  // numbers so large that their products are not
         write_neutral(chain, output);
-        report = ChainDiagnostics{};
-        report.reason = not_finite;
+        report = {.reason = std::nullopt};
     }
 }
 

@@ -48,7 +48,7 @@ Match match_one(const Input& input, const Plan::Chain& chain, const Pose& pose, 
                 const ChainSettings& settings) {
     // A tail bone with the target's orientation leaves the rest of the chain to go where it begins.
     const bool turns_tail = !chain.has_free_effector && pose.size() > 1 && settings.rotation_weight >= 0.5 &&
-                            settings.use_limits == 0.0;
+                            !settings.use_limits;
     const std::size_t count = turns_tail ? pose.size() - 1 : pose.size();
     const Chord chord = chord_of(pose, count, settings.hinge_angle);
     double reach = 0.0;
@@ -64,7 +64,7 @@ Match match_one(const Input& input, const Plan::Chain& chain, const Pose& pose, 
     const double back = -settings.pole_angle;
     const glm::dvec3 normal =
         std::cos(back) * chord.normal + std::sin(back) * glm::cross(chord.along, chord.normal);
-    const glm::dvec3 side = (settings.bend < 0.0 ? -1.0 : 1.0) * glm::cross(normal, chord.along);
+    const glm::dvec3 side = (settings.bend < 0 ? -1.0 : 1.0) * glm::cross(normal, chord.along);
     match.pole = world.to_world(pose.root() + 0.5 * distance * chord.along + reach * side);
     return match;
 }

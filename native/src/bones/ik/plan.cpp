@@ -110,14 +110,13 @@ void Plan::add_guards(const std::vector<Guard>& guards) {
     }
 }
 
-Plan::Chain Plan::chain(std::size_t index, double left_out) const {
+Plan::Chain Plan::chain(std::size_t index, std::size_t left_out) const {
     require(index < chains_.size(), "index: must be one of a chain");
     const Entry& entry = entries_[index];
     const std::span<const int> bones = chains_[index].bones;
     Chain chain;
     chain.parent = parents_[static_cast<std::size_t>(bones.front())];
-    if (left_out >= 1.0)
-        chain.left_out = static_cast<std::size_t>(std::min(left_out, static_cast<double>(bones.size() - 1)));
+    chain.left_out = std::min(left_out, bones.size() - 1);
     chain.bones = bones.subspan(chain.left_out);
     chain.first_row = entry.first_row + chain.left_out;
     chain.has_free_effector = entry.has_free_effector;

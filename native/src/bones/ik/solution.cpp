@@ -34,10 +34,10 @@ AimReport Solution::solve(const Plan::Chain& chain, const Task& task) {
     goal.softness = settings.softness;
     goal.hinge_angle = settings.hinge_angle;
     goal.pole = task.pole;
-    goal.bend = settings.bend < 0.0 ? -1 : 1;
+    goal.bend = settings.bend < 0 ? -1 : 1;
     goal.pole_angle = settings.pole_angle;
     goal.tolerance = settings.tolerance;
-    goal.max_iterations = static_cast<int>(settings.iterations);
+    goal.max_iterations = settings.max_iterations;
     goal.limits = task.limits;
     AimReport report = aim_.turn(pose_, goal);
 

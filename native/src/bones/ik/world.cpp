@@ -8,12 +8,12 @@
 namespace motus::bones::ik {
 
 bool has_finite_numbers(const ChainSettings& s) {
-    return are_finite(s.position_weight, s.rotation_weight, s.softness, s.stretch, s.pole_angle, s.bend,
-                      s.hinge_angle, s.tolerance, s.iterations, s.use_limits, s.is_on, s.left_out);
+    return are_finite(s.position_weight, s.rotation_weight, s.softness, s.stretch, s.pole_angle,
+                      s.hinge_angle, s.tolerance);
 }
 
 bool has_finite_numbers(const ChainDiagnostics& r) {
-    return are_finite(r.residual, r.angle, r.reason, r.iterations, r.distance, r.reach) && is_finite(r.tip);
+    return are_finite(r.residual, r.angle, r.distance, r.reach) && is_finite(r.tip);
 }
 
 ChainSettings within_domains(ChainSettings settings) {
@@ -22,7 +22,7 @@ ChainSettings within_domains(ChainSettings settings) {
     settings.softness = std::clamp(settings.softness, 0.0, 1.0);
     settings.stretch = std::clamp(settings.stretch, 0.0, 1.0);
     settings.tolerance = std::clamp(settings.tolerance, 1e-15, 1.0);
-    settings.iterations = std::clamp(settings.iterations, 0.0, 1e6);
+    settings.max_iterations = std::clamp(settings.max_iterations, 0, 1'000'000);
     return settings;
 }
 

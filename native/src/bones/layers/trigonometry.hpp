@@ -1,4 +1,4 @@
-// Sine, cosine and angles with the same bits on every machine.
+// Sine, cosine and angles by arithmetic and square roots alone.
 #pragma once
 #include <cmath>
 

@@ -50,7 +50,7 @@ glm::dvec3 axis_across(const glm::dvec3& direction) {
 GazeBone::GazeBone(const RigView& rig, std::size_t bone, const glm::dmat4& parent_pose) {
     const Rest rest = rest_of(rig, bone);
     const ParentSpace space = parent_space(rest, parent_pose);
-    const glm::dmat4 basis = matrix_at(rig.basis, bone);
+    const glm::dmat4 basis = matrix_at(rig.basis(), bone);
     rest_ = glm::dmat3(rest.matrix);
     space_ = glm::dmat3(space.rotation_scale);
     basis_ = glm::dmat3(basis);

@@ -48,8 +48,8 @@ class Plan::Solver {
     /// None if something is not finite, or a bone that looks has no size.
     [[nodiscard]] std::optional<GazeDiagnostics> run() {
         const Link& first = entry_.body.empty() ? entry_.head : entry_.body.front();
-        const int parent = rig_.parents[first.bone];
-        if (parent >= 0) base_ = matrix_at(rig_.poses, static_cast<std::size_t>(parent));
+        const int parent = rig_.parents()[first.bone];
+        if (parent >= 0) base_ = matrix_at(rig_.poses(), static_cast<std::size_t>(parent));
 
         const GazeBone animated(rig_, entry_.head.bone, carried(entry_.body, base_));
         const std::optional<glm::dvec3> gaze = animated.gaze(input_.head_forward);
@@ -243,12 +243,11 @@ void Plan::solve(const RigView& rig, const glm::dmat4& world, std::span<const In
     if (reports.size() != size()) throw std::invalid_argument("reports: one per entry is needed");
     if (rotations.size() != rows_.size()) throw std::invalid_argument("rotations: one per row is needed");
     const std::size_t bones = parents_.size();
-    const bool has_own_parents = rig.parents.data() == parents_.data() && rig.parents.size() == bones;
-    if (!has_own_parents && !std::ranges::equal(rig.parents, parents_))
+    const bool has_own_parents = rig.parents().data() == parents_.data() && rig.size() == bones;
+    if (!has_own_parents && !std::ranges::equal(rig.parents(), parents_))
         throw std::invalid_argument("rig: its parents must be the plan's");
-    if (rig.rest.size() != 16 * bones || rig.poses.size() != 16 * bones || rig.basis.size() != 16 * bones ||
-        rig.inheritance.size() != bones)
-        throw std::invalid_argument("rig: must have as many bones as the plan");
+    if (rig.poses().size() != 16 * bones || rig.basis().size() != 16 * bones)
+        throw std::invalid_argument("rig: must have poses and basis");
 
     const glm::dmat4 to_rig = glm::inverse(world);
     const GazeDiagnostics meaningless{0.0, std::nullopt, 0.0, 0.0};

@@ -45,8 +45,8 @@ bool is_finite(const Solve& solve) {
     for (const glm::dquat& q : solve.rotations) sum += 0.0 * (q.w + q.x + q.y + q.z);
     for (const glm::dvec3& v : solve.scales) sum += 0.0 * (v.x + v.y + v.z);
     for (const ChainDiagnostics& r : solve.report)
-        sum += 0.0 * (r.residual + r.angle + r.reason + r.iterations + r.distance + r.reach + r.tip.x +
-                      r.tip.y + r.tip.z);
+        sum +=
+            0.0 * (r.residual + r.angle + r.iterations + r.distance + r.reach + r.tip.x + r.tip.y + r.tip.z);
     return sum == 0.0;
 }
 
@@ -69,15 +69,15 @@ TEST_CASE("a chain with a number that is not finite is neutral and disturbs no o
         if (damage == 6)
             solve.rig.basis[16 * static_cast<std::size_t>(solve.chains[1].effector) + 12] = infinite;
         if (damage == 7) {
-            solve.settings[1].use_limits = 1.0;
+            solve.settings[1].use_limits = true;
             solve.limits[2].min.x = not_a_number;
         }
         if (damage == 8) solve.targets[1][3].x = 1e300;
-        if (damage == 9) solve.settings[1].is_on = 0.0;
+        if (damage == 9) solve.settings[1].is_on = false;
         solve.run();
         INFO("damage " << damage);
         CHECK(is_finite(solve));
-        CHECK(solve.report[1].reason == (damage == 9 ? 0.0 : -1.0));
+        CHECK(solve.report[1].reason == (damage == 9 ? std::optional(Reason::reached) : std::nullopt));
         const std::size_t first = 2;
         for (std::size_t row = 0; row < solve.rows.size(); ++row) {
             const bool is_of_chain =
@@ -117,7 +117,7 @@ TEST_CASE("a chain's results do not depend on the others", "[rig_ik]") {
 
 TEST_CASE("guarded bones of a muted chain keep the FK pose", "[rig_ik]") {
     Solve solve = three_chains();
-    solve.settings[0].is_on = 0.0;
+    solve.settings[0].is_on = false;
     solve.run();
     const int guard = solve.guards[0].bone;
     const glm::dmat3 expected(
@@ -128,7 +128,7 @@ TEST_CASE("guarded bones of a muted chain keep the FK pose", "[rig_ik]") {
 TEST_CASE("degenerate chains stay finite", "[rig_ik]") {
     for (const int count : {1, 2, 3, 5}) {
         for (int degenerate = 0; degenerate < 6; ++degenerate) {
-            for (const double use_limits : {0.0, 1.0}) {
+            for (const bool use_limits : {false, true}) {
                 Solve solve;
                 std::vector<int> bones;
                 for (int i = 0; i < count; ++i) {
@@ -167,11 +167,11 @@ TEST_CASE("bones that are left out carry the chain as they are animated", "[rig_
         for (const bool use_tail : {true, false}) {
             Solve whole = sample(seed, 5, use_tail, 0.3);
             const std::size_t left_out = 1 + seed % 4;
-            whole.settings[0].left_out = static_cast<double>(left_out);
+            whole.settings[0].left_out = left_out;
             whole.settings[0].rotation_weight = seed % 2 == 0 ? 1.0 : 0.0;
             // The bones as a chain of their own, whose parent stands where it is animated.
             Solve part = whole;
-            part.settings[0].left_out = 0.0;
+            part.settings[0].left_out = 0;
             part.chains[0].bones.erase(part.chains[0].bones.begin(),
                                        part.chains[0].bones.begin() + static_cast<std::ptrdiff_t>(left_out));
             whole.run();
@@ -192,20 +192,17 @@ TEST_CASE("bones that are left out carry the chain as they are animated", "[rig_
 }
 
 TEST_CASE("a chain keeps at least one bone whichever bones are left out", "[rig_ik]") {
-    for (const double left_out : {4.0, 5.0, 1e300, -3.0, 0.9}) {
+    for (const std::size_t left_out :
+         {std::size_t{4}, std::size_t{5}, std::numeric_limits<std::size_t>::max()}) {
         Solve solve = sample(3, 5, true, 0.5);
         solve.settings[0].left_out = left_out;
         solve.run();
         Solve same = sample(3, 5, true, 0.5);
-        same.settings[0].left_out = left_out >= 1.0 ? 4.0 : 0.0;
+        same.settings[0].left_out = 4;
         same.run();
         CHECK(solve.rotations == same.rotations);
         CHECK(solve.miss(0) == Approx(solve.report[0].residual).margin(1e-9));
     }
-    Solve solve = sample(3, 5, true, 0.5);
-    solve.settings[0].left_out = not_a_number;
-    solve.run();
-    CHECK(solve.report[0].reason == -1.0);
 }
 
 TEST_CASE("guards on bones that are left out stay where they are animated", "[rig_ik]") {
@@ -215,7 +212,7 @@ TEST_CASE("guards on bones that are left out stay where they are animated", "[ri
     const int high = solve.rig.add(bones[2], transform(glm::dvec3(0.1), no_turn), 0.3);
     solve.guards = {{low, 0}, {high, 0}};
     solve.settings[0].stretch = 1.0;
-    solve.settings[0].left_out = 2.0;
+    solve.settings[0].left_out = 2;
     solve.run();
     const std::vector<glm::dmat4> poses = solve.chain_poses(0);
     for (const auto& [guard, place] : {std::pair{low, 0}, std::pair{high, 2}}) {
@@ -282,37 +279,34 @@ TEST_CASE("an array of bones has to fit its plan", "[rig_ik]") {
     std::vector<glm::dvec3> poles(plan.chain_count());
     CHECK_THROWS_AS(match(other, input, targets, poles), std::invalid_argument);
 
-    std::vector<int> parents = solve.rig.parents;
-    parents[0] = static_cast<int>(parents.size()) - 1;
-    RigView view = solve.rig.view();
-    view.parents = parents;
-    CHECK_THROWS_AS(ik::Rest(plan, view), std::invalid_argument);
+    Rig rig = solve.rig;
+    rig.parents[0] = rig.size() - 1;
+    CHECK_THROWS_AS(ik::Rest(plan, rig.view()), std::invalid_argument);
 }
 
 TEST_CASE("each setting that is not finite, and limits that leave nothing, make a chain neutral",
           "[rig_ik]") {
     constexpr double ChainSettings::*settings[] = {
         &ChainSettings::position_weight, &ChainSettings::rotation_weight, &ChainSettings::softness,
-        &ChainSettings::stretch,         &ChainSettings::pole_angle,      &ChainSettings::bend,
-        &ChainSettings::hinge_angle,     &ChainSettings::tolerance,       &ChainSettings::iterations,
-        &ChainSettings::use_limits,      &ChainSettings::is_on,           &ChainSettings::left_out};
+        &ChainSettings::stretch,         &ChainSettings::pole_angle,      &ChainSettings::hinge_angle,
+        &ChainSettings::tolerance};
     constexpr double infinite = std::numeric_limits<double>::infinity();
     for (double ChainSettings::*const setting : settings) {
         for (const double value : {not_a_number, infinite, -infinite}) {
             Solve solve = sample(3, 3, true, 0.7);
             solve.settings[0].*setting = value;
             solve.run();
-            CHECK(solve.report[0].reason == -1.0);
+            CHECK_FALSE(solve.report[0].reason);
             for (const glm::dquat& rotation : solve.rotations) CHECK(rotation == no_turn);
         }
     }
     for (const double value : {not_a_number, infinite, -infinite}) {
         Solve solve = sample(3, 3, true, 0.7);
-        solve.settings[0].use_limits = 1.0;
+        solve.settings[0].use_limits = true;
         solve.limits.resize(3);
         solve.limits[1].min.x = solve.limits[1].max.x = value;
         solve.run();
-        CHECK(solve.report[0].reason == -1.0);
+        CHECK_FALSE(solve.report[0].reason);
         for (const glm::dquat& rotation : solve.rotations) CHECK(rotation == no_turn);
     }
 }

@@ -49,7 +49,8 @@ TEST_CASE("a tail bone takes the orientation and stays on its target", "[rig_ik]
                 const glm::dquat now = orientation(solve.effector_pose(0));
                 CHECK(angle_between(now, between(before, goal, weight)) < 1e-7);
                 CHECK(solve.report[0].residual == Approx(solve.miss(0)).margin(1e-11));
-                if (solve.report[0].reason == 0.0) CHECK(solve.miss(0) < 1e-9 * length_of(solve, 0));
+                if (solve.report[0].reason == Reason::reached)
+                    CHECK(solve.miss(0) < 1e-9 * length_of(solve, 0));
             }
             // Small weights make small differences.
             solve.settings[0].rotation_weight = 0.0;
@@ -108,7 +109,7 @@ TEST_CASE("stretch takes the tip to the target, and guards know nothing of it", 
                     solve.run();
                     INFO("seed " << seed << ", mode " << static_cast<int>(mode) << ", tail " << use_tail);
                     CHECK(solve.miss(0) < 1e-8);
-                    CHECK(solve.report[0].reason == 0.0);
+                    CHECK(solve.report[0].reason == Reason::reached);
                     CHECK(solve.report[0].residual == Approx(solve.miss(0)).margin(1e-11));
                     CHECK(solve.scales[0].y > 1.2);
                     const std::vector<glm::dmat4> stretched = solve.chain_poses(0);
@@ -170,7 +171,7 @@ TEST_CASE("a matched target gives the FK pose back", "[rig_ik]") {
             if (seed % 4 == 0)
                 solve.world = solve.world * glm::scale(glm::dmat4(1.0), glm::dvec3(-1.0, 1.2, 0.7));
             solve.settings[0].softness = seed % 5 == 0 ? 0.3 : 0.0;
-            solve.settings[0].bend = seed % 2 == 0 ? -1.0 : 1.0;
+            solve.settings[0].bend = seed % 2 == 0 ? -1 : 1;
             solve.settings[0].pole_angle = random.between(-3.0, 3.0);
             solve.settings[0].rotation_weight = 1.0;
             const Plan plan(solve.rig.parents, solve.chains, solve.guards);
@@ -195,7 +196,7 @@ TEST_CASE("one bone with limits does not roll towards a pole", "[rig_ik]") {
     for (unsigned seed = 0; seed < 10; ++seed) {
         RandomRig random(seed);
         Solve solve = sample(seed, 1, true, 0.6);
-        solve.settings[0].use_limits = 1.0;
+        solve.settings[0].use_limits = true;
         solve.limits.assign(1, chains::JointLimits{});
         solve.run();
         const glm::dquat without = solve.rotations[0];
@@ -210,7 +211,7 @@ TEST_CASE("joint limits hold", "[rig_ik]") {
     for (unsigned seed = 0; seed < 10; ++seed) {
         Solve solve = sample(seed, 3, seed % 2 == 0, 0.6, 0.3);
         solve.settings[0].tolerance = 1e-6;
-        solve.settings[0].use_limits = 1.0;
+        solve.settings[0].use_limits = true;
         solve.limits.assign(3, chains::JointLimits{});
         solve.run();
         CHECK(solve.miss(0) < 1e-5 * length_of(solve, 0));
@@ -225,6 +226,6 @@ TEST_CASE("joint limits hold", "[rig_ik]") {
             const glm::dquat rotation = own_transform(solve.rig.basis, bone).rotation * solve.rotations[i];
             CHECK(angle_between(rotation, chains::clamp_rotation(rotation, tight)) < 1e-6);
         }
-        if (solve.report[0].residual > 1e-4) CHECK(solve.report[0].reason != 0.0);
+        if (solve.report[0].residual > 1e-4) CHECK(solve.report[0].reason != Reason::reached);
     }
 }

@@ -29,7 +29,7 @@ TEST_CASE("the tip of a rigid chain is on its target", "[rig_ik]") {
                 INFO(count << " bones, seed " << seed);
                 CHECK(solve.miss(0) < 1e-9 * length_of(solve, 0));
                 CHECK(solve.report[0].residual == Approx(solve.miss(0)).margin(1e-12));
-                CHECK(solve.report[0].reason == 0.0);
+                CHECK(solve.report[0].reason == Reason::reached);
                 CHECK(glm::distance(solve.report[0].tip, solve.tip(0)) < 1e-12);
                 for (const glm::dvec3& scale : solve.scales) CHECK(scale == glm::dvec3(1.0));
             }
@@ -47,8 +47,8 @@ TEST_CASE("a chain reaches its target in mirrored and unevenly scaled worlds", "
         solve.targets[0] = transform(target, random.rotation());
         solve.settings[0].rotation_weight = seed % 2 == 0 ? 0.0 : 1.0;
         solve.run();
-        if (solve.report[0].reason == 0.0) ++reached;  // some are too near
-        if (solve.report[0].reason == 0.0) CHECK(solve.miss(0) < 1e-9 * length_of(solve, 0));
+        if (solve.report[0].reason == Reason::reached) ++reached;  // some are too near
+        if (solve.report[0].reason == Reason::reached) CHECK(solve.miss(0) < 1e-9 * length_of(solve, 0));
         CHECK(solve.report[0].residual == Approx(solve.miss(0)).margin(1e-12));
         CHECK(solve.report[0].angle < 1e-7);
     }
@@ -140,14 +140,14 @@ TEST_CASE("out of reach a chain is straight and says why", "[rig_ik]") {
     for (const int count : {1, 2, 3, 6}) {
         Solve solve = sample(3, count, true, 1.5);
         solve.run();
-        CHECK(solve.report[0].reason == static_cast<double>(Reason::too_far));
+        CHECK(solve.report[0].reason == Reason::too_far);
         CHECK(solve.report[0].residual ==
               Approx(solve.report[0].distance - solve.report[0].reach).epsilon(1e-6));
         CHECK(solve.report[0].residual == Approx(solve.miss(0)).margin(1e-11));
     }
     Solve solve = sample(3, 1, true, 0.3);
     solve.run();
-    CHECK(solve.report[0].reason == static_cast<double>(Reason::too_near));
+    CHECK(solve.report[0].reason == Reason::too_near);
 }
 
 TEST_CASE("a chain's weight blends from the FK pose to the solution by slerp", "[rig_ik]") {
@@ -206,7 +206,7 @@ TEST_CASE("the middle joint is on the pole's side, or opposite, or turned by the
             const auto across = [&](const glm::dvec3& v) {
                 return glm::normalize(v - glm::dot(v, along) * along);
             };
-            for (const double bend : {1.0, -1.0}) {
+            for (const int bend : {1, -1}) {
                 for (const double angle : {0.0, 0.8}) {
                     solve.settings[0].bend = bend;
                     solve.settings[0].pole_angle = angle;
@@ -214,8 +214,8 @@ TEST_CASE("the middle joint is on the pole's side, or opposite, or turned by the
                     CHECK(solve.miss(0) < 1e-8);
                     if (count > 2) continue;
                     const glm::dvec3 elbow = glm::dvec3(solve.world * solve.chain_poses(0)[1][3]) - root;
-                    const glm::dvec3 expected =
-                        glm::angleAxis(angle, along) * across(bend * (solve.poles[0] - root));
+                    const glm::dvec3 expected = glm::angleAxis(angle, along) *
+                                                across(static_cast<double>(bend) * (solve.poles[0] - root));
                     CHECK(glm::distance(across(elbow), expected) < 1e-7);
                 }
             }
@@ -332,6 +332,6 @@ TEST_CASE("softness keeps the tip where soft_reach says", "[rig_ik]") {
         const double reach = solve.report[0].reach;
         const double expected = chains::soft_reach(solve.report[0].distance, reach, 0.2 * reach);
         CHECK(glm::distance(solve.tip(0), root_of(solve, 0)) == Approx(expected).epsilon(1e-6));
-        CHECK(solve.report[0].reason == static_cast<double>(share < 0.8 ? Reason::reached : Reason::too_far));
+        CHECK(solve.report[0].reason == (share < 0.8 ? Reason::reached : Reason::too_far));
     }
 }

@@ -51,7 +51,7 @@ struct Rig {
     std::vector<float> rest, poses, basis, lengths;
     std::vector<int> inheritance;
 
-    [[nodiscard]] RigView view() const { return {parents, rest, poses, basis, lengths, inheritance}; }
+    [[nodiscard]] RigView view() const { return {{parents, rest, poses, basis, lengths, inheritance}}; }
     [[nodiscard]] int size() const { return static_cast<int>(parents.size()); }
 
     static void store(std::vector<float>& values, const glm::dmat4& matrix) {
@@ -74,7 +74,8 @@ struct Rig {
         inheritance.push_back(static_cast<int>(scale) | flags);
         const std::size_t bone = parents.size() - 1;
         const glm::dmat4 parent_pose = parent < 0 ? glm::dmat4(1.0) : matrix_at(poses, index);
-        store(poses, to_pose(parent_space(rest_of(view(), bone), parent_pose), matrix_at(basis, bone)));
+        const RigView at_rest({parents, rest, {}, {}, {}, inheritance});
+        store(poses, to_pose(parent_space(rest_of(at_rest, bone), parent_pose), matrix_at(basis, bone)));
         return static_cast<int>(bone);
     }
 };

@@ -68,7 +68,7 @@ struct Figure {
         std::copy(values.begin(), values.end(), matrices.begin() + 16 * bone);
     }
 
-    [[nodiscard]] RigView view() const { return {parents, rest, poses, basis, {}, inheritance}; }
+    [[nodiscard]] RigView view() const { return {{parents, rest, poses, basis, {}, inheritance}}; }
 };
 
 struct Result {

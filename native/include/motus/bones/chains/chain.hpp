@@ -1,4 +1,4 @@
-// Chains of any number of bones without joint limits: positions of the joints.
+// Inverse kinematics of chains of any length without joint limits: positions of the joints.
 // One bend of the whole pose, an arc of a circle if it is straight, then Newton steps that turn the bones
 // least.
 //

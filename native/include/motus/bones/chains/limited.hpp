@@ -1,4 +1,4 @@
-// Chains whose joints have limits: rotations of the bones.
+// Inverse kinematics of chains whose joints have swing-twist limits: rotations of the bones.
 // Steps of least turn with the limits as bounds, each a small quadratic program. If they do not get there,
 // damped least squares, then Newton's method with all second derivatives, on the joints that are free to move
 // (Nocedal, Wright, "Numerical Optimization", 2006, 16.7 and 10.3).

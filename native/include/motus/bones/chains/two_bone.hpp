@@ -1,4 +1,4 @@
-// Two bones and a target, in closed form.
+// Inverse kinematics of two bones and a target, in closed form (analytic, two-bone IK).
 // Angles by Kahan, "Miscalculating Area and Angles of a Needle-like Triangle" (2014), section 6; the soft
 // reach by a finite power (see soft_reach).
 //

@@ -14,10 +14,12 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "motus/bones/chains/limited.hpp"
+#include "motus/bones/reason.hpp"
 #include "motus/bones/rig.hpp"
 #include "motus/config.hpp"
 #include "motus/core/leaves_zero.hpp"
@@ -38,35 +40,36 @@ struct Guard {
     int chain = -1;
 };
 
-/// The settings of one chain: a row of numbers in the layout of Python's table of settings.
+/// The settings of one chain. Numbers beyond what is said of them count as the nearest within.
 struct ChainSettings {
     double position_weight = 1.0;  ///< 0 to 1, between the FK rotations and the solution
     double rotation_weight = 0.0;  ///< 0 to 1, between the effector's orientation and the target's
     double softness = 0.0;         ///< see soft_reach(); fraction of the chain's length
     double stretch = 0.0;          ///< 0 to 1, share of the missing length that the bones stretch by
     double pole_angle = 0.0;       ///< rad, about the line from root to target
-    double bend = 1.0;             ///< >= 0: towards the pole; < 0: away from it
+    int bend = 1;                  ///< 1: towards the pole; -1: away from it
     double hinge_angle = 0.0;      ///< rad; the axis that a straight chain bends about is the first bone's X,
                                ///< turned by this about its Y. Two bones whose FK pose bends by less than 8
                                ///< degrees about another axis keep that axis while they are as straight, even
                                ///< with a pole, so that match() is exact. From three times that bend on they
                                ///< are on the pole's side
-    double tolerance = 1e-6;    ///< residual that counts as reached, as a fraction of the chain's length
-    double iterations = 100.0;  ///< SolverSettings::max_iterations
-    double use_limits = 0.0;    ///< not 0: joints keep within their limits
-    double is_on = 1.0;         ///< 0: the chain stands in its FK pose
-    double left_out =
-        0.0;  ///< how many of the chain's first bones stay in their FK pose; at least one is solved
+    double tolerance = 1e-6;   ///< residual that counts as reached, as a fraction of the chain's length
+    int max_iterations = 100;  ///< as in SolverSettings
+    bool use_limits = false;   ///< joints keep within their limits
+    bool is_on = true;         ///< else the chain stands in its FK pose
+    std::size_t left_out = 0;  ///< how many of the chain's first bones stay in their FK pose; at least one
+                               ///< is solved
 };
 
-/// How well a chain was solved: a row of numbers in the layout of Python's table of reports. Residual,
-/// reason, distance, reach and tip are those of the solution with position_weight 1.
+/// How well a chain was solved. Residual, reason, distance, reach and tip are those of the solution with
+/// position_weight 1.
 struct ChainDiagnostics {
     double residual = 0.0;  ///< |tip - target|, world
     double angle =
         0.0;  ///< rad, between the effector as it is turned and the target; 0 without rotation_weight
-    double reason = 0.0;  ///< a Reason; -1: a number was not finite, or the rig has no extent
-    double iterations = 0.0;
+    std::optional<Reason> reason = Reason::reached;  ///< none: a number was not finite, or the rig has no
+                                                     ///< extent
+    int iterations = 0;
     double distance = 0.0;  ///< root to target, world
     double reach = 0.0;     ///< of the straight chain, unstretched, in the target's direction, world
     glm::dvec3 tip{0.0};    ///< world
@@ -111,8 +114,8 @@ class Plan {
         Hanging effector;                 ///< read only if it is free
         std::span<const Hanging> guards;  ///< without the effector
     };
-    /// left_out: as in ChainSettings, any number.
-    [[nodiscard]] Chain chain(std::size_t index, double left_out = 0.0) const;
+    /// left_out: as in ChainSettings.
+    [[nodiscard]] Chain chain(std::size_t index, std::size_t left_out = 0) const;
 
   private:
     struct Entry {

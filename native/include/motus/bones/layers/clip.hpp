@@ -1,4 +1,4 @@
-// What an action says of a rig's bones: its F-curves.
+// What an action says of a rig's bones: its F-curves, an animation clip.
 //
 // Costs: O(n log n) to make, O(curves log keys) to evaluate. Making one allocates it, evaluating nothing.
 // Immutable: any number of threads may share one.

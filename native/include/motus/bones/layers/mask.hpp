@@ -1,4 +1,4 @@
-// How much of each bone a layer takes.
+// How much of each bone a layer takes (a bone mask), and bones in topological order.
 //
 // Costs: O(bones). Both allocate some memory for their work. Any number of threads at once.
 #pragma once

@@ -1,4 +1,4 @@
-// Whole turns: what the numbers of a rotation say beyond the rotation itself.
+// Whole turns (winding numbers): what the numbers of a rotation say beyond the rotation itself.
 //
 // Costs: O(1). Allocates nothing. Any number of threads at once.
 #pragma once

@@ -1,4 +1,4 @@
-// When a layer plays what of its action, and how much of it shows.
+// When a layer plays what of its action, and how much of it shows: play rate, loops, blend weight.
 //
 // Costs: O(1). Allocates nothing. Any number of threads at once.
 #pragma once

@@ -1,5 +1,5 @@
-// A bone's own transform, and how one is laid over another. Every function gives the same bits on every
-// machine: it uses neither the system's trigonometry nor its powers.
+// A bone's own transform, and how one is laid over another. Every function gives the same bits by the same
+// compiler (docs/library.md): it uses neither the system's trigonometry nor its powers.
 //
 // Costs: O(1). Allocates nothing. Any number of threads at once.
 #pragma once
