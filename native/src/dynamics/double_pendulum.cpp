@@ -12,8 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "motion-inl.hpp"
 #include "motion_cache.hpp"
 #include "motus/core/ieee_floats.hpp"
+#include "motus/core/sine.hpp"
 #include "units.hpp"
 
 namespace motus::dynamics {
@@ -47,9 +49,8 @@ void require_valid(std::span<const double> times) {
 
 /// Sine and cosine of the angle between the rods.
 [[nodiscard]] SineCosine<double> between_rods(double theta1, double theta2) {
-    const SineCosine<Pair> each = sine_cosine(Pair(theta1, theta2));
-    const double sine1 = lane(each.sine, 0), cosine1 = lane(each.cosine, 0);
-    const double sine2 = lane(each.sine, 1), cosine2 = lane(each.cosine, 1);
+    const auto [sine1, cosine1] = sine_cosine(theta1);
+    const auto [sine2, cosine2] = sine_cosine(theta2);
     return {sine1 * cosine2 - cosine1 * sine2, cosine1 * cosine2 + sine1 * sine2};
 }
 
@@ -90,7 +91,7 @@ class Scale {
                                             const DoubleSystem& /*kind*/) const {
         const auto [sine, cosine] = between_rods(values[0], values[1]);
         std::array<double, 2> velocities{};
-        free_.velocities(&values[2], sine, cosine, velocities.data());
+        HWY_NAMESPACE::velocities(free_, &values[2], sine, cosine, velocities.data());
         return {values[0], values[1], unit_.to_rate(velocities[0]), unit_.to_rate(velocities[1])};
     }
     [[nodiscard]] DoublePendulumState state(const std::array<double, 4>& values,

@@ -7,7 +7,6 @@
 #include "gauss.hpp"
 #include "motion.hpp"
 #include "motus/core/instruction_sets.hpp"
-#include "motus/core/wide.hpp"
 
 // This include compiles the file once for each of Highway's targets; code for no target stands at the end.
 #undef HWY_TARGET_INCLUDE
@@ -15,11 +14,13 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "motion-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace motus::dynamics::HWY_NAMESPACE {
 namespace {
 
-using Lanes = Wide < HWY_MAX_BYTES < 32 ? 2 : HWY_MAX_BYTES<64 ? 4 : 8>;
+using Lanes = UpTo<stages>;
 
 template <class System>
 class GaussStages {
@@ -40,7 +41,7 @@ class GaussStages {
             for (std::size_t d = 0; d < size; ++d) y[d] = Lanes((*step.state)[d]);
             for (std::size_t i = 0; i < count; ++i) {
                 Values f{};
-                (*step.system)(y.data(), drive_[0][i], drive_[1][i], f.data());
+                derive(*step.system, y.data(), drive_[0][i], drive_[1][i], f.data());
                 for (std::size_t d = 0; d < size; ++d) f_[d][i] = f[d];
             }
         }
@@ -50,10 +51,11 @@ class GaussStages {
 
     /// One round of the fixed-point iteration.
     void iterate() {
+        using std::abs, std::max;
         std::array<Row, size> y{};
         for (std::size_t d = 0; d < size; ++d) {
             alignas(64) Stages f{};
-            store(f_[d], f);
+            keep(f_[d], f);
             y[d] = product(gauss.integrals, f);
             const Lanes start((*step_.state)[d]);
             const Lanes h(step_.length);
@@ -65,7 +67,7 @@ class GaussStages {
             Values at{};
             Values f{};
             for (std::size_t d = 0; d < size; ++d) at[d] = y[d][i];
-            (*step_.system)(at.data(), drive_[0][i], drive_[1][i], f.data());
+            derive(*step_.system, at.data(), drive_[0][i], drive_[1][i], f.data());
             for (std::size_t d = 0; d < size; ++d) {
                 change = max(change, abs(f[d] - f_[d][i]));
                 largest = max(largest, abs(f[d]));
@@ -81,7 +83,7 @@ class GaussStages {
         step_.tail = 0.0;
         for (std::size_t d = 0; d < size; ++d) {
             auto& f = step_.derivatives->values[d];
-            store(f_[d], f);
+            keep(f_[d], f);
             // Angles, the first half, are judged as they are, what drives them by its size.
             const double scale = 2 * d < size ? 1.0 : std::max(1.0, std::abs((*step_.state)[d]));
             step_.tail = std::max(step_.tail, std::abs(step_.length * dot(gauss.tail, f)) / scale);
@@ -100,28 +102,28 @@ class GaussStages {
             const double more = step_.drive.end[axis] - start;
             alignas(64) Stages at{};
             for (std::size_t i = 0; i < stages; ++i) at[i] = start + more * gauss.nodes[i];
-            drive_[axis] = load(at);
+            drive_[axis] = row_of(at);
         }
     }
 
     /// Sums over j of table[j] times f[j]; in the same order whatever the number of lanes.
-    [[nodiscard, gnu::always_inline]] static Row product(const Table& table, const Stages& f) {
+    [[nodiscard]] static HWY_INLINE Row product(const Table& table, const Stages& f) {
         Row sums{};
         for (std::size_t j = 0; j < stages; ++j) {
-            const Row part = load(table[j]);
+            const Row part = row_of(table[j]);
             const Lanes factor(f[j]);
             for (std::size_t i = 0; i < count; ++i) sums[i] = sums[i] + part[i] * factor;
         }
         return sums;
     }
 
-    [[nodiscard, gnu::always_inline]] static Row load(const Stages& values) {
+    [[nodiscard]] static HWY_INLINE Row row_of(const Stages& values) {
         Row row{};
-        for (std::size_t i = 0; i < count; ++i) row[i] = Lanes::load(values.data() + i * width);
+        for (std::size_t i = 0; i < count; ++i) load(values.data() + i * width, row[i]);
         return row;
     }
-    [[gnu::always_inline]] static void store(const Row& row, Stages& values) {
-        for (std::size_t i = 0; i < count; ++i) row[i].store(values.data() + i * width);
+    static HWY_INLINE void keep(const Row& row, Stages& values) {
+        for (std::size_t i = 0; i < count; ++i) store(row[i], values.data() + i * width);
     }
 
     [[nodiscard]] static double dot(const Stages& a, const Stages& b) {
@@ -130,7 +132,7 @@ class GaussStages {
         return sum;
     }
 
-    [[nodiscard, gnu::always_inline]] static double largest_of(Lanes lanes) {
+    [[nodiscard]] static HWY_INLINE double largest_of(Lanes lanes) {
         double largest = lane(lanes, 0);
         for (int i = 1; i < static_cast<int>(width); ++i) largest = std::max(largest, lane(lanes, i));
         return largest;

@@ -2,7 +2,7 @@
 #include <array>
 #include <cstddef>
 
-#include "motion.hpp"
+#include "motion-inl.hpp"
 
 namespace motus::dynamics {
 namespace {
@@ -13,9 +13,8 @@ using State = std::array<double, LimitedSystem::size>;
 /// Angular velocities and accelerations, the latter within the limits.
 [[nodiscard]] State derivative(const LimitedSystem& system, const State& at, double pivot_x, double pivot_z) {
     const DoubleSystem& free = system.free;
-    const SineCosine<Pair> each = sine_cosine_within_limit(Pair(at[0], at[1]));
-    const double sine1 = lane(each.sine, 0), cosine1 = lane(each.cosine, 0);
-    const double sine2 = lane(each.sine, 1), cosine2 = lane(each.cosine, 1);
+    const auto [sine1, cosine1] = HWY_NAMESPACE::sine_cosine_within_limit(at[0]);
+    const auto [sine2, cosine2] = HWY_NAMESPACE::sine_cosine_within_limit(at[1]);
     const double sine = sine1 * cosine2 - cosine1 * sine2;
     const double cosine = cosine1 * cosine2 + sine1 * sine2;
     const double weight = free.gravity + pivot_z;
@@ -25,7 +24,7 @@ using State = std::array<double, LimitedSystem::size>;
         -(weight * sine1 + pivot_x * cosine1) - m * at[3] * at[3] * sine,
         (at[2] * at[2] * sine - weight * sine2 - pivot_x * cosine2) / free.length};
     std::array<double, 2> accelerations{};
-    free.velocities(torques.data(), sine, cosine, accelerations.data());
+    HWY_NAMESPACE::velocities(free, torques.data(), sine, cosine, accelerations.data());
     const double most = system.most_acceleration;
     return {at[2], at[3], std::clamp(accelerations[0] - free.damping * at[2], -most, most),
             std::clamp(accelerations[1] - free.damping * at[3], -most, most)};

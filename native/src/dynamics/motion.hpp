@@ -1,4 +1,5 @@
-// Integrated motions of pendulums: how they are stepped. Private to the library.
+// Integrated motions of pendulums: how they are stepped; motion-inl.hpp has their derivatives. Private to the
+// library.
 #pragma once
 #include <array>
 #include <cmath>
@@ -10,7 +11,6 @@
 
 #include "gauss.hpp"
 #include "motus/core/cache.hpp"
-#include "motus/core/sine.hpp"
 
 namespace motus::dynamics {
 
@@ -24,13 +24,6 @@ struct SingleSystem {
 
     /// Least moment of inertia, as a fraction of that at rest; at most 1.
     [[nodiscard]] static double inertia() { return 1.0; }
-
-    template <class Real>
-    [[gnu::always_inline]] void operator()(const Real* y, Real pivot_x, Real pivot_z, Real* f) const {
-        const auto [sine, cosine] = sine_cosine_within_limit(y[0]);
-        f[0] = y[1];
-        f[1] = Real(0.0) - ((Real(gravity) + pivot_z) * sine + pivot_x * cosine) - Real(damping) * y[1];
-    }
 };
 
 /// Hamilton's equations; the second momentum in units of the lower bob's own moment of inertia. Damping takes
@@ -45,28 +38,6 @@ struct DoubleSystem {
     double length = 1.0;  ///< of the lower rod
 
     [[nodiscard]] double inertia() const { return other < 0.5 ? 2.0 * other : 1.0; }
-
-    /// Both angular velocities.
-    template <class Real>
-    [[gnu::always_inline]] void velocities(const Real* momenta, Real sine, Real cosine, Real* out) const {
-        const Real inverse = Real(1.0) / (Real(other) + Real(mass) * sine * sine);
-        out[0] = (momenta[0] - Real(mass * length) * cosine * momenta[1]) * inverse;
-        out[1] = (momenta[1] - Real(1.0 / length) * cosine * momenta[0]) * inverse;
-    }
-
-    template <class Real>
-    [[gnu::always_inline]] void operator()(const Real* y, Real pivot_x, Real pivot_z, Real* f) const {
-        const auto [sine1, cosine1] = sine_cosine_within_limit(y[0]);
-        const auto [sine2, cosine2] = sine_cosine_within_limit(y[1]);
-        const Real sine = sine1 * cosine2 - cosine1 * sine2;
-        const Real cosine = cosine1 * cosine2 + sine1 * sine2;
-        velocities(y + 2, sine, cosine, f);
-        const Real coupling = f[0] * f[1] * sine;
-        const Real weight = Real(gravity) + pivot_z;
-        f[2] = Real(0.0) - (weight * sine1 + pivot_x * cosine1) - Real(mass * length) * coupling -
-               Real(damping) * y[2];
-        f[3] = (coupling - weight * sine2 - pivot_x * cosine2) * Real(1.0 / length) - Real(damping) * y[3];
-    }
 };
 
 /// The double pendulum with limits: no Hamiltonian has them.

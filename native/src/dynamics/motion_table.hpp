@@ -16,6 +16,7 @@
 #include "motion.hpp"
 #include "motus/core/cache.hpp"
 #include "motus/core/numeric.hpp"
+#include "motus/core/sine.hpp"
 
 namespace motus::dynamics {
 

@@ -76,8 +76,7 @@ Air::Air(const glm::dvec3& acceleration, double drag, std::span<const double> ti
 Air::Flow Air::gusty_formula(const Key& key, double time) const {
     double value = 0.0, relaxed = 0.0, twice_relaxed = 0.0, way = 0.0, later_way = 0.0;
     for (const Wave& wave : waves_) {
-        const SineCosine<Pair> at = sine_cosine(Pair(wave.rate * time + wave.phase));
-        const double sine = lane(at.sine, 0), cosine = lane(at.cosine, 0);
+        const auto [sine, cosine] = sine_cosine(wave.rate * time + wave.phase);
         // A sine is the imaginary part of e^{i w t}; relaxing divides by k + i w, integrating by i w.
         const double k = drag_, w = wave.rate, square = k * k + w * w;
         const std::array<double, 2> one{sine, cosine};
@@ -130,8 +129,7 @@ Air::Flow Air::flow_at(double time) const {
 Air::Gusts Air::gusts_at(double time) const {
     Gusts sum;
     for (const Wave& wave : waves_) {
-        const SineCosine<Pair> at = sine_cosine(Pair(wave.rate * time + wave.phase));
-        const double sine = lane(at.sine, 0), cosine = lane(at.cosine, 0);
+        const auto [sine, cosine] = sine_cosine(wave.rate * time + wave.phase);
         sum.value += wave.height * sine;
         sum.integral -= wave.height * cosine / wave.rate;
         sum.relaxed +=

@@ -34,8 +34,8 @@ constexpr double highest = 1e30;  ///< m, of snow on what is so small that it ha
 }
 
 [[nodiscard]] double tangent(double angle) {
-    const SineCosine<Pair> found = sine_cosine(Pair(angle));
-    return lane(found.sine, 0) / lane(found.cosine, 0);
+    const SineCosine<double> found = sine_cosine(angle);
+    return found.sine / found.cosine;
 }
 
 /// Where a flake comes to lie that lands at a place; nothing where it falls from the collider.

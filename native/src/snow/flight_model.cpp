@@ -89,11 +89,10 @@ void require_valid(const SnowSettings& s) {
 }
 
 [[nodiscard]] Frustum frustum_of(const SnowSettings& s) {
-    const SineCosine<Pair> both = sine_cosine(Pair(s.frustum_angles.x, s.frustum_angles.y));
+    const SineCosine<double> x = sine_cosine(s.frustum_angles.x), y = sine_cosine(s.frustum_angles.y);
     const double part = s.frustum_near / s.frustum_far;
-    return {static_cast<float>(lane(both.sine, 0) / lane(both.cosine, 0)),
-            static_cast<float>(lane(both.sine, 1) / lane(both.cosine, 1)), static_cast<float>(s.frustum_far),
-            static_cast<float>(part * part * part)};
+    return {static_cast<float>(x.sine / x.cosine), static_cast<float>(y.sine / y.cosine),
+            static_cast<float>(s.frustum_far), static_cast<float>(part * part * part)};
 }
 
 [[nodiscard]] Air air_of(const SnowSettings& s) {
@@ -168,7 +167,7 @@ FlightModel::FlightModel(SnowSettings settings)
     if (kind.shape == Shape::frustum) kind.frustum = frustum_of(settings);
     kind.turns_out = settings.random_orientation && settings.cone_angle > 0.0;
     // 1 - cos(c) = 2 sin^2(c / 2), which small angles keep their digits in.
-    const double half = lane(sine_cosine(Pair(0.5 * settings.cone_angle)).sine, 0);
+    const double half = sine_cosine(0.5 * settings.cone_angle).sine;
     kind.cone_depth = static_cast<float>(2.0 * half * half);
     kind.cone_turn = static_cast<float>(settings.cone_angle / whole_turn);
     kind.speed = static_cast<float>(settings.start_speed);

@@ -13,9 +13,8 @@ namespace {
 
 /// The entries that kernel.hpp names.
 [[nodiscard]] std::array<double, entries> rotation_of(double p, double q) {
-    const SineCosine<Pair> both = sine_cosine(Pair(p, q));
-    const double sx = lane(both.sine, 0), cx = lane(both.cosine, 0);
-    const double sy = lane(both.sine, 1), cy = lane(both.cosine, 1);
+    const auto [sx, cx] = sine_cosine(p);
+    const auto [sy, cy] = sine_cosine(q);
     return {cy, sy, sx * sy, cx, -sx * cy, -cx * sy, sx, cx * cy};
 }
 

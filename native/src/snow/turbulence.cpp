@@ -26,17 +26,15 @@ std::array<Wave, wave_count> waves_of(double speed, double size, const glm::dvec
         // Spread over the half sphere, the other half of which has the same waves.
         const double up = along / wave_count;
         const double level = std::sqrt(1.0 - up * up);
-        const SineCosine<Pair> around =
-            sine_cosine(Pair(whole_turn * static_cast<double>(fraction(words.a)),
-                             whole_turn * static_cast<double>(fraction(words.b))));
-        const glm::dvec3 direction(level * lane(around.cosine, 0), level * lane(around.sine, 0), up);
+        const auto around = sine_cosine(whole_turn * static_cast<double>(fraction(words.a)));
+        const auto aside = sine_cosine(whole_turn * static_cast<double>(fraction(words.b)));
+        const glm::dvec3 direction(level * around.cosine, level * around.sine, up);
         // Lengths from half the size to twice it, shuffled against the directions.
         const double part = static_cast<double>((5 * i + 2) % wave_count) / (wave_count - 1.0);
         const glm::dvec3 vector = direction * ((0.5 + 1.5 * part) / size);
         const glm::dvec3 first =
             unit_vector(glm::cross(direction, up > 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1)));
-        const glm::dvec3 across =
-            lane(around.cosine, 1) * first + lane(around.sine, 1) * glm::cross(direction, first);
+        const glm::dvec3 across = aside.cosine * first + aside.sine * glm::cross(direction, first);
         Wave& wave = waves[i];
         wave.vector = floats_of(vector);
         wave.velocity = floats_of(across * (speed * std::sqrt(2.0 / wave_count)));

@@ -1,5 +1,8 @@
 #include "motus/bones/chains/bend_plane.hpp"
 
+#include <glm/geometric.hpp>
+
+#include "motus/bones/chains/bend_plane-inl.hpp"
 #include "motus/core/numeric.hpp"
 
 namespace motus::bones::chains {
@@ -35,7 +38,7 @@ glm::dvec3 normal_nearly_along(const glm::dvec3& along, const glm::dvec3& across
 
 glm::dvec3 blended_normal(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& along,
                           double weight) {
-    return blended<double>({from, 1.0, along}, to, weight, weight);
+    return HWY_NAMESPACE::blended<double>({from, 1.0, along}, to, weight, weight);
 }
 
 glm::dvec3 normal_across(const glm::dvec3& along, const glm::dvec3& plane) {
@@ -49,7 +52,7 @@ glm::dvec3 normal_across(const glm::dvec3& along, const glm::dvec3& plane) {
     return normal_nearly_along(along, across, std::sqrt(square / whole));
 }
 
-glm::dvec3 faded_slowly(const BendSide<double>& side) {
+glm::dvec3 faded_slowly(const BendSide& side) {
     const bool has_plane = side.plane != glm::dvec3(0.0);
     const glm::dvec3 without = normal_across(side.along, side.plane) * (has_plane ? 1.0 : side.bend);
     const glm::dvec3 across = glm::cross(side.along, side.pole);
@@ -61,8 +64,8 @@ glm::dvec3 faded_slowly(const BendSide<double>& side) {
     return blended_normal(without, side.bend * straightened(of_pole, side.along), side.along, weight);
 }
 
-glm::dvec3 faded_alone(BendSide<double> side) {
-    return faded_normal(side);
+glm::dvec3 bend_normal(const BendSide& side) {
+    return HWY_NAMESPACE::bend_normal(side, [](BendSide of) { return HWY_NAMESPACE::faded_normal(of); });
 }
 
 }  // namespace motus::bones::chains

@@ -5,12 +5,19 @@
 #include <numbers>
 
 #include "motus/bones/chains/bend_plane.hpp"
-#include "motus/bones/chains/triangle.hpp"
 #include "motus/core/numeric.hpp"
-#include "two_bone_lanes.hpp"
+#include "two_bone_lanes-inl.hpp"
 
 namespace motus::bones::chains {
+
+using namespace HWY_NAMESPACE;
+
 namespace {
+
+/// As solve_plain() wants it.
+HWY_NOINLINE glm::dvec3 faded(BendSide side) {
+    return faded_normal(side);
+}
 
 [[nodiscard]] glm::dvec3 within_doubles(const glm::dvec3& v) {
     return glm::clamp(v, glm::dvec3(-largest_double), glm::dvec3(largest_double));
@@ -55,7 +62,7 @@ void solve_far_from_one(const TwoBone& chain, TwoBoneSolution& out) {
     local.length1 = std::scalbn(chain.length1, -unit);
     local.length2 = std::scalbn(chain.length2, -unit);
     local.softness = std::scalbn(chain.softness, -unit);
-    solve_plain(Chains<double>(&local), faded_alone, &out);
+    solve_plain(Chains<double>(&local), faded, &out);
     out.elbow = moved(chain.root, out.elbow, unit);
     out.tip = out.tip == local.target ? chain.target : moved(chain.root, out.tip, unit);
     out.residual = std::min(std::scalbn(out.residual, unit), largest_double);
@@ -101,7 +108,7 @@ glm::dvec3 line_of_coincident(const TwoBone& chain, glm::dvec3 target, glm::dvec
 
 void solve_one(const TwoBone& chain, TwoBoneSolution& out) {
     if (const Chains<double> one(&chain); one.are_plain()) {
-        solve_plain(one, faded_alone, &out);
+        solve_plain(one, faded, &out);
     } else {
         solve_far_from_one(chain, out);
     }

@@ -10,14 +10,16 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "two_bone_lanes-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace motus::bones::chains::HWY_NAMESPACE {
 namespace {
 
 /// More than four chains at once are no faster: their numbers do not fit into the registers.
-using Several = Wide < HWY_MAX_BYTES<32 ? 2 : 4>;
+using Several = UpTo<4>;
 
-HWY_NOINLINE glm::vec<3, Several> faded(BendSide<Several> side) {
+HWY_NOINLINE Vector<Several> faded(Sides<Several> side) {
     return faded_normal(side);
 }
 

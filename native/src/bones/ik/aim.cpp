@@ -6,7 +6,7 @@
 
 #include "motus/bones/chains/bend_plane.hpp"
 #include "motus/bones/chains/chain.hpp"
-#include "motus/bones/chains/triangle.hpp"
+#include "motus/bones/chains/triangle-inl.hpp"
 #include "motus/bones/chains/two_bone.hpp"
 #include "motus/bones/turns.hpp"
 #include "motus/core/numeric.hpp"
@@ -138,8 +138,8 @@ void Aim::find_joints(const Pose& pose, const AimGoal& goal, const Line& line, A
         report.reason = is_reached ? Reason::reached : short_of > 0.0 ? Reason::too_far : Reason::too_near;
     } else if (goal.count == 2) {
         const double shortest = std::abs(lengths_[0] - lengths_[1]);
-        const chains::Direction<double> bone =
-            chains::shoulder(lengths_[0], lengths_[1], report.reach, shortest, report.end);
+        const chains::HWY_NAMESPACE::Direction<double> bone =
+            chains::HWY_NAMESPACE::shoulder(lengths_[0], lengths_[1], report.reach, shortest, report.end);
         const glm::dvec3 elbow = root + (lengths_[0] * bone.cosine) * along +
                                  (lengths_[0] * bone.sine) * glm::cross(line.chord.normal, along);
         joints_[1] = elbow_near_pose(elbow, root, line.turn * (pose.joints()[1] - root), line.chord);

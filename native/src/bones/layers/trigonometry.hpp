@@ -11,8 +11,8 @@ struct Angle {
 };
 
 [[nodiscard]] inline Angle angle_of(double radians) {
-    const SineCosine<Wide<2>> both = sine_cosine(Wide<2>(radians, 0.0));
-    return {both.sine.lanes[0], both.cosine.lanes[0]};
+    const SineCosine<double> both = sine_cosine(radians);
+    return {both.sine, both.cosine};
 }
 
 /// Angle of the point (x, y), both >= 0, from the x axis: 0 to a quarter turn; to 2e-16.

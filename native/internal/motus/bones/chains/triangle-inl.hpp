@@ -1,11 +1,21 @@
-// Angles of a triangle by its sides, without inverse functions. For the topics of the library alone.
-#pragma once
+// Angles of a triangle by its sides, without inverse functions, of one triangle or several: see
+// motus/core/wide-inl.hpp.
+#if defined(MOTUS_BONES_CHAINS_TRIANGLE_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOTUS_BONES_CHAINS_TRIANGLE_INL_HPP
+#undef MOTUS_BONES_CHAINS_TRIANGLE_INL_HPP
+#else
+#define MOTUS_BONES_CHAINS_TRIANGLE_INL_HPP
+#endif
+
 #include <algorithm>
 #include <cmath>
 
-#include "motus/core/wide.hpp"
+#include "motus/core/wide-inl.hpp"
 
-namespace motus::bones::chains {
+HWY_BEFORE_NAMESPACE();
+namespace motus::bones::chains::HWY_NAMESPACE {
+
+using namespace motus::HWY_NAMESPACE;
 
 /// tan^2(angle / 2) = opposite / adjacent, both >= 0; their sum is 4 a b if the sides make a triangle.
 template <class Real>
@@ -16,7 +26,7 @@ struct HalfAngle {
 /// The angle between the sides a and b, opposite c. Kahan, "Miscalculating Area and Angles of a Needle-like
 /// Triangle" (2014), section 6: none of its differences loses digits, not even for needles.
 template <class Real>
-[[nodiscard, gnu::always_inline]] inline HalfAngle<Real> half_angle(Real a, Real b, Real c) {
+HWY_INLINE HalfAngle<Real> half_angle(Real a, Real b, Real c) {
     using std::max, std::min;
     const Real zero = 0.0;
     const Real longer = max(a, b);
@@ -34,7 +44,7 @@ struct Direction {
 /// cosine^2 + sine^2 = 1 to the last digits. A right angle if one of the sides is negligible beside
 /// the other.
 template <class Real>
-[[nodiscard, gnu::always_inline]] inline Direction<Real> direction_of(const HalfAngle<Real>& half) {
+HWY_INLINE Direction<Real> direction_of(const HalfAngle<Real>& half) {
     using std::sqrt;
     const Real no_side = 1e-290;
     const Real sum = half.opposite + half.adjacent;
@@ -49,8 +59,7 @@ template <class Real>
 /// sum and difference of the lengths. The ends of the reach are compared exactly: near them a rounding of
 /// 1e-16 would become an angle of 1e-8 rad.
 template <class Real>
-[[nodiscard, gnu::always_inline]] inline Direction<Real> shoulder(Real length1, Real length2, Real longest,
-                                                                  Real shortest, Real reach) {
+HWY_INLINE Direction<Real> shoulder(Real length1, Real length2, Real longest, Real shortest, Real reach) {
     const Real zero = 0.0, one = 1.0;
     const auto is_straight = reach >= longest;
     const auto is_folded = (reach <= shortest) & (shortest > zero);
@@ -61,4 +70,7 @@ template <class Real>
     return {select(is_at_end, bone.cosine, bent.cosine), select(is_at_end, bone.sine, bent.sine)};
 }
 
-}  // namespace motus::bones::chains
+}  // namespace motus::bones::chains::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
