@@ -4,7 +4,8 @@
 set -euo pipefail
 export WINEPREFIX=$1 WINEDEBUG=-all DISPLAY=''
 export PYTHONUTF8=1 # as the Python in Blender has it
-wine=/usr/lib/wine/wine64
+wine=${WINELOADER:-/usr/lib/wine/wine64} # the variable is wine's own
+exec 9>&- # the lock of ../motus: wine's server gets what its first program has open, and outlives the command that asked for that
 
 # Made by one process, and used by all.
 mkdir -p "$WINEPREFIX"

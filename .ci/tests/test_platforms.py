@@ -130,3 +130,16 @@ class Unpacked(Temporary):
         why_not = platforms.unpacked(self.jar, "sha256:" + "0" * 64, self.folder / "python")
         self.assertIn("cpython.jar has the checksum sha256:", why_not)
         self.assertFalse((self.folder / "python").exists())
+
+
+class Wine(Temporary):
+    def test_its_server_does_not_keep_the_lock_of_a_command(self):
+        """The server goes on for seconds after the last program; whoever builds in the same clone waited for that."""
+        wine = self.folder / "wine"
+        wine.write_text(
+            "#!/bin/bash\n[[ $1 != program ]] || { [[ -e /dev/fd/9 ]] && echo the lock is open; echo ran; }\n", encoding="utf-8"
+        )
+        wine.chmod(0o755)
+        command = ["bash", "-c", 'exec 9>"$1/lock"; bash "$2" "$1" program', "_", self.folder, CLONE / ".ci" / "in_wine.sh"]
+        said = subprocess.run(command, env=dict(os.environ, WINELOADER=str(wine)), stdout=subprocess.PIPE, text=True, check=True).stdout
+        self.assertEqual(said, "ran\n")

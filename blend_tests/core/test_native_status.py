@@ -1,5 +1,7 @@
 """Without a usable native module the add-on still registers, and says in one sentence what to do."""
 
+import re
+import shutil
 import sys
 import tempfile
 import unittest
@@ -16,6 +18,8 @@ support.disable()
 assert not support.is_enabled()
 print("took it all back")
 """
+FILES = {"windows-x64": "motus_native.cp311-win_amd64.pyd", "linux-x64": "motus_native.cpython-311-x86_64-linux-gnu.so"}
+"""What the native module of two platforms is called."""
 
 
 class NativeStatus(unittest.TestCase):
@@ -24,12 +28,20 @@ class NativeStatus(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.profile = support.copy_profile(folder.name)
         self.package = support.addon_folder(self.profile)
-        self.modules = sorted(self.package.glob("motus_native.*.so"))
-        # Only the module that this Blender's Python takes matters here, so the other ABIs go.
-        self.own = Path(support.addon("core.native").module.__file__).name
-        for module in self.modules:
-            if module.name != self.own:
+        self.native = support.addon("core.native")
+        self.own = Path(self.native.module.__file__).name
+        self.leave_own_module()
+
+    def leave_own_module(self):
+        """Leaves of all modules that which this Blender's Python takes, in the add-on's folder; the zips of a release bring it in wheels."""
+        for folder in (self.package, self.profile / "extensions" / ".local"):
+            for module in folder.rglob("motus_native.*"):
                 module.unlink()
+        shutil.rmtree(self.package / "wheels", ignore_errors=True)
+        shutil.copyfile(self.native.module.__file__, self.package / self.own)
+        manifest = self.package / "blender_manifest.toml"
+        text = manifest.read_text(encoding="utf-8").partition("\n# BEGIN GENERATED CONTENT.")[0]
+        manifest.write_text(re.sub(r"^(platforms|wheels) = .*\n", "", text, flags=re.MULTILINE), encoding="utf-8")
 
     def assert_status(self, code, *parts):
         """A fresh Blender enables and disables the add-on; its status is `code`, and the sentence contains `parts`."""
@@ -43,7 +55,7 @@ class NativeStatus(unittest.TestCase):
             self.assertIn(part, sentence)
         self.assertEqual(is_none, str(code != 'OK'))
 
-    def test_untouched_copy_is_ok(self):
+    def test_own_module_is_ok(self):
         self.assert_status('OK')
 
     def test_missing(self):
@@ -83,14 +95,15 @@ class NativeStatus(unittest.TestCase):
 
     def test_wrong_platform(self):
         """The file of another system, one of another processor, which has the same name, and none: the zip to take is named."""
-        ending = ".zip" if support.module_name().startswith("bl_ext.") else "-legacy.zip"
-        sentence = ("windows-x64", support.addon("core.native").this_platform(), f"linux_x64{ending}")
-        self.for_platforms("windows-x64")
+        here, ending = self.native.this_platform(), ".zip" if support.module_name().startswith("bl_ext.") else "-legacy.zip"
+        other = next(name for name in FILES if name != here)
+        sentence = (other, here, f"{here.replace('-', '_')}{ending}")
+        self.for_platforms(other)
         (self.package / self.own).write_bytes(b"of another processor")
         self.assert_status('WRONG_PLATFORM', *sentence)
-        (self.package / self.own).rename(self.package / "motus_native.cp311-win_amd64.pyd")
+        (self.package / self.own).rename(self.package / FILES[other])
         self.assert_status('WRONG_PLATFORM', *sentence)
-        (self.package / "motus_native.cp311-win_amd64.pyd").unlink()
+        (self.package / FILES[other]).unlink()
         self.assert_status('WRONG_PLATFORM', *sentence)
 
     def test_broken_file(self):
