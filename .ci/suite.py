@@ -9,21 +9,34 @@ import sys
 import tempfile
 import unittest
 
+import journal
+
 
 class _Result(unittest.TestResult):
-    """Prints failures as they happen, and what the slow tests take of the processor, processes that they start included."""
+    """Prints failures as they happen, and what the slow tests take of the processor, processes that they start included; keeps the journal."""
 
     SLOW = 2.0
 
+    def __init__(self, kept):
+        super().__init__()
+        self._kept = kept
+
     def startTest(self, test):
         super().startTest(test)
+        self._kept.note(test.id(), journal.BEGUN)
+        self._known = self._counts()
         self._started = sum(os.times()[:4])
 
     def stopTest(self, test):
         super().stopTest(test)
+        failed, skipped = (now > known for now, known in zip(self._counts(), self._known))
+        self._kept.note(test.id(), "failed" if failed else "skipped" if skipped else "passed")
         seconds = sum(os.times()[:4]) - self._started
         if seconds > self.SLOW:
             print(f"slow: {test.id()} {seconds:.1f} s", flush=True)
+
+    def _counts(self):
+        return len(self.failures) + len(self.errors) + len(self.unexpectedSuccesses), len(self.skipped)
 
     def addFailure(self, test, err):
         super().addFailure(test, err)
@@ -69,7 +82,7 @@ def _is_marked(test, mark):
 def run_folder(folder, patterns=()):
     """Runs folder/test_*.py, or of it the tests whose id contains one of `patterns`; returns the exit status.
 
-    Those with the attribute that the environment variable MOTUS_LEAVE_OUT names are left out.
+    Those with the attribute that the environment variable MOTUS_LEAVE_OUT names are left out, and those that the journal has.
     """
     faulthandler.enable()  # a process that a signal ends says which test it was in
     sys.dont_write_bytecode = True
@@ -85,10 +98,13 @@ def _run(folder, patterns):
     loader = unittest.TestLoader()
     if patterns:
         loader.testNamePatterns = [f"*{pattern}*" for pattern in patterns]
-    result = _Result()
+    kept = journal.Journal.named()
+    result = _Result(kept)
     tests = loader.discover(str(folder), top_level_dir=str(folder))
     if mark := os.environ.get("MOTUS_LEAVE_OUT"):
         tests = unittest.TestSuite(test for test in _tests(tests) if not _is_marked(test, mark))
+    if ended := kept.outcomes():
+        tests = unittest.TestSuite(test for test in _tests(tests) if test.id() not in ended)
     tests.run(result)
     failed = len(failed_tests(result))
     skipped = len(result.skipped)
