@@ -157,7 +157,8 @@ HWY_INLINE void set_lane(Wide<n>& value, int index, double part) {
 // Arrays of C: std::array's functions are of no target, and GCC 12 keeps what stands in one in memory.
 // NOLINTBEGIN(*-avoid-c-arrays, *-member-init)
 
-/// Rows of as many numbers as there are rows, turned into columns: number j of row i becomes number i of row j.
+/// Rows of as many numbers as there are rows, turned into columns: number j of row i becomes number i of row
+/// j.
 HWY_INLINE void transpose(Wide<2> (&rows)[2]) {
     constexpr hn::FixedTag<double, 2> tag;
     const auto a = rows[0].lanes, b = rows[1].lanes;
@@ -178,8 +179,8 @@ HWY_INLINE void transpose(Wide<4> (&rows)[4]) {
 }
 #endif
 
-/// Sets lane(fields[k], i) to number k of structure i, for structures that begin with doubles and stand `step`
-/// bytes apart, the first at `from`. count: a multiple of n.
+/// Sets lane(fields[k], i) to number k of structure i, for structures that begin with doubles and stand
+/// `step` bytes apart, the first at `from`. count: a multiple of n.
 template <int n, std::size_t count>
 HWY_INLINE void load_fields(const void* from, std::size_t step, Wide<n> (&fields)[count]) {
     static_assert(count % n == 0);
@@ -254,8 +255,9 @@ struct VectorOf<double> {
 template <class Real>
 using Vector = typename VectorOf<Real>::Type;
 
-// In the order of glm's sums. For one, dot() and cross() are glm's. What glm's vectors hold is taken number by
-// number: GCC keeps them in memory where they are copied as a whole, which costs a seventh of a chain's time.
+// In the order of glm's sums. For one, dot() and cross() are glm's. What glm's vectors hold is taken number
+// by number: GCC keeps them in memory where they are copied as a whole, which costs a seventh of a chain's
+// time.
 
 template <class Real>
 HWY_INLINE Real dot(const WideVector<Real>& a, const WideVector<Real>& b) {

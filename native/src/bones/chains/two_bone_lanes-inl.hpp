@@ -104,7 +104,8 @@ struct Chains {
         else if constexpr (lane_count<Real> == 2)
             return Real(double(given[0].bend), double(given[1].bend));
         else
-            return Real(double(given[0].bend), double(given[1].bend), double(given[2].bend), double(given[3].bend));
+            return Real(double(given[0].bend), double(given[1].bend), double(given[2].bend),
+                        double(given[3].bend));
     }
 
     /// Whether the squares of all relevant numbers, and the products of two squares, neither overflow nor
@@ -162,7 +163,8 @@ HWY_INLINE void solve_plain(const Chains<Real>& chains, const Faded& faded, TwoB
     const auto is_too_far = distance > end;
     if constexpr (lane_count<Real> == 1) {
         const Reason why_not = is_too_far ? Reason::too_far : Reason::too_near;
-        // Number by number: what is put together first is copied in parts that are larger, and waits for them.
+        // Number by number: what is put together first is copied in parts that are larger, and waits for
+        // them.
         out->elbow.x = elbow.x;
         out->elbow.y = elbow.y;
         out->elbow.z = elbow.z;
