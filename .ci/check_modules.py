@@ -49,6 +49,12 @@ class Elf(Seen):
     shown = property(lambda self: {symbol.name for symbol in self.binary.exported_symbols})
     is_stripped = property(lambda self: not self.binary.has_section(".symtab"))
 
+    def other_problems(self):
+        """Blender and the module have one mathematics: the system's, of which a compiler's own library has a part as well."""
+        asked_for = {symbol.name for symbol in self.binary.imported_symbols}
+        if asked_for & {"acos", "atan2"} and not asked_for & {"sin", "sincos"}:
+            yield "has a sin of its own beside the system's acos: find what brings in the compiler's library, such as a product of complex numbers"
+
     @property
     def oldest(self):
         """The newest version of glibc that a symbol is asked of."""

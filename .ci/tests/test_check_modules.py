@@ -129,6 +129,17 @@ class CheckModules(unittest.TestCase):
                 status, said = self.check("macos-x64")
                 self.assertEqual(status == 0, is_well, said)
 
+    def test_mathematics_of_its_own(self):
+        """A product of complex numbers asks for zig's library, which has a sin as well."""
+        angle = "double angle(double x) { return acos(x); }\n"
+        product = "double _Complex product(double _Complex a, double _Complex b) { return a * b; }\n"
+        for source, is_well in ((angle, True), (angle + product, False)):
+            with self.subTest(source):
+                self.build("linux-x64", source=ENTRY + source)
+                status, said = self.check("linux-x64")
+                self.assertEqual(status == 0, is_well, said)
+                self.assertEqual("a sin of its own" in said, not is_well, said)
+
     def test_asks_for_another_library(self):
         library = self.build("linux-x64", "-Wl,-soname,libother.so.1", source="int other(void) { return 1; }", shown=True)
         library = library.rename(self.folder / "libother.so")

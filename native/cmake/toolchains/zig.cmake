@@ -15,4 +15,7 @@ endforeach()
 set(CMAKE_CXX_COMPILER ${tools}/zig-clang++)
 set(CMAKE_AR ${tools}/zig-ar CACHE FILEPATH "")
 set(CMAKE_RANLIB ${tools}/zig-ranlib CACHE FILEPATH "")
+# Products and quotients of complex numbers as instructions. As functions they would come from zig's compiler_rt, whose one object
+# file then also replaces the system's sin, exp, memcpy and others: Blender's own F-curves, say, would differ in the last bit.
+set(CMAKE_CXX_FLAGS_INIT -fcomplex-arithmetic=improved)
 include(${CMAKE_CURRENT_LIST_DIR}/headers.cmake)
