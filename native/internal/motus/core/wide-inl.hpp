@@ -202,8 +202,9 @@ struct VectorOf<double> {
 template <class Real>
 using Vector = typename VectorOf<Real>::Type;
 
-// In the order of glm's sums. For one, dot() and cross() are glm's. What glm's vectors hold is taken number by
-// number: GCC keeps them in memory where they are copied as a whole, which costs a seventh of a chain's time.
+// In the order of glm's sums. For one, dot() and cross() are glm's. What glm's vectors hold is taken number
+// by number: GCC keeps them in memory where they are copied as a whole, which costs a seventh of a chain's
+// time.
 
 template <class Real>
 HWY_INLINE Real dot(const WideVector<Real>& a, const WideVector<Real>& b) {
