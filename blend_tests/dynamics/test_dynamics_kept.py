@@ -151,10 +151,11 @@ class DynamicsKeptTest(support.SceneTestCase):
         self.assertSeen(rig, "Tail 0 2", before, 24)
 
     def test_what_an_edit_of_a_setting_looks_through(self):
-        """No keys, since the animation is the same; and the entries once, whoever asks for what they drive."""
+        """Neither keys nor bones nor what drives them, since all that is the same: one filter is made."""
         rig = cases.rope(3)
         cases.add(rig, bones="Tail 0 0", whole_chains=True, chain_delay=0.1, style='FLOPPY')
         keys, groups, entries = support.addon("core.animation.keys"), support.addon("dynamics.groups"), rig.motus.dynamics.entries
+        tracks, filters = support.addon("core.tracks"), support.addon("dynamics.filters")
         for frequency in (3.5, 3.6):
             entries["Tail 0 0"].frequency = frequency
             bpy.context.view_layer.update()
@@ -162,10 +163,50 @@ class DynamicsKeptTest(support.SceneTestCase):
             mock.patch.object(keys, "extent", wraps=keys.extent) as extents,
             mock.patch.object(keys, "bounds", wraps=keys.bounds) as bounds,
             mock.patch.object(groups, "_tail_units", wraps=groups._tail_units) as chains,
+            mock.patch.object(tracks, "own_track", wraps=tracks.own_track) as bones,
+            mock.patch.object(filters, "second_order", wraps=filters.second_order) as made,
         ):
             entries["Tail 0 0"].frequency = 3.7
             bpy.context.view_layer.update()
-        self.assertEqual((extents.call_count, bounds.call_count, chains.call_count), (0, 0, 1))
+        counts = (one.call_count for one in (extents, bounds, chains, bones, made))
+        self.assertEqual(tuple(counts), (0, 0, 0, 0, 1))
+
+    def test_an_edit_of_a_pose(self):
+        """It counts at once, whichever number of the bone it sets, also beside a number that has keys."""
+        rig = cases.rope(3)
+        cases.add(rig, bones="Tail 0 0", whole_chains=True, chain_delay=0.1, style='FLOPPY')
+        bone = rig.pose.bones["Tail 0 1"]
+        bone.rotation_mode = 'XYZ'
+        for frame, angle in ((1, 0.0), (20, 0.4)):
+            bone.rotation_euler.x = angle
+            bone.keyframe_insert("rotation_euler", index=0, frame=frame)
+        cases.go_to(24)
+        edits = {
+            "location": lambda: setattr(bone, "location", (0.0, 0.3, 0.1)),
+            "a rotation beside keys": lambda: setattr(bone.rotation_euler, "z", 0.7),
+            "scale": lambda: setattr(bone, "scale", (1.0, 1.5, 1.0)),
+            "rotation mode": lambda: setattr(bone, "rotation_mode", 'QUATERNION'),
+            "quaternion": lambda: setattr(bone, "rotation_quaternion", (0.8, 0.0, 0.6, 0.0)),
+        }
+        for name, edit in edits.items():
+            with self.subTest(name):
+                before = cases.matrix(rig, 24, "Tail 0 2")
+                edit()
+                self.assertSeen(rig, "Tail 0 2", before, 24)
+
+    def test_a_driver_that_comes_and_goes(self):
+        rig = cases.rope(3)
+        cases.add(rig, bones="Tail 0 0", whole_chains=True, style='FLOPPY')
+        bone = rig.pose.bones["Tail 0 1"]
+        bone.rotation_mode = 'XYZ'
+        before = cases.matrix(rig, 24, "Tail 0 2")
+        bone.driver_add("rotation_euler", 2).driver.expression = "0.02 * frame"
+        rig.update_tag()
+        self.assertSeen(rig, "Tail 0 2", before, 24)
+        before = cases.matrix(rig, 24, "Tail 0 2")
+        bone.driver_remove("rotation_euler", 2)
+        bone.rotation_euler.z = 0.0
+        self.assertSeen(rig, "Tail 0 2", before, 24)
 
     def lengthen(self, rig):
         bpy.context.view_layer.objects.active = rig

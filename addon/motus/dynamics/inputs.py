@@ -14,7 +14,7 @@ from ..core.evaluated.question import answered
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.refusals import Refused
-from ..core.tracks import in_world, laid, rotations
+from ..core.tracks import bone_channels, in_world, laid, rotations
 from . import filters, sampling
 from .sampling import Samples
 
@@ -76,6 +76,11 @@ class _Input:
         return [(track, keywords) for track, keywords in self.listed if track.reason is not None]
 
     @functools.cached_property
+    def fps(self):
+        """Frames per second of the scene; Blender looks it up anew each time."""
+        return scene_time.fps(self._scene)
+
+    @functools.cached_property
     def is_known(self):
         """Whether the whole input can be read."""
         return self.reason is None and all(track.is_known for track, _ in self.listed)
@@ -94,9 +99,18 @@ class _Input:
         """Return make(), which depends on the tracks and on `name` alone. Inputs that share their tracks find it once for one question."""
         return answered((self.tracks, name), make)
 
+    @property
+    def price(self):
+        """Price of sampling one piece of the input, sampling.PIECE seconds (for its unit see core/measures/bounds.py)."""
+        return self.kept("price", lambda: sampling.RATE * sampling.PIECE * sum(track.price for track in self.tracks))
+
     def times(self, reach, entry=None):
         """Return the frames, rising, at which the input is sampled for a sampling.Reach. entry: by whose settings; None: the input's own."""
         return times_of(self, entry or self._entry, self._scene, reach)
+
+    def frames(self, timing):
+        """Return the frames (n,), rising, of a sampling.Timing."""
+        return self.kept(timing, lambda: timing.times(self.tracks, self._scene))
 
     def is_cut(self, reach, entries):
         """Whether any of several entries would need more samples of the input than a sampling.Reach allows."""
@@ -111,23 +125,19 @@ def has_loop(entry):
 
 def times_of(source, entry, scene, reach):
     """Return the frames, rising, at which the tracks of an input are sampled for an entry. reach: a sampling.Reach."""
-    found, fps = source.tracks, scene_time.fps(scene)
+    return source.frames(timing_of(source, entry, scene, reach))
+
+
+def timing_of(source, entry, scene, reach):
+    """Return the sampling.Timing that says, with the input's tracks, at which frames the input is sampled for an entry."""
     if has_loop(entry):
-        longest = sampling.FEW * reach.length
-        loop = float(entry.loop_start), float(entry.loop_end)
-        return source.kept(("loop", *loop, longest, fps), lambda: np.array(sampling.between(found, *loop, scene, longest)))
-    span = _span_of(source, past_of(entry), scene, reach)
-    return source.kept(("span", span, reach.length, fps), lambda: sampling.times(found, span, reach.length, scene))
+        return sampling.Timing((float(entry.loop_start), float(entry.loop_end)), sampling.FEW * reach.length, source.fps)
+    return sampling.Timing(_span_of(source, past_of(entry), scene, reach), reach.length, source.fps)
 
 
 def _span_of(source, past, scene, reach):
     """Return the sampling.Span of an input for a sampling.Reach. past: seconds before that, which count too."""
-    return sampling.span_of(source.extent, scene, reach, past * scene_time.fps(scene))
-
-
-def price_of(source):
-    """Return the price of sampling one piece of an input, sampling.PIECE seconds (for its unit see core/measures/bounds.py)."""
-    return sampling.RATE * sampling.PIECE * sum(track.price for track in source.tracks)
+    return sampling.span_of(source.extent, scene, reach, past * source.fps)
 
 
 def past_of(entry):
@@ -279,27 +289,53 @@ class TailInput(_Input):
         return self._thing[0].id_data
 
     @functools.cached_property
-    def listed(self):
-        """[(track, keywords of the operator motus.track_record)] of the rig, the bones of the chain and the bones above.
+    def _read(self):
+        """{name of each bone that is read: whether its world matrix is read, instead of its own transform}.
 
-        Bones above all bones that follow are read by the world track of the lowest of them.
+        The bones that follow and those between them are read by their own transforms, so that what dynamics do is left out; the first
+        bone above all bones that follow is read by its world matrix.
         """
-        rig, scene = self._rig, self._scene
-        found = {"": (tracks.world_track(rig, scene), {"datablock": rig.name, "transform": 'WORLD'})}
-        names = {bone.name for bone in self._thing}
+        names, found = set(self._names), {}
         for bone in self._thing:
             while bone is not None and bone.name not in found:
-                if bone.name not in names and names.isdisjoint(one.name for one in bone.parent_recursive):
-                    # The first bone above all bones that follow.
-                    found[bone.name] = (
-                        tracks.world_track(bone, scene, registered["dynamics"]),
-                        {"datablock": rig.name, "bone": bone.name, "transform": 'WORLD'},
-                    )
-                    break
-                found[bone.name] = tracks.own_track(bone), {"datablock": rig.name, "bone": bone.name, "transform": 'OWN'}
-                bone = bone.parent
-        self._places = dict(zip(found, range(len(found))))
-        return list(found.values())
+                is_base = bone.name not in names and names.isdisjoint(one.name for one in bone.parent_recursive)
+                found[bone.name] = is_base
+                bone = None if is_base else bone.parent
+        return found
+
+    @property
+    def _own_names(self):
+        return tuple(name for name, is_base in self._read.items() if not is_base)
+
+    @functools.cached_property
+    def _worlds(self):
+        """{bone name, or "" for the rig: track of its world matrix}, of the rig and the bones that are read by their world matrix."""
+        rig, scene = self._rig, self._scene
+        bases = [name for name, is_base in self._read.items() if is_base]
+        return {"": tracks.world_track(rig, scene)} | {
+            name: tracks.world_track(rig.pose.bones[name], scene, registered["dynamics"]) for name in bases
+        }
+
+    @functools.cached_property
+    def listed(self):
+        """[(track, keywords of the operator motus.track_record)] of the rig, and of the bones that are read."""
+        rig = self._rig
+        found = [(self._worlds[""], {"datablock": rig.name, "transform": 'WORLD'})]
+        for name, is_base in self._read.items():
+            track = self._worlds[name] if is_base else tracks.own_track(rig.pose.bones[name])
+            found.append((track, {"datablock": rig.name, "bone": name, "transform": 'WORLD' if is_base else 'OWN'}))
+        return found
+
+    @functools.cached_property
+    def laid(self):
+        bones = self._rig.pose.bones
+        return [name for name in self._own_names if laid.is_laid(bones[name])]
+
+    @functools.cached_property
+    def is_known(self):
+        """Whether the whole input can be read."""
+        found = self.tracks if self._channels is None else self._worlds.values()
+        return all(track.is_known for track in found)
 
     @property
     def carriers(self):
@@ -309,15 +345,14 @@ class TailInput(_Input):
         listed bone is known, which depends on the rig's motion anyway.
         """
         rig = self._rig
-        bases = {keywords["bone"]: track for track, keywords in self.listed if keywords["transform"] == 'WORLD' and "bone" in keywords}
-        found = [name for name in bases if _is_turned(rig.pose.bones[name])]
-        if any(bases[name].is_known for name in found):  # the stamps of these world tracks change with the rig's motion as well
+        found = [name for name, is_base in self._read.items() if is_base and _is_turned(rig.pose.bones[name])]
+        if any(self._worlds[name].is_known for name in found):  # the stamps of these tracks change with the rig's motion as well
             return found
         return [*found, *([""] if len(rig.constraints) else [PARENT] if rig.parent else [])]
 
-    def tails(self, frames):
-        """Return {bone name: positions of its tail in world space, (n, 3)} at frames (n,)."""
-        return dict(zip(self._names, self.kept(("tails", frames.tobytes()), lambda: self._tails(frames))))
+    def tails(self, timing):
+        """Return {bone name: positions of its tail in world space, (n, 3)} at the n frames of a sampling.Timing."""
+        return dict(zip(self._names, self.kept(("tails", timing), lambda: self._tails(self.frames(timing)))))
 
     def kept(self, name, make):
         """Return make(), kept until the animation or the armature changes, so that an edit of the entries does not compute it again."""
@@ -326,14 +361,20 @@ class TailInput(_Input):
         return self._found[name]
 
     @functools.cached_property
-    def _stamp(self):
-        return strips.together((self._rest_stamp, *(track.stamp for track in self.tracks)))
+    def _channels(self):
+        """Stamp of the own transforms of the bones that are read by these, if nothing but keys moves them; None otherwise."""
+        if not self._rig.is_evaluated or self.laid:
+            return None
+        names, bones = self._own_names, self._rig.pose.bones
+        found = bone_channels.stamp(self._rig, names)
+        return found and (found, tuple([bones[name].parent.name if bones[name].parent else "" for name in names]))
 
-    @property
-    def _rest_stamp(self):
-        """Hashable value that changes whenever the rest pose of the bones that the input reads changes."""
+    @functools.cached_property
+    def _stamp(self):
+        if self._channels is not None:
+            return strips.together((self._channels, *(track.stamp for track in self._worlds.values())))
         bones = self._rig.pose.bones
-        return tuple((name, in_world.rest_stamp(bones[name])) for name in self._places if name)
+        return strips.together((*(in_world.rest_stamp(bones[name]) for name in self._read), *(track.stamp for track in self.tracks)))
 
     def _tails(self, frames):
         found = self.tracks
@@ -358,7 +399,7 @@ class TailInput(_Input):
                 break
             bone = bone.parent
         for one in reversed(way):
-            track = self.tracks[self._places[one.name]]
+            track = self._by_name[one.name]
             if self._is_base(one):
                 poses[one.name] = rotations.chained(inverse, track.values(frames))
             else:
@@ -367,7 +408,11 @@ class TailInput(_Input):
         return poses[way[0].name] if way else poses[bone.name]
 
     def _is_base(self, bone):
-        return self.tracks[self._places[bone.name]].what.endswith("world")
+        return self._read[bone.name]
+
+    @functools.cached_property
+    def _by_name(self):
+        return dict(zip(self._read, self.tracks[1:]))
 
 
 def _is_turned(bone):

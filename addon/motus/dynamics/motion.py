@@ -3,6 +3,7 @@
 A member is an object or bone that dynamics drive. A native track holds a filtered input in a form that can be evaluated at any time.
 """
 
+import functools
 from typing import Any, NamedTuple
 
 from ..core import native
@@ -197,36 +198,35 @@ def tails_of(source, bones, numbers, rows, places, scene, reach):
     rows: indices for Tails.rows; places: indices of the entries.
     Raises ValueError if the numbers of an entry make no filter.
     """
-    ways = {}
-    for index, entry in enumerate(numbers):
-        loop = (entry.loop_start, entry.loop_end) if inputs.has_loop(entry) else None
-        way = filters.numbers(entry), entry.delay, loop, entry.jump
-        ways.setdefault(way, []).append(index)
-    found, known = [], {}
     if source.extent is None:
         return []
-    for (filtered, delay, loop, jump), members in ways.items():
-        frames = source.times(reach, numbers[members[0]])
-        place = frames.tobytes()
-        if place not in known:
-            known[place] = source.tails(frames)
-        tails = known[place]
-        names = [bones[index].name for index in members]
-        jumps = inputs.sampling.resets(frames, tails[bones[0].name], jump)
-        track = native.module.Track(
-            filters.second_order(filtered),
-            inputs.seconds_of(frames, scene),
-            np.concatenate([tails[name] for name in names], axis=1),
-            [] if loop else jumps,
-            loop is not None,
+    ways = {}
+    for index, entry in enumerate(numbers):
+        timing = inputs.timing_of(source, entry, scene, reach)
+        ways.setdefault((filters.numbers(entry), entry.delay, inputs.has_loop(entry), entry.jump, timing), []).append(index)
+    found = []
+    for (filtered, delay, is_loop, jump, timing), members in ways.items():
+        names = tuple(bones[index].name for index in members)
+        track, swings_through = source.kept(
+            ("filtered", filtered, is_loop, jump, timing, names),
+            functools.partial(_filtered, source, filtered, is_loop, jump, timing, names, scene),
         )
         found.append(
             Tails(
-                track,
-                delay,
-                np.array([rows[index] for index in members]),
-                np.array([places[index] for index in members]),
-                loop is not None and len(jumps) > 0,
+                track, delay, np.array([rows[index] for index in members]), np.array([places[index] for index in members]), swings_through
             )
         )
     return found
+
+
+def _filtered(source, filtered, is_loop, jump, timing, names, scene):
+    """Return (native track of the filtered positions of the named bones' tails, whether it is a loop that has jumps).
+
+    source: the TailInput of the bones. filtered: numbers of the filter. timing: the sampling.Timing.
+    """
+    tails = source.tails(timing)
+    frames = source.frames(timing)
+    jumps = inputs.sampling.resets(frames, tails[names[0]], jump)
+    places = np.concatenate([tails[name] for name in names], axis=1)
+    track = native.module.Track(filters.second_order(filtered), inputs.seconds_of(frames, scene), places, [] if is_loop else jumps, is_loop)
+    return track, is_loop and len(jumps) > 0

@@ -85,7 +85,7 @@ class _OverTime:
 
     def _reach(self, times):
         """Return the sampling.Reach for times (n,), n > 0."""
-        return sampling.reach_of(self._scene, float(np.min(times)), float(np.max(times)), inputs.price_of(self._input))
+        return sampling.reach_of(self._scene, float(np.min(times)), float(np.max(times)), self._input.price)
 
     def _made(self, thing, reach):
         try:

@@ -72,6 +72,25 @@ def span_of(extent, scene, reach, past):
     return Span(first, extent[1], 0, reach.most, True) if is_cut else Span(first, extent[1], begin, end, False)
 
 
+class Timing(NamedTuple):
+    """At which frames tracks are sampled; for the same tracks, equal Timings mean the same frames.
+
+    where: a Span, or the (first, last) frame of a loop. length: frames in a piece of a Span; of a loop, as between()'s `longest`. fps: of
+    the scene.
+    """
+
+    where: Any
+    length: float
+    fps: float
+
+    def times(self, tracks, scene):
+        """Return the rising frames (n,) at which to sample the tracks."""
+        if isinstance(self.where, Span):
+            return times(tracks, self.where, self.length, scene)
+        first, last = self.where
+        return np.array(between(tracks, first, last, scene, self.length))
+
+
 def times(tracks, span, length, scene):
     """Return rising frames over a Span, (n,): those at which the tracks are not smooth, and enough frames between them.
 

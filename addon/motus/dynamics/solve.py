@@ -312,7 +312,7 @@ class _Making:
 
         share: that the owner has of the limit of work; the owner's groups share it in turn, in proportion to their entries.
         """
-        price = sum(inputs.price_of(source) for source, _, _ in self._ready)
+        price = sum(source.price for source, _, _ in self._ready)
         count = max(1, self._count)  # a script may have removed all entries
         share *= count / max(count, len(self._settings.entries))
         self.reach = sampling.reach_of(self._scene, frame, frame, price, share)

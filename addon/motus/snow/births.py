@@ -50,6 +50,12 @@ def track(obj, scene):
     return tracks.world_track(obj, scene)
 
 
+def stands(obj, scene):
+    """Whether an object never moves: True only if that holds for as long as its evaluated copy and its keys (strips.stamp_of) stay."""
+    moved = track(obj, scene)
+    return moved.rests_on_keys and moved.extent is None
+
+
 def standing(matrix):
     """Return the Poses of an emitter that does not move: a single sample. matrix: its world matrix."""
     rows = np.array(matrix, float)

@@ -64,16 +64,18 @@ class Search:
         return not is_over, is_shown
 
 
-def are_left(context, snow, seconds):
+def are_left(context, snow, seconds, has_barrier):
     """Whether the landing places of some flakes at this time are still unknown, after a first part of the search.
 
     If the result is true, a timer continues the search after the evaluation; in background mode, the next evaluation does.
+    has_barrier: whether there is anything to land on.
     """
     if context.owner.library:  # a timer cannot let Blender evaluate a linked object again
         return False
-    before = snow.find_landings(seconds, 0)
+    before = snow.find_landings(seconds, 0) if has_barrier else 0
     if before == 0:
-        _searches.drop(context.owner.name)
+        if _searches:
+            _searches.drop(context.owner.name)
         return False
     at_once = max(1, bounds.times(BLOCK, share_of(registered["snow"], context.owner, context.depsgraph)))
     if bpy.app.background:

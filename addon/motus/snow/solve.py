@@ -3,6 +3,8 @@
 A Problem is a sentence that the panel shows.
 """
 
+from ..core import rigs
+from ..core.animation import strips
 from ..core.declare import Geometries, Geometry, Matrix, OwnMatrix, Points, Problem, Setting
 from ..core.file import deleted
 from ..core.file.pointers import pointed
@@ -104,7 +106,7 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
         return snow
     seconds = (context.frame - settings.start_frame) / context.fps
     is_viewport = context.depsgraph.mode == 'VIEWPORT'
-    is_found = not (is_viewport and landings.are_left(context, snow, seconds))
+    is_found = not (is_viewport and landings.are_left(context, snow, seconds, lands or settings.use_ground))
     flakes.fill(context.points, snow, seconds, settings.preview / 100.0 if is_viewport else 1.0, is_found)
     unsure = None if is_sure else UNKNOWN_WIND
     return problem or unseen or unsure or fault or (None if is_found else FINDING) or _look_problem(settings)
@@ -124,10 +126,14 @@ def _poses(context, born_at, present, angles):
 
     born_at: object whose poses count. present: its world matrix now. angles: half the angles of a camera's view, otherwise None.
     """
-    settings = context.settings
+    settings, scene = context.settings, context.depsgraph.scene
+    if born_at == context.owner:
+        keys = strips.stamp_of(born_at.animation_data)
+        if context.kept("stands", keys, lambda: births.stands(born_at, scene)):
+            return context.kept("standing", rigs.bytes_of(present), lambda: births.standing(present)), None
     poses, is_known = births.over_time(
         born_at,
-        context.depsgraph.scene,
+        scene,
         present,
         context.frame,
         flakes.longest_life(settings),

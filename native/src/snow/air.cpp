@@ -142,8 +142,7 @@ double Air::gust(double time) const {
     return gusts_at(time).value;
 }
 
-Air::State Air::at(double time, double age) const {
-    const Relaxation r = relaxation(age, drag_);
+Air::State Air::at(double time, double age, const Relaxation& r) const {
     State state{steady_ * r.second, steady_ * r.first, steady_ * r.first, steady_ * r.decay, r};
     if (!keys_.empty() && drag_ > 0.0) {
         const Flow now = flow_at(time), born = flow_at(time - age);

@@ -39,7 +39,9 @@ class Air {
         glm::dvec3 velocity{0.0}, velocity_slope{0.0};
         Relaxation relaxation;
     };
-    [[nodiscard]] State at(double time, double age) const;
+    [[nodiscard]] State at(double time, double age) const { return at(time, age, relaxation(age, drag_)); }
+    /// The same by what relaxation() gives for the age.
+    [[nodiscard]] State at(double time, double age, const Relaxation& r) const;
 
   private:
     static constexpr std::size_t waves = 4;

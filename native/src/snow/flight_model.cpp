@@ -117,6 +117,15 @@ void require_valid(const SnowSettings& s) {
     return step;
 }
 
+/// At the nodes that flakes come to, or at the first ones of long lives.
+[[nodiscard]] std::vector<Relaxation> relaxations_for(double drag, double longest, double step) {
+    constexpr double most = 4096.0;
+    const auto count = static_cast<std::size_t>(std::min(most, std::ceil(longest / step) + 2.0));
+    std::vector<Relaxation> found(count);
+    for (std::size_t i = 0; i < count; ++i) found[i] = relaxation(static_cast<double>(i) * step, drag);
+    return found;
+}
+
 template <class Row>
 [[nodiscard]] float* row_at(std::span<Row> rows, std::size_t index) {
     return rows.empty() ? nullptr : &rows[index][0];
@@ -145,6 +154,7 @@ FlightModel::FlightModel(SnowSettings settings)
       emitter(settings.emitter_times, settings.emitter_matrices),
       air(air_of(settings)),
       step(step_for(settings)),
+      relaxations(relaxations_for(settings.drag, longest(), step)),
       look_step(look_step_for(longest())) {
     const double flakes = births.most_within(longest());
     if (flakes > Snow::most_flakes) {
@@ -206,11 +216,22 @@ FlightModel::FlightModel(SnowSettings settings)
     steering.emplace(settings.max_angle, settings.snow_frequency, settings.seed, farthest, step, offsets);
 }
 
+Air::State Interval::node(double time, double index) const {
+    const double age = index * step_;
+    if (index < static_cast<double>(model_.relaxations.size()))
+        return model_.air.at(time, age, model_.relaxations[static_cast<std::size_t>(index)]);
+    return model_.air.at(time, age);
+}
+
 void Interval::set(double time, double index, Run& run) {
     if (index != index_ || time != time_) {
+        // Ages fall, so that the runs of a block go from each interval to the one before.
+        const bool is_next = index + 1.0 == index_ && time == time_;
+        const Air::State b = is_next ? start_ : node(time, index + 1.0);
+        start_ = node(time, index);
+        const Air::State& a = start_;
         index_ = index;
         time_ = time;
-        const Air::State a = air_.at(time, index * step_), b = air_.at(time, (index + 1.0) * step_);
         for (int axis = 0; axis < 3; ++axis) {
             const auto at = static_cast<std::size_t>(axis);
             drift_[at] = cubic(a.way[axis], a.way_slope[axis], b.way[axis], b.way_slope[axis], step_);
@@ -228,8 +249,7 @@ void Interval::set(double time, double index, Run& run) {
     run.way_rate = way_rate_;
 }
 
-Flight::Flight(const FlightModel& model)
-    : model_(model), interval_(model.air, model.step), standing_(model.kind) {
+Flight::Flight(const FlightModel& model) : model_(model), interval_(model), standing_(model.kind) {
     standing_.snow = standing_.snow_offsets = standing_.is_turbulent = false;
     run_.step = model.step;
 }

@@ -35,8 +35,9 @@ struct FlightModel {
     Births births;
     Emitter emitter;
     Air air;
-    double step;       ///< between the nodes of what depends on the age, s
-    double look_step;  ///< between the times at which a flake's way is looked at, s
+    double step;                          ///< between the nodes of what depends on the age, s
+    std::vector<Relaxation> relaxations;  ///< at the first nodes, of which short lives need no others
+    double look_step;                     ///< between the times at which a flake's way is looked at, s
     Kind kind;
     std::vector<Facet> facets;
     std::vector<float> places, scales;
@@ -48,16 +49,19 @@ struct FlightModel {
 /// The air's and the way's cubics over one interval of ages, kept for the runs that follow in it.
 class Interval {
   public:
-    Interval(const Air& air, double step) : air_(air), step_(step) {}
+    explicit Interval(const FlightModel& model) : model_(model), step_(model.step) {}
 
     /// Sets what the run has of them at this time.
     void set(double time, double index, Run& run);
 
   private:
-    const Air& air_;
+    [[nodiscard]] Air::State node(double time, double index) const;
+
+    const FlightModel& model_;
     double step_;
     double time_ = 0.0;
     double index_ = -1.0;
+    Air::State start_;  ///< of the air at node `index_`, which is the end of the interval that follows
     std::array<Cubic, 3> drift_{}, velocity_{};
     Cubic way_, way_rate_;
 };

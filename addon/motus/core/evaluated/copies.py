@@ -169,6 +169,11 @@ class Copy:
         """Whether an action, the NLA or a driver sets a property of a curve's splines or their points."""
         return self._driven.splines or (self._is_acted_on and self._acting.splines)
 
+    @property
+    def has_driven_poses(self) -> bool:
+        """Whether a driver sets the own transform or the rotation mode of any bone."""
+        return self._driven.poses(None)
+
     def has_animated_poses(self, names: frozenset[str] | None) -> bool:
         """Whether an action, the NLA or a driver sets the own transform of a bone among `names`, a frozenset; None stands for all bones."""
         return self._driven.poses(names) or (self._is_acted_on and self._acting.poses(names))

@@ -2,6 +2,7 @@
 
 from .arrays import (
     HAS_LOCAL_LOCATION,
+    INHERIT_SCALE,
     INHERITS_ROTATION,
     Arrays,
     Reader,
@@ -9,6 +10,7 @@ from .arrays import (
     basis,
     bytes_of,
     columns,
+    inheritance,
     is_laid,
     is_still,
     laid_bones,
@@ -27,6 +29,7 @@ from .world_matrices import WorldMatrixReader, world_matrices
 __all__ = (
     "HAS_LOCAL_LOCATION",
     "INHERITS_ROTATION",
+    "INHERIT_SCALE",
     "Arrays",
     "Reader",
     "Still",
@@ -35,6 +38,7 @@ __all__ = (
     "bytes_of",
     "columns",
     "fingerprint",
+    "inheritance",
     "is_laid",
     "is_still",
     "laid_bones",

@@ -9,7 +9,7 @@ from ..evaluated import copies
 from ..evaluated.per_thread import scratch
 from ..lazy import numpy as np
 
-_INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE": 4, "NONE_LEGACY": 5}
+INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE": 4, "NONE_LEGACY": 5}
 """Bone.inherit_scale as the native module's motus::InheritScale, whose numbers differ from Blender's."""
 
 INHERITS_ROTATION, HAS_LOCAL_LOCATION = 8, 16
@@ -91,7 +91,7 @@ def inheritance(bone):
 
     The number of motus::InheritScale, with the flags INHERITS_ROTATION and HAS_LOCAL_LOCATION.
     """
-    return _INHERIT_SCALE[bone.inherit_scale] | INHERITS_ROTATION * bone.use_inherit_rotation | HAS_LOCAL_LOCATION * bone.use_local_location
+    return INHERIT_SCALE[bone.inherit_scale] | INHERITS_ROTATION * bone.use_inherit_rotation | HAS_LOCAL_LOCATION * bone.use_local_location
 
 
 def read(rig, known=None):

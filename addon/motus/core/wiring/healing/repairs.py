@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import bpy
 
-from ... import native
+from ... import native, rigs
 from ...blender import helpers
 from ...declare import has_settings, is_owner, leader_of, of_owner, registered, systems
 from ...evaluated import copies, read_keys
@@ -324,7 +324,32 @@ def _discard(rig):
     bpy.data.objects.remove(rig)
 
 
+def _restructured_armatures(event):
+    """Return the edited armatures whose bones are not as they were when the owners were last looked at.
+
+    Blender reports an armature as updated whenever a property of its rig is edited, a setting of Motus included.
+    """
+    return {armature for armature in _edited_armatures(event) if noticed.bones.get(key(armature)) != _structure(armature)}
+
+
+def _structure(armature):
+    """Return a hash of all of an armature that wiring depends on: names, parents, inheritance and order of its bones.
+
+    It covers how many constraints each bone has in the rigs with the armature too, since Blender's tools copy sinks from bone to bone.
+    """
+    bones = armature.bones
+    rigs_with_it = [obj for obj in bpy.data.objects if obj.data == armature and obj.pose]
+    return hash(
+        (
+            *((bone.name, bone.parent and bone.parent.name, bone.use_connect) for bone in bones),
+            *map(rigs.inheritance, bones),
+            *(len(bone.constraints) for rig in rigs_with_it for bone in rig.pose.bones),
+        )
+    )
+
+
 def _follow_bones(edited, _event):
+    noticed.bones.update((key(armature), _structure(armature)) for armature in edited)
     touched = [
         (system, owner) for system, owner in _attached() if system.groups is not None and not edited.isdisjoint(_armatures(system, owner))
     ]
@@ -451,7 +476,7 @@ TABLE = (
     Repair(
         "Bones of an owner, or of a rig that it reads, were renamed, removed, or given other parents",
         AFTER_EVALUATION,
-        _edited_armatures,
+        _restructured_armatures,
         _follow_bones,
     ),
     Repair("An owner was deleted, whose helpers go along", AFTER_EVALUATION, _may_be_deleted, _remove_soon),

@@ -39,6 +39,8 @@ class Noticed:
         """Names of the hubs' meshes whose owner was removed."""
         self.bone_counts = {}
         """(name of an armature, name of its library or None) -> number of its bones when the rigs with the armature were last examined."""
+        self.bones = {}
+        """(name of an armature, name of its library or None) -> hash of its bones when the owners with the armature were last looked at."""
         self.moved_points = set()
         """(name of a system, name of an owner) of the owners whose solver reads their mesh."""
         self.gathering = set()
