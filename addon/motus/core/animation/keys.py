@@ -7,6 +7,10 @@ import math
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
+import bpy
+
+from .. import keeping
+from ..evaluated import copies
 from ..lazy import numpy as np
 from . import native_keys
 
@@ -38,6 +42,13 @@ NEAR = 2048  # frames beyond the keys; if modifiers change the value there, each
 OCTAVE = 256  # pieces from NEAR frames to twice as many, and in each further doubling of the distance
 FARTHEST = 2.0**20  # frames beyond the keys; everything farther away is one piece
 
+LARGEST_CACHE = 64
+_FOUND = keeping.OfEvaluation(
+    "frames of the keys of F-curves, and their integrals from a frame to each piece that follows, up to the last key",
+    "address of the F-curve, first frame of the integral",
+    f"{LARGEST_CACHE} for each evaluated action",
+)
+
 
 def values(curve: Any, times: Array) -> Array:
     """Values (n,), float64, of an F-curve at times, (n,) frames of the scene in any order, as Blender evaluates them, unrounded."""
@@ -62,10 +73,15 @@ def integral(curve: Any, first: float, last: float) -> float:
     """
     places = _places(curve)
     cycles = _cycles(curve, places)
-    if cycles is None or (places[0] <= first and last <= places[-1]):
+    if cycles is not None and not (places[0] <= first and last <= places[-1]):
+        laps = _Laps(curve, places, cycles)
+        return laps.until(last) - laps.until(first)
+    end = places[-1]
+    if not first < min(end, last):
         return _integral(curve, _pieces(curve, places, first, last))
-    laps = _Laps(curve, places, cycles)
-    return laps.until(last) - laps.until(first)
+    sums = _kept(curve, first, lambda: _Sums(curve, _pieces(curve, places, first, end)))
+    beyond = _terms(curve, _pieces(curve, places, end, last)).tolist() if last > end else []
+    return math.fsum([*sums.terms(min(last, end)), *beyond])
 
 
 def samples(curve: Any, first: float, last: float) -> tuple[list[float], list[float]]:
@@ -122,6 +138,28 @@ def rate(curve: Any, frame: float) -> float:
     return (after - before) / (2.0 * STEP)
 
 
+class _Sums:
+    """Sums of the terms of an integral from the first of rising frames, `edges`, to each of them, each as a sum and what its rounding lost.
+
+    With what was lost, the sum of all terms up to a frame is rounded but once, as by math.fsum().
+    """
+
+    def __init__(self, curve: Any, edges: list[float]) -> None:
+        self._curve, self._edges = curve, np.array(edges)
+        terms = _terms(curve, edges)
+        sums = np.concatenate([[0.0], np.cumsum(terms)])  # one after the other, so that equal samples give equal bits in every process
+        added = sums[1:] - sums[:-1]
+        lost = np.concatenate([[0.0], np.cumsum((sums[:-1] - (sums[1:] - added)) + (terms - added))])
+        self._sums, self._lost = sums[:: len(NODES)], lost[:: len(NODES)]
+
+    def terms(self, frame: float) -> list[float]:
+        """Terms whose sum is the integral from the first edge to a frame, which lies between the first and the last edge."""
+        place = int(np.searchsorted(self._edges, frame, "right")) - 1
+        edge = float(self._edges[place])
+        rest = _terms(self._curve, [edge, frame]).tolist() if frame > edge else []
+        return [float(self._sums[place]), float(self._lost[place]), *rest]
+
+
 class _Laps:
     """Integral, from the first key on, of an F-curve that has no modifier but a Cycles modifier. A lap is one repetition of the keys.
 
@@ -176,10 +214,19 @@ def over_pieces(evaluate: Callable[[Any], Any], edges: Any) -> float:
 
     evaluate(times): array of the function's values at frames (n,). edges: rising frames, the ends of the pieces.
     """
-    widths = np.diff(edges)[:, None]
-    parts = evaluate(_nodes(edges)) * (widths * np.array(WEIGHTS)).ravel()
     # fsum rounds only once, so that equal samples give equal bits in every process.
-    return math.fsum(parts.tolist())
+    return math.fsum(_parts(evaluate, edges).tolist())
+
+
+def _parts(evaluate: Callable[[Any], Any], edges: Any) -> Array:
+    """The terms of over_pieces(): three for each piece."""
+    widths = np.diff(edges)[:, None]
+    found: Array = evaluate(_nodes(edges)) * (widths * np.array(WEIGHTS)).ravel()
+    return found
+
+
+def _terms(curve: Any, edges: Any) -> Array:
+    return _parts(lambda times: values(curve, times), edges)
 
 
 def _integral(curve: Any, edges: Any) -> float:
@@ -262,6 +309,28 @@ def _places(curve: Any) -> list[float]:
 
     For a baked F-curve, which has samples in place of keys, these are the frames of its first and last sample.
     """
+    return _kept(curve, None, lambda: _find_places(curve))
+
+
+def _kept(curve: Any, what: float | None, make: Callable[[], Any]) -> Any:
+    """Result of make(), kept until the keys of the F-curve's action are edited; only an evaluated action tells that.
+
+    what: the frame from which an integral goes; None for the frames of the keys.
+    """
+    action = curve.id_data
+    if not isinstance(action, bpy.types.Action) or not action.is_evaluated:
+        return make()
+    kept, place = _FOUND.within(copies.found_of_action(action)), (curve.as_pointer(), what)
+    found = kept.get(place)
+    if found is None:
+        found = make()
+        if len(kept) >= LARGEST_CACHE:
+            kept.clear()
+        kept[place] = found
+    return found
+
+
+def _find_places(curve: Any) -> list[float]:
     points = curve.keyframe_points
     count = len(points)
     if count == 0 and len(curve.sampled_points) > 0:
