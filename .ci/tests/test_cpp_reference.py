@@ -8,6 +8,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "docs" / "scripts"))
 
+from clang.cindex import CursorKind  # noqa: E402  (the program's own)
+
 import cpp_reference  # noqa: E402  (found by the line above)
 
 WRONG = re.compile(r"^\s*(?:private|protected):|;;|NOLINT|\breturn\b.*;$", re.MULTILINE)
@@ -30,6 +32,17 @@ class CppReference(unittest.TestCase):
             name = cpp_reference.name_of(header)
             self.assertTrue(cpp_reference.purpose(header), name)
             self.assertEqual(sum(f"\n## {name}\n" in text for text in self.pages.values()), 1, name)
+
+    def test_no_two_types_have_one_name(self):
+        """Who uses two topics by `using namespace` can name every type of both."""
+        headers = sorted(cpp_reference.INCLUDE.rglob("*.hpp"))
+        places = {}
+        for header, cursors in cpp_reference.declarations(headers).items():
+            for cursor in cursors:
+                if cursor.kind in cpp_reference.TYPES or cursor.kind == CursorKind.TYPE_ALIAS_DECL:
+                    places.setdefault(cursor.spelling, []).append(cpp_reference.name_of(header))
+        self.assertGreater(len(places), 100)
+        self.assertEqual({name: found for name, found in places.items() if len(found) > 1}, {})
 
     def test_bodies_and_private_parts_are_not_shown(self):
         for name, text in self.pages.items():

@@ -177,11 +177,12 @@ void measure_layer(const char* title, const std::vector<glm::vec3>& positions,
     sheltering.emplace_back(first, first + 2, first + 3);
     const Collider shelter(all, sheltering);
     const glm::dvec3 up(0.0, 0.0, 1.0);
-    const double made = bench::nanoseconds([&] { keep(Layer(positions, triangles, up, &shelter, 1.5)); }, 3);
+    const double made =
+        bench::nanoseconds([&] { keep(SnowLayer(positions, triangles, up, &shelter, 1.5)); }, 3);
     const bench::Table table(title, {{"vertices", "", 0}, {"taken", "ms"}}, 34);
     const double count = static_cast<double>(positions.size());
     table.row("made", {count, 1e-6 * made});
-    const Layer layer(positions, triangles, up, &shelter, 1.5);
+    const SnowLayer layer(positions, triangles, up, &shelter, 1.5);
     for (const float roughness : {0.0F, 0.2F, 4.0F}) {
         std::vector<float> depths(positions.size());
         for (std::size_t i = 0; i < depths.size(); ++i) {

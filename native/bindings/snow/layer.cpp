@@ -18,10 +18,11 @@ namespace motus::bindings {
 namespace {
 
 using namespace pybind11::literals;
-using snow::Layer;
+using snow::SnowLayer;
 
-[[nodiscard]] Layer layer_of(const ArrayLike& positions, const ArrayLike& triangles, const ArrayLike& up,
-                             const std::shared_ptr<snow::Collider>& shelter, const OptionalNumber& repose) {
+[[nodiscard]] SnowLayer layer_of(const ArrayLike& positions, const ArrayLike& triangles, const ArrayLike& up,
+                                 const std::shared_ptr<snow::Collider>& shelter,
+                                 const OptionalNumber& repose) {
     const auto places = copied(Positions(positions, "layer_positions").values());
     const auto corners = copied(IndexRows<glm::ivec3>(triangles, "layer_triangles").values());
     const glm::dvec3 upwards = vector(up, "up");
@@ -37,7 +38,7 @@ using snow::Layer;
     return {places, corners, upwards, shelter.get(), hold};
 }
 
-[[nodiscard]] Typed<"dict[str, numpy.typing.NDArray[typing.Any]]"> mesh(const Layer& self,
+[[nodiscard]] Typed<"dict[str, numpy.typing.NDArray[typing.Any]]"> mesh(const SnowLayer& self,
                                                                         const ArrayLike& given_depths,
                                                                         const Number& thinnest,
                                                                         const OptionalNumber& steepest) {
@@ -47,7 +48,7 @@ using snow::Layer;
     const float least = float_number(thinnest, "thinnest");
     const float tangent =
         steepest.is_none() ? std::numeric_limits<float>::infinity() : float_number(steepest, "steepest");
-    const Layer::Mesh found = [&] {
+    const SnowLayer::Mesh found = [&] {
         const py::gil_scoped_release released;
         return self.at(depths, least, tangent);
     }();
@@ -59,7 +60,7 @@ using snow::Layer;
 }  // namespace
 
 void bind_snow_layer(py::module_& m) {
-    py::class_<Layer>(m, "SnowLayer", py::module_local(), R"(
+    py::class_<SnowLayer>(m, "SnowLayer", py::module_local(), R"(
 The mesh of snow that lies on triangles, as far off each vertex as the snow there is deep. Immutable.
 
 layer_positions (v, 3); layer_triangles (t, 3): indices of vertices.  up (3,): away from what pulls snow down; the layer is
@@ -68,7 +69,8 @@ that is under something, or too steep by SnowCover's repose, the layer ends wher
 Raises ValueError or TypeError that names the argument.)")
         .def(py::init(&layer_of), "layer_positions"_a, "layer_triangles"_a,
              "up"_a = py::make_tuple(0.0, 0.0, 1.0), "shelter"_a = py::none(), "repose"_a = py::none())
-        .def_property_readonly("vertex_count", &Layer::vertex_count, "How many vertices the triangles have.")
+        .def_property_readonly("vertex_count", &SnowLayer::vertex_count,
+                               "How many vertices the triangles have.")
         .def("mesh", &mesh, "depths"_a, "thinnest"_a = 0.0, "steepest"_a = py::none(), R"(
 The layer, as a dict: float32 position (n, 3) and depth (n,); int32 triangle (m, 3), edge (e, 2), which are all sides of the
 triangles, each once, and side (m, 3), the edges that leave each triangle's corners.

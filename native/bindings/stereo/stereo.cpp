@@ -31,9 +31,11 @@ constexpr double point_cost = 20.0;  // ns, rough
     return number(object, name);
 }
 
-[[nodiscard]] Mode mode_of(const StereoModeName& mode) {
-    return choice<Mode>(
-        mode, "mode", {{"off_axis", Mode::off_axis}, {"parallel", Mode::parallel}, {"toe_in", Mode::toe_in}});
+[[nodiscard]] ConvergenceMode mode_of(const StereoModeName& mode) {
+    return choice<ConvergenceMode>(mode, "mode",
+                                   {{"off_axis", ConvergenceMode::off_axis},
+                                    {"parallel", ConvergenceMode::parallel},
+                                    {"toe_in", ConvergenceMode::toe_in}});
 }
 
 [[nodiscard]] Eyes eyes_of(const Number& interaxial, const Number& focal_length, const Number& sensor_width,

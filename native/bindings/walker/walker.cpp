@@ -180,7 +180,7 @@ template <class Write>
     std::vector<double> lifts, touches;
     std::vector<glm::dvec3> starts, ends, apexes;
     for (std::size_t leg = 0; leg < self.leg_count(); ++leg) {
-        for (const walker::Step& step : self.steps(leg)) {
+        for (const walker::Footstep& step : self.steps(leg)) {
             legs.push_back(static_cast<int>(leg));
             lifts.push_back(step.lift);
             touches.push_back(step.touch);

@@ -40,8 +40,8 @@ void check(std::span<const glm::vec3> positions, std::span<const glm::ivec3> tri
 
 }  // namespace
 
-Layer::Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
-             const glm::dvec3& up, const Collider* shelter, double hold, const Executor& executor) {
+SnowLayer::SnowLayer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
+                     const glm::dvec3& up, const Collider* shelter, double hold, const Executor& executor) {
     check(positions, triangles);
     require(direction_of(up).has_value(), "up: must be finite and not 0");
     require(hold >= 0.0, "hold: must be at least 0");
@@ -57,7 +57,7 @@ Layer::Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> t
     leave_out_degenerate();
 }
 
-void Layer::number(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles) {
+void SnowLayer::number(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles) {
     vertex_count_ = positions.size();
     std::vector<int> found(positions.size(), none);
     numbers_.reserve(positions.size());
@@ -77,7 +77,7 @@ void Layer::number(std::span<const glm::vec3> positions, std::span<const glm::iv
     }
 }
 
-void Layer::find_normals(const glm::dvec3& up) {
+void SnowLayer::find_normals(const glm::dvec3& up) {
     std::vector<glm::dvec3> normals(positions_.size());
     for (const glm::ivec3& corners : triangles_) {
         const auto place = [&](std::size_t i) { return glm::dvec3(positions_[vertex(corners, i)]); };
@@ -96,7 +96,7 @@ void Layer::find_normals(const glm::dvec3& up) {
     }
 }
 
-void Layer::find_edges() {
+void SnowLayer::find_edges() {
     // Sides by their lower ends, and of each lower end by their upper ones, then by triangles and corners,
     // of which there are less than 2^31.
     const auto ends_of = [&](std::size_t triangle, std::size_t side) {
@@ -144,7 +144,8 @@ void Layer::find_edges() {
     });
 }
 
-void Layer::find_ends(const Collider& shelter, const glm::dvec3& up, double hold, const Executor& executor) {
+void SnowLayer::find_ends(const Collider& shelter, const glm::dvec3& up, double hold,
+                          const Executor& executor) {
     const Holding holding = holding_of(positions_, triangles_, shelter, up, hold, executor);
     constexpr std::size_t grain = 256;
     in_parts(
@@ -161,7 +162,7 @@ void Layer::find_ends(const Collider& shelter, const glm::dvec3& up, double hold
 }
 
 /// Triangles that are lines or points show no snow, though snow that ends at their sides has no wall there.
-void Layer::leave_out_degenerate() {
+void SnowLayer::leave_out_degenerate() {
     std::erase_if(loose_, [&](const Loose& loose) { return is_degenerate(triangles_[loose.triangle]); });
     std::vector<std::uint32_t> places(triangles_.size());
     std::uint32_t kept = 0;
@@ -178,9 +179,9 @@ void Layer::leave_out_degenerate() {
 
 /// Collects the triangles that are shown, with their vertices and edges numbered anew as they are first
 /// named.
-class Layer::Builder {
+class SnowLayer::Builder {
   public:
-    Builder(const Layer& layer, std::span<const float> depths, float thinnest)
+    Builder(const SnowLayer& layer, std::span<const float> depths, float thinnest)
         : layer_(layer),
           depths_(depths),
           thinnest_(thinnest),
@@ -362,7 +363,7 @@ class Layer::Builder {
             add_triangle({top_b, end, foot(b)}, {above, under, post(b)});
     }
 
-    const Layer& layer_;
+    const SnowLayer& layer_;
     std::span<const float> depths_;
     float thinnest_;
     std::vector<int> vertices_;  ///< new numbers, or `none`; of bare vertices those of the cuts there
@@ -371,7 +372,7 @@ class Layer::Builder {
     Mesh mesh_;
 };
 
-Layer::Mesh Layer::at(std::span<const float> depths, float thinnest, float steepest) const {
+SnowLayer::Mesh SnowLayer::at(std::span<const float> depths, float thinnest, float steepest) const {
     require(depths.size() == vertex_count_, "depths: must be as many as the vertices");
     require(std::ranges::all_of(depths, [](float depth) { return std::isfinite(depth); }),
             "depths: must be finite");

@@ -23,7 +23,7 @@ constexpr double least = 1e-30, most = 1e30;  // of what is divided and multipli
 
 /// 1 / the depth of points on the screen.
 [[nodiscard]] double screen_nearness(const Eyes& eyes) {
-    return eyes.mode == Mode::parallel ? 0.0 : 1.0 / eyes.convergence;
+    return eyes.mode == ConvergenceMode::parallel ? 0.0 : 1.0 / eyes.convergence;
 }
 
 /// The point in the space of an eye that stands `aside` to the right and is turned by `angle` to the left.
@@ -53,7 +53,7 @@ void check(const Eyes& eyes) {
 double parallax(const Eyes& eyes, double depth) {
     check(eyes);
     require(depth >= least, "depth: must be at least 1e-30");
-    if (eyes.mode == Mode::toe_in && std::isfinite(eyes.convergence)) {
+    if (eyes.mode == ConvergenceMode::toe_in && std::isfinite(eyes.convergence)) {
         // tan(a - b), where a is the angle of the turned axis and b that of the point: the offset of both
         // images.
         const double half = 0.5 * eyes.interaxial;
@@ -68,7 +68,7 @@ Pair project(const Eyes& eyes, const glm::dvec3& point) {
     for (int axis = 0; axis < 3; ++axis)
         require(std::abs(point[axis]) <= most, "point: must be 1e30 at most in size");
     const double half = 0.5 * eyes.interaxial;
-    if (eyes.mode == Mode::toe_in) {
+    if (eyes.mode == ConvergenceMode::toe_in) {
         // The left eye is turned to the right.
         const double angle = std::atan(half / eyes.convergence);
         return {seen(eyes, point, -half, -angle), seen(eyes, point, half, angle)};
@@ -84,7 +84,7 @@ double vertical_parallax(const Eyes& eyes, double depth, double aspect) {
     check(eyes);
     require(depth >= least, "depth: must be at least 1e-30");
     require(is_positive(aspect), "aspect: must be from 1e-30 to 1e30");
-    if (eyes.mode != Mode::toe_in) return 0.0;
+    if (eyes.mode != ConvergenceMode::toe_in) return 0.0;
     // Vertical parallax grows towards the corners, which are all alike.
     const double to_edge = 0.5 * eyes.sensor_width / eyes.focal_length * depth;
     const double turned = 0.5 * eyes.interaxial / eyes.convergence;  // tangent of the angle
@@ -99,7 +99,7 @@ Range depths_within(const Eyes& eyes, const Limits& limits) {
     check(eyes);
     check_limits(limits);
     if (eyes.interaxial == 0.0) return {0.0, infinity};
-    if (eyes.mode == Mode::toe_in && std::isfinite(eyes.convergence)) {
+    if (eyes.mode == ConvergenceMode::toe_in && std::isfinite(eyes.convergence)) {
         // The depth at which parallax() has a given value.
         const double half = 0.5 * eyes.interaxial;
         const double tangent = half / eyes.convergence;
@@ -128,7 +128,7 @@ Eyes fit_budget(const Eyes& lens, const Range& range, const Limits& limits) {
     const double total = limits.near + limits.far;
     require(total > 0.0, "near_parallax: must not be 0 with far_parallax 0");
     Eyes eyes = lens;
-    eyes.mode = Mode::off_axis;
+    eyes.mode = ConvergenceMode::off_axis;
     const double nearest = 1.0 / range.near, farthest = 1.0 / range.far;
     eyes.interaxial = total * (lens.sensor_width / lens.focal_length) / (nearest - farthest);
     eyes.convergence = total / (limits.far * nearest + limits.near * farthest);

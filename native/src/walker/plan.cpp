@@ -121,12 +121,12 @@ Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) cons
     return falls;
 }
 
-std::vector<Step> Planner::steps_of(const Footfalls& falls, bool looks_for_obstacles) const {
+std::vector<Footstep> Planner::steps_of(const Footfalls& falls, bool looks_for_obstacles) const {
     const double least = std::max(settings_.minimum_step, no_step * trajectory_.way().stride);
-    std::vector<Step> steps;
+    std::vector<Footstep> steps;
     const Footfall* before = nullptr;
     for (const Footfall& fall : falls) {
-        Step step;
+        Footstep step;
         step.lift = fall.lift;
         step.touch = fall.touch;
         step.end = fall.place.point;
@@ -153,13 +153,13 @@ std::vector<Step> Planner::steps_of(const Footfalls& falls, bool looks_for_obsta
 }
 
 Footsteps Planner::all_steps(bool looks_for_obstacles) const {
-    std::vector<std::vector<Step>> steps(falls_.size());
+    std::vector<std::vector<Footstep>> steps(falls_.size());
     for_legs([&](std::size_t leg) {
         for (std::size_t stretch = 0; stretch < trajectory_.stretch_count(); ++stretch)
             steps[row(leg, stretch)] = steps_of(falls_[row(leg, stretch)], looks_for_obstacles);
     });
     Footsteps all;
-    for (const std::vector<Step>& of_row : steps) all.add(of_row);
+    for (const std::vector<Footstep>& of_row : steps) all.add(of_row);
     return all;
 }
 
@@ -172,7 +172,7 @@ dynamics::Track Planner::leans_of(const Footsteps& steps) const {
     for (std::size_t stretch = 0; stretch < trajectory_.stretch_count(); ++stretch) {
         for (std::size_t i = trajectory_.first_sample(stretch); i <= trajectory_.last_sample(stretch); ++i) {
             for (std::size_t leg = 0; leg < legs; ++leg) {
-                const Step& step = step_at(steps.of(row(leg, stretch)), way.times[i]);
+                const Footstep& step = step_at(steps.of(row(leg, stretch)), way.times[i]);
                 const double through = step.through(way.times[i]);
                 rest[leg] = in_world(way.poses[i], way.rest[leg]);
                 feet[leg] = step.start + (step.end - step.start) * step.share(through);
@@ -271,7 +271,7 @@ void Planner::add_missed(std::size_t leg, std::size_t stretch, const glm::dvec3&
 }
 
 std::vector<Problem> Planner::problems(std::size_t leg, std::size_t stretch,
-                                       std::span<const Step> steps) const {
+                                       std::span<const Footstep> steps) const {
     const std::vector<double>& times = trajectory_.way().times;
     const double begin = times[trajectory_.first_sample(stretch)],
                  end = times[trajectory_.last_sample(stretch)];
@@ -291,7 +291,7 @@ std::vector<Problem> Planner::problems(std::size_t leg, std::size_t stretch,
     return found;
 }
 
-Plan Planner::plan() {
+WalkPlan Planner::plan() {
     const std::size_t stretches = trajectory_.stretch_count();
     const std::size_t rows = hips_.size() * stretches;
     falls_.resize(rows);
@@ -315,7 +315,7 @@ Plan Planner::plan() {
         }
     }
 
-    Plan plan{all_steps(true), std::move(leans), {}, trajectory_.way().times.back()};
+    WalkPlan plan{all_steps(true), std::move(leans), {}, trajectory_.way().times.back()};
     std::vector<std::vector<Problem>> troubles(rows);
     for_legs([&](std::size_t leg) {
         for (std::size_t stretch = 0; stretch < stretches; ++stretch)

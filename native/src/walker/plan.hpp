@@ -9,7 +9,7 @@
 
 namespace motus::walker {
 
-struct Plan {
+struct WalkPlan {
     Footsteps steps;
     dynamics::Track leans;
     std::vector<Problem> problems;
@@ -24,7 +24,7 @@ class Planner {
   public:
     Planner(const WalkSettings& settings, const BodyTrajectory& trajectory, const Ground* ground,
             Executor executor);
-    [[nodiscard]] Plan plan();
+    [[nodiscard]] WalkPlan plan();
 
   private:
     /// A foot's stand in one cycle, and its swing before.
@@ -50,12 +50,12 @@ class Planner {
     /// Moves footholds that are out of reach nearer to the hip. Returns whether there were any that could be
     /// moved.
     [[nodiscard]] bool move_nearer(std::size_t leg, std::size_t stretch, Footfalls& falls) const;
-    [[nodiscard]] std::vector<Step> steps_of(const Footfalls& falls, bool looks_for_obstacles) const;
+    [[nodiscard]] std::vector<Footstep> steps_of(const Footfalls& falls, bool looks_for_obstacles) const;
     [[nodiscard]] Footsteps all_steps(bool looks_for_obstacles) const;
     [[nodiscard]] dynamics::Track leans_of(const Footsteps& steps) const;
     void correct(const dynamics::Track& leans);
     [[nodiscard]] std::vector<Problem> problems(std::size_t leg, std::size_t stretch,
-                                                std::span<const Step> steps) const;
+                                                std::span<const Footstep> steps) const;
 
     [[nodiscard]] bool has_reach(std::size_t leg) const {
         return !settings_.lengths.empty() && settings_.lengths[leg] > 0.0;

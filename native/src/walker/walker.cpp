@@ -51,7 +51,7 @@ constexpr double largest_number = 1e12;
 Walker::Walker(Way way, WalkSettings settings, const Ground* ground, const Executor& executor)
     : trajectory_(in_ieee_floats([&] { return BodyTrajectory(std::move(way)); })),
       settings_(checked(std::move(settings), leg_count(), trajectory_.way().times.size())) {
-    Plan plan = in_ieee_floats([&] { return Planner(settings_, trajectory_, ground, executor).plan(); });
+    WalkPlan plan = in_ieee_floats([&] { return Planner(settings_, trajectory_, ground, executor).plan(); });
     steps_ = std::move(plan.steps);
     leans_ = std::move(plan.leans);
     problems_ = std::move(plan.problems);
@@ -63,7 +63,7 @@ Foot Walker::foot(std::size_t leg, double time) const {
     require(std::isfinite(time), "time: must be finite");
     return in_ieee_floats([&] {
         const std::size_t row = leg * trajectory_.stretch_count() + trajectory_.stretch_at(time);
-        const Step& step = step_at(steps_.of(row), time);
+        const Footstep& step = step_at(steps_.of(row), time);
         const double through = step.through(time);
         // Before and after a step the position is exactly the stored foothold.
         if (through >= 1.0) return Foot{step.end, step.end_normal, 0.0};
@@ -89,7 +89,7 @@ double Walker::phase(double time) const {
     return trajectory_.phase(trajectory_.stretch_at(time), time);
 }
 
-std::span<const Step> Walker::steps(std::size_t leg) const {
+std::span<const Footstep> Walker::steps(std::size_t leg) const {
     require(leg < leg_count(), "leg: must be one of the walker's");
     const std::size_t stretches = trajectory_.stretch_count();
     return steps_.between(leg * stretches, (leg + 1) * stretches);

@@ -14,7 +14,7 @@ template <Some<bones::layers::Moment> T>
 auto fields(Declared, T& v) {
     return std::tie(v.frame, v.weight, v.laps);
 }
-template <Some<bones::layers::Curve> T>
+template <Some<bones::layers::ClipCurve> T>
 auto fields(Declared, T& v) {
     return std::tie(v.bone, v.channel, v.fcurve);
 }
@@ -41,7 +41,7 @@ using fcurve::Key;
 [[nodiscard]] const Clip& sample_clip() {
     static const Clip made(
         std::vector{Rotation::quaternion, Rotation::xyz, Rotation::axis_angle, Rotation::quaternion},
-        std::vector<Curve>{{0, 0, 0}, {1, 4, 0}, {2, 7, -1}}, std::vector{sample_fcurve()});
+        std::vector<ClipCurve>{{0, 0, 0}, {1, 4, 0}, {2, 7, -1}}, std::vector{sample_fcurve()});
     return made;
 }
 [[nodiscard]] const Stack& sample_stack() {
@@ -136,7 +136,7 @@ void add_clips(Table& table) {
         [](const auto& curves) {
             return Clip(std::vector(4, Rotation::xyz), curves, std::vector{sample_fcurve()}).given_count();
         },
-        arg("curves", std::vector<Curve>{{0, 0, 0}, {1, 4, 0}, {2, 7, -1}},
+        arg("curves", std::vector<ClipCurve>{{0, 0, 0}, {1, 4, 0}, {2, 7, -1}},
             finite().open().in_words("a bone, a channel from 0 to 9, and an F-curve or -1")))
         .costs("O(n log n)")
         .allocates(Memory::scratch);
@@ -164,23 +164,24 @@ void add_clips(Table& table) {
 }
 
 [[nodiscard]] auto timing() {
-    Timing good;
+    LayerTiming good;
     good.last = 9.0;
     good.after = After::repeat;
-    return of(good, member("start", &Timing::start, finite()),
-              member("first", &Timing::first, finite().open().in_words("≤ `last`, finite")),
-              member("last", &Timing::last, finite().open().in_words("≥ `first`, finite")),
-              member("speed", &Timing::speed, finite()), member("blend_in", &Timing::blend_in, at_least(0.0)),
-              member("blend_out", &Timing::blend_out, at_least(0.0)));
+    return of(good, member("start", &LayerTiming::start, finite()),
+              member("first", &LayerTiming::first, finite().open().in_words("≤ `last`, finite")),
+              member("last", &LayerTiming::last, finite().open().in_words("≥ `first`, finite")),
+              member("speed", &LayerTiming::speed, finite()),
+              member("blend_in", &LayerTiming::blend_in, at_least(0.0)),
+              member("blend_out", &LayerTiming::blend_out, at_least(0.0)));
 }
 
 void add_stacks(Table& table) {
     add(
-        table, "bones::layers::check(timing)", [](const Timing& given) { check(given); }, timing())
+        table, "bones::layers::check(timing)", [](const LayerTiming& given) { check(given); }, timing())
         .costs("O(1)");
     add(
         table, "bones::layers::moment_of(timing, frame)",
-        [](const Timing& given, double frame) { return moment_of(given, frame); }, timing(),
+        [](const LayerTiming& given, double frame) { return moment_of(given, frame); }, timing(),
         arg("frame", 3.0, finite()))
         .costs("O(1)");
     add(
@@ -197,7 +198,7 @@ void add_stacks(Table& table) {
     const Domain rests = any_at_rest("any; a bone with a number that is not finite stays as it is");
     add(
         table, "bones::layers::Stack::solve(frame, layers, base, result, changed)",
-        [](double frame, const Timing& given, double weight, const auto& values, const auto& mask,
+        [](double frame, const LayerTiming& given, double weight, const auto& values, const auto& mask,
            auto result, auto changed) {
             Layer layer;
             layer.clip = &sample_clip();

@@ -37,8 +37,8 @@ const std::vector<float> matrices = sample_matrices(), own = sample_basis();
 [[nodiscard]] RigView sample_rig() {
     return {{parents, matrices, matrices, own, lengths, flags}};
 }
-[[nodiscard]] const ik::Plan& sample_plan() {
-    static const ik::Plan made(parents, {{{1, 2}, 3}}, {});
+[[nodiscard]] const ik::ChainPlan& sample_plan() {
+    static const ik::ChainPlan made(parents, {{{1, 2}, 3}}, {});
     return made;
 }
 /// Which of the bones is wrong, the message of another argument may say.
@@ -58,8 +58,8 @@ struct Solve {
         {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.5, 2.0, 0.3, 1.0}};
     std::vector<glm::dvec3> poles{{0.0, 2.0, 3.0}};
 };
-[[nodiscard]] ik::Input input_of(const Solve& given) {
-    static const ik::Bones made(sample_plan(), ik::Rest(sample_plan(), sample_rig()), own);
+[[nodiscard]] ik::ChainInput input_of(const Solve& given) {
+    static const ik::AnimatedBones made(sample_plan(), ik::RestBones(sample_plan(), sample_rig()), own);
     return {made, given.poses, given.world, given.settings, given.targets, given.poles, {}};
 }
 [[nodiscard]] auto solve_arguments() {
@@ -91,9 +91,9 @@ struct Solve {
 
 void add_ik(Table& table) {
     add(
-        table, "bones::ik::Plan::Plan(parents, chains, guards)",
+        table, "bones::ik::ChainPlan::ChainPlan(parents, chains, guards)",
         [](const auto& above, const auto& chain, int effector, int guard, int of_chain) {
-            return ik::Plan(above, {{chain, effector}}, {{guard, of_chain}}).chain_count();
+            return ik::ChainPlan(above, {{chain, effector}}, {{guard, of_chain}}).chain_count();
         },
         arg("parents", parents, parent(4)),
         arg("chains", std::vector<int>{1, 2}, someone("index of a bone, each the child of the one before")),
@@ -103,7 +103,7 @@ void add_ik(Table& table) {
         .costs("O(bones)")
         .allocates(Memory::scratch);
     add(
-        table, "bones::ik::Plan::chain(index, left_out)",
+        table, "bones::ik::ChainPlan::chain(index, left_out)",
         [](std::size_t index, std::size_t left_out) {
             return sample_plan().chain(index, left_out).bones.size();
         },
@@ -111,27 +111,29 @@ void add_ik(Table& table) {
         arg("left_out", std::size_t{1}, any_at_rest("any")))
         .costs("O(1)");
     add(
-        table, "bones::ik::Rest::Rest(plan, rig)",
+        table, "bones::ik::RestBones::RestBones(plan, rig)",
         [](const auto& rest, const auto& sizes) {
-            return ik::Rest(sample_plan(), {{parents, rest, {}, {}, sizes, flags}}).is_of(sample_plan());
+            return ik::RestBones(sample_plan(), {{parents, rest, {}, {}, sizes, flags}}).is_of(sample_plan());
         },
         arg("rest", matrices, any_at_rest("any"), as_many_as("the bones' matrices")),
         arg("lengths", lengths, any_at_rest("any"), as_many_as("the bones")))
         .costs("O(bones)")
         .allocates(Memory::scratch);
-    add(table, "bones::ik::Rest::is_of(plan)", [] { return ik::Rest().is_of(sample_plan()); }).costs("O(1)");
+    add(table, "bones::ik::RestBones::is_of(plan)", [] {
+        return ik::RestBones().is_of(sample_plan());
+    }).costs("O(1)");
     add(
-        table, "bones::ik::Bones::Bones(plan, rest, basis)",
+        table, "bones::ik::AnimatedBones::AnimatedBones(plan, rest, basis)",
         [](const auto& basis) {
-            return ik::Bones(sample_plan(), ik::Rest(sample_plan(), sample_rig()), basis)
+            return ik::AnimatedBones(sample_plan(), ik::RestBones(sample_plan(), sample_rig()), basis)
                 .is_of(sample_plan());
         },
         arg("basis", own, any_at_rest("any"), as_many_as("the bones' matrices")))
         .costs("O(bones)")
         .allocates(Memory::scratch)
         .adds("`rest` is of the plan");
-    add(table, "bones::ik::Bones::is_of(plan)", [] {
-        return ik::Bones().is_of(sample_plan());
+    add(table, "bones::ik::AnimatedBones::is_of(plan)", [] {
+        return ik::AnimatedBones().is_of(sample_plan());
     }).costs("O(1)");
     add(
         table, "bones::ik::solve(plan, input, output)",
@@ -162,31 +164,31 @@ void add_ik(Table& table) {
     const auto moved = [&](const char* type, const char* says, auto check) {
         table.moved.push_back({type, says, check});
     };
-    moved("bones::ik::Plan", "of no bones", [] {
-        ik::Plan from(parents, {{{1, 2}, 3}}, {});
-        const ik::Plan taken = std::move(from);
+    moved("bones::ik::ChainPlan", "of no bones", [] {
+        ik::ChainPlan from(parents, {{{1, 2}, 3}}, {});
+        const ik::ChainPlan taken = std::move(from);
         // NOLINTBEGIN(bugprone-use-after-move)
         expect(from.chain_count() == 0 && from.rows().empty() && from.parents().empty(), "is empty");
         expect_refusal([&] { (void)from.chain(0); });
-        expect(!ik::Rest().is_of(from), "has no rests");
-        expect_refusal([&] { (void)ik::Rest(from, sample_rig()); });
+        expect(!ik::RestBones().is_of(from), "has no rests");
+        expect_refusal([&] { (void)ik::RestBones(from, sample_rig()); });
         // NOLINTEND(bugprone-use-after-move)
         from = taken;
         expect(from.chain_count() == 1, "is assigned");
     });
-    moved("bones::ik::Rest", "of no plan", [] {
-        ik::Rest from(sample_plan(), sample_rig());
-        const ik::Rest taken = std::move(from);
+    moved("bones::ik::RestBones", "of no plan", [] {
+        ik::RestBones from(sample_plan(), sample_rig());
+        const ik::RestBones taken = std::move(from);
         // NOLINTNEXTLINE(bugprone-use-after-move)
         expect(!from.is_of(sample_plan()) && from.rows().empty() && taken.is_of(sample_plan()),
                "is of no plan");
-        expect_refusal([&] { (void)ik::Bones(sample_plan(), from, own); });
+        expect_refusal([&] { (void)ik::AnimatedBones(sample_plan(), from, own); });
         from = taken;
         expect(from.is_of(sample_plan()), "is assigned");
     });
-    moved("bones::ik::Bones", "of no plan", [] {
-        ik::Bones from(sample_plan(), ik::Rest(sample_plan(), sample_rig()), own);
-        const ik::Bones taken = std::move(from);
+    moved("bones::ik::AnimatedBones", "of no plan", [] {
+        ik::AnimatedBones from(sample_plan(), ik::RestBones(sample_plan(), sample_rig()), own);
+        const ik::AnimatedBones taken = std::move(from);
         // NOLINTNEXTLINE(bugprone-use-after-move)
         expect(!from.is_of(sample_plan()) && from.rows().empty() && taken.is_of(sample_plan()),
                "is of no plan");
@@ -279,9 +281,9 @@ void add_look_at(Table& table) {
         arg("animated", ahead, part), arg("target", glm::dvec3(0.6, 0.8, 0.0), part), settings)
         .costs("O(1)");
     add(
-        table, "bones::look_at::Plan::Plan(parents, entries)",
+        table, "bones::look_at::GazePlan::GazePlan(parents, entries)",
         [](const auto& above, const auto& body, int head) {
-            return look_at::Plan(above, std::vector<look_at::Bones>{{body, head, {}}}).size();
+            return look_at::GazePlan(above, std::vector<look_at::GazeBones>{{body, head, {}}}).size();
         },
         arg("parents", parents, parent(4)),
         arg("bodies", std::vector<int>{0, 1}, index(4, "a bone above the one before").open()),
@@ -289,17 +291,17 @@ void add_look_at(Table& table) {
         .costs("O(bones)")
         .allocates(Memory::scratch)
         .adds("`eyes`: above the head");
-    static const look_at::Plan plan(parents, std::vector<look_at::Bones>{{{0, 1}, 2, {3}}});
+    static const look_at::GazePlan plan(parents, std::vector<look_at::GazeBones>{{{0, 1}, 2, {3}}});
     const Domain rest =
         any_at_rest("any; a head with a number that is not finite stays at rest, without a reason");
-    using look_at::Input;
-    Input good;
+    using look_at::GazeInput;
+    GazeInput good;
     good.target = {3.0, 5.0, 2.0};
     add(
-        table, "bones::look_at::Plan::solve(rig, world, inputs, rotations, reports)",
+        table, "bones::look_at::GazePlan::solve(rig, world, inputs, rotations, reports)",
         [](const auto& rested, const auto& posed, const auto& basis, const glm::dmat4& world,
-           const Input& input, const auto& eyes, auto rotations, auto reports) {
-            Input whole = input;
+           const GazeInput& input, const auto& eyes, auto rotations, auto reports) {
+            GazeInput whole = input;
             whole.eyes_forward = eyes;
             plan.solve({{parents, rested, posed, basis, {}, flags}}, world, std::span(&whole, 1), rotations,
                        reports);
@@ -307,15 +309,15 @@ void add_look_at(Table& table) {
         arg("rest", matrices, rest, as_many_as("the bones' matrices")),
         arg("poses", matrices, rest, as_many_as("the bones' matrices")),
         arg("basis", own, rest, as_many_as("the bones' matrices")), arg("world", glm::dmat4(1.0), rest),
-        of(good, member("target", &Input::target, rest), member("head_forward", &Input::head_forward, rest),
-           member("up", &Input::up, rest)),
+        of(good, member("target", &GazeInput::target, rest),
+           member("head_forward", &GazeInput::head_forward, rest), member("up", &GazeInput::up, rest)),
         arg("eyes_forward", std::vector<glm::dvec3>(1, up), rest, as_many_as("the eyes")),
         out<glm::dquat>("rotations", 4, "the rows"),
         out<look_at::GazeDiagnostics>("reports", 1, "the entries"))
         .costs("O(bones)");
-    table.moved.push_back({"bones::look_at::Plan", "of no bones", [] {
-                               look_at::Plan from = plan;
-                               const look_at::Plan taken = std::move(from);
+    table.moved.push_back({"bones::look_at::GazePlan", "of no bones", [] {
+                               look_at::GazePlan from = plan;
+                               const look_at::GazePlan taken = std::move(from);
                                // NOLINTNEXTLINE(bugprone-use-after-move)
                                expect(from.size() == 0 && from.rows().empty() && from.eye_counts().empty(),
                                       "is empty");

@@ -35,7 +35,7 @@ template <Some<snow::Touchdown> T>
 auto fields(Declared, T& v) {
     return std::tie(v.time, v.id, v.point, v.triangle);
 }
-template <Some<snow::Layer::Mesh> T>
+template <Some<snow::SnowLayer::Mesh> T>
 auto fields(Declared, T& v) {
     return std::tie(v.positions, v.depths, v.triangles, v.edges, v.sides);
 }
@@ -352,10 +352,11 @@ void add_covers(Table& table) {
     const glm::dvec3 up(0.0, 0.0, 1.0);
     const std::vector<float> depths(5, 0.1F);
     add(
-        table, "snow::Layer::Layer(positions, triangles, up, shelter, hold, executor)",
+        table, "snow::SnowLayer::SnowLayer(positions, triangles, up, shelter, hold, executor)",
         [](const auto& positions, const auto& triangles, const glm::dvec3& above, double hold) {
             const std::vector<float> deep(positions.size(), 0.1F);
-            return Layer(positions, triangles, above, sample_collider().get(), hold, 1).at(deep, 0.01F, 1.0F);
+            return SnowLayer(positions, triangles, above, sample_collider().get(), hold, 1)
+                .at(deep, 0.01F, 1.0F);
         },
         arg("layer_positions", sample_positions(), finite().open()),
         arg("layer_triangles", sample_triangles(), index(5, "a vertex")), arg("up", up, direction()),
@@ -363,19 +364,19 @@ void add_covers(Table& table) {
         .costs("O(triangles)")
         .allocates(Memory::scratch)
         .infinite();
-    static const Layer layer(sample_positions(), sample_triangles(), up, nullptr,
-                             std::numeric_limits<double>::infinity(), 1);
+    static const SnowLayer layer(sample_positions(), sample_triangles(), up, nullptr,
+                                 std::numeric_limits<double>::infinity(), 1);
     add(
-        table, "snow::Layer::at(depths, thinnest, steepest)",
+        table, "snow::SnowLayer::at(depths, thinnest, steepest)",
         [](const auto& given, float thinnest, float steepest) { return layer.at(given, thinnest, steepest); },
         arg("depths", depths, finite().open().tested_to(1e15), as_many_as("the vertices")),
         arg("thinnest", 0.01F, at_least(0.0)),
         arg("steepest", 1.0F, numbers("> 0, or infinity", [](double x) { return x > 0.0; })))
         .costs("O(triangles)")
         .allocates(Memory::scratch);
-    table.moved.push_back({"snow::Layer", "of no vertices", [] {
-                               Layer from = layer;
-                               const Layer taken = std::move(from);
+    table.moved.push_back({"snow::SnowLayer", "of no vertices", [] {
+                               SnowLayer from = layer;
+                               const SnowLayer taken = std::move(from);
                                // NOLINTNEXTLINE(bugprone-use-after-move)
                                expect(from.vertex_count() == 0 && from.at({}, 0.0F, 1.0F).positions.empty(),
                                       "is empty");

@@ -42,7 +42,7 @@ using namespace stereo;
 [[nodiscard]] Domain share() {
     return from(0.0, 1e30);
 }
-[[nodiscard]] auto eyes(Mode mode) {
+[[nodiscard]] auto eyes(ConvergenceMode mode) {
     Eyes good;
     good.mode = mode;
     return of(good, member("interaxial", &Eyes::interaxial, share().open()),
@@ -62,9 +62,11 @@ using namespace stereo;
 
 void add_eyes(Table& table) {
     add(
-        table, "stereo::check(eyes)", [](const Eyes& given) { check(given); }, eyes(Mode::off_axis))
+        table, "stereo::check(eyes)", [](const Eyes& given) { check(given); },
+        eyes(ConvergenceMode::off_axis))
         .costs("O(1)");
-    for (const Mode mode : {Mode::off_axis, Mode::parallel, Mode::toe_in}) {
+    for (const ConvergenceMode mode :
+         {ConvergenceMode::off_axis, ConvergenceMode::parallel, ConvergenceMode::toe_in}) {
         add(
             table, "stereo::parallax(eyes, depth)",
             [](const Eyes& given, double depth) { return parallax(given, depth); }, eyes(mode),
@@ -142,7 +144,7 @@ void add_screens(Table& table) {
     add(
         table, "stereo::roundness(screen, eyes, depth)",
         [](const Screen& given, const Eyes& by, double depth) { return roundness(given, by, depth); },
-        screen(), eyes(Mode::off_axis), arg("depth", 3.0, positive().open()))
+        screen(), eyes(ConvergenceMode::off_axis), arg("depth", 3.0, positive().open()))
         .costs("O(1)")
         .infinite()
         .adds("infinite if the eyes are turned apart");
@@ -163,7 +165,7 @@ void add_depths(Table& table) {
         [](const Eyes& given, const auto& samples, double tolerance) {
             return window_violations(given, samples, tolerance);
         },
-        eyes(Mode::off_axis),
+        eyes(ConvergenceMode::off_axis),
         arg("samples", std::vector<Sample>{{0.49, 1.0}, {-0.2, 3.0}},
             any_at_rest("any; places that are NaN, and depths not > 0, do not count").open()),
         arg("tolerance", 0.001, at_least(0.0)))

@@ -217,18 +217,18 @@ void add_steps(Table& table) {
         table, "walker::above(u)", [](double u) { return walker::above(u); },
         arg("u", 0.3, any().unbounded().in_words("0 to 1, not checked; NaN gives NaN")))
         .costs("O(1)");
-    Step step;
+    Footstep step;
     step.touch = 1.0;
     step.upwards = 0.1;
     add(
-        table, "walker::Step::through(time)", [step](double time) { return step.through(time); },
+        table, "walker::Footstep::through(time)", [step](double time) { return step.through(time); },
         arg("time", 0.3, any()))
         .costs("O(1)");
     add(
-        table, "walker::Step::share(u)", [step](double u) { return step.share(u); }, arg("u", 0.3, any()))
+        table, "walker::Footstep::share(u)", [step](double u) { return step.share(u); }, arg("u", 0.3, any()))
         .costs("O(1)");
-    const std::vector<Step> steps(3, step);
-    static const Footsteps footsteps = [](const std::vector<Step>& all) {
+    const std::vector<Footstep> steps(3, step);
+    static const Footsteps footsteps = [](const std::vector<Footstep>& all) {
         Footsteps made;
         made.add(all);
         made.add(all);

@@ -233,10 +233,10 @@ TEST_CASE("a plan takes the rig that it was made for", "[fuzz]") {
     tails.solve(rig.view(), glm::dmat4(1.0), targets, weights, turns);
     CHECK(is_refused([&] { tails.solve(other, glm::dmat4(1.0), targets, weights, turns); }, "rig"));
 
-    const std::vector<look_at::Bones> heads{{.body = {0, 1}, .head = 3, .eyes = {4}}};
-    const look_at::Plan looks(rig.parents, heads);
+    const std::vector<look_at::GazeBones> heads{{.body = {0, 1}, .head = 3, .eyes = {4}}};
+    const look_at::GazePlan looks(rig.parents, heads);
     const std::vector<glm::dvec3> eyes{{0.0, 1.0, 0.0}};
-    std::vector<look_at::Input> inputs(1);
+    std::vector<look_at::GazeInput> inputs(1);
     std::vector<glm::dquat> rows(looks.rows().size());
     std::vector<look_at::GazeDiagnostics> reports(1);
     CHECK(
@@ -245,13 +245,13 @@ TEST_CASE("a plan takes the rig that it was made for", "[fuzz]") {
     looks.solve(rig.view(), glm::dmat4(1.0), inputs, rows, reports);
     CHECK(is_refused([&] { looks.solve(other, glm::dmat4(1.0), inputs, rows, reports); }, "rig"));
 
-    ik::Plan plan(rig.parents, {{{1, 2, 3}, 4}}, {});
-    CHECK(is_refused([&] { (void)ik::Rest(plan, other); }, "rig"));
-    const ik::Rest rest(plan, rig.view());
-    CHECK(is_refused([&] { (void)ik::Bones(plan, {}, rig.basis); }, "rest"));
-    CHECK(is_refused([&] { (void)ik::Bones(plan, rest, std::span(rig.basis).first(16)); }, "basis"));
+    ik::ChainPlan plan(rig.parents, {{{1, 2, 3}, 4}}, {});
+    CHECK(is_refused([&] { (void)ik::RestBones(plan, other); }, "rig"));
+    const ik::RestBones rest(plan, rig.view());
+    CHECK(is_refused([&] { (void)ik::AnimatedBones(plan, {}, rig.basis); }, "rest"));
+    CHECK(is_refused([&] { (void)ik::AnimatedBones(plan, rest, std::span(rig.basis).first(16)); }, "basis"));
     CHECK(is_refused([&] { ik::solve(plan, {}, {}); }, "bones"));
-    const ik::Plan taken = std::move(plan);
+    const ik::ChainPlan taken = std::move(plan);
     // NOLINTNEXTLINE(bugprone-use-after-move): what this is about
     CHECK(is_refused([&] { ik::solve(plan, {}, {}); }, "bones"));
     CHECK(rest.is_of(taken));
@@ -270,9 +270,9 @@ TEST_CASE("rigs of arbitrary numbers are solved to finite rotations", "[fuzz]") 
             tails.solve(rig.view(), world, dice.places(3), dice.numbers(3, 0.0, 1.0), turns);
             CHECK(are_rotations(turns));
 
-            const std::vector<look_at::Bones> heads{{.body = {0, 1}, .head = 3, .eyes = {4}}};
-            const look_at::Plan looks(rig.parents, heads);
-            look_at::Input input;
+            const std::vector<look_at::GazeBones> heads{{.body = {0, 1}, .head = 3, .eyes = {4}}};
+            const look_at::GazePlan looks(rig.parents, heads);
+            look_at::GazeInput input;
             input.settings = {dice.number(0.0, 1.0), dice.number(0.0, 1.0), dice.number(0.0, 1.0),
                               dice.number(0.0, 1.0), dice.number(0.0, 1.0), dice.number(0.0, 4.0),
                               dice.number(0.0, 4.0), dice.number(0.0, 4.0)};
@@ -281,7 +281,7 @@ TEST_CASE("rigs of arbitrary numbers are solved to finite rotations", "[fuzz]") 
             const std::vector<glm::dvec3> eyes = dice.places(1);
             input.eyes_forward = eyes;
             input.up = dice.place();
-            const std::vector<look_at::Input> inputs(1, input);
+            const std::vector<look_at::GazeInput> inputs(1, input);
             std::vector<glm::dquat> rows(looks.rows().size());
             std::vector<look_at::GazeDiagnostics> reports(1);
             looks.solve(rig.view(), world, inputs, rows, reports);
@@ -289,9 +289,9 @@ TEST_CASE("rigs of arbitrary numbers are solved to finite rotations", "[fuzz]") 
             CHECK(are_finite(reports[0].angle, reports[0].yaw, reports[0].pitch));
             if (!is_finite(input.target)) CHECK(!reports[0].reason);
 
-            const ik::Plan plan(rig.parents, {{{1, 2, 3}, 4}, {{0, 5}, 5}}, {});
-            ik::Input task;
-            task.bones = ik::Bones(plan, ik::Rest(plan, rig.view()), rig.basis);
+            const ik::ChainPlan plan(rig.parents, {{{1, 2, 3}, 4}, {{0, 5}, 5}}, {});
+            ik::ChainInput task;
+            task.bones = ik::AnimatedBones(plan, ik::RestBones(plan, rig.view()), rig.basis);
             task.poses = rig.poses;
             task.world = world;
             std::vector<ik::ChainSettings> settings(2);

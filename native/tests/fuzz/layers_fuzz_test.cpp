@@ -47,8 +47,8 @@ namespace {
     return {std::move(keys), dice.chance(0.5), cycles};
 }
 
-[[nodiscard]] Timing timing_of(Dice& dice) {
-    Timing timing{
+[[nodiscard]] LayerTiming timing_of(Dice& dice) {
+    LayerTiming timing{
         dice.number(),         dice.number(),        0.0, dice.number(), static_cast<After>(dice.whole(0, 2)),
         dice.number(0.0, 3.0), dice.number(0.0, 3.0)};
     timing.last = timing.first + dice.number(0.0, 9.0);
@@ -62,13 +62,13 @@ struct Layered {
     std::vector<char> inherits{1, 1, 1};
     std::vector<fcurve::Key> keys{{{1.0, 0.0}, {0.0, 0.0}, {2.0, 0.0}},
                                   {{9.0, 8.0}, {8.0, 8.0}, {10.0, 8.0}}};
-    std::vector<Curve> curves{{0, 0, 0}, {1, 4, 0}};
+    std::vector<ClipCurve> curves{{0, 0, 0}, {1, 4, 0}};
     std::vector<Rotation> rotations{Rotation::quaternion, Rotation::xyz, Rotation::axis_angle};
     Clip clip{rotations, curves, std::vector{fcurve::FCurve(keys, true)}};
     Stack stack{parents, rest, inherits};
     std::vector<double> mask{1.0, 1.0, 1.0};
 
-    [[nodiscard]] Layer layer(const Timing& timing) const {
+    [[nodiscard]] Layer layer(const LayerTiming& timing) const {
         Layer one;
         one.clip = &clip;
         one.mask = mask;
@@ -83,7 +83,7 @@ TEST_CASE("an action whose frame range overflows plays finite frames", "[fuzz]")
     const Layered rig;
     for (const After after : {After::nothing, After::hold, After::repeat}) {
         for (const double speed : {1.0, -1.0, 1e300}) {
-            const Timing timing{
+            const LayerTiming timing{
                 .start = 0.0, .first = -1.7e308, .last = 1.7e308, .speed = speed, .after = after};
             for (const double frame : {0.0, 5.0, 1.7e308, -1.7e308}) {
                 const Moment moment = moment_of(timing, frame);
@@ -159,7 +159,7 @@ TEST_CASE("layers of arbitrary numbers are refused, or give finite bones", "[fuz
     for (const double share : {0.01, 0.2}) {
         Dice dice(22, share);
         for (int round = 0; round < 600; ++round) {
-            const Timing timing = timing_of(dice);
+            const LayerTiming timing = timing_of(dice);
             const double frame = dice.number(-5.0, 30.0);
             returns([&] {
                 const Moment moment = moment_of(timing, frame);
@@ -170,10 +170,11 @@ TEST_CASE("layers of arbitrary numbers are refused, or give finite bones", "[fuz
             returns([&] { (void)fcurve_of(dice, dice.below(4)).value(frame); });
             returns([&] {
                 const std::vector<fcurve::FCurve> fcurves{fcurve_of(dice, 4), fcurve_of(dice, 2)};
-                const std::vector<Curve> curves{{dice.whole(-1, 3), dice.whole(-1, 10), dice.whole(-2, 2)},
-                                                {0, 0, 0},
-                                                {1, dice.whole(0, 9), 1, dice.chance(0.5)},
-                                                {2, 3, dice.whole(-1, 1)}};
+                const std::vector<ClipCurve> curves{
+                    {dice.whole(-1, 3), dice.whole(-1, 10), dice.whole(-2, 2)},
+                    {0, 0, 0},
+                    {1, dice.whole(0, 9), 1, dice.chance(0.5)},
+                    {2, 3, dice.whole(-1, 1)}};
                 rig.clip = Clip(rig.rotations, std::span(curves).subspan(dice.chance(0.1) ? 0 : 1), fcurves);
             });
             std::vector<Transform> base(3), result(3);
@@ -185,7 +186,7 @@ TEST_CASE("layers of arbitrary numbers are refused, or give finite bones", "[fuz
             for (Layer& layer : layers) {
                 layer.given = given;
                 layer.weight = dice.number(0.0, 1.0);
-                layer.mode = static_cast<Mode>(dice.whole(0, 1));
+                layer.mode = static_cast<LayerMode>(dice.whole(0, 1));
                 layer.in_armature = dice.chance(0.5);
                 if (dice.chance(0.3)) layer.reference = reference;
             }

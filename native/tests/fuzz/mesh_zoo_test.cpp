@@ -192,9 +192,9 @@ TEST_CASE("snow on a zoo of meshes has a finite height", "[zoo]") {
                 // Meshes so large that their heights vanish in single precision are not hit.
                 if (size_of(mesh) < 1e9)
                     CHECK(volume == Approx(cover.volume(5.0)).epsilon(1e-4).margin(1e-30));
-                const snow::Layer layer(mesh.positions, mesh.triangles, {0.0, 0.0, 1.0});
+                const snow::SnowLayer layer(mesh.positions, mesh.triangles, {0.0, 0.0, 1.0});
                 for (const float steepest : {1.0F, std::numeric_limits<float>::infinity()}) {
-                    const snow::Layer::Mesh lying = layer.at(heights, 0.01F, steepest);
+                    const snow::SnowLayer::Mesh lying = layer.at(heights, 0.01F, steepest);
                     CHECK(all_finite(lying.positions));
                 }
             }

@@ -96,7 +96,8 @@ TEST_CASE("eyes and screens of any numbers are refused, and nothing that is no n
     Dice dice(54, 0.15);
     for (int round = 0; round < 1500; ++round) {
         const stereo::Eyes eyes{dice.number(0.0, 0.1), dice.number(10.0, 99.0), dice.number(10.0, 40.0),
-                                dice.number(0.1, 9.0), static_cast<stereo::Mode>(dice.whole(0, 2))};
+                                dice.number(0.1, 9.0),
+                                static_cast<stereo::ConvergenceMode>(dice.whole(0, 2))};
         const stereo::Screen screen{dice.number(0.1, 12.0), dice.number(0.1, 15.0), dice.number(0.01, 0.1)};
         const stereo::Limits limits{dice.number(0.0, 0.1), dice.number(0.0, 0.1)};
         returns([&] { (void)stereo::parallax(eyes, dice.number(0.1, 9.0)); });

@@ -199,7 +199,7 @@ TEST_CASE("births, covers and layers of any numbers are refused or finite", "[fu
     settings.emitter_times = {0.0};
     settings.emitter_matrices = {glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 0.0, 3.0))};
     const Snow snow(settings);
-    const Layer layer(mesh.positions, mesh.triangles, {0.0, 0.0, 1.0});
+    const SnowLayer layer(mesh.positions, mesh.triangles, {0.0, 0.0, 1.0});
     for (int round = 0; round < 300; ++round) {
         returns([&] {
             const Births births(dice.number(0.0, 9.0), dice.number(0.0, 1.0), dice.number(0.0, 9.0),
@@ -208,7 +208,7 @@ TEST_CASE("births, covers and layers of any numbers are refused or finite", "[fu
             CHECK(births.count(dice.number()) <= Births::most_ids);
             (void)births.most_within(dice.number());
         });
-        returns([&] { (void)Layer(mesh.positions, mesh.triangles, dice.place()); });
+        returns([&] { (void)SnowLayer(mesh.positions, mesh.triangles, dice.place()); });
         std::vector<float> depths(mesh.positions.size());
         for (float& depth : depths) depth = dice.chance(0.95) ? dice.between(0.0F, 1.0F) : dice.single();
         returns([&] { (void)layer.at(depths, dice.single(0.0, 0.1), dice.single(0.1, 2.0)); });

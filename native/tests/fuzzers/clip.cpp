@@ -71,8 +71,8 @@ void look_at(const fcurve::FCurve& curve, double frame) {
     (void)curve.value(frame);
 }
 
-Timing timing_of(Bytes& bytes) {
-    Timing timing;
+LayerTiming timing_of(Bytes& bytes) {
+    LayerTiming timing;
     timing.start = bytes.number(-5.0, 5.0);
     timing.first = bytes.number(-5.0, 5.0);
     timing.last = timing.first + bytes.number(0.0, 9.0);
@@ -106,7 +106,7 @@ struct Rig {
 };
 
 std::optional<Clip> clip_of(Bytes& bytes, const Rig& rig, std::span<const fcurve::FCurve> fcurves) {
-    std::vector<bones::layers::Curve> curves;
+    std::vector<bones::layers::ClipCurve> curves;
     for (std::size_t left = bytes.count(6); left > 0; --left) {
         const int bone = bytes.whole(-1, static_cast<int>(rig.parents.size())),
                   channel = bytes.whole(-1, channel_count);
@@ -132,7 +132,7 @@ void lay(Bytes& bytes, const Rig& rig, const Clip& clip, double frame) {
     if (bytes.flag()) layer.laps = laps;
     layer.timing = timing_of(bytes);
     layer.weight = bytes.number(0.0, 1.0);
-    layer.mode = bytes.choice<Mode>(2);
+    layer.mode = bytes.choice<LayerMode>(2);
     layer.in_armature = bytes.flag();
     const std::vector<Layer> layers(1 + bytes.count(1), layer);
     std::vector<Transform> result(rig.base.size());
@@ -152,7 +152,7 @@ void try_clip(std::span<const std::uint8_t> data) {
     const double frame = bytes.number(-10.0, 30.0);
     const std::vector<fcurve::FCurve> fcurves = fcurves_of(bytes);
     for (const fcurve::FCurve& curve : fcurves) look_at(curve, frame);
-    const Timing timing = timing_of(bytes);
+    const LayerTiming timing = timing_of(bytes);
     returns([&] {
         const Moment moment = moment_of(timing, frame);
         expect(std::isfinite(moment.frame), "moment_of: a finite frame");

@@ -113,8 +113,8 @@ void lie(Bytes& bytes, const SnowSettings& settings, const Mesh& mesh, double en
     std::vector<float> heights(cover.vertex_count());
     cover.heights(end, heights, 1);
     for (const float height : heights) expect(std::isfinite(height) && height >= 0.0F, "heights: finite");
-    const Layer layer(mesh.positions, mesh.triangles, -settings.acceleration, settings.collider.get());
-    const Layer::Mesh lying = layer.at(heights, bytes.single(0.0, 0.1), bytes.single(0.0, 2.0));
+    const SnowLayer layer(mesh.positions, mesh.triangles, -settings.acceleration, settings.collider.get());
+    const SnowLayer::Mesh lying = layer.at(heights, bytes.single(0.0, 0.1), bytes.single(0.0, 2.0));
     for (const glm::vec3& position : lying.positions) expect(is_finite(position), "layer: finite places");
     for (const glm::ivec3& triangle : lying.triangles)
         for (int i = 0; i < 3; ++i)

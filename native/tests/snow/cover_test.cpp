@@ -168,12 +168,12 @@ TEST_CASE("snow beside a roof ends along its shadow, and is all there", "[snow]"
     triangles.emplace_back(first, first + 1, first + 2);
     triangles.emplace_back(first, first + 2, first + 3);
     settings.collider = std::make_shared<const Collider>(positions, triangles);
-    const Layer layer(ground, sheet, glm::dvec3(0.0, 0.0, 1.0), settings.collider.get(), 1.5);
+    const SnowLayer layer(ground, sheet, glm::dvec3(0.0, 0.0, 1.0), settings.collider.get(), 1.5);
     for (const int smoothing : {0, 30}) {
         const Covered one(settings, {.end = 4.0, .flake_volume = 1e-5, .smoothing = smoothing});
         std::vector<float> heights = one.at(4.0);
         heights.resize(ground.size());
-        const Layer::Mesh mesh = layer.at(heights, 0.0F, std::numeric_limits<float>::infinity());
+        const SnowLayer::Mesh mesh = layer.at(heights, 0.0F, std::numeric_limits<float>::infinity());
         double shown = 0.0;
         for (const glm::ivec3& t : mesh.triangles) {
             const auto at = [&](int i) { return glm::dvec3(mesh.positions[static_cast<std::size_t>(t[i])]); };

@@ -26,7 +26,7 @@ constexpr float thin = 0.01F;
 constexpr float any_slope = std::numeric_limits<float>::infinity();
 
 /// Every side of a triangle is an edge, which is there once; how often each directed side is there.
-[[nodiscard]] std::map<std::pair<int, int>, int> checked_sides(const Layer::Mesh& mesh) {
+[[nodiscard]] std::map<std::pair<int, int>, int> checked_sides(const SnowLayer::Mesh& mesh) {
     REQUIRE(mesh.sides.size() == mesh.triangles.size());
     REQUIRE(mesh.depths.size() == mesh.positions.size());
     std::map<std::pair<int, int>, int> edges, sides;
@@ -49,7 +49,7 @@ constexpr float any_slope = std::numeric_limits<float>::infinity();
 }
 
 /// m^3 between a layer without holes and the sheet z = 0.
-[[nodiscard]] double volume(const Layer::Mesh& mesh) {
+[[nodiscard]] double volume(const SnowLayer::Mesh& mesh) {
     double sum = 0.0;
     for (const glm::ivec3& t : mesh.triangles) {
         const auto at = [&](int i) { return glm::dvec3(mesh.positions[static_cast<std::size_t>(t[i])]); };
@@ -101,8 +101,8 @@ TEST_CASE("the layer is as deep as its snow, and closed at loose edges", "[snow]
     Points positions;
     Triangles triangles;
     add_sheet(1.0F, 0.0F, 0.0F, 8, positions, triangles);
-    const Layer layer(positions, triangles, up);
-    const Layer::Mesh mesh = layer.at(std::vector<float>(positions.size(), 0.25F), thin, any_slope);
+    const SnowLayer layer(positions, triangles, up);
+    const SnowLayer::Mesh mesh = layer.at(std::vector<float>(positions.size(), 0.25F), thin, any_slope);
     CHECK(volume(mesh) == Approx(4.0 * 0.25).epsilon(1e-5));
     // Walls around: sides without a partner are those at their feet.
     const auto sides = checked_sides(mesh);
@@ -121,11 +121,11 @@ TEST_CASE("what is thin is left out, as far as a line on the surface", "[snow]")
     Points positions;
     Triangles triangles;
     add_sheet(1.0F, 0.0F, 0.3F, 20, positions, triangles);
-    const Layer layer(positions, triangles, up);
+    const SnowLayer layer(positions, triangles, up);
     std::vector<float> depths(positions.size());
     for (std::size_t i = 0; i < depths.size(); ++i)
         depths[i] = positions[i].x < 0.0F ? 0.0F : random.between(0.0F, 4.0F * thin);
-    const Layer::Mesh mesh = layer.at(depths, thin, any_slope);
+    const SnowLayer::Mesh mesh = layer.at(depths, thin, any_slope);
     CHECK(mesh.triangles.size() < triangles.size());
     CHECK(!mesh.triangles.empty());
     const auto sides = checked_sides(mesh);
@@ -147,8 +147,8 @@ TEST_CASE("snow lies on the upper side, whichever way triangles face", "[snow]")
     Triangles triangles;
     add_sheet(1.0F, 0.0F, 0.0F, 3, positions, triangles);
     for (glm::ivec3& corners : triangles) std::swap(corners.x, corners.y);
-    const Layer layer(positions, triangles, up);
-    const Layer::Mesh mesh = layer.at(std::vector<float>(positions.size(), 0.5F), thin, any_slope);
+    const SnowLayer layer(positions, triangles, up);
+    const SnowLayer::Mesh mesh = layer.at(std::vector<float>(positions.size(), 0.5F), thin, any_slope);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         CHECK(mesh.positions[i].z == (mesh.depths[i] > 0.0F ? 0.5F : 0.0F));
 }
@@ -158,11 +158,11 @@ TEST_CASE("heaps are not steeper than snow holds", "[snow]") {
     Points positions;
     Triangles triangles;
     add_sheet(1.0F, 0.0F, 0.0F, 20, positions, triangles);
-    const Layer layer(positions, triangles, up);
+    const SnowLayer layer(positions, triangles, up);
     std::vector<float> depths(positions.size());
     for (float& depth : depths) depth = random.chance(0.1) ? 0.0F : random.between(0.0F, 3.0F);
     depths[0] = 0.25F;
-    const Layer::Mesh mesh = layer.at(depths, 0.0F, 1.5F);
+    const SnowLayer::Mesh mesh = layer.at(depths, 0.0F, 1.5F);
     CHECK(!mesh.triangles.empty());
     for (const glm::ivec2& edge : mesh.edges) {
         const auto a = static_cast<std::size_t>(edge.x), b = static_cast<std::size_t>(edge.y);
@@ -180,12 +180,12 @@ TEST_CASE("what is too high for a heap lies beside it", "[snow]") {
     Points positions;
     Triangles triangles;
     add_sheet(1.0F, 0.0F, 0.0F, 20, positions, triangles);
-    const Layer layer(positions, triangles, up);
+    const SnowLayer layer(positions, triangles, up);
     std::vector<float> depths(positions.size());
     for (float& depth : depths) depth = random.chance(0.1) ? 1.0F : random.between(0.0F, 0.1F);
     // Upright walls add nothing to a volume above the plane z = 0.
     const auto volume = [&](float steepest) {
-        const Layer::Mesh mesh = layer.at(depths, 0.0F, steepest);
+        const SnowLayer::Mesh mesh = layer.at(depths, 0.0F, steepest);
         double sum = 0.0;
         for (const glm::ivec3& t : mesh.triangles) {
             const auto at = [&](int i) { return glm::dvec3(mesh.positions[static_cast<std::size_t>(t[i])]); };
@@ -216,7 +216,7 @@ TEST_CASE("heaps fall edge after edge by the vertices' numbers, and faces stay i
             for (int i = 0; i < 3; ++i) corners[i] = numbers[static_cast<std::size_t>(corners[i])];
         std::vector<float> depths(positions.size());
         for (float& depth : depths) depth = random.between(0.1F, 0.6F);
-        const Layer::Mesh mesh = Layer(positions, named, up).at(depths, 0.0F, 1.2F);
+        const SnowLayer::Mesh mesh = SnowLayer(positions, named, up).at(depths, 0.0F, 1.2F);
         const std::vector<float> wanted = fallen(positions, named, depths, 1.2F);
         CHECK(wanted != depths);
         REQUIRE(mesh.triangles.size() >= named.size());  // and walls after them
@@ -252,11 +252,11 @@ TEST_CASE("snow rises evenly along a slanting shadow", "[snow]") {
             triangles.emplace_back(first, first + 1, first + 2);
             triangles.emplace_back(first, first + 2, first + 3);
             const Collider shelter(positions, triangles);
-            const Layer layer(ground, sheet, up, &shelter, 1.5);
+            const SnowLayer layer(ground, sheet, up, &shelter, 1.5);
             std::vector<float> depths(ground.size());
             for (std::size_t i = 0; i < depths.size(); ++i)
                 depths[i] = glm::dot(ground[i], across) < 0.0F ? depth : 0.0F;
-            const Layer::Mesh mesh = layer.at(depths, 0.0F, 1.2F);
+            const SnowLayer::Mesh mesh = layer.at(depths, 0.0F, 1.2F);
             CAPTURE(depth, angle);
             // Half of the sheet, of which little is left out.
             const double whole = 8.0 * static_cast<double>(depth);
@@ -286,19 +286,20 @@ TEST_CASE("snow rises evenly along a slanting shadow", "[snow]") {
 
 TEST_CASE("a layer of strange triangles", "[snow]") {
     const Points positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
-    const Layer layer(positions, Triangles{{0, 1, 2}, {1, 1, 2}, {0, 2, 1}}, up);
-    const Layer::Mesh mesh = layer.at(std::vector<float>(4, 1.0F), 0.0F, any_slope);
+    const SnowLayer layer(positions, Triangles{{0, 1, 2}, {1, 1, 2}, {0, 2, 1}}, up);
+    const SnowLayer::Mesh mesh = layer.at(std::vector<float>(4, 1.0F), 0.0F, any_slope);
     CHECK(mesh.triangles.size() == 2);
     for (const glm::vec3& position : mesh.positions) CHECK(std::isfinite(position.x));
-    CHECK(Layer({}, {}, up).at({}, 0.0F, any_slope).positions.empty());
+    CHECK(SnowLayer({}, {}, up).at({}, 0.0F, any_slope).positions.empty());
 }
 
 TEST_CASE("a layer names what is wrong", "[snow]") {
     const Points positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const Triangles triangles{{0, 1, 2}};
-    const Layer layer(positions, triangles, up);
-    CHECK_THROWS_WITH(Layer(positions, Triangles{{0, 1, 3}}, up), Catch::Contains("layer_triangles"));
-    CHECK_THROWS_WITH(Layer(Points{glm::vec3(std::nanf(""))}, {}, up), Catch::Contains("layer_positions"));
+    const SnowLayer layer(positions, triangles, up);
+    CHECK_THROWS_WITH(SnowLayer(positions, Triangles{{0, 1, 3}}, up), Catch::Contains("layer_triangles"));
+    CHECK_THROWS_WITH(SnowLayer(Points{glm::vec3(std::nanf(""))}, {}, up),
+                      Catch::Contains("layer_positions"));
     CHECK_THROWS_WITH(layer.at(std::vector<float>(2), 0.0F, any_slope), Catch::Contains("depths"));
     CHECK_THROWS_WITH(layer.at(std::vector<float>(3, std::nanf("")), 0.0F, any_slope),
                       Catch::Contains("depths"));

@@ -14,9 +14,9 @@ using motus::test::Random;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::array modes{Mode::off_axis, Mode::parallel, Mode::toe_in};
+constexpr std::array modes{ConvergenceMode::off_axis, ConvergenceMode::parallel, ConvergenceMode::toe_in};
 
-[[nodiscard]] Eyes any_eyes(Random& random, Mode mode) {
+[[nodiscard]] Eyes any_eyes(Random& random, ConvergenceMode mode) {
     const double interaxial = random.between(0.01, 0.2);
     const double focal_length = random.between(18.0, 85.0);
     const double sensor_width = random.between(20.0, 50.0);
@@ -37,7 +37,7 @@ TEST_CASE("a budget is taken exactly, and gives its depths back", "[stereo]") {
         const double near = random.between(0.1, 10.0);
         const Range range{near, i % 10 == 0 ? infinity : near * random.between(1.01, 100.0)};
         const Limits limits{random.between(0.0, 0.05), random.between(1e-4, 0.05)};
-        const Eyes eyes = fit_budget(any_eyes(random, Mode::off_axis), range, limits);
+        const Eyes eyes = fit_budget(any_eyes(random, ConvergenceMode::off_axis), range, limits);
         CHECK(parallax(eyes, range.near) == Approx(-limits.near).margin(1e-13));
         CHECK(parallax(eyes, range.far) == Approx(limits.far).margin(1e-13));
         const Range back = depths_within(eyes, limits);
@@ -48,7 +48,7 @@ TEST_CASE("a budget is taken exactly, and gives its depths back", "[stereo]") {
 
 TEST_CASE("depths within limits have just that parallax in every mode", "[stereo]") {
     Random random(2);
-    for (const Mode mode : modes) {
+    for (const ConvergenceMode mode : modes) {
         for (int i = 0; i < 200; ++i) {
             const Eyes eyes = any_eyes(random, mode);
             const Limits limits{random.between(0.001, 0.02), random.between(0.001, 0.02)};
@@ -64,11 +64,11 @@ TEST_CASE("depths within limits have just that parallax in every mode", "[stereo
 
 TEST_CASE("parallax is the difference of what both eyes see", "[stereo]") {
     Random random(3);
-    for (const Mode mode : modes) {
+    for (const ConvergenceMode mode : modes) {
         for (int i = 0; i < 200; ++i) {
             const Eyes eyes = any_eyes(random, mode);
             const double depth = random.between(0.5, 50.0);
-            const double aside = mode == Mode::toe_in ? 0.0 : random.between(-1.0, 1.0);
+            const double aside = mode == ConvergenceMode::toe_in ? 0.0 : random.between(-1.0, 1.0);
             const Pair pair = project(eyes, {aside, random.between(-1.0, 1.0), depth});
             CHECK(pair.right.x - pair.left.x == Approx(parallax(eyes, depth)).margin(1e-12));
             if (aside == 0.0) CHECK(pair.right.x == Approx(-pair.left.x).margin(1e-12));
@@ -79,11 +79,11 @@ TEST_CASE("parallax is the difference of what both eyes see", "[stereo]") {
 
 TEST_CASE("a point at the convergence distance lies on the screen", "[stereo]") {
     Random random(4);
-    for (const Mode mode : {Mode::off_axis, Mode::toe_in}) {
+    for (const ConvergenceMode mode : {ConvergenceMode::off_axis, ConvergenceMode::toe_in}) {
         const Eyes eyes = any_eyes(random, mode);
         CHECK(parallax(eyes, eyes.convergence) == Approx(0.0).margin(1e-15));
     }
-    const Eyes parallel = any_eyes(random, Mode::parallel);
+    const Eyes parallel = any_eyes(random, ConvergenceMode::parallel);
     CHECK(parallax(parallel, infinity) == 0.0);
     CHECK(parallax(parallel, 3.0) < 0.0);
 }
@@ -91,10 +91,10 @@ TEST_CASE("a point at the convergence distance lies on the screen", "[stereo]") 
 TEST_CASE("only eyes that toe in move corners up and down", "[stereo]") {
     Random random(5);
     for (int i = 0; i < 50; ++i) {
-        const Eyes eyes = any_eyes(random, Mode::toe_in);
+        const Eyes eyes = any_eyes(random, ConvergenceMode::toe_in);
         CHECK(vertical_parallax(eyes, eyes.convergence, 16.0 / 9.0) > 0.0);
         Eyes parallel = eyes;
-        parallel.mode = Mode::off_axis;
+        parallel.mode = ConvergenceMode::off_axis;
         CHECK(vertical_parallax(parallel, eyes.convergence, 16.0 / 9.0) == 0.0);
         // Small angles: keystone of both images, t / dc of a corner's place right times its place up.
         Eyes slight = eyes;

@@ -26,7 +26,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Where a foot is at a fraction of a swing that passes over the ground.
 [[nodiscard]] glm::dvec3 swung(const glm::dvec3& start, const glm::dvec3& end, const Clearing& over,
                                double u) {
-    Step step;
+    Footstep step;
     step.upwards = over.upwards;
     step.downwards = over.downwards;
     const double share = step.share(u);

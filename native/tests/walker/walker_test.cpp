@@ -145,7 +145,7 @@ TEST_CASE("a swing is smooth, and clears the ground", "[walker]") {
     settings.clearance = 0.2;
     const Walker walker(way_along(8.0, around), settings, &ground);
     for (std::size_t leg = 0; leg < walker.leg_count(); ++leg) {
-        for (const Step& step : walker.steps(leg)) {
+        for (const Footstep& step : walker.steps(leg)) {
             if (step.touch == step.lift) continue;
             const double h = 1e-5 * (step.touch - step.lift);
             const auto at = [&](double time) { return walker.foot(leg, time).position; };
@@ -239,7 +239,7 @@ TEST_CASE("a body walks up a wall", "[walker]") {
         const Foot foot = walker.foot(leg, 60.0);
         CHECK(foot.position.y == Approx(2.0));
         CHECK(foot.normal.y == Approx(-1.0));
-        for (const Step& step : walker.steps(leg)) {
+        for (const Footstep& step : walker.steps(leg)) {
             const bool on_floor = std::abs(step.end.z) < 1e-6, on_wall = std::abs(step.end.y - 2.0) < 1e-6;
             CHECK((on_floor || on_wall));
         }

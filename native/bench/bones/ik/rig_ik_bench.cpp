@@ -49,8 +49,9 @@ struct Crowd {
         }
     }
     [[nodiscard]] RigView rig() const { return {{parents, rest, poses, basis, lengths, inheritance}}; }
-    [[nodiscard]] Input input(const Plan& plan, const ik::Rest& at_rest) const {
-        return {Bones(plan, at_rest, basis), poses, glm::dmat4(1.0), settings, targets, poles, limits};
+    [[nodiscard]] ChainInput input(const ChainPlan& plan, const ik::RestBones& at_rest) const {
+        return {
+            AnimatedBones(plan, at_rest, basis), poses, glm::dmat4(1.0), settings, targets, poles, limits};
     }
 
   private:
@@ -74,12 +75,12 @@ void run(const bench::Table& table, const char* name, int length, const ChainSet
     if (!has_pole) crowd.poles.assign(chain_count, glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
     if (has_limits)
         crowd.limits.assign(static_cast<std::size_t>(chain_count * length), chains::JointLimits{});
-    const Plan plan(crowd.parents, crowd.chains, {});
+    const ChainPlan plan(crowd.parents, crowd.chains, {});
     std::vector<glm::dquat> rotations(plan.rows().size());
     std::vector<glm::dvec3> scales(plan.rows().size());
     std::vector<ChainDiagnostics> report(chain_count);
-    const ik::Rest rest(plan, crowd.rig());
-    const Input input = crowd.input(plan, rest);
+    const ik::RestBones rest(plan, crowd.rig());
+    const ChainInput input = crowd.input(plan, rest);
     const auto solve = [&] { ik::solve(plan, input, {rotations, scales, report}); };
     const auto read_and_solve = [&] {
         ik::solve(plan, crowd.input(plan, rest), {rotations, scales, report});

@@ -40,7 +40,7 @@ struct Rig {
 Clip make_clip() {
     test::Random random(2);
     const std::vector<Rotation> modes(bone_count, Rotation::quaternion);
-    std::vector<Curve> curves;
+    std::vector<ClipCurve> curves;
     std::vector<fcurve::FCurve> fcurves;
     for (int bone = 0; bone < bone_count; ++bone) {
         for (int channel = 0; channel < 7; ++channel) {
@@ -83,9 +83,9 @@ int main() {
                              {{"a frame", "us", 1}, {"a bone and layer", "ns", 1}});
     row(table, "8 layers, override", rig, 8, layer);
     row(table, "3 layers, override", rig, 3, layer);
-    layer.mode = Mode::additive;
+    layer.mode = LayerMode::additive;
     row(table, "8 layers, additive", rig, 8, layer);
-    layer.mode = Mode::override;
+    layer.mode = LayerMode::override;
     layer.in_armature = true;
     row(table, "8 layers, in the armature", rig, 8, layer);
     return 0;

@@ -24,14 +24,14 @@ constexpr int head_count = 100;
 struct Crowd {
     std::vector<int> parents, inheritance;
     std::vector<float> matrices, basis;
-    std::vector<Bones> bones;
-    std::vector<Input> inputs;
+    std::vector<GazeBones> bones;
+    std::vector<GazeInput> inputs;
     std::array<glm::dvec3, 2> eyes_forward{glm::dvec3(0, 0, 1), glm::dvec3(0, 0, 1)};
 
     Crowd(int spine_bones, bool eyes) {
         for (int i = 0; i < head_count; ++i) {
             const glm::dvec3 place(i, 0, 0);
-            Bones figure;
+            GazeBones figure;
             int last = add(-1, place);
             for (int bone = 0; bone < spine_bones; ++bone)
                 figure.body.push_back(last = add(last, place + glm::dvec3(0, 0, 1 + 0.1 * bone)));
@@ -41,7 +41,7 @@ struct Crowd {
                 figure.eyes.push_back(add(figure.head, place + glm::dvec3(-0.03, -0.1, 2.1)));
             }
             bones.push_back(figure);
-            Input input;
+            GazeInput input;
             input.target = place + glm::dvec3(3 * std::cos(i), -2, 2 + std::sin(i));
             input.eyes_forward = std::span(eyes_forward).first(figure.eyes.size());
             input.settings.eyes_weight = eyes ? 1.0 : 0.0;
@@ -70,7 +70,7 @@ struct Crowd {
 
 void row(const bench::Table& table, const char* name, int spine_bones, bool eyes) {
     const Crowd crowd(spine_bones, eyes);
-    const Plan plan(crowd.parents, crowd.bones);
+    const GazePlan plan(crowd.parents, crowd.bones);
     const RigView rig({crowd.parents, crowd.matrices, crowd.matrices, crowd.basis, {}, crowd.inheritance});
     std::vector<glm::dquat> rotations(plan.rows().size());
     std::vector<GazeDiagnostics> reports(plan.size());

@@ -123,8 +123,8 @@ std::span<Row> new_rows(DoubleArray& array, std::size_t count) {
     return {reinterpret_cast<Row*>(array.mutable_data()), count};
 }
 
-std::unique_ptr<ik::Plan> new_plan(const ArrayLike& parents, const ArrayLikes& chains,
-                                   const ArrayLike& effectors, const ArrayLike& guards) {
+std::unique_ptr<ik::ChainPlan> new_plan(const ArrayLike& parents, const ArrayLikes& chains,
+                                        const ArrayLike& effectors, const ArrayLike& guards) {
     if (!py::isinstance<py::sequence>(chains)) type_error("chains", "must be a list of lists of bones");
     const auto list = py::reinterpret_borrow<py::sequence>(chains);
     const std::vector<int> ends = whole_numbers(effectors, "effectors");
@@ -141,7 +141,7 @@ std::unique_ptr<ik::Plan> new_plan(const ArrayLike& parents, const ArrayLikes& c
     std::vector<ik::Guard> kept;
     for (py::ssize_t i = 0; !is_empty && i < pairs.shape(0); ++i)
         kept.push_back({pairs.at(i, 0), pairs.at(i, 1)});
-    return std::make_unique<ik::Plan>(whole_numbers(parents, "parents"), std::move(bones), kept);
+    return std::make_unique<ik::ChainPlan>(whole_numbers(parents, "parents"), std::move(bones), kept);
 }
 
 Typed<"tuple[int, ...]"> tuple_of(std::span<const int> numbers) {
@@ -156,17 +156,17 @@ Typed<"tuple[bool, ...]"> flags_of(std::span<const unsigned char> flags) {
     return result;
 }
 
-ik::Rest read_rest(const ik::Plan& plan, const Float32Array& rest, const Float32Array& lengths,
-                   const Int32Array& inheritance) {
+ik::RestBones read_rest(const ik::ChainPlan& plan, const Float32Array& rest, const Float32Array& lengths,
+                        const Int32Array& inheritance) {
     const std::size_t bones = plan.parents().size();
     bones::RigArrays rig = rig_at_rest(plan.parents(), rest, inheritance);
     rig.lengths = elements<float>(lengths, "lengths", {bones});
     return {plan, rig};
 }
 
-ik::Bones read_bones(const ik::Plan& plan, const Typed<"motus_native.IkRest">& rest,
-                     const Float32Array& basis) {
-    return {plan, instance<ik::Rest>(rest, "rest", "an IkRest"),
+ik::AnimatedBones read_bones(const ik::ChainPlan& plan, const Typed<"motus_native.IkRest">& rest,
+                             const Float32Array& basis) {
+    return {plan, instance<ik::RestBones>(rest, "rest", "an IkRest"),
             elements<float>(basis, "basis", {plan.parents().size(), 16})};
 }
 
@@ -178,10 +178,10 @@ struct CopiedInput {
     std::vector<glm::dmat4> targets;
     std::vector<glm::dvec3> poles;
     std::vector<chains::JointLimits> limits;
-    ik::Input input;  ///< of the above
+    ik::ChainInput input;  ///< of the above
 
     /// The arguments that solve() and match() have in common.
-    CopiedInput(const ik::Plan& plan, const ik::Bones& bones, const Float32Array& given_poses,
+    CopiedInput(const ik::ChainPlan& plan, const ik::AnimatedBones& bones, const Float32Array& given_poses,
                 const ArrayLike& world, const Float64Array& given_settings)
         : poses(copied(elements<float>(given_poses, "poses", {plan.parents().size(), 16}))),
           settings(settings_of(given_settings, plan.chain_count())) {
@@ -197,13 +197,14 @@ struct CopiedInput {
     CopiedInput& operator=(CopiedInput&&) = delete;
 };
 
-py::object solve(const ik::Plan& plan, const Typed<"motus_native.IkBones">& bones, const Float32Array& poses,
-                 const ArrayLike& world, const Float64Array& settings, const Float64Array& targets,
-                 const Float64Array& poles, const OptionalFloat64Array& limits,
+py::object solve(const ik::ChainPlan& plan, const Typed<"motus_native.IkBones">& bones,
+                 const Float32Array& poses, const ArrayLike& world, const Float64Array& settings,
+                 const Float64Array& targets, const Float64Array& poles, const OptionalFloat64Array& limits,
                  const OptionalFloat64Array& rotations, const OptionalFloat64Array& scales) {
     const std::size_t chains = plan.chain_count();
     const std::size_t rows = plan.rows().size();
-    CopiedInput given(plan, instance<ik::Bones>(bones, "bones", "an IkBones"), poses, world, settings);
+    CopiedInput given(plan, instance<ik::AnimatedBones>(bones, "bones", "an IkBones"), poses, world,
+                      settings);
     given.targets = copied(rows_of<glm::dmat4>(targets, "targets", chains));
     given.poles = copied(rows_of<glm::dvec3>(poles, "poles", chains));
     if (!limits.is_none())
@@ -215,7 +216,7 @@ py::object solve(const ik::Plan& plan, const Typed<"motus_native.IkBones">& bone
     auto scale_rows = output<double>(scales, "scales", {static_cast<py::ssize_t>(rows), 3});
     require_apart(values_of(rotation_rows), "rotations", values_of(scale_rows), "scales");
     std::vector<ik::ChainDiagnostics> report(chains);
-    ik::Output result;
+    ik::ChainOutput result;
     result.rotations = quaternions_in(rotation_rows.mutable_data(), rows);
     result.scales = points_of(scale_rows);
     result.report = report;
@@ -228,10 +229,11 @@ py::object solve(const ik::Plan& plan, const Typed<"motus_native.IkBones">& bone
 }
 
 Typed<"tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"> match(
-    const ik::Plan& plan, const Typed<"motus_native.IkBones">& bones, const Float32Array& poses,
+    const ik::ChainPlan& plan, const Typed<"motus_native.IkBones">& bones, const Float32Array& poses,
     const ArrayLike& world, const Float64Array& settings) {
     const std::size_t chains = plan.chain_count();
-    const CopiedInput given(plan, instance<ik::Bones>(bones, "bones", "an IkBones"), poses, world, settings);
+    const CopiedInput given(plan, instance<ik::AnimatedBones>(bones, "bones", "an IkBones"), poses, world,
+                            settings);
     DoubleArray targets, poles;
     const std::span<glm::dmat4> target_rows = new_rows<glm::dmat4>(targets, chains);
     const std::span<glm::dvec3> pole_rows = new_rows<glm::dvec3>(poles, chains);
@@ -296,12 +298,12 @@ py::object pose_to_bone(const ArrayLike& rest, const OptionalArrayLike& parent_r
 
 void bind_rig_ik(py::module_& m) {
     bind_goals(m);
-    const py::class_<ik::Rest> rest(m, "IkRest", py::module_local(),
-                                    "Bones at rest, of one IkPlan; made by IkPlan.rest(). Immutable.");
-    const py::class_<ik::Bones> bones(
+    const py::class_<ik::RestBones> rest(m, "IkRest", py::module_local(),
+                                         "Bones at rest, of one IkPlan; made by IkPlan.rest(). Immutable.");
+    const py::class_<ik::AnimatedBones> bones(
         m, "IkBones", py::module_local(),
         "Bones as they are animated, of one IkPlan; made by IkPlan.bones(). Immutable.");
-    py::class_<ik::Plan> plan(m, "IkPlan", py::module_local(), R"(
+    py::class_<ik::ChainPlan> plan(m, "IkPlan", py::module_local(), R"(
 Chains of one rig's bones, solved together. Immutable.
 
 parents: (b,) parent of each bone, -1 for none.  chains: lists of bones from root to tip, each a child of the one before,
@@ -313,11 +315,11 @@ a guard too.
 Raises ValueError or TypeError that names the argument.)");
     plan.def(py::init(&new_plan), "parents"_a, "chains"_a, "effectors"_a, "guards"_a);
     plan.def_property_readonly(
-        "rows", [](const ik::Plan& self) { return tuple_of(self.rows()); },
+        "rows", [](const ik::ChainPlan& self) { return tuple_of(self.rows()); },
         "Bone of each result row: all chain bones, chain by chain; effectors that are no chain bones; "
         "guards.");
     plan.def_property_readonly(
-        "absolute", [](const ik::Plan& self) { return flags_of(self.is_absolute()); },
+        "absolute", [](const ik::ChainPlan& self) { return flags_of(self.is_absolute()); },
         "Whether each row is rotation and scale in pose space; else they come on top of the bone's own.");
     plan.attr("SETTINGS") = names_of(settings_columns);
     plan.attr("REPORT") = names_of(report_columns);

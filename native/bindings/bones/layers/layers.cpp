@@ -57,7 +57,7 @@ constexpr std::size_t curve_size = 4;
                                      const FCurves& fcurves) {
     const std::size_t count = rows_of(curves, "curves");
     const std::span<const int> rows = elements<int>(curves, "curves", {count, curve_size});
-    std::vector<layers::Curve> read;
+    std::vector<layers::ClipCurve> read;
     read.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const std::span<const int> row = rows.subspan(i * curve_size, curve_size);
@@ -153,15 +153,15 @@ enum Column : std::size_t {
                           "mode", "in_armature");
 }
 
-[[nodiscard]] layers::Timing timing_of(std::span<const double> row) {
+[[nodiscard]] layers::LayerTiming timing_of(std::span<const double> row) {
     const double kind = row[after];
-    layers::Timing timing{row[start],
-                          row[first],
-                          std::max(row[first], row[last]),
-                          row[speed],
-                          layers::After::nothing,
-                          std::max(0.0, row[blend_in]),
-                          std::max(0.0, row[blend_out])};
+    layers::LayerTiming timing{row[start],
+                               row[first],
+                               std::max(row[first], row[last]),
+                               row[speed],
+                               layers::After::nothing,
+                               std::max(0.0, row[blend_in]),
+                               std::max(0.0, row[blend_out])};
     if (kind == 1.0) timing.after = layers::After::hold;
     if (kind == 2.0) timing.after = layers::After::repeat;
     return timing;
@@ -265,7 +265,7 @@ class Layers {
         layer.clip = &clip;
         layer.timing = timing_of(row);
         layer.weight = std::clamp(row[weight], 0.0, 1.0);
-        layer.mode = row[mode] != 0.0 ? layers::Mode::additive : layers::Mode::override;
+        layer.mode = row[mode] != 0.0 ? layers::LayerMode::additive : layers::LayerMode::override;
         layer.in_armature = row[in_armature] != 0.0;
         return layer;
     }

@@ -146,29 +146,29 @@ constexpr std::size_t report_count = 4;
     return result;
 }
 
-[[nodiscard]] look_at::Plan make_plan(const ArrayLike& parents, const ArrayLikes& bodies,
-                                      const ArrayLike& heads, const ArrayLikes& eyes) {
+[[nodiscard]] look_at::GazePlan make_plan(const ArrayLike& parents, const ArrayLikes& bodies,
+                                          const ArrayLike& heads, const ArrayLikes& eyes) {
     const std::vector<int> parent_of = whole_numbers(parents, "parents");
     std::vector<std::vector<int>> body_bones = bone_lists(bodies, "bodies");
     const std::vector<int> head_bones = whole_numbers(heads, "heads");
     std::vector<std::vector<int>> eye_bones = bone_lists(eyes, "eyes");
     if (body_bones.size() != head_bones.size()) value_error("bodies", "must have as many rows as heads");
     if (eye_bones.size() != head_bones.size()) value_error("eyes", "must have as many rows as heads");
-    std::vector<look_at::Bones> entries;
+    std::vector<look_at::GazeBones> entries;
     entries.reserve(head_bones.size());
     for (std::size_t i = 0; i < head_bones.size(); ++i)
         entries.push_back({std::move(body_bones[i]), head_bones[i], std::move(eye_bones[i])});
     return {parent_of, entries};
 }
 
-[[nodiscard]] look_at::Input input_at(std::size_t entry, std::span<const double> settings,
-                                      std::span<const double> targets, std::span<const double> head_forward,
-                                      std::span<const double> up) {
+[[nodiscard]] look_at::GazeInput input_at(std::size_t entry, std::span<const double> settings,
+                                          std::span<const double> targets,
+                                          std::span<const double> head_forward, std::span<const double> up) {
     const std::span<const double> row = settings.subspan(entry * column_count, column_count);
     const auto vector_at = [entry](std::span<const double> rows) {
         return glm::dvec3(rows[3 * entry], rows[3 * entry + 1], rows[3 * entry + 2]);
     };
-    look_at::Input input;
+    look_at::GazeInput input;
     input.settings = {row[weight],       row[body_weight], row[head_weight], row[eyes_weight],
                       row[clamp_column], row[body_limit],  row[head_limit],  row[eyes_limit]};
     input.target = vector_at(targets);
@@ -178,7 +178,7 @@ constexpr std::size_t report_count = 4;
     return input;
 }
 
-DoubleArray solve_plan(const look_at::Plan& plan, const Float32Array& rest, const Float32Array& poses,
+DoubleArray solve_plan(const look_at::GazePlan& plan, const Float32Array& rest, const Float32Array& poses,
                        const Float32Array& basis, const Int32Array& inheritance, const ArrayLike& world,
                        const Float64Array& settings, const Float64Array& targets,
                        const Float64Array& head_forward, const Float64Array& eyes_forward,
@@ -210,7 +210,7 @@ DoubleArray solve_plan(const look_at::Plan& plan, const Float32Array& rest, cons
     std::vector<glm::dvec3> eyes;
     for (std::size_t i = 0; i < eye_count; ++i)
         eyes.emplace_back(eyes_axes[3 * i], eyes_axes[3 * i + 1], eyes_axes[3 * i + 2]);
-    std::vector<look_at::Input> inputs;
+    std::vector<look_at::GazeInput> inputs;
     inputs.reserve(count);
     std::span<const glm::dvec3> further = eyes;
     for (std::size_t i = 0; i < count; ++i) {
@@ -281,7 +281,7 @@ else it changes sides if the target passes straight behind the chest.
 Returns a LookAtTurns.
 Raises ValueError or TypeError that names the argument.)");
 
-    py::class_<look_at::Plan> plan(m, "LookAtPlan", py::module_local(), R"(
+    py::class_<look_at::GazePlan> plan(m, "LookAtPlan", py::module_local(), R"(
 Bones of one rig that look at targets. The hierarchy is checked once.
 
 parents: (B,), index of each bone's parent, -1 for none.  bodies: for each entry (n,) bones from the lowest up, below the
@@ -290,7 +290,7 @@ rows: the bones of the result's rows: body, head, eyes of each entry.  SETTINGS,
 Raises ValueError or TypeError that names the argument.)");
     plan.def(py::init(&make_plan), "parents"_a, "bodies"_a, "heads"_a, "eyes"_a);
     plan.def_property_readonly(
-        "rows", [](const look_at::Plan& self) -> Typed<"tuple[int, ...]"> {
+        "rows", [](const look_at::GazePlan& self) -> Typed<"tuple[int, ...]"> {
             const std::span<const int> rows = self.rows();
             py::tuple result(rows.size());
             for (std::size_t i = 0; i < rows.size(); ++i) result[i] = rows[i];

@@ -26,7 +26,7 @@ class Heaps;  ///< how what lies too high falls off; private to the library
 /// The layer is a surface above that of the triangles, as far off each vertex as the snow there is deep. It
 /// is cut where it is thin, along a line on the surface, and is closed by a wall at loose edges. What is
 /// moved from has no vertices.
-class Layer {
+class SnowLayer {
   public:
     /// `up`: away from what pulls snow down, finite, of any length but 0. Throws std::invalid_argument,
     /// naming layer_positions or layer_triangles, where a position is not finite, a triangle names a vertex
@@ -35,9 +35,9 @@ class Layer {
     /// `shelter`: what snow cannot fall through. Between a vertex with snow and a bare one that is under
     /// something, or steeper than `hold`, the tangent of a slope, the layer ends where the one or the other
     /// begins. Without a shelter it ends everywhere as the depths have it.
-    Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles, const glm::dvec3& up,
-          const Collider* shelter = nullptr, double hold = std::numeric_limits<double>::infinity(),
-          const Executor& executor = {});
+    SnowLayer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
+              const glm::dvec3& up, const Collider* shelter = nullptr,
+              double hold = std::numeric_limits<double>::infinity(), const Executor& executor = {});
 
     struct Mesh {
         std::vector<glm::vec3> positions;

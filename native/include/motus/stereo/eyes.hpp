@@ -13,7 +13,7 @@
 namespace motus::stereo {
 
 /// How the two images are made to meet on the screen.
-enum class Mode {
+enum class ConvergenceMode {
     off_axis,  ///< the eyes look the same way, their images are shifted
     parallel,  ///< the eyes look the same way; only what is infinitely far lies on the screen
     toe_in,    ///< the eyes are turned towards each other, which moves corners up and down
@@ -27,7 +27,7 @@ struct Eyes {
     double focal_length = 50.0;  ///< > 0
     double sensor_width = 36.0;  ///< that the image's width is seen through, > 0, unit of focal_length
     double convergence = 1.95;   ///< distance of what lies on the screen, > 0, may be infinite
-    Mode mode = Mode::off_axis;
+    ConvergenceMode mode = ConvergenceMode::off_axis;
 };
 
 /// Throws std::invalid_argument, naming the number, if one is outside its domain.

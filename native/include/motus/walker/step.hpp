@@ -29,7 +29,7 @@ namespace motus::walker {
 }
 
 /// A foot's motion from one foothold to the next, on which it stands until its next step. World space.
-struct Step {
+struct Footstep {
     double lift = 0.0;  ///< s
     double touch =
         0.0;  ///< s; equal to `lift` if the foot is put there at once: at the first sample, after jumps
@@ -71,33 +71,33 @@ struct Problem {
 class Footsteps {
   public:
     /// Steps, leg by leg and stretch by stretch.
-    void add(std::span<const Step> steps) {
+    void add(std::span<const Footstep> steps) {
         steps_.insert(steps_.end(), steps.begin(), steps.end());
         ends_.push_back(steps_.size());
     }
 
     /// `row`: how many were added before. std::invalid_argument if there is no such row.
-    [[nodiscard]] std::span<const Step> of(std::size_t row) const { return between(row, row + 1); }
-    [[nodiscard]] std::span<const Step> between(std::size_t first_row, std::size_t last_row) const {
+    [[nodiscard]] std::span<const Footstep> of(std::size_t row) const { return between(row, row + 1); }
+    [[nodiscard]] std::span<const Footstep> between(std::size_t first_row, std::size_t last_row) const {
         require(first_row <= last_row && last_row <= ends_.size(), "row: must be one that was added");
         const std::size_t first = first_row == 0 ? 0 : ends_[first_row - 1];
         const std::size_t last = last_row == 0 ? 0 : ends_[last_row - 1];
-        return std::span<const Step>(steps_).subspan(first, last - first);
+        return std::span<const Footstep>(steps_).subspan(first, last - first);
     }
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return steps_.capacity() * sizeof(Step) + ends_.capacity() * sizeof(std::size_t);
+        return steps_.capacity() * sizeof(Footstep) + ends_.capacity() * sizeof(std::size_t);
     }
 
   private:
-    std::vector<Step> steps_;
+    std::vector<Footstep> steps_;
     std::vector<std::size_t> ends_;
 };
 
 /// The last step that has begun at a time, or the first step if none has. std::invalid_argument if there is
 /// none.
-[[nodiscard]] inline const Step& step_at(std::span<const Step> steps, double time) {
+[[nodiscard]] inline const Footstep& step_at(std::span<const Footstep> steps, double time) {
     require(!steps.empty(), "steps: one at least is needed");
-    const auto after = std::ranges::upper_bound(steps, time, {}, &Step::lift);
+    const auto after = std::ranges::upper_bound(steps, time, {}, &Footstep::lift);
     return after == steps.begin() ? steps.front() : *(after - 1);
 }
 

@@ -71,7 +71,7 @@ class Walker {
     [[nodiscard]] double phase(double time) const;
 
     /// The steps of one leg, ordered by time within each stretch between jumps.
-    [[nodiscard]] std::span<const Step> steps(std::size_t leg) const;
+    [[nodiscard]] std::span<const Footstep> steps(std::size_t leg) const;
     /// Ordered by leg, then time.
     [[nodiscard]] std::span<const Problem> problems() const noexcept { return problems_; }
     /// The time at which the last foot has come to rest, s.

@@ -61,7 +61,7 @@ OwnTransform own_transform(std::span<const float> basis, std::size_t bone) {
     return own;
 }
 
-Rest::Rest(const Plan& plan, const RigView& rig) : plan_(plan.identity()) {
+RestBones::RestBones(const ChainPlan& plan, const RigView& rig) : plan_(plan.identity()) {
     if (!std::ranges::equal(rig.parents(), plan.parents()))
         throw std::invalid_argument("rig: its parents must be the plan's");
     if (rig.lengths().size() != rig.size()) throw std::invalid_argument("rig: must have lengths");
@@ -71,12 +71,13 @@ Rest::Rest(const Plan& plan, const RigView& rig) : plan_(plan.identity()) {
     rows_ = std::make_shared<const std::vector<RestBone>>(std::move(rows));
 }
 
-std::span<const RestBone> Rest::rows() const noexcept {
+std::span<const RestBone> RestBones::rows() const noexcept {
     if (!rows_) return {};
     return *rows_;
 }
 
-Bones::Bones(const Plan& plan, Rest rest, std::span<const float> basis) : rest_(std::move(rest)) {
+AnimatedBones::AnimatedBones(const ChainPlan& plan, RestBones rest, std::span<const float> basis)
+    : rest_(std::move(rest)) {
     const std::span<const RestBone> at_rest = rest_.rows();
     if (!rest_.is_of(plan)) throw std::invalid_argument("rest: must be of the same plan");
     if (basis.size() != 16 * plan.parents().size())
@@ -85,7 +86,7 @@ Bones::Bones(const Plan& plan, Rest rest, std::span<const float> basis) : rest_(
     for (std::size_t row = 0; row < rows.size(); ++row)
         read(rows[row], at_rest[row], basis, static_cast<std::size_t>(plan.rows()[row]));
     for (std::size_t index = 0; index < plan.chain_count(); ++index) {
-        const Plan::Chain chain = plan.chain(index);
+        const ChainPlan::Chain chain = plan.chain(index);
         const std::size_t last = chain.first_row + chain.bones.size() - 1;
         for (std::size_t row = chain.first_row; row < last; ++row) rows[row].next = rows[row + 1].head;
         rows[last].next = chain.has_free_effector ? rows[chain.effector.row].head
@@ -94,7 +95,7 @@ Bones::Bones(const Plan& plan, Rest rest, std::span<const float> basis) : rest_(
     rows_ = std::make_shared<const std::vector<AnimatedBone>>(std::move(rows));
 }
 
-std::span<const AnimatedBone> Bones::rows() const noexcept {
+std::span<const AnimatedBone> AnimatedBones::rows() const noexcept {
     if (!rows_) return {};
     return *rows_;
 }

@@ -27,8 +27,8 @@ bool has_valid_limits(std::span<const chains::JointLimits> limits) {
 }
 
 /// The chain's task in pose space; nothing if a number is not finite.
-std::optional<Task> read_task(const Input& input, const RigWorld& world, std::size_t index,
-                              const Plan::Chain& chain) {
+std::optional<Task> read_task(const ChainInput& input, const RigWorld& world, std::size_t index,
+                              const ChainPlan::Chain& chain) {
     const glm::dmat4& target = input.targets[index];
     const ChainSettings& settings = input.settings[index];
     if (!world.is_valid || !is_finite(target) || !has_finite_numbers(settings)) return {};
@@ -49,7 +49,7 @@ std::optional<Task> read_task(const Input& input, const RigWorld& world, std::si
 }
 
 /// Writes rows that have no effect; rows in pose space are those of the rest pose of a rig at the origin.
-void write_neutral(const Plan::Chain& chain, const Output& output) {
+void write_neutral(const ChainPlan::Chain& chain, const ChainOutput& output) {
     const auto clear = [&output](std::size_t row) {
         output.rotations[row] = no_turn;
         output.scales[row] = glm::dvec3(1.0);
@@ -57,21 +57,22 @@ void write_neutral(const Plan::Chain& chain, const Output& output) {
     const std::size_t end = chain.first_row + chain.bones.size();
     for (std::size_t row = chain.first_row - chain.left_out; row < end; ++row) clear(row);
     if (chain.has_free_effector) clear(chain.effector.row);
-    for (const Plan::Hanging& guard : chain.guards) clear(guard.row);
+    for (const ChainPlan::Hanging& guard : chain.guards) clear(guard.row);
 }
 
-bool is_chain_finite(const Plan::Chain& chain, const Output& output, const ChainDiagnostics& report) {
+bool is_chain_finite(const ChainPlan::Chain& chain, const ChainOutput& output,
+                     const ChainDiagnostics& report) {
     const auto is_row_finite = [&output](std::size_t row) {
         return is_finite(output.rotations[row]) && is_finite(output.scales[row]);
     };
     bool all = has_finite_numbers(report) && (!chain.has_free_effector || is_row_finite(chain.effector.row));
     for (std::size_t i = 0; i < chain.bones.size(); ++i) all = all && is_row_finite(chain.first_row + i);
-    for (const Plan::Hanging& guard : chain.guards) all = all && is_row_finite(guard.row);
+    for (const ChainPlan::Hanging& guard : chain.guards) all = all && is_row_finite(guard.row);
     return all;
 }
 
-bool are_guards_finite(const Input& input, const Plan::Chain& chain) {
-    return std::all_of(chain.guards.begin(), chain.guards.end(), [&input](const Plan::Hanging& guard) {
+bool are_guards_finite(const ChainInput& input, const ChainPlan::Chain& chain) {
+    return std::all_of(chain.guards.begin(), chain.guards.end(), [&input](const ChainPlan::Hanging& guard) {
         return input.bones.rows()[guard.row].is_finite;
     });
 }
@@ -94,9 +95,9 @@ void report_solution(ChainDiagnostics& report, const AimReport& aim, const Pose&
     report.tip = world.to_world(pose.tip());
 }
 
-void solve_one(const Plan& plan, const Input& input, std::size_t index, const RigWorld& world,
-               Solution& solution, const Output& output) {
-    const Plan::Chain chain = plan.chain(index, input.settings[index].left_out);
+void solve_one(const ChainPlan& plan, const ChainInput& input, std::size_t index, const RigWorld& world,
+               Solution& solution, const ChainOutput& output) {
+    const ChainPlan::Chain chain = plan.chain(index, input.settings[index].left_out);
     ChainDiagnostics& report = output.report[index];
     report = {.reason = std::nullopt};
     if (!are_guards_finite(input, chain) || !solution.read(input, chain)) {
@@ -129,7 +130,7 @@ void solve_one(const Plan& plan, const Input& input, std::size_t index, const Ri
     }
 }
 
-void check_sizes(const Plan& plan, const Input& input, const Output& output) {
+void check_sizes(const ChainPlan& plan, const ChainInput& input, const ChainOutput& output) {
     check_rig(plan, input);
     const std::size_t chains = plan.chain_count();
     require(input.settings.size() == chains, "settings: one entry per chain is needed");
@@ -144,7 +145,7 @@ void check_sizes(const Plan& plan, const Input& input, const Output& output) {
 
 }  // namespace
 
-void solve(const Plan& plan, const Input& input, const Output& output) {
+void solve(const ChainPlan& plan, const ChainInput& input, const ChainOutput& output) {
     check_sizes(plan, input, output);
     const RigWorld world(input.world);
     Solution solution(plan.longest_chain());

@@ -32,7 +32,7 @@ double distance_before(double distance, double reach, const ChainSettings& setti
 }
 
 /// Orientation of the effector in the FK pose.
-glm::dquat effector_frame(const Input& input, const Plan::Chain& chain, const Pose& pose) {
+glm::dquat effector_frame(const ChainInput& input, const ChainPlan::Chain& chain, const Pose& pose) {
     const std::size_t last = pose.size() - 1;
     if (!chain.has_free_effector) return pose.frame(last);
     const AnimatedBone& bone = input.bones.rows()[chain.effector.row];
@@ -44,8 +44,8 @@ struct Match {
     glm::dvec3 pole{0.0};
 };
 
-Match match_one(const Input& input, const Plan::Chain& chain, const Pose& pose, const RigWorld& world,
-                const ChainSettings& settings) {
+Match match_one(const ChainInput& input, const ChainPlan::Chain& chain, const Pose& pose,
+                const RigWorld& world, const ChainSettings& settings) {
     // A tail bone with the target's orientation leaves the rest of the chain to go where it begins.
     const bool turns_tail = !chain.has_free_effector && pose.size() > 1 && settings.rotation_weight >= 0.5 &&
                             !settings.use_limits;
@@ -71,7 +71,8 @@ Match match_one(const Input& input, const Plan::Chain& chain, const Pose& pose, 
 
 }  // namespace
 
-void match(const Plan& plan, const Input& input, std::span<glm::dmat4> targets, std::span<glm::dvec3> poles) {
+void match(const ChainPlan& plan, const ChainInput& input, std::span<glm::dmat4> targets,
+           std::span<glm::dvec3> poles) {
     check_rig(plan, input);
     const std::size_t chains = plan.chain_count();
     require(input.settings.size() == chains, "settings: one entry per chain is needed");
@@ -82,7 +83,7 @@ void match(const Plan& plan, const Input& input, std::span<glm::dmat4> targets, 
     for (std::size_t index = 0; index < chains; ++index) {
         targets[index] = glm::dmat4(1.0);
         poles[index] = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
-        const Plan::Chain chain = plan.chain(index, input.settings[index].left_out);
+        const ChainPlan::Chain chain = plan.chain(index, input.settings[index].left_out);
         if (!world.is_valid || !has_finite_numbers(input.settings[index])) continue;
         if (!pose.read(input, chain)) continue;
         const Match match = match_one(input, chain, pose, world, within_domains(input.settings[index]));

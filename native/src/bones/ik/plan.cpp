@@ -19,14 +19,15 @@ void check_index(int index, std::size_t count, const char* argument, const char*
 }
 
 /// Row of a bone that hangs on a chain: its parent's place in the chain is looked up.
-Plan::Hanging hanging(const ChainBones& chain, int parent, int bone, std::size_t row) {
+ChainPlan::Hanging hanging(const ChainBones& chain, int parent, int bone, std::size_t row) {
     const auto found = std::find(chain.bones.begin(), chain.bones.end(), parent);
     return {static_cast<std::size_t>(bone), static_cast<std::size_t>(found - chain.bones.begin()), row};
 }
 
 }  // namespace
 
-Plan::Plan(std::vector<int> parents, std::vector<ChainBones> chains, const std::vector<Guard>& guards)
+ChainPlan::ChainPlan(std::vector<int> parents, std::vector<ChainBones> chains,
+                     const std::vector<Guard>& guards)
     : parents_(std::move(parents)), chains_(std::move(chains)), entries_(chains_.size()) {
     const std::size_t bones = parents_.size();
     for (const int parent : parents_) {
@@ -56,7 +57,7 @@ Plan::Plan(std::vector<int> parents, std::vector<ChainBones> chains, const std::
     add_guards(guards);
 }
 
-void Plan::check_chains() const {
+void ChainPlan::check_chains() const {
     for (const ChainBones& chain : chains_) {
         if (chain.bones.empty() || chain.bones.size() > chains::most_bones)
             refuse("chains", "a chain has 1 to " + std::to_string(chains::most_bones) + " bones");
@@ -74,7 +75,7 @@ void Plan::check_chains() const {
     }
 }
 
-void Plan::add_effectors(const std::vector<Guard>& guards) {
+void ChainPlan::add_effectors(const std::vector<Guard>& guards) {
     for (std::size_t i = 0; i < chains_.size(); ++i) {
         const ChainBones& chain = chains_[i];
         Entry& entry = entries_[i];
@@ -89,7 +90,7 @@ void Plan::add_effectors(const std::vector<Guard>& guards) {
     }
 }
 
-void Plan::add_guards(const std::vector<Guard>& guards) {
+void ChainPlan::add_guards(const std::vector<Guard>& guards) {
     std::vector<std::pair<std::size_t, Hanging>> found;
     for (const Guard& guard : guards) {
         const auto index = static_cast<std::size_t>(guard.chain);
@@ -110,7 +111,7 @@ void Plan::add_guards(const std::vector<Guard>& guards) {
     }
 }
 
-Plan::Chain Plan::chain(std::size_t index, std::size_t left_out) const {
+ChainPlan::Chain ChainPlan::chain(std::size_t index, std::size_t left_out) const {
     require(index < chains_.size(), "index: must be one of a chain");
     const Entry& entry = entries_[index];
     const std::span<const int> bones = chains_[index].bones;

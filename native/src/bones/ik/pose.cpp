@@ -30,7 +30,7 @@ glm::dquat rotation_in(const LinearSpace& space, const glm::dquat& frame, const 
 
 Pose::Pose(std::size_t longest) : posed_(longest), joints_(longest + 1) {}
 
-bool Pose::read(const Input& input, const Plan::Chain& chain) {
+bool Pose::read(const ChainInput& input, const ChainPlan::Chain& chain) {
     const std::span<const AnimatedBone> rows = input.bones.rows();
     first_ = 0;
     bones_ = rows.subspan(chain.first_row - chain.left_out, chain.left_out + chain.bones.size());

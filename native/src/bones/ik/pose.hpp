@@ -28,7 +28,7 @@ class Pose {
     explicit Pose(std::size_t longest);
 
     /// Puts the chain's bones, which the input keeps, into their FK pose. False if a number is not finite.
-    [[nodiscard]] bool read(const Input& input, const Plan::Chain& chain);
+    [[nodiscard]] bool read(const ChainInput& input, const ChainPlan::Chain& chain);
 
     [[nodiscard]] std::size_t size() const noexcept { return bones_.size(); }
     [[nodiscard]] const AnimatedBone& bone(std::size_t i) const { return bones_[i]; }

@@ -50,8 +50,8 @@ void Solution::pose_weighted(const Task& task, bool is_stretched) {
     pose_.place(last, pose_.rotation_for(last, frame), pose_.posed(last).stretch);
 }
 
-double Solution::write(std::span<const AnimatedBone> rows, const Plan::Chain& chain, const Task& task,
-                       const Output& output) {
+double Solution::write(std::span<const AnimatedBone> rows, const ChainPlan::Chain& chain, const Task& task,
+                       const ChainOutput& output) {
     const double weight = task.settings.position_weight;
     const std::size_t count = pose_.size();
     for (std::size_t row = chain.first_row - chain.left_out; row < chain.first_row; ++row) {
@@ -84,18 +84,18 @@ double Solution::write(std::span<const AnimatedBone> rows, const Plan::Chain& ch
     return angle_between(pose_.frame(last), task.orientation);
 }
 
-void Solution::write_guards(std::span<const AnimatedBone> rows, const Plan::Chain& chain,
-                            const Output& output) const {
-    for (const Plan::Hanging& guard : chain.guards) {
+void Solution::write_guards(std::span<const AnimatedBone> rows, const ChainPlan::Chain& chain,
+                            const ChainOutput& output) const {
+    for (const ChainPlan::Hanging& guard : chain.guards) {
         const PoseParts parts = pose_of(rows[guard.row], pose_.posed_of_all(guard.on));
         output.rotations[guard.row] = parts.rotation;
         output.scales[guard.row] = parts.scale;
     }
 }
 
-double Solution::write_effector(std::span<const AnimatedBone> rows, const Plan::Chain& chain,
-                                const Task& task, const Output& output) const {
-    const Plan::Hanging& effector = chain.effector;
+double Solution::write_effector(std::span<const AnimatedBone> rows, const ChainPlan::Chain& chain,
+                                const Task& task, const ChainOutput& output) const {
+    const ChainPlan::Hanging& effector = chain.effector;
     const AnimatedBone& bone = rows[effector.row];
     const PosedBone& parent = pose_.posed_of_all(effector.on);
     const double weight = task.settings.rotation_weight;

@@ -26,7 +26,7 @@ Solution::Solution(std::size_t longest)
       stretches_(longest),
       joints_(longest + 1) {}
 
-AimReport Solution::solve(const Plan::Chain& chain, const Task& task) {
+AimReport Solution::solve(const ChainPlan::Chain& chain, const Task& task) {
     const ChainSettings& settings = task.settings;
     AimGoal goal;
     goal.count = pose_.size();

@@ -28,21 +28,23 @@ class Solution {
     explicit Solution(std::size_t longest);
 
     /// Reads the FK pose; false if a number is not finite.
-    [[nodiscard]] bool read(const Input& input, const Plan::Chain& chain) { return pose_.read(input, chain); }
+    [[nodiscard]] bool read(const ChainInput& input, const ChainPlan::Chain& chain) {
+        return pose_.read(input, chain);
+    }
     /// The present pose: after read() the FK pose, after solve() the
     /// whole solution, after write() the solution by its weights.
     [[nodiscard]] const Pose& pose() const { return pose_; }
 
     /// Finds the solution, weights but rotation_weight aside.
-    AimReport solve(const Plan::Chain& chain, const Task& task);
+    AimReport solve(const ChainPlan::Chain& chain, const Task& task);
 
     /// Takes the FK pose for the solution: nothing turns.
     void stay();
 
     /// Blends and writes the chain's rows. rows: the bones of all. Returns the angle left between effector
     /// and target.
-    double write(std::span<const AnimatedBone> rows, const Plan::Chain& chain, const Task& task,
-                 const Output& output);
+    double write(std::span<const AnimatedBone> rows, const ChainPlan::Chain& chain, const Task& task,
+                 const ChainOutput& output);
 
   private:
     void turn_tail(const Task& task, AimGoal goal, AimReport& report, double stretch);
@@ -50,10 +52,10 @@ class Solution {
     void take_pose();
     void stretch_bones(double rest, double last_stretch);
     void pose_weighted(const Task& task, bool is_stretched);
-    void write_guards(std::span<const AnimatedBone> rows, const Plan::Chain& chain,
-                      const Output& output) const;
-    [[nodiscard]] double write_effector(std::span<const AnimatedBone> rows, const Plan::Chain& chain,
-                                        const Task& task, const Output& output) const;
+    void write_guards(std::span<const AnimatedBone> rows, const ChainPlan::Chain& chain,
+                      const ChainOutput& output) const;
+    [[nodiscard]] double write_effector(std::span<const AnimatedBone> rows, const ChainPlan::Chain& chain,
+                                        const Task& task, const ChainOutput& output) const;
 
     Pose pose_;
     Aim aim_;

@@ -26,7 +26,7 @@ ChainSettings within_domains(ChainSettings settings) {
     return settings;
 }
 
-void check_rig(const Plan& plan, const Input& input) {
+void check_rig(const ChainPlan& plan, const ChainInput& input) {
     if (!input.bones.is_of(plan)) throw std::invalid_argument("bones: must be of the same plan");
     if (input.poses.size() != 16 * plan.parents().size())
         throw std::invalid_argument("poses: there must be one for each bone of the plan");

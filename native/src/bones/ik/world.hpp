@@ -40,6 +40,6 @@ struct RigWorld {
 [[nodiscard]] ChainSettings within_domains(ChainSettings settings);
 
 /// std::invalid_argument if bones or poses are not those of the plan's rig.
-void check_rig(const Plan& plan, const Input& input);
+void check_rig(const ChainPlan& plan, const ChainInput& input);
 
 }  // namespace motus::bones::ik

@@ -17,7 +17,7 @@ constexpr std::array<double, channel_count> at_rest{0.0, 0.0, 0.0, 1.0, 0.0, 0.0
     return number < 3 ? location : number < 7 ? rotation : scale;
 }
 
-void check(const Curve& curve, std::size_t bone_count, std::size_t fcurve_count) {
+void check(const ClipCurve& curve, std::size_t bone_count, std::size_t fcurve_count) {
     require(curve.bone >= 0 && static_cast<std::size_t>(curve.bone) < bone_count,
             "curves: a bone is not there");
     require(curve.channel >= 0 && curve.channel < channel_count, "curves: a channel must be 0 to 9");
@@ -35,12 +35,12 @@ void check(const Curve& curve, std::size_t bone_count, std::size_t fcurve_count)
 
 }  // namespace
 
-Clip::Clip(std::span<const Rotation> rotations, std::span<const Curve> curves,
+Clip::Clip(std::span<const Rotation> rotations, std::span<const ClipCurve> curves,
            std::span<const fcurve::FCurve> fcurves)
     : bone_count_(rotations.size()), fcurves_(fcurves.begin(), fcurves.end()) {
     std::vector<std::vector<Track>> of_bones(bone_count_);
     std::size_t given_count = 0;
-    for (const Curve& curve : curves) {
+    for (const ClipCurve& curve : curves) {
         check(curve, bone_count_, fcurves.size());
         const bool is_given = curve.fcurve < 0;
         const std::size_t source = is_given ? given_count : static_cast<std::size_t>(curve.fcurve);

@@ -64,7 +64,7 @@ class Stack::Solver {
             const bool spins = spins_[i].is_on() && share < 1.0;
             Transform said = source[i];
             if (spins) said.rotation = spins_[i].start();
-            Transform result = layer.mode == Mode::override
+            Transform result = layer.mode == LayerMode::override
                                    ? overridden(base, said, share, channels)
                                    : added(base, said, reference_of(layer, i), share, channels);
             if (spins && (channels & rotation) != 0) spin(layer, i, share, base, result);
@@ -77,7 +77,7 @@ class Stack::Solver {
     void spin(const Layer& layer, std::size_t i, double share, const Transform& base,
               Transform& result) const {
         const glm::dquat turn = spins_[i].turn(share);
-        if (layer.mode == Mode::override) {
+        if (layer.mode == LayerMode::override) {
             result.rotation = normalized_product(turn * result.rotation);
             return;
         }
@@ -137,9 +137,9 @@ class Stack::Solver {
         }
     }
 
-    [[nodiscard]] glm::dquat in_armature(Mode mode, std::size_t bone) const {
+    [[nodiscard]] glm::dquat in_armature(LayerMode mode, std::size_t bone) const {
         const glm::dquat& base = beneath_[bone];
-        if (mode == Mode::override)
+        if (mode == LayerMode::override)
             return share_[bone] >= 1.0
                        ? said_[bone]
                        : normalized_product(part_of_turn(said_[bone] * glm::conjugate(base), share_[bone]) *

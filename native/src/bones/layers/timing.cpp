@@ -29,7 +29,7 @@ double ramp(double way, double width) {
 
 }  // namespace
 
-void check(const Timing& timing) {
+void check(const LayerTiming& timing) {
     require(std::isfinite(timing.start), "start: must be finite");
     require(std::isfinite(timing.last), "last: must be finite");
     require(std::isfinite(timing.first) && timing.first <= timing.last,
@@ -41,7 +41,7 @@ void check(const Timing& timing) {
             "blend_out: must be at least 0 and finite");
 }
 
-Moment moment_of(const Timing& timing, double frame) {
+Moment moment_of(const LayerTiming& timing, double frame) {
     check(timing);
     require(std::isfinite(frame), "frame: must be finite");
     const double length = timing.last - timing.first;

@@ -39,10 +39,10 @@ bool has_finite_numbers(const GazeSettings& s) {
 }  // namespace
 
 /// The solver of one entry at one moment.
-class Plan::Solver {
+class GazePlan::Solver {
   public:
     /// input: its head_forward and up are unit, its target is in the rig's space.
-    Solver(const RigView& rig, const Entry& entry, const Input& input, std::span<glm::dquat> rotations)
+    Solver(const RigView& rig, const Entry& entry, const GazeInput& input, std::span<glm::dquat> rotations)
         : rig_(rig), entry_(entry), input_(input), settings_(input.settings), rotations_(rotations) {}
 
     /// None if something is not finite, or a bone that looks has no size.
@@ -168,7 +168,7 @@ class Plan::Solver {
 
     const RigView& rig_;
     const Entry& entry_;
-    const Input& input_;
+    const GazeInput& input_;
     const GazeSettings& settings_;
     std::span<glm::dquat> rotations_;
     glm::dmat4 base_{1.0};
@@ -177,7 +177,7 @@ class Plan::Solver {
     bool is_limited_ = false;
 };
 
-std::vector<Plan::Link> Plan::way(int from, int above, const char* what) const {
+std::vector<GazePlan::Link> GazePlan::way(int from, int above, const char* what) const {
     const auto count = static_cast<int>(parents_.size());
     if (from < 0 || from >= count)
         throw std::invalid_argument(std::string(what) + ": there is no bone " + std::to_string(from));
@@ -192,7 +192,7 @@ std::vector<Plan::Link> Plan::way(int from, int above, const char* what) const {
     return links;
 }
 
-void Plan::add(const Bones& bones) {
+void GazePlan::add(const GazeBones& bones) {
     Entry entry;
     entry.first_row = rows_.size();
     const auto give_row = [&](Link& link) {
@@ -227,18 +227,18 @@ void Plan::add(const Bones& bones) {
     entries_.push_back(std::move(entry));
 }
 
-Plan::Plan(std::span<const int> parents, std::span<const Bones> entries)
+GazePlan::GazePlan(std::span<const int> parents, std::span<const GazeBones> entries)
     : parents_(parents.begin(), parents.end()) {
     const auto count = static_cast<int>(parents_.size());
     for (const int parent : parents_) {
         if (parent < -1 || parent >= count)
             throw std::invalid_argument("parents: there is no bone " + std::to_string(parent));
     }
-    for (const Bones& bones : entries) add(bones);
+    for (const GazeBones& bones : entries) add(bones);
 }
 
-void Plan::solve(const RigView& rig, const glm::dmat4& world, std::span<const Input> inputs,
-                 std::span<glm::dquat> rotations, std::span<GazeDiagnostics> reports) const {
+void GazePlan::solve(const RigView& rig, const glm::dmat4& world, std::span<const GazeInput> inputs,
+                     std::span<glm::dquat> rotations, std::span<GazeDiagnostics> reports) const {
     if (inputs.size() != size()) throw std::invalid_argument("inputs: one per entry is needed");
     if (reports.size() != size()) throw std::invalid_argument("reports: one per entry is needed");
     if (rotations.size() != rows_.size()) throw std::invalid_argument("rotations: one per row is needed");
@@ -262,7 +262,7 @@ void Plan::solve(const RigView& rig, const glm::dmat4& world, std::span<const In
         reports[i] = inputs[i].is_on ? meaningless : GazeDiagnostics{};
         if (!inputs[i].is_on) continue;
 
-        Input input = inputs[i];
+        GazeInput input = inputs[i];
         const std::optional<glm::dvec3> head_forward = direction_of(input.head_forward);
         const std::optional<glm::dvec3> up = direction_of(input.up);
         input.target = glm::dvec3(to_rig * glm::dvec4(input.target, 1.0));

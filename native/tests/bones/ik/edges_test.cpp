@@ -230,7 +230,7 @@ TEST_CASE("a plan says which of its bones make no chain", "[rig_ik]") {
     const auto refused = [&](std::vector<ChainBones> chains, const std::vector<Guard>& guards,
                              const char* argument) {
         try {
-            const Plan plan(parents, std::move(chains), guards);
+            const ChainPlan plan(parents, std::move(chains), guards);
         } catch (const std::invalid_argument& problem) {
             return std::string(problem.what()).rfind(argument, 0) == 0;
         }
@@ -244,9 +244,9 @@ TEST_CASE("a plan says which of its bones make no chain", "[rig_ik]") {
     CHECK(refused({{{0, 1}, 1}}, {{1, 0}}, "guards"));
     CHECK(refused({{{0, 1}, 1}}, {{4, 0}}, "guards"));
     CHECK(refused({{{0, 1}, 1}}, {{2, 1}}, "guards"));
-    CHECK_THROWS_AS(Plan({-1, 7}, {}, {}), std::invalid_argument);
+    CHECK_THROWS_AS(ChainPlan({-1, 7}, {}, {}), std::invalid_argument);
 
-    const Plan plan(parents, {{{0, 1}, 2}, {{3, 4}, 4}}, {{3, 0}, {2, 0}});
+    const ChainPlan plan(parents, {{{0, 1}, 2}, {{3, 4}, 4}}, {{3, 0}, {2, 0}});
     const std::vector<int> rows(plan.rows().begin(), plan.rows().end());
     CHECK(rows == std::vector<int>{0, 1, 3, 4, 2, 3});
     const std::vector<int> absolute(plan.is_absolute().begin(), plan.is_absolute().end());
@@ -256,23 +256,23 @@ TEST_CASE("a plan says which of its bones make no chain", "[rig_ik]") {
 
 TEST_CASE("an array of bones has to fit its plan", "[rig_ik]") {
     Solve solve = three_chains();
-    const Plan plan(solve.rig.parents, solve.chains, solve.guards);
-    const Plan copy = plan;  // NOLINT(performance-unnecessary-copy-initialization)
-    const ik::Rest rest(plan, solve.rig.view());
-    CHECK_NOTHROW(Bones(copy, rest, solve.rig.basis));
+    const ChainPlan plan(solve.rig.parents, solve.chains, solve.guards);
+    const ChainPlan copy = plan;  // NOLINT(performance-unnecessary-copy-initialization)
+    const ik::RestBones rest(plan, solve.rig.view());
+    CHECK_NOTHROW(AnimatedBones(copy, rest, solve.rig.basis));
 
     // A plan with equal numbers of bones, rows and chains, in a different order.
     std::vector<ChainBones> turned(solve.chains.rbegin(), solve.chains.rend());
     std::vector<Guard> guards = solve.guards;
     for (Guard& guard : guards) guard.chain = static_cast<int>(turned.size()) - 1 - guard.chain;
-    const Plan other(solve.rig.parents, turned, guards);
+    const ChainPlan other(solve.rig.parents, turned, guards);
     REQUIRE(other.rows().size() == plan.rows().size());
-    CHECK_THROWS_AS(Bones(other, rest, solve.rig.basis), std::invalid_argument);
-    const Input input = solve.input(plan);
+    CHECK_THROWS_AS(AnimatedBones(other, rest, solve.rig.basis), std::invalid_argument);
+    const ChainInput input = solve.input(plan);
     solve.rotations.resize(plan.rows().size());
     solve.scales.resize(plan.rows().size());
     solve.report.resize(plan.chain_count());
-    const Output output{solve.rotations, solve.scales, solve.report};
+    const ChainOutput output{solve.rotations, solve.scales, solve.report};
     CHECK_NOTHROW(ik::solve(copy, input, output));
     CHECK_THROWS_AS(ik::solve(other, input, output), std::invalid_argument);
     std::vector<glm::dmat4> targets(plan.chain_count());
@@ -281,7 +281,7 @@ TEST_CASE("an array of bones has to fit its plan", "[rig_ik]") {
 
     Rig rig = solve.rig;
     rig.parents[0] = rig.size() - 1;
-    CHECK_THROWS_AS(ik::Rest(plan, rig.view()), std::invalid_argument);
+    CHECK_THROWS_AS(ik::RestBones(plan, rig.view()), std::invalid_argument);
 }
 
 TEST_CASE("each setting that is not finite, and limits that leave nothing, make a chain neutral",

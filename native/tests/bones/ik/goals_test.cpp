@@ -138,7 +138,7 @@ TEST_CASE("stretch takes the tip to the target, and guards know nothing of it", 
 TEST_CASE("a guarded hand takes the target's orientation in pose space", "[rig_ik]") {
     Solve solve = sample(2, 2, false, 1.3);
     solve.guards.push_back({solve.chains[0].effector, 0});
-    const Plan plan(solve.rig.parents, solve.chains, solve.guards);
+    const ChainPlan plan(solve.rig.parents, solve.chains, solve.guards);
     REQUIRE(plan.rows().size() == 3);
     CHECK(plan.is_absolute()[2] == 1);
     solve.settings[0].stretch = 1.0;
@@ -174,7 +174,7 @@ TEST_CASE("a matched target gives the FK pose back", "[rig_ik]") {
             solve.settings[0].bend = seed % 2 == 0 ? -1 : 1;
             solve.settings[0].pole_angle = random.between(-3.0, 3.0);
             solve.settings[0].rotation_weight = 1.0;
-            const Plan plan(solve.rig.parents, solve.chains, solve.guards);
+            const ChainPlan plan(solve.rig.parents, solve.chains, solve.guards);
             match(plan, solve.input(plan), solve.targets, solve.poles);
             solve.run();
             INFO("seed " << seed << ", " << count << " bones");

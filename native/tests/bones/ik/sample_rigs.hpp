@@ -102,8 +102,8 @@ struct Solve {
         targets.push_back(glm::translate(glm::dmat4(1.0), target));
         poles.emplace_back(std::numeric_limits<double>::quiet_NaN());
     }
-    [[nodiscard]] Input input(const Plan& plan) const {
-        return {Bones(plan, Rest(plan, rig.view()), rig.basis),
+    [[nodiscard]] ChainInput input(const ChainPlan& plan) const {
+        return {AnimatedBones(plan, RestBones(plan, rig.view()), rig.basis),
                 rig.poses,
                 world,
                 settings,
@@ -112,7 +112,7 @@ struct Solve {
                 limits};
     }
     void run() {
-        const Plan plan(rig.parents, chains, guards);
+        const ChainPlan plan(rig.parents, chains, guards);
         rows.assign(plan.rows().begin(), plan.rows().end());
         rotations.assign(rows.size(), glm::dquat(0.0, 0.0, 0.0, 0.0));
         scales.assign(rows.size(), glm::dvec3(0.0));

@@ -57,7 +57,7 @@ TEST_CASE("rotation modes are Blender's", "[layers]") {
 
 TEST_CASE("a clip has the values of its curves, and rest values for channels without curves", "[layers]") {
     const std::array modes{Rotation::quaternion, Rotation::xyz, Rotation::axis_angle};
-    const std::array curves{Curve{2, 3, 0}, Curve{0, 1, 0}, Curve{1, 5, -1}, Curve{0, 8, 0}};
+    const std::array curves{ClipCurve{2, 3, 0}, ClipCurve{0, 1, 0}, ClipCurve{1, 5, -1}, ClipCurve{0, 8, 0}};
     const Clip clip(modes, curves, std::array{line(0, 1)});
     CHECK(std::vector<int>(clip.bones().begin(), clip.bones().end()) == std::vector<int>{0, 1, 2});
     CHECK(clip.channels()[0] == (location | scale));
@@ -81,7 +81,7 @@ TEST_CASE("a clip plays cycles, and takes what overflows for 0", "[layers]") {
     keys[1].place.y = 3e38f;
     // In single precision, in which it overflows.
     const FCurve steep(keys, true, Cycles{.before = Repeat::none, .after = Repeat::none});
-    const Clip clip(modes, std::array{Curve{0, 0, 0}, Curve{0, 1, 1}}, std::array{cyclic, steep});
+    const Clip clip(modes, std::array{ClipCurve{0, 0, 0}, ClipCurve{0, 1, 1}}, std::array{cyclic, steep});
     std::vector<Transform> pose(1);
     clip.evaluate(1025.0, {}, pose);
     CHECK(pose[0].location == glm::dvec3(102.5, 0, 0));
@@ -89,7 +89,7 @@ TEST_CASE("a clip plays cycles, and takes what overflows for 0", "[layers]") {
 
 TEST_CASE("angles beyond half a turn go around", "[layers]") {
     const auto goes = [](Rotation mode, int channel, double from, double to) {
-        return Clip(std::array{mode}, std::array{Curve{0, channel, 0}}, std::array{line(from, to)})
+        return Clip(std::array{mode}, std::array{ClipCurve{0, channel, 0}}, std::array{line(from, to)})
             .has_spins();
     };
     CHECK(goes(Rotation::xyz, 4, 0.0, 3.5));
@@ -103,7 +103,7 @@ TEST_CASE("angles beyond half a turn go around", "[layers]") {
     CHECK_FALSE(goes(Rotation::quaternion, 4, 0.0, 9.0));
     for (const bool is_beyond : {false, true}) {
         for (const int fcurve : {-1, 0}) {
-            const std::array curves{Curve{0, 3, fcurve, is_beyond}};
+            const std::array curves{ClipCurve{0, 3, fcurve, is_beyond}};
             CHECK(Clip(std::array{Rotation::xyz}, curves, std::array{line(0, 1)}).has_spins() == is_beyond);
         }
     }
@@ -111,7 +111,7 @@ TEST_CASE("angles beyond half a turn go around", "[layers]") {
 
 TEST_CASE("a clip refuses invalid keys and curves", "[layers]") {
     const std::array modes{Rotation::quaternion};
-    const auto make = [&](const Curve& curve) {
+    const auto make = [&](const ClipCurve& curve) {
         return Clip(modes, std::array{curve}, std::array{line(0, 1)});
     };
     CHECK_THROWS_AS(make({1, 0, 0}), std::invalid_argument);

@@ -52,7 +52,7 @@ struct Figure {
         const FCurve line({Key{{1, 0}, {0, 0}, {2, 0}, Interpolation::linear},
                            Key{{101, 10}, {100, 10}, {102, 10}, Interpolation::linear}},
                           false);
-        std::vector<Curve> curves;
+        std::vector<ClipCurve> curves;
         for (const int bone : bones) curves.push_back({bone, 5, 0});
         return {modes, curves, std::array{line}};
     }
@@ -101,7 +101,7 @@ TEST_CASE("a layer acts where its mask is, by weight times mask", "[layers]") {
 TEST_CASE("layers are laid one over the other", "[layers]") {
     Figure figure;
     Layer additive = figure.layer;
-    additive.mode = Mode::additive;
+    additive.mode = LayerMode::additive;
     const std::vector<Transform> found = figure.lay(4.0, {figure.layer, additive, additive}, walking());
     CHECK(distance(found[3].rotation, glm::angleAxis(0.9, z)) < 1e-7);
 }
@@ -111,7 +111,7 @@ TEST_CASE("a reference is what an additive layer starts from", "[layers]") {
     std::vector<Transform> reference(4);
     figure.clip.evaluate(3.0, {}, reference);
     figure.layer.reference = reference;
-    figure.layer.mode = Mode::additive;
+    figure.layer.mode = LayerMode::additive;
     const std::vector<Transform> base = walking();
     const std::vector<Transform> found = figure.lay(5.0, {figure.layer}, base);
     CHECK(distance(found[3].rotation, base[3].rotation * glm::angleAxis(0.2, z)) < 1e-7);
@@ -141,7 +141,7 @@ Clip rotor(Rotation mode) {
     };
     const FCurve turning({key(1, 0), key(49, last_angle)}, false),
         slanted({key(1, 0.6), key(49, 0.9)}, false);
-    return {modes, std::array{Curve{1, mode == Rotation::axis_angle ? 3 : 4, 0}, Curve{2, 3, 1}},
+    return {modes, std::array{ClipCurve{1, mode == Rotation::axis_angle ? 3 : 4, 0}, ClipCurve{2, 3, 1}},
             std::array{turning, slanted}};
 }
 
@@ -179,7 +179,7 @@ TEST_CASE("a layer that turns a bone twice turns it by its weight times two turn
     for (const Rotation mode : {Rotation::xyz, Rotation::zxy, Rotation::axis_angle}) {
         Rotor rotor(figure, mode);
         CHECK(rotor.clip.has_spins());
-        for (const Mode acts : {Mode::override, Mode::additive}) {
+        for (const LayerMode acts : {LayerMode::override, LayerMode::additive}) {
             for (const double weight : {0.1, 0.25, 0.5, 0.9, 1.0}) {
                 figure.mask = {0, 1, 1, 1};
                 rotor.layer.mask = figure.mask;
@@ -216,7 +216,7 @@ TEST_CASE("a bone that goes around in a repeated layer goes on from lap to lap, 
 TEST_CASE("with blending in the armature a bone that goes around takes its children along", "[layers]") {
     Figure figure;
     figure.mask = {0, 1, 1, 1};
-    for (const Mode acts : {Mode::override, Mode::additive}) {
+    for (const LayerMode acts : {LayerMode::override, LayerMode::additive}) {
         Rotor rotor(figure, Rotation::xyz);
         rotor.layer.mask = figure.mask;
         rotor.layer.in_armature = true;
@@ -275,7 +275,7 @@ TEST_CASE("with blending in the armature a part of the weight gives a part of th
 TEST_CASE("with blending in the armature an additive layer adds its rotation in armature space", "[layers]") {
     Figure figure;
     figure.layer.in_armature = true;
-    figure.layer.mode = Mode::additive;
+    figure.layer.mode = LayerMode::additive;
     const std::vector<Transform> base = walking();
     std::vector<Transform> source(4);
     for (Transform& bone : source) bone.rotation = glm::angleAxis(0.5, z);

@@ -6,7 +6,7 @@ using namespace motus::bones::layers;
 
 namespace {
 
-constexpr Timing throw_at_20{20.0, 1.0, 25.0, 2.0, After::nothing, 4.0, 4.0};  // lasts 12 frames
+constexpr LayerTiming throw_at_20{20.0, 1.0, 25.0, 2.0, After::nothing, 4.0, 4.0};  // lasts 12 frames
 
 }  // namespace
 
@@ -24,7 +24,7 @@ TEST_CASE("a layer plays from its start to its end", "[layers]") {
 }
 
 TEST_CASE("a layer without blending has its whole weight from its first to its last frame", "[layers]") {
-    Timing timing = throw_at_20;
+    LayerTiming timing = throw_at_20;
     timing.blend_in = timing.blend_out = 0.0;
     CHECK(moment_of(timing, 20.0).weight == 1.0);
     CHECK(moment_of(timing, 32.0).weight == 1.0);
@@ -32,7 +32,7 @@ TEST_CASE("a layer without blending has its whole weight from its first to its l
 }
 
 TEST_CASE("a layer may hold its last pose, or repeat", "[layers]") {
-    Timing timing = throw_at_20;
+    LayerTiming timing = throw_at_20;
     timing.after = After::hold;
     CHECK(moment_of(timing, 1000.0).frame == 25.0);
     CHECK(moment_of(timing, 1000.0).weight == 1.0);
@@ -44,7 +44,7 @@ TEST_CASE("a layer may hold its last pose, or repeat", "[layers]") {
 }
 
 TEST_CASE("a layer of negative speed plays backwards, one of speed 0 stands still", "[layers]") {
-    Timing timing = throw_at_20;
+    LayerTiming timing = throw_at_20;
     timing.speed = -2.0;
     CHECK(moment_of(timing, 20.0).frame == 25.0);
     CHECK(moment_of(timing, 23.25).frame == 18.5);
@@ -54,7 +54,7 @@ TEST_CASE("a layer of negative speed plays backwards, one of speed 0 stands stil
 }
 
 TEST_CASE("an action of one frame repeats itself", "[layers]") {
-    const Timing timing{1.0, 7.0, 7.0, 1.0, After::repeat, 0.0, 0.0};
+    const LayerTiming timing{1.0, 7.0, 7.0, 1.0, After::repeat, 0.0, 0.0};
     CHECK(moment_of(timing, 100.5).frame == 7.0);
     CHECK(moment_of(timing, 100.5).weight == 1.0);
 }

@@ -27,9 +27,9 @@ inline void append(std::vector<float>& values, const glm::dmat4& matrix) {
 struct Figure {
     std::vector<int> parents, inheritance;
     std::vector<float> rest, poses, basis;
-    Bones bones;
+    GazeBones bones;
     glm::dmat4 world{1.0};
-    Input input;                           ///< without its eyes_forward
+    GazeInput input;                       ///< without its eyes_forward
     std::vector<glm::dvec3> eyes_forward;  ///< of each eye
 
     explicit Figure(int spine_bones, bool eyes = true) {
@@ -77,10 +77,10 @@ struct Result {
 };
 
 inline Result solve(const Figure& figure) {
-    const Plan plan(figure.parents, {&figure.bones, 1});
+    const GazePlan plan(figure.parents, {&figure.bones, 1});
     Result result;
     result.rotations.assign(plan.rows().size(), glm::dquat(9, 9, 9, 9));
-    Input input = figure.input;
+    GazeInput input = figure.input;
     input.eyes_forward = figure.eyes_forward;
     plan.solve(figure.view(), figure.world, {&input, 1}, result.rotations, {&result.report, 1});
     return result;

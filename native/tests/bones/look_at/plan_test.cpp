@@ -235,9 +235,9 @@ TEST_CASE("numbers that are not finite leave their entry alone, others are solve
         CHECK((result.report.angle == 0.0 && result.report.yaw == 0.0 && result.report.pitch == 0.0));
     }
 
-    const Plan plan(good.parents, std::vector<Bones>(2, good.bones));
-    std::vector<Input> inputs(2, good.input);
-    for (Input& input : inputs) input.eyes_forward = good.eyes_forward;
+    const GazePlan plan(good.parents, std::vector<GazeBones>(2, good.bones));
+    std::vector<GazeInput> inputs(2, good.input);
+    for (GazeInput& input : inputs) input.eyes_forward = good.eyes_forward;
     inputs[0].target.x = nan;
     std::vector<glm::dquat> rotations(plan.rows().size());
     std::vector<GazeDiagnostics> reports(2);
@@ -275,33 +275,33 @@ TEST_CASE("any finite rig gives finite results", "[rig_look_at]") {
 
 TEST_CASE("plans refuse bones that are not above each other", "[rig_look_at]") {
     const std::vector<int> parents{-1, 0, 1, 2, 2, 0};
-    const auto plan = [&](const Bones& bones) { return Plan(parents, {&bones, 1}); };
-    const Plan good = plan({{0, 1}, 2, {3, 4}});
+    const auto plan = [&](const GazeBones& bones) { return GazePlan(parents, {&bones, 1}); };
+    const GazePlan good = plan({{0, 1}, 2, {3, 4}});
     CHECK(std::vector<int>(good.rows().begin(), good.rows().end()) == std::vector<int>{0, 1, 2, 3, 4});
-    for (const Bones& bones : std::vector<Bones>{{{}, 6, {}},
-                                                 {{}, -1, {}},
-                                                 {{1, 0}, 2, {}},
-                                                 {{0, 0}, 2, {}},
-                                                 {{5}, 2, {}},
-                                                 {{2}, 2, {}},
-                                                 {{0, 9}, 2, {}},
-                                                 {{0}, 2, {2}},
-                                                 {{0}, 2, {1}},
-                                                 {{0}, 2, {5}}})
+    for (const GazeBones& bones : std::vector<GazeBones>{{{}, 6, {}},
+                                                         {{}, -1, {}},
+                                                         {{1, 0}, 2, {}},
+                                                         {{0, 0}, 2, {}},
+                                                         {{5}, 2, {}},
+                                                         {{2}, 2, {}},
+                                                         {{0, 9}, 2, {}},
+                                                         {{0}, 2, {2}},
+                                                         {{0}, 2, {1}},
+                                                         {{0}, 2, {5}}})
         CHECK_THROWS_AS(plan(bones), std::invalid_argument);
     const std::vector<int> ring{1, 0}, wrong{7};
-    const Bones head{{}, 0, {}};
-    CHECK_THROWS_AS(Plan(ring, {&head, 1}), std::invalid_argument);
-    CHECK_THROWS_AS(Plan(wrong, {&head, 1}), std::invalid_argument);
+    const GazeBones head{{}, 0, {}};
+    CHECK_THROWS_AS(GazePlan(ring, {&head, 1}), std::invalid_argument);
+    CHECK_THROWS_AS(GazePlan(wrong, {&head, 1}), std::invalid_argument);
 
     const Figure figure(1);
     GazeDiagnostics report;
     std::vector<glm::dquat> rows(9);
-    Input input = figure.input;
+    GazeInput input = figure.input;
     input.eyes_forward = figure.eyes_forward;
     CHECK_THROWS_AS(good.solve(figure.view(), figure.world, {&input, 1}, rows, {&report, 1}),
                     std::invalid_argument);
-    const Plan eyed(figure.parents, {&figure.bones, 1});
+    const GazePlan eyed(figure.parents, {&figure.bones, 1});
     rows.resize(eyed.rows().size());
     input.eyes_forward = input.eyes_forward.first(1);
     CHECK_THROWS_AS(eyed.solve(figure.view(), figure.world, {&input, 1}, rows, {&report, 1}),
@@ -310,7 +310,7 @@ TEST_CASE("plans refuse bones that are not above each other", "[rig_look_at]") {
     Figure same(2);
     std::vector<int> others = same.parents;
     others[2] = 0;
-    const Plan own(same.parents, {&head, 1});
+    const GazePlan own(same.parents, {&head, 1});
     std::vector<glm::dquat> row(1);
     CHECK_NOTHROW(own.solve(same.view(), same.world, {&same.input, 1}, row, {&report, 1}));
     same.parents = others;

@@ -78,11 +78,11 @@ struct ChainDiagnostics {
 /// Which bones of a rig are chains, and where the results of each bone go. Immutable. A copy is the same
 /// plan; one that is constructed anew is a different plan, even if its bones are the same. What is moved from
 /// has no bones.
-class Plan {
+class ChainPlan {
   public:
     /// std::invalid_argument, with the argument's name, for bones that do not exist or are not parent and
     /// child.
-    Plan(std::vector<int> parents, std::vector<ChainBones> chains, const std::vector<Guard>& guards);
+    ChainPlan(std::vector<int> parents, std::vector<ChainBones> chains, const std::vector<Guard>& guards);
 
     /// Bone of each result row: the chains' bones, chain by chain; effectors that are no chain bones; guards.
     [[nodiscard]] std::span<const int> rows() const noexcept { return rows_; }
@@ -145,16 +145,16 @@ struct AnimatedBone;
 
 /// The bones of a plan's rows at rest, each relative to its parent. An immutable value, valid until the
 /// armature is edited; copies share its data.
-class Rest {
+class RestBones {
   public:
-    Rest() = default;  // belongs to no plan
+    RestBones() = default;  // belongs to no plan
     /// Reads neither poses nor basis. Numbers that are not finite are allowed. std::invalid_argument if
     /// the rig's parents are not the plan's, or its arrays do not have as many bones.
-    Rest(const Plan& plan, const RigView& rig);
+    RestBones(const ChainPlan& plan, const RigView& rig);
 
     /// In the order of the plan's rows.
     [[nodiscard]] std::span<const RestBone> rows() const noexcept;
-    [[nodiscard]] bool is_of(const Plan& plan) const noexcept {
+    [[nodiscard]] bool is_of(const ChainPlan& plan) const noexcept {
         return plan_ != nullptr && plan_ == plan.identity();
     }
 
@@ -165,24 +165,24 @@ class Rest {
 
 /// The bones of a plan's rows as they are animated (FK): all that a solve reads except the pose of the
 /// chains' parents. An immutable value, valid until a bone's own transform changes; copies share its data.
-class Bones {
+class AnimatedBones {
   public:
-    Bones() = default;  // belongs to no plan
+    AnimatedBones() = default;  // belongs to no plan
     /// basis: as in RigView, of all bones. std::invalid_argument if `rest` or `basis` are not the plan's.
-    Bones(const Plan& plan, Rest rest, std::span<const float> basis);
+    AnimatedBones(const ChainPlan& plan, RestBones rest, std::span<const float> basis);
 
     /// In the order of the plan's rows.
     [[nodiscard]] std::span<const AnimatedBone> rows() const noexcept;
-    [[nodiscard]] bool is_of(const Plan& plan) const noexcept { return rest_.is_of(plan); }
+    [[nodiscard]] bool is_of(const ChainPlan& plan) const noexcept { return rest_.is_of(plan); }
 
   private:
-    Rest rest_;
+    RestBones rest_;
     std::shared_ptr<const std::vector<AnimatedBone>> rows_;
 };
 
 /// The input of a solve. Sizes are checked by solve(); numbers that are not finite are allowed.
-struct Input {
-    Bones bones;                                  ///< of the plan
+struct ChainInput {
+    AnimatedBones bones;                          ///< of the plan
     std::span<const float> poses;                 ///< as in RigView; read for the parents of chains
     glm::dmat4 world{1.0};                        ///< the rig's matrix_world
     std::span<const ChainSettings> settings;      ///< one per chain
@@ -192,7 +192,7 @@ struct Input {
 };
 
 /// The output of a solve.
-struct Output {
+struct ChainOutput {
     std::span<glm::dquat> rotations;     ///< one per row
     std::span<glm::dvec3> scales;        ///< one per row
     std::span<ChainDiagnostics> report;  ///< one per chain
@@ -201,12 +201,13 @@ struct Output {
 /// Solves every chain independently. std::invalid_argument if sizes do not fit. Always finite; rows of a
 /// chain that is off are neutral (identity and 1; the FK pose if they are absolute), and so are those of one
 /// with numbers that are not finite (identity and 1 everywhere).
-void solve(const Plan& plan, const Input& input, const Output& output);
+void solve(const ChainPlan& plan, const ChainInput& input, const ChainOutput& output);
 
 /// Targets (rigid matrices) and poles, world, for which the solution of each chain is the FK pose. With
 /// both stretch and softness an almost straight FK pose has no such target: the tip is right, but the bones
 /// are a little longer. Reads no targets, poles and limits; a chain with numbers that are not finite gets the
 /// identity and a pole of NaN.
-void match(const Plan& plan, const Input& input, std::span<glm::dmat4> targets, std::span<glm::dvec3> poles);
+void match(const ChainPlan& plan, const ChainInput& input, std::span<glm::dmat4> targets,
+           std::span<glm::dvec3> poles);
 
 }  // namespace motus::bones::ik

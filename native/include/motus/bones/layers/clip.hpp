@@ -16,7 +16,7 @@
 namespace motus::bones::layers {
 
 /// Which number of a bone an F-curve animates.
-struct Curve {
+struct ClipCurve {
     int bone = 0;
     int channel = 0;  ///< 0-2 location, 3-6 the numbers of its rotation, 7-9 scale
     int fcurve = -1;  ///< index among those of the clip; -1: the caller gives its value
@@ -30,7 +30,7 @@ class Clip {
   public:
     /// rotations: one for each bone of the rig. Of a bone and channel that is named twice the later curve
     /// counts. std::invalid_argument where something names what is not there.
-    Clip(std::span<const Rotation> rotations, std::span<const Curve> curves,
+    Clip(std::span<const Rotation> rotations, std::span<const ClipCurve> curves,
          std::span<const fcurve::FCurve> fcurves);
 
     /// Bones that it animates, rising.

@@ -16,7 +16,7 @@
 namespace motus::bones::layers {
 
 /// How a layer acts on what lies beneath it.
-enum class Mode : int {
+enum class LayerMode : int {
     override = 0,  ///< takes its place
     additive = 1   ///< adds the difference between its action and the reference pose
 };
@@ -36,9 +36,9 @@ struct Layer {
     std::span<const Transform>
         reference;  ///< one for each bone of the clip, or none: the rest pose; of an additive layer
     std::span<const Lap> laps;  ///< one for each bone of the clip, or none: all rotations go the shorter way
-    Timing timing;
+    LayerTiming timing;
     double weight = 1.0;  ///< 0 to 1
-    Mode mode = Mode::override;
+    LayerMode mode = LayerMode::override;
     /// Rotations are laid over each other as they are in the armature, so that bones outside of the mask do
     /// not turn those inside: bones above that the clip does not rotate count as being at rest.
     bool in_armature = false;

@@ -13,7 +13,7 @@ enum class After : int {
 };
 
 /// Frames of the scene and of the action. Before its start a layer is not there.
-struct Timing {
+struct LayerTiming {
     double start = 1.0;  ///< frame of the scene
     double first = 1.0;  ///< frame of the action that plays there; first <= last
     double last = 1.0;
@@ -30,9 +30,9 @@ struct Moment {
 };
 
 /// Throws std::invalid_argument, naming the number, where one is not finite or outside its domain.
-void check(const Timing& timing);
+void check(const LayerTiming& timing);
 
 /// Throws as check() does, and where the frame is not finite.
-[[nodiscard]] Moment moment_of(const Timing& timing, double frame);
+[[nodiscard]] Moment moment_of(const LayerTiming& timing, double frame);
 
 }  // namespace motus::bones::layers

@@ -19,20 +19,20 @@
 namespace motus::bones::look_at {
 
 /// Indices of the bones that turn to one target.
-struct Bones {
+struct GazeBones {
     std::vector<int> body;  ///< from the lowest up, each above the one before, below the head; may be empty
     int head = 0;
     std::vector<int> eyes;  ///< above the head, in any order; may be empty
 };
 
 /// What one head looks at.
-struct Input {
+struct GazeInput {
     GazeSettings settings;
     glm::dvec3 target{0.0};  ///< world space
     glm::dvec3 head_forward{0.0, 0.0,
                             1.0};  ///< axis of the head bone that points where the face does; not zero
-    std::span<const glm::dvec3>
-        eyes_forward;  ///< axis of each eye bone that points where the eye looks, in the order of Bones::eyes
+    std::span<const glm::dvec3> eyes_forward;  ///< axis of each eye bone that points where the eye looks, in
+                                               ///< the order of GazeBones::eyes
     glm::dvec3 up{0.0, 0.0, 1.0};  ///< the rig's upward direction at rest, armature space; not zero
     bool is_on = true;
 };
@@ -51,18 +51,18 @@ struct GazeDiagnostics {
 /// Bones of a rig that look at targets. The hierarchy is checked once.
 ///
 /// The chest is the space that the head bone's own rotation acts in: its forward is the head's without that
-/// rotation, its up is Input::up turned with the animated chest (if the face looks along up at
+/// rotation, its up is GazeInput::up turned with the animated chest (if the face looks along up at
 /// rest: the head bone's own Y or Z). Every gaze starts at its bone's own place; no bone moves the place it
 /// turns about, so that what the head has to turn is known once the body stands, and what the eyes have to
 /// once the head does. A head (or eye) of weight 1 and no limit therefore meets its target exactly, near ones
 /// too, whatever its parents' scales: the direction wanted is taken through the inverse of the space that the
 /// bone stands in. The body's share is that of the turn seen from the animated head.
-class Plan {
+class GazePlan {
   public:
     /// parents: index of each bone's parent, -1 for none, in any order. Throws
     /// std::invalid_argument if an index is none of a bone's, or the bones are not above each other as
     /// Bones says.
-    Plan(std::span<const int> parents, std::span<const Bones> entries);
+    GazePlan(std::span<const int> parents, std::span<const GazeBones> entries);
 
     /// Bones of the result's rows: body, head, eyes of each entry.
     [[nodiscard]] std::span<const int> rows() const noexcept { return rows_; }
@@ -75,9 +75,9 @@ class Plan {
     /// animated rotation (rotation of PoseBone.matrix_basis * result), w >= 0. Without a turn (weight 0, off,
     /// target at the head itself, input not finite) exactly the identity. world: the rig's matrix_world.
     /// RigView::lengths is not read. Allocates nothing; every result is finite. Throws std::invalid_argument
-    /// if a span has another size, one of Input::eyes_forward included, or the rig's parents are not the
+    /// if a span has another size, one of GazeInput::eyes_forward included, or the rig's parents are not the
     /// plan's.
-    void solve(const RigView& rig, const glm::dmat4& world, std::span<const Input> inputs,
+    void solve(const RigView& rig, const glm::dmat4& world, std::span<const GazeInput> inputs,
                std::span<glm::dquat> rotations, std::span<GazeDiagnostics> reports) const;
 
   private:
@@ -97,7 +97,7 @@ class Plan {
     class Solver;
 
     [[nodiscard]] std::vector<Link> way(int from, int above, const char* what) const;
-    void add(const Bones& bones);
+    void add(const GazeBones& bones);
 
     std::vector<int> parents_;
     std::vector<int> rows_;
