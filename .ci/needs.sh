@@ -3,6 +3,7 @@
 # shellcheck shell=bash
 
 os_release=/etc/os-release
+loader=/lib64/ld-linux-x86-64.so.2 # of programs on x86-64; says which levels of these processors this one has
 
 # PACKAGE:PROBE, Debian's name of a package, and what shows that it is there: a program, or a file. Of several with | between one is enough, as
 # systems lay files differently. GCC optimises on all processors at once where there is a make.
@@ -134,11 +135,14 @@ need() {
 # wish PACKAGE:PROBE...: the same for what a command can do without; false where it cannot be installed.
 wish() { if installs_itself; then (need "$@"); fi; }
 
-# has_preset PRESET: false, with the reason, where a compiler or emulator of it is neither there nor can be installed.
+# has_preset PRESET: false, with the reason, where a compiler or emulator of it is neither there nor can be installed, or this processor could not
+# run what it makes.
 has_preset() {
     local needs missing
     read -ra needs <<<"${preset_needs[$1]:-}"
     wish "${needs[@]}" || true
     find_missing "${needs[@]}"
     ((${#missing[@]} == 0)) || { say "SKIPPED: the preset $1 lacks what Debian calls ${missing[*]}"; return 1; }
+    [[ $1 != x86-64-v* || $("$loader" --help 2>/dev/null) == *" $1 (supported"* ]] ||
+        { say "SKIPPED: this processor cannot run programs for $1"; return 1; }
 }

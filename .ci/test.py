@@ -26,8 +26,8 @@ BUILD = Path(os.environ["MOTUS_BUILD"])
 FOLDER = BUILD / "tests"
 RESULTS = FOLDER / "results.xml"
 WHOLE_OUTPUT = str(10**8)
-ELSEWHERE = ("libcxx", "threads", "aarch64-linux", "windows-x64")
-"""CMake's presets of other compilers and systems, for which the library is tested if all is asked for, or its group by name."""
+ELSEWHERE = ("libcxx", "threads", "aarch64-linux", "windows-x64", "x86-64-v3", "x86-64-v4")
+"""CMake's presets of other compilers, systems and processors, for which the library is tested if all is asked for, or its group by name."""
 
 FUZZED = ("curve", "clip", "mesh", "snow")
 """Topics that fuzzers look through, in the same cases."""
@@ -130,7 +130,7 @@ def main():
     parser.add_argument(
         "--all",
         action="store_true",
-        help="run in each Blender everything that it can, and test the library by other compilers and for other systems",
+        help="run in each Blender everything that it can, and test the library by other compilers and for other systems and processors",
     )
     parser.add_argument("--only", default="", help="only the groups whose name contains one of these")
     parser.add_argument("patterns", nargs="*", help="only the tests whose name contains one of these")

@@ -116,6 +116,16 @@ class Needs(unittest.TestCase):
                 self.assertEqual("apt-get install" in said, system in {"bookworm", "trixie"})
                 self.assertEqual(self.bash(system, "has_preset release; echo built"), (0, "built\n"))
 
+    def test_a_preset_is_skipped_that_this_processor_cannot_run(self):
+        loader = self.folder / "loader"
+        loader.write_text("#!/bin/sh\necho '  x86-64-v4'\necho '  x86-64-v3 (supported, searched)'\n", encoding="utf-8")
+        loader.chmod(0o755)
+        ask = f"loader='{loader}'; has_preset "
+        self.assertEqual(self.bash("bookworm", ask + "x86-64-v3 && echo built"), (0, "built\n"))
+        refusal = "motus: SKIPPED: this processor cannot run programs for x86-64-v4\n"
+        self.assertEqual(self.bash("bookworm", ask + "x86-64-v4"), (1, refusal))
+        self.assertEqual(self.bash("bookworm", "loader=/no/such/file; has_preset x86-64-v4"), (1, refusal))
+
     def test_what_blender_draws_with_comes_with_it(self):
         """Debian's package of Blender 4.3 asks for none of it, and ends by a signal where it is to render."""
         for needs in ("blender_needs", "official_needs", "test_needs"):
