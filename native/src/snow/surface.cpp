@@ -12,9 +12,9 @@
 namespace motus::snow {
 namespace {
 
-/// Each facet keeps a share of the draws that fall on it and leaves the rest to one other facet, so that all
-/// get what their weight is. Vose, "A linear algorithm for generating random numbers with a given
-/// distribution" (1991).
+/// An alias table: each facet keeps a share of the draws that fall on it and leaves the rest to one other
+/// facet, so that all get what their weight is. Vose, "A linear algorithm for generating random numbers with
+/// a given distribution" (1991).
 void share(std::span<double> weights, double sum, std::span<Facet> facets) {
     std::vector<std::uint32_t> small, large;
     for (std::size_t i = 0; i < weights.size(); ++i) {

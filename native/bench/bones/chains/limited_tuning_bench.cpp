@@ -175,10 +175,9 @@ std::vector<Variation> variations() {
         }
     };
     using T = LimitedTuning;
+    number("spread_starts", &T::spread_starts, {1, 24});
     number("patience_on_target", &T::patience_on_target, {1, 12});
-    number("patience_of_short", &T::patience_of_short, {3, 24});
-    number("patience_of_long", &T::patience_of_long, {2, 24});
-    number("start_budget", &T::start_budget, {30, 960});
+    number("widest_start", &T::widest_start, {1.0, 3.1});
     number("led_near", &T::led_near, {1e-5, 1e-1});
     for (const double share : {0.05, 1.0})
         all.push_back({"orientation_shares " + std::to_string(share).substr(0, 4), [share](T& tuning) {
@@ -188,6 +187,8 @@ std::vector<Variation> variations() {
     number("other_side_room", &T::other_side_room, {0.0, 0.9});
     number("shown_bend", &T::shown_bend, {0.1, 1.5});
     number("most_first_bend", &T::most_first_bend, {0.2, 3.0});
+    number("most_stretches", &T::most_stretches, {10, 160});
+    number("least_room", &T::least_room, {0.0, 0.3});
     number("paying", &T::paying, {0.8, 0.9999});
     number("idle_steps", &T::idle_steps, {1, 20});
     number("most_turned", &T::most_turned, {0.1, 3.0});
@@ -200,6 +201,7 @@ std::vector<Variation> variations() {
     number("damping_rise", &T::damping_rise, {2.0, 100.0});
     number("slow", &T::slow, {0.01, 0.9});
     number("hopeless", &T::hopeless, {0.7, 1.0});
+    number("far_above", &T::far_above, {1.0, 10.0});
     number("largest_turn", &T::largest_turn, {0.2, 3.0});
     return all;
 }

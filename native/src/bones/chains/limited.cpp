@@ -50,9 +50,8 @@ double spread(std::size_t start, std::size_t dimension) {
     return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
-/// The value at a share of the way between two limits; an unlimited side counts as half a turn at most.
-double between(double low, double high, double share) {
-    constexpr double widest = 2.0;
+/// The value at a share of the way between two limits; an unlimited side counts as `widest` at most.
+double between(double low, double high, double widest, double share) {
     return std::lerp(std::max(low, std::min(high, 0.0) - widest), std::min(high, std::max(low, 0.0) + widest),
                      share);
 }
@@ -67,11 +66,7 @@ class Search {
   public:
     Search(const Limited& chain, const Reach& reach, const glm::dvec3& target, const SolverSettings& settings,
            const std::optional<glm::dquat>& orientation, const LimitedTuning& tuning)
-        : chain_(chain),
-          tuning_(tuning),
-          pose_(chain, reach.unit()),
-          settings_(settings),
-          patience_(chain.offsets.size() <= 5 ? tuning.patience_of_short : tuning.patience_of_long) {
+        : chain_(chain), tuning_(tuning), pose_(chain, reach.unit()), settings_(settings) {
         // Targets are brought within this distance, beyond which only the direction counts, so that squares
         // stay in range.
         constexpr double far = 1e6;
@@ -118,7 +113,6 @@ class Search {
     double best_residual_ = std::numeric_limits<double>::infinity();
     double best_angle_ = std::numeric_limits<double>::infinity();
     bool is_best_at_rest_ = false;
-    int patience_;
     int same_ = 0;  // starts that ended no better than the best did
     int iterations_ = 0;
 };
@@ -198,10 +192,13 @@ void Search::start_from_unlimited(std::span<const glm::dquat> rotations) {
 void Search::start_from_spread(std::size_t start) {
     for (std::size_t i = 0; i < pose_.count(); ++i) {
         const JointLimits& limits = pose_.limits(i);
-        const auto share = [&](std::size_t axis) { return start == 0 ? 0.5 : spread(start, 3 * i + axis); };
-        const SwingTwist angles{
-            {between(limits.min.x, limits.max.x, share(0)), between(limits.min.z, limits.max.z, share(2))},
-            between(limits.min.y, limits.max.y, share(1))};
+        const auto share = [&](int axis) {
+            return start == 0 ? 0.5 : spread(start, 3 * i + static_cast<std::size_t>(axis));
+        };
+        const auto angle = [&](int axis) {
+            return between(limits.min[axis], limits.max[axis], tuning_.widest_start, share(axis));
+        };
+        const SwingTwist angles{{angle(0), angle(2)}, angle(1)};
         pose_.set_bone(i, clamped(angles, limits));
     }
 }
@@ -236,8 +233,7 @@ void Search::descend_to_goal() {
 }
 
 bool Search::is_enough() const {
-    return (is_on_target() && best_angle_ <= 1e-5) ||
-           same_ >= (is_on_target() ? tuning_.patience_on_target : patience_);
+    return is_on_target() && (best_angle_ <= 1e-5 || same_ >= tuning_.patience_on_target);
 }
 
 /// Leads the chain to the target from the given pose and, if that fails, from the middle of the limits, since
@@ -265,15 +261,13 @@ void Search::run_leads(std::span<const glm::dquat> rotations) {
 int Search::run(std::span<glm::dquat> rotations) {
     find_bend(rotations);
     run_leads(rotations);
-    const std::size_t starts =
-        std::clamp<std::size_t>(static_cast<std::size_t>(tuning_.start_budget) / pose_.count(), 4, 24);
-    for (std::size_t start = 0; start < starts + 2 && !is_enough(); ++start) {
+    for (int start = 0; start < tuning_.spread_starts + 2 && !is_enough(); ++start) {
         if (start == 0 && !settings_.pole) {
             start_from(rotations);
         } else if (start <= 1) {
             start_from_unlimited(rotations);
         } else {
-            start_from_spread(start - 2);
+            start_from_spread(static_cast<std::size_t>(start - 2));
         }
         descend_to_goal();
     }

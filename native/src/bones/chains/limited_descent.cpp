@@ -64,7 +64,8 @@ class Descent {
                 }
             }
             is_slow_ = now > tuning_.slow * cost;
-            if (goal_.rival >= 0.0 && now > tuning_.hopeless * cost && now > 2.0 * goal_.rival * goal_.rival)
+            if (goal_.rival >= 0.0 && now > tuning_.hopeless * cost &&
+                now > tuning_.far_above * goal_.rival * goal_.rival)
                 break;
             stalls = now > (1.0 - 1e-7) * cost ? stalls + 1 : 0;
             cost = std::min(cost, now);

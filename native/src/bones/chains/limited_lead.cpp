@@ -77,7 +77,7 @@ void bend(LimitedPose& pose, const LimitedTuning& tuning, const glm::dvec3& norm
     const double room = room_about(pose, -normal);
     const double other_room = room_about(pose, normal);
     const double inner = static_cast<double>(pose.count() - 1);
-    const bool is_across = std::max(room, other_room) < 0.05 * inner;
+    const bool is_across = std::max(room, other_room) < tuning.least_room * inner;
     const glm::dvec3 axis = room < tuning.other_side_room * other_room ? normal : -normal;
     Angles bent;
     bent[0] = pose.angles()[0];
@@ -140,7 +140,7 @@ class Lead {
         turn_ = smallest_turn(from_.along, to_, normal);
         const double angle = goal_.side ? angle_to_side(turn_ * normal) : 0.0;
         start_bending();
-        stretch(std::min(most, 40));
+        stretch(std::min(most, tuning_.most_stretches));
         const Line now = line_of(pose_);
         back_ = smallest_turn(now.along, from_.along, normal);
         if (is_free(pose_.limits(0))) {

@@ -12,12 +12,11 @@ namespace motus::bones::chains {
 /// Lengths are in units of the chain's length, angles in radians.
 struct LimitedTuning {
     // Which starting poses are tried.
+    int spread_starts = 4;  ///< poses spread over the limits, after those that come from the given pose
     int patience_on_target =
-        4;  ///< starts in a row without gain after which no more are tried: on the target
-    int patience_of_short = 12;  ///< the same short of it, for up to 5 bones, which get caught more easily
-    int patience_of_long = 8;    ///< the same for more bones
-    int start_budget = 240;      ///< starts times bones: 4 to 24 starts
-    double led_near = 1e-3;      ///< distance at which a chain that was led counts as there but for a descent
+        4;  ///< starts in a row without gain after which no more are tried once the tip is on the target
+    double widest_start = 2.0;  ///< how far a start may turn to a side without a limit
+    double led_near = 1e-3;     ///< distance at which a chain that was led counts as there but for a descent
     std::array<double, 2> orientation_shares{0.3,
                                              0.03};  ///< length that a radian off counts as, stage by stage
 
@@ -27,7 +26,10 @@ struct LimitedTuning {
     double shown_bend = 0.5;        ///< of a straight pose, to see in which plane it bends
     double most_first_bend = 1.0;   ///< of a straight pose, before the steps
     double paying = 0.98;           ///< a step pays that leaves less than this share of the best distance
-    int idle_steps = 5;             ///< steps in a row that do not pay, after which it ends
+    int most_stretches = 40;        ///< steps until the pose's line is as long as the target is far
+    double least_room =
+        0.05;  ///< mean angle that joints can bend by about an axis; with less, each bends its widest way
+    int idle_steps = 5;  ///< steps in a row that do not pay, after which it ends
 
     // One step of it.
     double most_turned = 0.5;   ///< of a joint
@@ -42,6 +44,7 @@ struct LimitedTuning {
     double damping_rise = 10.0;  ///< factor after one that does not
     double slow = 0.25;          ///< a step that leaves more of the cost is followed by ones of second order
     double hopeless = 0.98;      ///< a step that leaves more, far above an earlier descent's end, is the last
+    double far_above = 2.0;      ///< times the cost at that end
     double largest_turn = 1.0;   ///< of an angle in one step
 };
 
