@@ -31,14 +31,19 @@ class Seen:
     """What a module says of itself; a class a format below has the rest."""
 
     entry = "PyInit_motus_native"
+    asked_for = frozenset()  # names of functions of the system
+    mathematics = ()  # of which a module that asks for acos or atan2 has one of each set, where a compiler's library could stand in for them
 
     def __init__(self, binary, content):
         self.binary = binary
         self.content = content
 
     def other_problems(self):
-        """Sentences about what this format alone has."""
-        return ()
+        """Blender and the module have one mathematics: the system's, of which a compiler's own library has a part as well."""
+        for names in self.mathematics if self.asked_for & {"acos", "atan2"} else ():
+            if not self.asked_for & names:
+                name = min(names, key=len)
+                yield f"has a {name} of its own beside the system's acos: find what brings in the compiler's library, such as a product of complex numbers"
 
 
 class Elf(Seen):
@@ -48,12 +53,8 @@ class Elf(Seen):
     libraries = property(lambda self: self.binary.libraries)
     shown = property(lambda self: {symbol.name for symbol in self.binary.exported_symbols})
     is_stripped = property(lambda self: not self.binary.has_section(".symtab"))
-
-    def other_problems(self):
-        """Blender and the module have one mathematics: the system's, of which a compiler's own library has a part as well."""
-        asked_for = {symbol.name for symbol in self.binary.imported_symbols}
-        if asked_for & {"acos", "atan2"} and not asked_for & {"sin", "sincos"}:
-            yield "has a sin of its own beside the system's acos: find what brings in the compiler's library, such as a product of complex numbers"
+    asked_for = property(lambda self: {symbol.name for symbol in self.binary.imported_symbols})
+    mathematics = ({"sin", "sincos"},)
 
     @property
     def oldest(self):
@@ -71,6 +72,8 @@ class Pe(Seen):
     libraries = property(lambda self: [library.name for library in self.binary.imports])
     shown = property(lambda self: {entry.name for entry in self.binary.get_export().entries})
     is_stripped = property(lambda self: self.binary.header.numberof_symbols == 0)
+    asked_for = property(lambda self: {entry.name for library in self.binary.imports for entry in library.entries})
+    mathematics = ({"sin"}, {"sinf"})
 
     @property
     def oldest(self):

@@ -34,6 +34,14 @@ make_root() {
     fi
 }
 
+# make_roots: each Debian system whose Blender and Python this one may lack.
+make_roots() {
+    local suite
+    for suite in trixie sid; do
+        [[ $(of_os ID) == debian && $(of_os VERSION_CODENAME) == "$suite" ]] || make_root "$suite" || true
+    done
+}
+
 # version_of PROGRAM: major.minor; Blender takes half a second to say, so the answer is kept until the program changes.
 version_of() {
     local program key file

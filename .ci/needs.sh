@@ -129,7 +129,8 @@ need() {
     fi
     say "installing by apt-get: ${missing[*]}"
     logged apt as_root apt-get update -q
-    logged apt as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
+    # Other programs that install, such as a machine's own updates, are waited for.
+    logged apt as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 install -y -q --no-install-recommends "${missing[@]}"
 }
 
 # wish PACKAGE:PROBE...: the same for what a command can do without; false where it cannot be installed.
