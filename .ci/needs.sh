@@ -21,7 +21,7 @@ drawing_needs=(
     "libgl1-mesa-dri:/usr/lib/*/dri|/usr/lib64/dri|/usr/lib/dri|/usr/lib/*/libEGL_nvidia.so.0"
 )
 blender_needs=(blender:blender "${drawing_needs[@]}")
-test_needs=(ccache:ccache clang:clang++ xvfb:Xvfb "${drawing_needs[@]}")
+test_needs=(clang:clang++ xvfb:Xvfb "${drawing_needs[@]}")
 module_needs=("python3-venv:/usr/lib*/python3.*/ensurepip")
 # What official Blenders, which are modules of Python, are linked to and import.
 official_needs=(
