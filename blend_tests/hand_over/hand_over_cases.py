@@ -31,14 +31,14 @@ def states_without(folder, path, frames=FRAMES):
     return plain_state.stored(out)
 
 
-def differences(expected, found, whole=len(WHOLE)):
-    """Sentences about what differs by more than it may. whole: number of whole frames, with which the lists begin."""
+def differences(expected, found):
+    """Sentences about what differs by more than it may; of FRAMES the first are whole ones."""
     said = [f"{name} is gone" for name in expected if name not in found]
     for name, rows in expected.items():
         motion, measure = _extent(rows), _error_of_points if name.startswith("points") else _error
         for index, (row, other) in enumerate(zip(rows, found.get(name, ()))):
             error = measure(row, other)
-            if error > (EXACT if index < whole else max(EXACT, SHARE * motion)):
+            if error > (EXACT if index < len(WHOLE) else max(EXACT, SHARE * motion)):
                 said.append(f"{name} is {error:.2g} off in state {index}, of {motion:.3g}")
     return said
 

@@ -1,5 +1,7 @@
 """motus.hand_over: a file of which everything plays the same in a Blender without the add-on."""
 
+import re
+
 import bpy
 
 import live_scenes
@@ -17,3 +19,11 @@ class TestHandOver(support.SceneTestCase):
         found, left = hand_over_cases.states_without(self.folder, path)
         self.assertEqual(hand_over_cases.differences(expected, found), [])
         self.assertEqual(left, [])
+
+    def test_the_example_of_the_page(self):
+        (example,) = re.findall(r"```python\n(.*?)```", (support.CLONE / "docs" / "hand_over.md").read_text(encoding="utf-8"), re.DOTALL)
+        seen = []
+        exec(compile(example, "hand_over.md", "exec"), {"print": lambda *values: seen.append(values)})
+        self.assertEqual(seen, [("Car.001", 0, "Car")])
+        self.assertTrue(bpy.data.objects["Car"].motus.path.is_active)
+        self.assertTrue(bpy.data.objects["Car"].constraints)

@@ -48,13 +48,18 @@ def drivers(constraints):
     constraints: those by which owners drive objects and bones; drivers on them go with them.
     """
     going = {(one.id_data, one.path_from_id()) for one in constraints}
-    found = []
-    for id_data in datablocks.everything():
-        animation = getattr(id_data, "animation_data", None)
-        for curve in animation.drivers if animation and not id_data.library else ():
-            if reads_motus(curve) and not OURS.search(curve.data_path) and (id_data, curve.data_path.rpartition(".")[0]) not in going:
-                found.append((id_data, curve))
-    return found
+    return [(id_data, curve) for id_data in datablocks.everything() for curve in _drivers_of(id_data) if _stays(id_data, curve, going)]
+
+
+def _drivers_of(id_data):
+    animation = getattr(id_data, "animation_data", None)
+    return animation.drivers if animation and not id_data.library else ()
+
+
+def _stays(id_data, curve, going):
+    if not reads_motus(curve) or OURS.search(curve.data_path):
+        return False
+    return (id_data, curve.data_path.rpartition(".")[0]) not in going
 
 
 def reads_motus(curve):

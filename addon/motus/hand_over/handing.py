@@ -86,7 +86,10 @@ def hand_over(scene, view_layer, path, frames):
             "frames": frames,
         }
         with tempfile.TemporaryFile("w+b") as said:
-            process = subprocess.Popen(_command(given), stdin=subprocess.DEVNULL, stdout=said, stderr=subprocess.STDOUT)
+            # Signals stay as they are: a file that grows too large is an error then, which has a sentence.
+            process = subprocess.Popen(
+                _command(given), stdin=subprocess.DEVNULL, stdout=said, stderr=subprocess.STDOUT, restore_signals=False
+            )
             yield from _followed(process, said)
         _put(caches, new, path)
     finally:
@@ -129,9 +132,8 @@ def _followed(process, said):
         time.sleep(WAIT)
     if not is_saved:
         said.seek(0)
-        raise Refused(
-            tr("The second Blender has ended without a result: {reason}").format(reason=_last_line(said.read().decode(errors="replace")))
-        )
+        reason = _last_line(said.read().decode(errors="replace")) or str(process.returncode)
+        raise Refused(tr("The second Blender has ended without a result: {reason}").format(reason=reason))
 
 
 def caches_of(path):

@@ -16,7 +16,7 @@ from ..core.refusals import Refused
 from ..core.translations import tr
 
 HUB, OURS = "Hub", "motus_"
-_SIZES = {'FLOAT': 1, 'INT': 1, 'BOOLEAN': 1, 'FLOAT_VECTOR': 3, 'FLOAT_COLOR': 4, 'QUATERNION': 4}
+_SIZES = {'FLOAT': 1, 'INT': 1, 'FLOAT_VECTOR': 3, 'FLOAT_COLOR': 4, 'QUATERNION': 4}
 _NO_ID = "curve"
 
 
@@ -97,15 +97,12 @@ def _own(mesh):
 
 
 def _of_attribute(attribute):
-    size = _SIZES[attribute.data_type]
-    return _read(attribute.data, {3: "vector", 4: "color"}.get(size, "value") if attribute.data_type != 'QUATERNION' else "value", size)
+    name = {'FLOAT_VECTOR': "vector", 'FLOAT_COLOR': "color"}.get(attribute.data_type, "value")
+    return _read(attribute.data, name, _SIZES[attribute.data_type], np.int32 if attribute.data_type == 'INT' else np.float32)
 
 
-def _read(items, name, size):
-    kind = np.float32
-    if name == "value" and len(items) and isinstance(items[0].value, int):
-        kind = np.int32
-    found = np.empty(len(items) * size, kind)
+def _read(items, name, size, kind=None):
+    found = np.empty(len(items) * size, kind or np.float32)
     items.foreach_get(name, found)
     return found.reshape(-1, size).astype(np.float32)
 

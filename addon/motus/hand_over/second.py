@@ -22,8 +22,10 @@ PAUSE = 0.2
 
 
 def run(given):
-    """Hand a file over. given: dictionary of "source", "result", "caches" (folder), "caches_name" (of the
-    folder in the end), "scene", "layer" and "frames", as handing.py has made it.
+    """Hand a file over, as handing.py asks for it.
+
+    given: {"source": file to open, "result": file to write, "caches": folder to write caches into, "caches_name": name that the folder has in
+    the end, "scene", "layer": names, "frames": of the time line}.
     """
     try:
         _run(given)

@@ -17,7 +17,7 @@ class Moved(Track):
         super().__init__(thing, channels)
         self._at = {}
 
-    def record(self, depsgraph, frame):  # type: ignore[override]
+    def record(self, depsgraph, frame):
         """Note the thing's evaluated transform relative to its parent at a frame of the time line."""
         self._at[frame] = basis(self.thing, self.id_data.evaluated_get(depsgraph)).copy()
 

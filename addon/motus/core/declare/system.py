@@ -21,8 +21,10 @@ class Feature:
     settings: PropertyGroup that becomes Object.motus.<name>, or None. scene_settings: PropertyGroup that becomes Scene.motus.<name>.
     extras: modules or objects whose register() and unregister() are called too. overlay: Overlay that the viewport shows for
     selected objects (core/interface/overlay.py), or None. offers: module or object with the functions that different systems may call,
-    by registry.offered(). hand_over: how motus.hand_over makes plain Blender of it in a copy of the file: 'KEYS' of the objects, bones and
-    properties that it drives, 'POINTS' that it moves or makes by its modifier, 'PLAIN' if Blender needs nothing but what is there without its settings; "" if it cannot, and refuses. add_menu, object_menu, pose_menu: identifiers of operators in Blender's menus.
+    by registry.offered(). add_menu, object_menu, pose_menu: identifiers of operators in Blender's menus.
+    hand_over: how motus.hand_over makes plain Blender of it in a copy of the file. 'KEYS': of the objects, bones and properties that it
+    drives. 'POINTS': of what its modifier moves or makes. 'PLAIN': nothing is left to do but to forget its settings. "": it cannot, so that
+    files in which it is used are refused.
     """
 
     name: str

@@ -1,0 +1,30 @@
+"""Spanish: handing a file over."""
+
+INTERFACE = {
+    "Hand Over": "Entregar",
+    "Write a copy of the file in which all that Motus moves is plain Blender, and which plays without the add-on": "Escribe una copia del archivo en la que todo lo que mueve Motus es Blender puro y que se reproduce sin el complemento",
+    "File that is written": "Archivo que se escribe",
+    "Check Existing": "Comprobar si existe",
+    "Frames from one sample of the motion to the next; keys are set only where the motion needs them": "Fotogramas de una muestra del movimiento a la siguiente; solo se ponen claves donde el movimiento las necesita",
+    "One frame is no motion: let the end frame come after the start frame": "Un solo fotograma no es movimiento: haz que el final venga después del inicio",
+    "Handed over to {path}": "Entregado en {path}",
+    "Nothing in the file is driven by Motus: save it as it is": "Motus no mueve nada en el archivo: guárdalo tal cual",
+    "{system} cannot be handed over: remove it first": "{system} no se puede entregar: quítalo antes",
+    "{object} is not in the view layer {layer}, so its motion cannot be read: put it into a collection that is": "{object} no está en la capa de visualización {layer}, así que no se puede leer su movimiento: ponlo en una colección que esté",
+    "{object} is a library override, which keeps what its library drives: make it local first": "{object} es una redefinición de biblioteca, que conserva lo que su biblioteca controla: hazlo local antes",
+    "{object} still has {name} of Motus: report this": "{object} aún tiene {name} de Motus: informa de ello",
+    "{object} has lost its modifier of Motus: set it up again": "{object} ha perdido su modificador de Motus: prepáralo de nuevo",
+    "The file could not be handed over: {error}": "No se pudo entregar el archivo: {error}",
+    "The file could not be written": "No se pudo escribir el archivo",
+    "This Blender is a module of Python: let {variable} be the command of a Blender": "Este Blender es un módulo de Python: pon en {variable} la orden de un Blender",
+    "Name the file that is to be written": "Indica el archivo que se va a escribir",
+    "{path} is a folder: name a file": "{path} es una carpeta: indica un archivo",
+    "{path} is the open file itself: name another one": "{path} es el propio archivo abierto: indica otro",
+    "There is no folder {path}": "No existe la carpeta {path}",
+    "Nothing can be written into {path}: {reason}": "No se puede escribir nada en {path}: {reason}",
+    "No copy of the open file could be written: {reason}": "No se pudo escribir una copia del archivo abierto: {reason}",
+    "The second Blender has ended without a result: {reason}": "El segundo Blender ha terminado sin resultado: {reason}",
+    "{path} could not be written: {reason}": "No se pudo escribir {path}: {reason}",
+    "File Path": "Ruta del archivo",
+}
+OPERATORS = {"Hand Over": "Entregar", "Motus Hand Over (.blend)": "Entrega de Motus (.blend)"}
