@@ -8,13 +8,15 @@ from ..core.blender.frames import Kept, depsgraph_of, go_to
 from ..core.measures import scene_time
 from ..core.refusals import Refused
 from ..core.translations import tr
-from . import found, points, tracks
+from . import faces, found, points, tracks
 
 PREFIX = "Motus "
 """With this the names of datablocks begin that Motus makes for several owners, such as materials."""
 
 FINER = 8
 """How many times finer the step is where something does not move smoothly."""
+
+_MOVING = {found.POINTS: points.Points, found.FACES: faces.Faces}
 
 
 def convert(scene, view_layer, frames, folder):
@@ -29,7 +31,7 @@ def convert(scene, view_layer, frames, folder):
         *tracks.transforms(found.driven_channels(wired), constraints),
         *(tracks.Driven(*one) for one in found.drivers(constraints)),
     ]
-    moving = [points.Points(*one) for one in wired if one[0].hand_over == found.POINTS]
+    moving = [_MOVING[system.hand_over](system, owner) for system, owner in wired if system.hand_over in _MOVING]
     kept, layer = Kept(scene), view_layer.name
     for index, frame in enumerate(frames):
         go_to(scene, frame)

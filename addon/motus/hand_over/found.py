@@ -16,8 +16,8 @@ from ..core.translations import tr
 
 OURS = re.compile(r"\bmotus(?:_\w+)?\b")
 """Matches what drivers, data paths and names of properties have of Motus."""
-KEYS, POINTS, PLAIN = 'KEYS', 'POINTS', 'PLAIN'
-_WAYS = {KEYS, POINTS, PLAIN}
+KEYS, POINTS, FACES, PLAIN = 'KEYS', 'POINTS', 'FACES', 'PLAIN'
+_WAYS = {KEYS, POINTS, FACES, PLAIN}
 
 
 def owners(scene_objects=None):

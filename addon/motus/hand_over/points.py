@@ -27,7 +27,7 @@ class Points:
         self.system, self.owner = system, owner
         self._samples = []
         self._hub = node_groups.input_of(self.modifier, HUB)
-        self._sizes = {"position": 3} | {one.name: _SIZES[one.data_type] for one in _own(self._hub.data)}
+        self._sizes = {"position": 3} | {one.name: _SIZES[one.data_type] for one in own_attributes(self._hub.data)}
 
     @property
     def modifier(self):
@@ -40,7 +40,7 @@ class Points:
     def record(self, depsgraph, _frame):
         """Append the points of the hub's evaluated mesh to the samples; frames have to come in their order."""
         mesh = self._hub.evaluated_get(depsgraph).data
-        found = {"position": _read(mesh.vertices, "co", 3)} | {one.name: _of_attribute(one) for one in _own(mesh)}
+        found = {"position": _read(mesh.vertices, "co", 3)} | {one.name: _of_attribute(one) for one in own_attributes(mesh)}
         # A mesh without points may have no attributes either.
         self._samples.append({name: found.get(name, np.empty((0, size), np.float32)) for name, size in self._sizes.items()})
 
@@ -51,18 +51,21 @@ class Points:
         """
         modifier = self.modifier
         group = modifier.node_group
-        kinds = {one.name: one.data_type for one in _own(self._hub.data)}
-        rows, is_there, edges = self._arranged(2 * per_frame + 2)
-        for name in [name for name in kinds if OURS in name]:
-            kinds[name.replace(OURS, "")], rows[name.replace(OURS, "")] = kinds.pop(name), rows.pop(name)
+        obj = self.plain(folder, times, per_frame)
         _rename_read(group)
-        plain = _Plain(f"{self.owner.name} Points", rows, is_there, kinds)
-        obj = plain.made(edges, folder, times, per_frame)
         for key in [key for key in group.keys() if key.startswith(OURS)]:
             del group[key]
         for one in (group, modifier):
             one.name = one.name.replace("Motus ", "")
         node_groups.set_input(modifier, HUB, obj)
+
+    def plain(self, folder, times, per_frame):
+        """Make the object that takes the hub's place. Arguments as for convert()."""
+        kinds = {one.name: one.data_type for one in own_attributes(self._hub.data)}
+        rows, is_there, edges = self._arranged(2 * per_frame + 2)
+        for name in [name for name in kinds if OURS in name]:
+            kinds[name.replace(OURS, "")], rows[name.replace(OURS, "")] = kinds.pop(name), rows.pop(name)
+        return _Plain(f"{self.owner.name} Points", rows, is_there, kinds).made(edges, folder, times, per_frame)
 
     def _arranged(self, pause):
         """The samples with the same number of points in each: ({name: (n, points, size)}, (n, points) where a point is there, edges).
@@ -87,7 +90,7 @@ def _rename_read(group):
             name.default_value = name.default_value.replace(OURS, "")
 
 
-def _own(mesh):
+def own_attributes(mesh):
     """The attributes of a hub's mesh that its solver fills, besides positions."""
     return [
         one
@@ -209,7 +212,7 @@ class _Plain:
         for name, kind in self._kinds.items():
             values = _eulers(self._rows[name]) if kind == 'QUATERNION' else self._rows[name]
             if np.ptp(values, axis=0).max() == 0.0:
-                _store(obj.data, name, kind, values[0])
+                store(obj.data, name, kind, values[0])
             else:
                 changing.append((name, values))
         if changing:
@@ -249,7 +252,8 @@ def _object(name, count, edges):
     return bpy.data.objects.new(name, mesh)
 
 
-def _store(mesh, name, kind, values):
+def store(mesh, name, kind, values):
+    """Give a mesh an attribute of its points. kind: data type. values: (points, size)."""
     made = mesh.attributes.new(name, kind, 'POINT')
     if kind == 'INT':
         made.data.foreach_set("value", np.rint(values[:, 0]).astype(np.int32))

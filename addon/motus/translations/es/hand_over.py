@@ -14,6 +14,7 @@ INTERFACE = {
     "{object} is a library override, which keeps what its library drives: make it local first": "{object} es una redefinición de biblioteca, que conserva lo que su biblioteca controla: hazlo local antes",
     "{object} still has {name} of Motus: report this": "{object} aún tiene {name} de Motus: informa de ello",
     "{object} has lost its modifier of Motus: set it up again": "{object} ha perdido su modificador de Motus: prepáralo de nuevo",
+    "The snow of {object} would be too large a file: make its resolution coarser": "La nieve de {object} daría un archivo demasiado grande: usa una resolución menos fina",
     "The file could not be handed over: {error}": "No se pudo entregar el archivo: {error}",
     "The file could not be written": "No se pudo escribir el archivo",
     "This Blender is a module of Python: let {variable} be the command of a Blender": "Este Blender es un módulo de Python: pon en {variable} la orden de un Blender",
