@@ -3,6 +3,8 @@
 import re
 import struct
 
+import bpy
+
 from ..core.lazy import numpy as np
 
 SHARE = 5e-4
@@ -37,6 +39,13 @@ class Folder:
         modifier.cache_format, modifier.filepath = 'PC2', f"//{self.name}/{file}"
         # The index of a sample is the frame times the scale, minus the start.
         modifier.frame_scale, modifier.frame_start = 1.0 / step, times[0] / step
+
+    def read_where_written(self):
+        """Let the modifiers read the caches where they are now, before the folder gets its name."""
+        for obj in bpy.data.objects:
+            for modifier in obj.modifiers:
+                if modifier.type == 'MESH_CACHE' and modifier.filepath.startswith(f"//{self.name}/"):
+                    modifier.filepath = str(self.path / modifier.filepath.rpartition("/")[2])
 
     def _free(self, name):
         found, number = name, 1

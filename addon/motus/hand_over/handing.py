@@ -19,6 +19,7 @@ import bpy
 
 from ..core.refusals import Refused
 from ..core.translations import tr
+from .formats import FORMATS
 from .second import MARK
 
 PROGRAM = "MOTUS_BLENDER_PROGRAM"
@@ -64,16 +65,19 @@ def _is_same(one, other):
     return False
 
 
-def hand_over(scene, view_layer, path, frames):
+def hand_over(scene, view_layer, path, frames, formats=(), span=()):
     """Write the file: a generator of the number of frames done. Raises Refused with the reason if it cannot be written.
 
     The file that was there stays until the new one is whole. path: of the file, as target() gives it. frames: of the time line.
+    formats: keys of FORMATS, in which files are written beside it. span: (first, last) frame of these.
     """
-    copy, new = (path.with_name(f"{path.stem}.motus-{name}.blend") for name in ("copy", "new"))
-    caches = path.with_name(f"{path.stem}.motus-caches")
+    copy, new, caches = (beside(path, part) for part in ("copy.blend", "new.blend", "caches"))
+    # Each file or folder that is written, and the place that it gets when all are there.
+    placed = {caches: caches_of(path), new: path}
+    placed |= {beside(path, f"new{FORMATS[one].suffix}"): path.with_suffix(FORMATS[one].suffix) for one in formats}
     process = None
     try:
-        _remove(copy, new, caches)
+        _remove(copy, *placed)
         _save_copy(copy)
         given = {
             "package": _PACKAGE,
@@ -84,6 +88,8 @@ def hand_over(scene, view_layer, path, frames):
             "scene": scene.name,
             "layer": view_layer.name,
             "frames": frames,
+            "formats": sorted(formats),
+            "span": span,
         }
         with tempfile.TemporaryFile("w+b") as said:
             # Signals stay as they are: a file that grows too large is an error then, which has a sentence.
@@ -91,12 +97,22 @@ def hand_over(scene, view_layer, path, frames):
                 _command(given), stdin=subprocess.DEVNULL, stdout=said, stderr=subprocess.STDOUT, restore_signals=False
             )
             yield from _followed(process, said)
-        _put(caches, new, path)
+        _put(path, placed)
     finally:
         if process is not None and process.poll() is None:
             process.kill()
             process.wait()
-        _remove(copy, new, caches)
+        _remove(copy, *placed)
+
+
+def beside(path, part):
+    """The path of a file that stands beside the one to be written while the work lasts. part: end of its name."""
+    return path.with_name(f"{path.stem}.motus-{part}")
+
+
+def caches_of(path):
+    """The folder beside a handed-over file that has its caches."""
+    return path.with_name(f"{path.stem}_caches")
 
 
 def _command(given):
@@ -136,27 +152,24 @@ def _followed(process, said):
         raise Refused(tr("The second Blender has ended without a result: {reason}").format(reason=reason))
 
 
-def caches_of(path):
-    """The folder beside a handed-over file that has its caches."""
-    return path.with_name(f"{path.stem}_caches")
-
-
-def _put(caches, new, path):
-    """Put the new file and its caches in the place of the former ones, which come back if that fails."""
-    place, former = caches_of(path), path.with_name(f"{path.stem}.motus-former")
+def _put(path, placed):
+    """Put new files into their places. The former ones come back if that fails. placed: {new file or folder: its place}."""
+    formers = {}
     try:
-        _remove(former)
-        if place.exists():
-            os.replace(place, former)
-        if caches.exists():
-            os.replace(caches, place)
-        os.replace(new, path)
+        for index, (new, place) in enumerate(placed.items()):
+            former = beside(path, f"former-{index}")
+            _remove(former)
+            if place.exists():
+                os.replace(place, former)
+                formers[place] = former
+            if new.exists():
+                os.replace(new, place)
     except OSError as error:
-        if former.exists():
+        for place, former in formers.items():
             _remove(place)
             os.replace(former, place)
         raise Refused(tr("{path} could not be written: {reason}").format(path=path, reason=error.strerror)) from None
-    _remove(former)
+    _remove(*formers.values())
 
 
 def _last_line(text):

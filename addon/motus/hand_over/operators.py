@@ -7,6 +7,7 @@ from ..core.interface.rows import Rows
 from ..core.refusals import Refused, check_finite
 from ..core.translations import tr
 from . import found, handing
+from .formats import ITEMS, check
 
 MARGIN = 1.0
 """Frames that are recorded before the start and after the end, for motion blur."""
@@ -30,7 +31,14 @@ class MOTUS_OT_hand_over(Job, bpy.types.Operator):
         min=0.01,
         max=1.0,
     )
-    redo = (Rows(("start", "end", "step")),)
+    formats: bpy.props.EnumProperty(
+        name="Formats",
+        description="Further files for other programs, beside the .blend, by Blender's own exporters",
+        items=ITEMS,
+        options={'ENUM_FLAG'},
+        default=set(),
+    )
+    redo = (Rows(("start", "end", "step", "formats")),)
 
     def invoke(self, context, _event):
         if context.window is None or self.filepath:
@@ -45,9 +53,11 @@ class MOTUS_OT_hand_over(Job, bpy.types.Operator):
         frames = self._frames(context.scene)
         path = handing.target(self.filepath)
         handing.program()
+        check(self.formats)
         found.check(context.view_layer)
         self._written = path
-        return len(frames), handing.hand_over(context.scene, context.view_layer, path, frames)
+        span = round(frames[0] + MARGIN), round(frames[-1] - MARGIN)
+        return len(frames), handing.hand_over(context.scene, context.view_layer, path, frames, self.formats, span)
 
     def _frames(self, scene):
         check_finite(self, ("step",))

@@ -14,7 +14,7 @@ import bpy
 from ..core.evaluated import shares
 from ..core.refusals import Refused
 from ..core.translations import tr
-from . import caches, convert
+from . import caches, convert, formats
 
 MARK = "MOTUS-HAND-OVER "
 PAUSE = 0.2
@@ -25,7 +25,7 @@ def run(given):
     """Hand a file over, as handing.py asks for it.
 
     given: {"source": file to open, "result": file to write, "caches": folder to write caches into, "caches_name": name that the folder has in
-    the end, "scene", "layer": names, "frames": of the time line}.
+    the end, "scene", "layer": names, "frames": of the time line, "formats": names, "span": (first, last) frame of files in these formats}.
     """
     try:
         _run(given)
@@ -60,3 +60,7 @@ def _run(given):
     bpy.ops.wm.save_as_mainfile(filepath=given["result"], copy=True, relative_remap=False)
     if not Path(given["result"]).is_file():
         raise Refused(tr("The file could not be written"))
+    if given["formats"]:
+        folder.read_where_written()
+        result = Path(given["result"])
+        formats.export(scene, given["formats"], result.with_suffix, given["span"])

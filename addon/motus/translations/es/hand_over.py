@@ -26,6 +26,17 @@ INTERFACE = {
     "No copy of the open file could be written: {reason}": "No se pudo escribir una copia del archivo abierto: {reason}",
     "The second Blender has ended without a result: {reason}": "El segundo Blender ha terminado sin resultado: {reason}",
     "{path} could not be written: {reason}": "No se pudo escribir {path}: {reason}",
+    "Formats": "Formatos",
+    "Further files for other programs, beside the .blend, by Blender's own exporters": "Más archivos para otros programas, junto al .blend, con los exportadores de Blender",
+    "glTF": "glTF",
+    "USD": "USD",
+    "Alembic": "Alembic",
+    "FBX": "FBX",
+    "Rigs and objects for engines and the web, in a .glb file: axes with Y up, and one animation for each rig and object": "Esqueletos y objetos para motores y la web, en un archivo .glb: con Y hacia arriba y una animación por esqueleto y objeto",
+    "Everything as Universal Scene Description, in a .usdc file: transforms, skeletons and meshes of each frame": "Todo como Universal Scene Description, en un archivo .usdc: transformaciones, esqueletos y mallas de cada fotograma",
+    "Transforms and the vertices of each frame, in a .abc file": "Las transformaciones y los vértices de cada fotograma, en un archivo .abc",
+    "Rigs and objects for programs that read FBX, in a .fbx file": "Esqueletos y objetos para programas que leen FBX, en un archivo .fbx",
+    "This Blender has no exporter for {format}": "Este Blender no tiene exportador de {format}",
     "File Path": "Ruta del archivo",
 }
 OPERATORS = {"Hand Over": "Entregar", "Motus Hand Over (.blend)": "Entrega de Motus (.blend)"}
