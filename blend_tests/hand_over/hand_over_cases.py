@@ -21,13 +21,17 @@ import bpy
 from hand_over import plain_state
 bpy.ops.wm.open_mainfile(filepath={path!r})
 plain_state.store({out!r}, {frames!r})
+if {picture!r}:
+    plain_state.picture({picture!r}, {shown!r})
 """
+SHOWN = 20
+"""Frame that is rendered."""
 
 
-def states_without(folder, path, frames=FRAMES):
-    """(states, leftovers) of a file that a fresh Blender opens without the add-on, as plain_state finds them."""
+def states_without(folder, path, picture=""):
+    """(states, leftovers) of a file that a fresh Blender opens without the add-on, as plain_state finds them. picture: file to render into."""
     out = str(folder / "states.npz")
-    status, output = support.run_blender(READS.format(path=str(path), out=out, frames=frames), enabled=False)
+    status, output = support.run_blender(READS.format(path=str(path), out=out, frames=FRAMES, picture=picture, shown=SHOWN), enabled=False)
     if status:
         raise AssertionError(output)
     return plain_state.stored(out)

@@ -21,13 +21,14 @@ class Format(NamedTuple):
 FORMATS = {
     'GLTF': Format(
         "glTF",
-        "Rigs and objects for engines and the web, in a .glb file: axes with Y up, and one animation for each rig and object",
+        "Rigs and objects for engines and the web, in a .glb file: axes with Y up, and one animation for all",
         ".glb",
         "export_scene.gltf",
         {
             "export_format": 'GLB',
             "export_animations": True,
             "export_animation_mode": 'ACTIVE_ACTIONS',
+            "export_nla_strips": False,  # the same before Blender 3.6
             "export_frame_range": True,
             "export_force_sampling": True,
             "export_optimize_animation_size": False,

@@ -32,7 +32,7 @@ INTERFACE = {
     "USD": "USD",
     "Alembic": "Alembic",
     "FBX": "FBX",
-    "Rigs and objects for engines and the web, in a .glb file: axes with Y up, and one animation for each rig and object": "Esqueletos y objetos para motores y la web, en un archivo .glb: con Y hacia arriba y una animación por esqueleto y objeto",
+    "Rigs and objects for engines and the web, in a .glb file: axes with Y up, and one animation for all": "Esqueletos y objetos para motores y la web, en un archivo .glb: con Y hacia arriba y una animación para todo",
     "Everything as Universal Scene Description, in a .usdc file: transforms, skeletons and meshes of each frame": "Todo como Universal Scene Description, en un archivo .usdc: transformaciones, esqueletos y mallas de cada fotograma",
     "Transforms and the vertices of each frame, in a .abc file": "Las transformaciones y los vértices de cada fotograma, en un archivo .abc",
     "Rigs and objects for programs that read FBX, in a .fbx file": "Esqueletos y objetos para programas que leen FBX, en un archivo .fbx",
