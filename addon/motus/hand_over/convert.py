@@ -11,7 +11,7 @@ from ..core.translations import tr
 from . import faces, found, points, tracks
 
 PREFIX = "Motus "
-"""With this the names of datablocks begin that Motus makes for several owners, such as materials."""
+"""With this the names of materials and node groups begin that Motus makes."""
 
 FINER = 8
 """How many times finer the step is where something does not move smoothly."""
@@ -119,7 +119,7 @@ def _clean():
 
 def _rename(id_data):
     """Take the add-on's name out of a datablock's; a number is added by Blender where the rest is taken."""
-    if id_data.name.startswith(PREFIX) and not isinstance(id_data, bpy.types.Library):
+    if id_data.name.startswith(PREFIX) and isinstance(id_data, (bpy.types.Material, bpy.types.NodeTree)):
         id_data.name = id_data.name.removeprefix(PREFIX)
 
 

@@ -40,14 +40,28 @@ class MOTUS_OT_hand_over(Job, bpy.types.Operator):
     )
     redo = (Rows(("start", "end", "step", "formats")),)
 
-    def invoke(self, context, _event):
+    _is_asked = False
+
+    def invoke(self, context, event):
         if context.window is None or self.filepath:
-            return super().invoke(context, _event)
+            return super().invoke(context, event)
         self.start, self.end = context.scene.frame_start, context.scene.frame_end
         name = bpy.path.display_name_from_filepath(bpy.data.filepath) or "untitled"
-        self.filepath = f"{name} Handed Over.blend"
+        self.filepath, self._is_asked = f"{name} Handed Over.blend", True
         context.window_manager.fileselect_add(self)
         return {'RUNNING_MODAL'}
+
+    def execute(self, context):
+        if not self._is_asked:
+            return super().execute(context)
+        # Blender frees the operator that its file browser has called, so another one shows the progress and takes Esc.
+        names = ("filepath", "start", "end", "step", "formats")
+        try:
+            bpy.ops.motus.hand_over('INVOKE_DEFAULT', **{name: getattr(self, name) for name in names})
+        except RuntimeError as error:
+            self.report({'ERROR'}, str(error).removeprefix("Error: ").strip())
+            return {'CANCELLED'}
+        return {'FINISHED'}
 
     def begin(self, context):
         frames = self._frames(context.scene)
