@@ -14,7 +14,8 @@ PREFIX = "Motus "
 """With this the names of materials and node groups begin that Motus makes."""
 
 FINER = 8
-"""How many times finer the step is where something does not move smoothly."""
+"""How many times finer the step is where something does not move smoothly: after at most every eighth sample, so that it takes no longer
+than twice the time."""
 
 _MOVING = {found.POINTS: points.Points, found.FACES: faces.Faces}
 
@@ -39,7 +40,7 @@ def convert(scene, view_layer, frames, folder):
         for one in (*recorded, *moving):
             one.record(depsgraph, frame)
         yield index + 1
-    for frame in _between(frames, tracks.bent(recorded)):
+    for frame in _between(frames, tracks.bent(recorded, len(frames) // FINER)):
         go_to(scene, frame)
         for one in recorded:
             one.record(depsgraph_of(scene, layer), frame)

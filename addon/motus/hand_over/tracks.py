@@ -68,17 +68,22 @@ class Driven:
             return channel.number(self.id_data, self.path, self.index)
 
 
-def bent(recorded):
-    """Numbers of the samples after which something does not go on smoothly to the next one, so that a finer step is needed there."""
-    found = set()
+def bent(recorded, most):
+    """Numbers of the samples after which something does not go on smoothly to the next one, so that a finer step is needed there.
+
+    most: largest number of them; those where the motion is least smooth come first.
+    """
+    worst = {}
     for track in recorded:
         rows = track.rows()
         if len(rows) < 4:
             continue
         steps = np.diff(rows, axis=0)
         off = np.abs(steps[1:-1] - (steps[:-2] + steps[2:]) / 2.0)
-        found.update((np.flatnonzero((off > np.maximum(BEND * np.ptp(rows, axis=0), LEAST_BEND)).any(axis=1)) + 1).tolist())
-    return sorted(found)
+        shares = (off / np.maximum(BEND * np.ptp(rows, axis=0), LEAST_BEND)).max(axis=1)
+        for place in np.flatnonzero(shares > 1.0).tolist():
+            worst[place + 1] = max(worst.get(place + 1, 0.0), shares[place])
+    return sorted(sorted(worst, key=worst.__getitem__, reverse=True)[:most])
 
 
 BEND, LEAST_BEND = 4e-4, 1e-4
