@@ -1,6 +1,6 @@
 """All systems, in the order of the interface. Adding a system adds its folder and one line here."""
 
-from . import chroma, drivers, dynamics, ik, lattice, layers, look_at, path, pendulum, pull, snow, stereo, walker
+from . import chroma, drivers, dynamics, hand_over, ik, lattice, layers, look_at, path, pendulum, pull, snow, stereo, walker
 
 SYSTEMS = (
     path.SYSTEM,
@@ -18,4 +18,5 @@ SYSTEMS = (
     stereo.SYSTEM,
     chroma.FEATURE,
     drivers.FEATURE,
+    hand_over.FEATURE,
 )

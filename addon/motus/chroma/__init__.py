@@ -7,6 +7,7 @@ from . import operators, panel, properties
 FEATURE = Feature(
     name="chroma",
     label="Chroma Key",
+    hand_over='PLAIN',
     scene_settings=properties.MOTUS_PG_chroma,
     classes=(properties.MOTUS_PG_chroma, *operators.classes, *panel.classes),
     add_menu=("motus.chroma_key_setup",),

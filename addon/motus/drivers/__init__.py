@@ -7,6 +7,7 @@ from . import functions, menu, operators, panel
 FEATURE = Feature(
     name="drivers",
     label="Motion Drivers",
+    hand_over='PLAIN',
     classes=(*operators.classes, *panel.classes),
     extras=(functions, menu, graph),
     object_menu=("motus.driver_add", "motus.driver_remove"),

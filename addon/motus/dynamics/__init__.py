@@ -6,6 +6,7 @@ from . import groups, menu, operators, over_time, panel, presets, properties, so
 SYSTEM = System(
     name="dynamics",
     label="Dynamics",
+    hand_over='KEYS',
     settings=properties.MOTUS_PG_dynamics,
     classes=(*properties.classes, *operators.classes, *presets.classes, *panel.classes),
     solve=solve.solve,

@@ -10,6 +10,7 @@ from .switching import operators as switching_operators
 SYSTEM = System(
     name="ik",
     label="Inverse Kinematics",
+    hand_over='KEYS',
     settings=properties.MOTUS_PG_ik,
     classes=(
         # Blender requires that a property group is registered before the group that contains it.

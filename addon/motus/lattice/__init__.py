@@ -7,6 +7,7 @@ from . import operators, panel, properties, pull_operator
 SYSTEM = Feature(
     name="lattice",
     label="Lattice",
+    hand_over='PLAIN',
     settings=properties.MOTUS_PG_lattice,
     classes=(properties.MOTUS_PG_lattice, *operators.classes, *pull_operator.classes, *panel.classes),
     add_menu=("motus.lattice_fit",),

@@ -6,6 +6,7 @@ from . import flattening, groups, list_operators, operators, over_time, overlay,
 SYSTEM = System(
     name="layers",
     label="Animation Layers",
+    hand_over='KEYS',
     settings=properties.MOTUS_PG_layers,
     classes=(
         # Blender has to know a property group before the property group that contains it is registered.

@@ -6,6 +6,7 @@ from . import groups, operators, over_time, overlay, panel, presets, properties,
 SYSTEM = System(
     name="look_at",
     label="Look At",
+    hand_over='KEYS',
     settings=properties.MOTUS_PG_look_at,
     classes=(
         # Blender requires that a property group is registered before the group that contains it.

@@ -6,6 +6,7 @@ from . import bezier, edit_views, lists, members, operators, over_time, overlay,
 SYSTEM = System(
     name="path",
     label="Follow Path",
+    hand_over='KEYS',
     settings=properties.MOTUS_PG_path,
     classes=(
         # A PropertyGroup is registered before the groups that contain it.

@@ -10,6 +10,7 @@ from . import build, drag, operators, over_time, overlay, panel, parts, presets,
 SYSTEM = System(
     name="pendulum",
     label="Pendulum",
+    hand_over='KEYS',
     settings=properties.MOTUS_PG_pendulum,
     classes=(
         # Blender has to know a property group before the property group that contains it is registered.
@@ -42,6 +43,7 @@ SYSTEM = System(
 TRAILS = System(
     name="pendulum_trail",
     label="Pendulum Trails",
+    hand_over='POINTS',
     settings=properties.MOTUS_PG_pendulum_trail,
     classes=(properties.MOTUS_PG_pendulum_trail, *panel.trail_classes),
     inputs=trail.INPUTS,

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..core import native
 from ..core.declare import OwnMatrix, Problem, Setting, registered
-from ..core.evaluated.shares import share_of
+from ..core.evaluated.shares import share_of, waits_for_all
 from ..core.file import deleted
 from ..core.file.stored import Damaged
 from ..core.measures import bounds
@@ -97,7 +97,7 @@ class Swing(NamedTuple):
 
         pivot: object that has the settings of the pendulum. A render waits for all pendulums.
         """
-        if depsgraph.mode == 'RENDER' or math.isinf(self.farthest):
+        if waits_for_all(depsgraph) or math.isinf(self.farthest):
             return False
         price = TABLE * self.count * min(1.0, abs(seconds) / self.farthest)
         return price > bounds.AT_ONCE * share_of(registered["pendulum"], pivot, depsgraph)

@@ -18,6 +18,7 @@ from .window import adjust, tool
 SYSTEM = System(
     name="pull",
     label="Pick & Pull",
+    hand_over='POINTS',
     settings=pins_properties.MOTUS_PG_pull,
     scene_settings=properties.MOTUS_PG_brush,
     classes=(

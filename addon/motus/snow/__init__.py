@@ -6,6 +6,7 @@ from . import build, colliders, cover, gizmo, landings, look, operators, overlay
 SYSTEM = System(
     name="snow",
     label="Snow",
+    hand_over='POINTS',
     settings=properties.MOTUS_PG_snow,
     former_names=properties.FORMER_NAMES,
     classes=(

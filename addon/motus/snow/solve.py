@@ -6,6 +6,7 @@ A Problem is a sentence that the panel shows.
 from ..core import rigs
 from ..core.animation import strips
 from ..core.declare import Geometries, Geometry, Matrix, OwnMatrix, Points, Problem, Setting
+from ..core.evaluated.shares import waits_for_all
 from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.scenery import meshes
@@ -105,7 +106,7 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
     if isinstance(snow, Problem):
         return snow
     seconds = (context.frame - settings.start_frame) / context.fps
-    is_viewport = context.depsgraph.mode == 'VIEWPORT'
+    is_viewport = not waits_for_all(context.depsgraph)
     is_found = not (is_viewport and landings.are_left(context, snow, seconds, lands or settings.use_ground))
     flakes.fill(context.points, snow, seconds, settings.preview / 100.0 if is_viewport else 1.0, is_found)
     unsure = None if is_sure else UNKNOWN_WIND

@@ -6,6 +6,7 @@ from . import checking, measuring, operators, output, overlay, panel, presets, p
 SYSTEM = System(
     name="stereo",
     label="Stereo Camera",
+    hand_over='KEYS',
     settings=properties.MOTUS_PG_stereo,
     scene_settings=properties.MOTUS_PG_stereo_scene,
     classes=(

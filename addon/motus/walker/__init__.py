@@ -7,6 +7,7 @@ from .spider import operators as spider_operators
 SYSTEM = System(
     name="walker",
     label="Walker",
+    hand_over='KEYS',
     settings=properties.MOTUS_PG_walker,
     classes=(*properties.classes, *operators.classes, *spider_operators.classes, *presets.classes, *panel.classes),
     inputs=solve.INPUTS,

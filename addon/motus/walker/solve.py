@@ -7,6 +7,7 @@ from mathutils import Matrix
 
 from ..core import rigs, tracks
 from ..core.declare import Geometries, Problem
+from ..core.evaluated.shares import waits_for_all
 from ..core.file.stored import Damaged
 from ..core.lazy import numpy as np
 from . import ground, groups, leaning, legs, plan, shared
@@ -53,7 +54,7 @@ def solve(context, awaited):
             owner,
             scene,
             context.kept("numbers", None, lambda: plan.read(context.settings)),
-            context.frame if context.depsgraph.mode == 'VIEWPORT' else None,
+            None if waits_for_all(context.depsgraph) else context.frame,
         ),
     )
     if isinstance(found, Problem):

@@ -39,7 +39,7 @@ class Track:
 
     def record(self, depsgraph):
         """Append samples that reproduce the thing's evaluated transform at the depsgraph's present frame."""
-        self.record_basis(_basis(self.thing, self.id_data.evaluated_get(depsgraph)))
+        self.record_basis(basis(self.thing, self.id_data.evaluated_get(depsgraph)))
 
     def record_basis(self, matrix):
         """Append samples that reproduce a transform. matrix: of the Object or PoseBone relative to its parent."""
@@ -145,7 +145,7 @@ def _paths(thing, channels):
     return [path for channel, path in names.items() if channel in channels]
 
 
-def _basis(thing, evaluated):
+def basis(thing, evaluated):
     """Evaluated matrix of an Object or PoseBone relative to its parent: the transform that its baked channels have to produce.
 
     thing: the original. evaluated: the evaluated object; for a PoseBone its evaluated rig.

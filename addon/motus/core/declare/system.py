@@ -22,6 +22,9 @@ class Feature:
     extras: modules or objects whose register() and unregister() are called too. overlay: Overlay that the viewport shows for
     selected objects (core/interface/overlay.py), or None. offers: module or object with the functions that different systems may call,
     by registry.offered(). add_menu, object_menu, pose_menu: identifiers of operators in Blender's menus.
+    hand_over: how motus.hand_over makes plain Blender of it in a copy of the file. 'KEYS': of the objects, bones and properties that it
+    drives. 'POINTS': of what its modifier moves or makes, 'FACES': of a surface that it makes. 'PLAIN': nothing is left to do but to
+    forget its settings. "": it cannot, so that files in which it is used are refused.
     """
 
     name: str
@@ -32,6 +35,7 @@ class Feature:
     extras: tuple[Any, ...] = ()
     overlay: Callable[..., Any] | None = None
     offers: Any = None
+    hand_over: str = ""
     add_menu: tuple[Any, ...] = ()
     object_menu: tuple[Any, ...] = ()
     pose_menu: tuple[Any, ...] = ()

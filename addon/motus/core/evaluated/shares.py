@@ -22,6 +22,17 @@ _loads = keeping.OfFile(
     most=64,
 )
 _edits = [0]
+_waits = [False]
+
+
+def waits_for_all(depsgraph: bpy.types.Depsgraph) -> bool:
+    """Whether all work of a frame is waited for, however long it takes: by renders, and while a file is handed over."""
+    return depsgraph.mode == 'RENDER' or _waits[0]
+
+
+def wait_for_all() -> None:
+    """Have all work of every frame waited for from now on, as in the Blender that hands a file over."""
+    _waits[0] = True
 
 
 def edits() -> int:
@@ -36,7 +47,7 @@ def share_of(system: System, owner: Any, depsgraph: bpy.types.Depsgraph) -> floa
     all work: each owner has the whole limit there.
     """
     # While a render runs on its own thread, the user may edit the objects that the sum of loads is made from.
-    if depsgraph.mode == 'RENDER' or system.load is None:
+    if waits_for_all(depsgraph) or system.load is None:
         return 1.0
     evaluated: Any = depsgraph.scene
     scene = evaluated.original

@@ -6,6 +6,7 @@ from . import build, look, operators, panel, presets, properties, solve
 SYSTEM = System(
     name="snow_cover",
     label="Snow Cover",
+    hand_over='FACES',
     settings=properties.MOTUS_PG_snow_cover,
     classes=(
         # Blender has to register property groups before the group that contains them.

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from ...core import keeping, native
 from ...core.declare import Problem
+from ...core.evaluated.shares import waits_for_all
 from ...core.measures import bounds
 from .. import flakes
 from . import ground
@@ -101,7 +102,7 @@ def may_wait(depsgraph, owner):
 
     The operator that computes a cover does not work on linked ones.
     """
-    return depsgraph.mode == 'VIEWPORT' and owner.library is None
+    return not waits_for_all(depsgraph) and owner.library is None
 
 
 def is_too_fine(plan):
