@@ -136,8 +136,7 @@ def prepared(given, facts, blender, folder, output):
     if not facts["has_motus"]:
         return Job(file=given.shot, **common)
     if given.live:
-        own = folder / Path(motus("farm_zip", given.blender)).name
-        shutil.copy(motus("farm_zip", given.blender), own)
+        own = shutil.copy(motus("farm_zip", given.blender), folder)
         return Job(file=given.shot, zip=str(own), **common)
     first, last = given.frames[0], max(given.frames[-1], given.frames[0] + 1)  # one frame alone is not handed over
     say("the shot is handed over, so that it plays without Motus")
