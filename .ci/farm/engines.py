@@ -5,9 +5,11 @@
 
 import itertools
 import json
+import os
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -56,17 +58,15 @@ def log_of(logs, frame):
 
 def _watched(command, said):
     """Run a command, with its output in the file `said`: a generator that ends with it; closed before, it ends the command."""
-    with (
-        open(said, "wb") as output,
-        subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT) as process,
-    ):
+    options = {"stdin": subprocess.DEVNULL, "stderr": subprocess.STDOUT, "start_new_session": True}
+    with open(said, "wb") as output, subprocess.Popen(command, stdout=output, **options) as process:
         try:
             while process.poll() is None:
                 yield ""
                 time.sleep(PAUSE)
         finally:
             if process.poll() is None:
-                process.terminate()
+                os.killpg(process.pid, signal.SIGTERM)  # the Blender that it has started as well
 
 
 def _asked(*command):

@@ -175,6 +175,8 @@ def render(given, engine):
         for frame in left:
             for path in facts["pictures"][frame]:
                 path.unlink(missing_ok=True)  # it cannot be read
+        for path in given.out.glob(".motus-*"):
+            shutil.rmtree(path, ignore_errors=True)  # of a task that was killed
         progress = Progress(facts["pictures"], set(given.frames) - set(left))
         for sentence in engine.work(job, left, logs):
             if sentence:

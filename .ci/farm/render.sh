@@ -13,11 +13,12 @@ if [[ $logs ]]; then
     exec >>"$logs/frame_$number.log" 2>&1
 fi
 
+folder=$(mktemp -d "${output%/*}/.motus-$number-XXXXXX") # pictures come to their place when they are whole
+trap 'rm -rf "$folder"' EXIT
+
 options=()
 if [[ $zip ]]; then
-    BLENDER_USER_RESOURCES=$(mktemp -d)
-    export BLENDER_USER_RESOURCES
-    trap 'rm -rf "$BLENDER_USER_RESOURCES"' EXIT
+    export BLENDER_USER_RESOURCES=$folder/profile
     if [[ $zip == *-legacy.zip ]]; then # for Blender before 4.2
         "${blender[@]}" --background --python-exit-code 1 \
             --python-expr 'import sys, bpy; bpy.ops.preferences.addon_install(filepath=sys.argv[-1])' -- "$zip"
@@ -29,11 +30,14 @@ if [[ $zip ]]; then
 fi
 
 # This is the command that farms with a "simple Blender render" run as well.
-"${blender[@]}" --background --enable-autoexec "${options[@]}" "$file" --render-output "$output" ${format:+--render-format "$format"} \
-    --use-extension 1 --render-frame "$frame"
+"${blender[@]}" --background --enable-autoexec "${options[@]}" "$file" --render-output "$folder/pictures/${output##*/}" \
+    ${format:+--render-format "$format"} --use-extension 1 --render-frame "$frame"
 
 # Blender ends well, too, if it has written no picture.
-if ! compgen -G "${output%%####}$number*" >/dev/null; then
+shopt -s nullglob
+pictures=("$folder"/pictures/*)
+if ((${#pictures[@]} == 0)); then
     echo "motus: Blender has written no picture of frame $frame"
     exit 1
 fi
+mv -- "${pictures[@]}" "${output%/*}/"

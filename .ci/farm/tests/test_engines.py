@@ -7,6 +7,7 @@ import os
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -142,6 +143,21 @@ class Local(Shots):
         status, output, _ = self.farm("local", frames="2,4-5", out=out)
         self.assertIn("3 of 3 frames are done already", output)
         self.assertEqual(status, 0, output)
+
+    def test_a_shot_that_was_broken_off_goes_on(self):
+        out = Path(tempfile.mkdtemp(prefix="pictures ", dir=self.folder))
+        command = (MOTUS, "farm", self.shot, "--frames", "1-3", "--out", out, "--with", "local", "--live")
+        working = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+        while not list(out.glob("*.png")) and working.poll() is None:
+            time.sleep(0.2)
+        working.send_signal(signal.SIGINT)
+        _, said = working.communicate(timeout=LIMIT)
+        self.assertEqual(working.returncode, 130, said)
+        self.assertLess(len(list(out.glob("*.png"))), 3)
+        status, output, _ = self.farm("local", "--live", out=out, frames="1-3")
+        self.assertEqual(status, 0, output)
+        self.assertIn("of 3 frames are done already", output)
+        self.assertEqual(sorted(path.name for path in out.iterdir()), ["farm", *(f"shot_{frame:04d}.png" for frame in (1, 2, 3))])
 
 
 class Slurm(Shots):
