@@ -69,15 +69,9 @@ says_native() {
     [[ $said == OK\ * ]]
 }
 
-command_install() {
-    local abi zip said
-    if [[ ${1:-} == --blender ]]; then
-        value_of "$1" "the path of a Blender" "${2:-}"
-        name_blender "$2"
-        shift 2
-    fi
-    nothing_else install "$@"
-    default_blender
+# own_zip: sets `zip` to what `blender` takes. It is made first, unless only what `./motus package --platforms` has made fits.
+own_zip() {
+    local abi
     abi=$(own_abi)
     if can_build "$abi" || ! zip=$(platform_zip "$abi"); then
         package_for_blender
@@ -86,6 +80,18 @@ command_install() {
         unlock
         zip=$(zip_for "$blender_version")
     fi
+}
+
+command_install() {
+    local zip said
+    if [[ ${1:-} == --blender ]]; then
+        value_of "$1" "the path of a Blender" "${2:-}"
+        name_blender "$2"
+        shift 2
+    fi
+    nothing_else install "$@"
+    default_blender
+    own_zip
     system_python_first
     install_zip "$zip"
     said=$(says_native) || fail "installed into Blender $blender_version, which cannot use it: $said"

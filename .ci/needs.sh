@@ -34,6 +34,7 @@ official_needs=(
     "libsm6:/usr/lib/*/libSM.so.6|/usr/lib64/libSM.so.6|/usr/lib/libSM.so.6"
 )
 wine_needs=(wine64:/usr/lib/wine/wine64 maven:mvn)
+farm_needs=(slurm-wlm:/usr/sbin/slurmctld munge:/usr/sbin/munged)
 lint_needs=(clang-format:clang-format clang-tidy:clang-tidy shellcheck:shellcheck git:git "${module_needs[@]}")
 root_needs=(debootstrap:/usr/sbin/debootstrap)
 # What CMake's presets of other compilers and systems need beside build_needs: a compiler, and an emulator for what it makes.

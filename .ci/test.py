@@ -39,7 +39,7 @@ def has_blender(name):
 
 
 def configure(groups, **lists):
-    """Tells CMake which groups there are: inside Blenders, and by `lists` ELSEWHERE, PLATFORMS, RELEASED, FUZZED and PATTERNS."""
+    """Tells CMake which groups there are: inside Blenders, and by `lists` ELSEWHERE, PLATFORMS, RELEASED, FARM, FUZZED and PATTERNS."""
     options = (
         {"BUILD": BUILD, "PYTHON": sys.executable} | {name.upper(): ";".join(values) for name, values in lists.items()} | groups.lists()
     )
@@ -145,7 +145,8 @@ def main():
         preset for preset in ELSEWHERE if options.all or any(part in f"library, {preset}" and part not in "library, " for part in only)
     ]
     fuzzed = [topic for topic in FUZZED if not options.patterns and (options.all or any(part and part in f"fuzz {topic}" for part in only))]
-    configure(groups, elsewhere=elsewhere, fuzzed=fuzzed, patterns=options.patterns, **released.planned(only, options.all))
+    farm = ["farm"] if options.all or any(part and part in "farm" for part in only) else []
+    configure(groups, farm=farm, elsewhere=elsewhere, fuzzed=fuzzed, patterns=options.patterns, **released.planned(only, options.all))
     status = run_groups(only)
     results = ElementTree.parse(RESULTS) if RESULTS.exists() else None  # none where CTest itself was ended
     if results is None or results.find("testcase") is None:

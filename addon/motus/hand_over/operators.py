@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core.interface.over_frames import Job, frame_range
+from ..core.interface.over_frames import IntoFile, frame_range
 from ..core.interface.rows import Rows
 from ..core.refusals import Refused, check_finite
 from ..core.translations import tr
@@ -13,7 +13,7 @@ MARGIN = 1.0
 """Frames that are recorded before the start and after the end, for motion blur."""
 
 
-class MOTUS_OT_hand_over(Job, bpy.types.Operator):
+class MOTUS_OT_hand_over(IntoFile, bpy.types.Operator):
     bl_idname = "motus.hand_over"
     bl_label = "Hand Over"
     bl_description = "Write a copy of the file in which all that Motus moves is plain Blender, and which plays without the add-on"
@@ -40,28 +40,12 @@ class MOTUS_OT_hand_over(Job, bpy.types.Operator):
     )
     redo = (Rows(("start", "end", "step", "formats")),)
 
-    _is_asked = False
+    chosen = ("filepath", "start", "end", "step", "formats")
 
-    def invoke(self, context, event):
-        if context.window is None or self.filepath:
-            return super().invoke(context, event)
+    def suggested(self, context):
         self.start, self.end = context.scene.frame_start, context.scene.frame_end
         name = bpy.path.display_name_from_filepath(bpy.data.filepath) or "untitled"
-        self.filepath, self._is_asked = f"{name} Handed Over.blend", True
-        context.window_manager.fileselect_add(self)
-        return {'RUNNING_MODAL'}
-
-    def execute(self, context):
-        if not self._is_asked:
-            return super().execute(context)
-        # Blender frees the operator that its file browser has called, so another one shows the progress and takes Esc.
-        names = ("filepath", "start", "end", "step", "formats")
-        try:
-            bpy.ops.motus.hand_over('INVOKE_DEFAULT', **{name: getattr(self, name) for name in names})
-        except RuntimeError as error:
-            self.report({'ERROR'}, str(error).removeprefix("Error: ").strip())
-            return {'CANCELLED'}
-        return {'FINISHED'}
+        return f"{name} Handed Over.blend"
 
     def begin(self, context):
         frames = self._frames(context.scene)

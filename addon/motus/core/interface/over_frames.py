@@ -140,6 +140,37 @@ class Job(Operator):
         return {'FINISHED'}
 
 
+class IntoFile(Job):
+    """Mixin of a Job that writes a file, with the keywords `filepath` and `check_existing`.
+
+    If it is started in the window without a path, it first shows Blender's file browser. suggested(context): returns the path that the
+    browser begins with, and sets other keywords that it shows. chosen: names of the keywords that the artist can set there.
+    """
+
+    chosen: tuple[str, ...] = ("filepath",)
+    _is_asked = False
+
+    def invoke(self, context, event):
+        if context.window is None or self.filepath:
+            return super().invoke(context, event)
+        self.filepath, self._is_asked = self.suggested(context), True
+        context.window_manager.fileselect_add(self)
+        return {'RUNNING_MODAL'}
+
+    def execute(self, context):
+        if not self._is_asked:
+            return super().execute(context)
+        # Blender frees the operator that its file browser has called, so another one shows the progress and takes Esc.
+        group, _, name = type(self).bl_idname.partition(".")
+        call = getattr(getattr(bpy.ops, group), name)
+        try:
+            call('INVOKE_DEFAULT', **{keyword: getattr(self, keyword) for keyword in self.chosen})
+        except RuntimeError as error:
+            self.report({'ERROR'}, str(error).removeprefix("Error: ").strip())
+            return {'CANCELLED'}
+        return {'FINISHED'}
+
+
 class OverFrames(Job):
     """Mixin of an operator that steps through a range of frames, with a progress indicator and cancelling by Esc.
 
