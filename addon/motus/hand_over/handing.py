@@ -158,6 +158,8 @@ def _put(path, placed):
     try:
         for index, (new, place) in enumerate(placed.items()):
             former = beside(path, f"former-{index}")
+            if former.exists() and not place.exists():  # a session was ended between the two steps that follow
+                os.replace(former, place)
             _remove(former)
             if place.exists():
                 os.replace(place, former)

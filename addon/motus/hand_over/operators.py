@@ -19,8 +19,6 @@ class MOTUS_OT_hand_over(IntoFile, bpy.types.Operator):
     bl_description = "Write a copy of the file in which all that Motus moves is plain Blender, and which plays without the add-on"
     bl_options = {'REGISTER'}
 
-    filepath: bpy.props.StringProperty(name="File Path", description="File that is written", subtype='FILE_PATH', options={'SKIP_SAVE'})
-    check_existing: bpy.props.BoolProperty(name="Check Existing", default=True, options={'HIDDEN', 'SKIP_SAVE'})
     filter_glob: bpy.props.StringProperty(default="*.blend", options={'HIDDEN', 'SKIP_SAVE'})
     start: bpy.props.IntProperty(name="Start", description="First frame; the scene's where it is not given", options={'SKIP_SAVE'})
     end: bpy.props.IntProperty(name="End", description="Last frame; the scene's where it is not given", options={'SKIP_SAVE'})

@@ -141,12 +141,14 @@ class Job(Operator):
 
 
 class IntoFile(Job):
-    """Mixin of a Job that writes a file, with the keywords `filepath` and `check_existing`.
+    """Mixin of a Job that writes a file.
 
     If it is started in the window without a path, it first shows Blender's file browser. suggested(context): returns the path that the
     browser begins with, and sets other keywords that it shows. chosen: names of the keywords that the artist can set there.
     """
 
+    filepath: bpy.props.StringProperty(name="File Path", description="File that is written", subtype='FILE_PATH', options={'SKIP_SAVE'})
+    check_existing: bpy.props.BoolProperty(name="Check Existing", default=True, options={'HIDDEN', 'SKIP_SAVE'})
     chosen: tuple[str, ...] = ("filepath",)
     _is_asked = False
 
