@@ -156,8 +156,8 @@ def _put(path, placed):
     """Put new files into their places. The former ones come back if that fails. placed: {new file or folder: its place}."""
     formers = {}
     try:
-        for index, (new, place) in enumerate(placed.items()):
-            former = beside(path, f"former-{index}")
+        for new, place in placed.items():
+            former = place.with_name(f"{place.name}.motus-former")
             if former.exists() and not place.exists():  # a session was ended between the two steps that follow
                 os.replace(former, place)
             _remove(former)
