@@ -13,6 +13,9 @@ from hand_over import hand_over_cases, plain_state
 class TestHandOver(support.SceneTestCase):
     def test_everything_plays_the_same_without_the_add_on(self):
         live_scenes.build()
+        bpy.ops.motus.snow_add(
+            preset='GENTLE', rate=10.0, lifetime=1.0, look='POINTS', location=(0.0, 12.0, 5.0)
+        )  # shares nodes with the first
         support.link("Sun", bpy.data.lights.new("Sun", 'SUN'), (0.0, 0.0, 9.0))
         camera = support.link("Camera", bpy.data.cameras.new("Camera"), (3.0, -26.0, 6.0))
         camera.rotation_euler.x, bpy.context.scene.camera = 1.4, camera

@@ -14,7 +14,8 @@ READS = """
 import json
 import bpy, numpy
 from hand_over import test_hand_over_formats
-numpy.bool = bool  # which NumPy has not had for a while, and the importer of glTF of Blender 3.4 needs
+if not hasattr(numpy, "bool"):  # NumPy lacked it for some versions, and the importer of glTF of Blender 3.4 needs it
+    numpy.bool = bool
 found = {{}}
 for name, path in {paths!r}.items():
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)

@@ -26,16 +26,13 @@ class Points:
     def __init__(self, system, owner):
         self.system, self.owner = system, owner
         self._samples = []
-        self._hub = node_groups.input_of(self.modifier, HUB)
-        self._sizes = {"position": 3} | {one.name: _SIZES[one.data_type] for one in own_attributes(self._hub.data)}
-
-    @property
-    def modifier(self):
-        """The owner's modifier that brings the points in. Raises Refused if the user has removed it."""
-        place = wiring.points_place(self.system, self.owner)
+        place = wiring.points_place(system, owner)
         if place is None:
-            raise Refused(tr("{object} has lost its modifier of Motus: set it up again").format(object=self.owner.name))
-        return self.owner.modifiers[place]
+            raise Refused(tr("{object} has lost its modifier of Motus: set it up again").format(object=owner.name))
+        # By its name, since owners share a node group, which is no longer known as that of Motus once one of them is converted.
+        self._modifier = owner.modifiers[place].name
+        self._hub = node_groups.input_of(owner.modifiers[place], HUB)
+        self._sizes = {"position": 3} | {one.name: _SIZES[one.data_type] for one in own_attributes(self._hub.data)}
 
     def record(self, depsgraph, _frame):
         """Append the points of the hub's evaluated mesh to the samples; frames have to come in their order."""
@@ -49,7 +46,7 @@ class Points:
 
         per_frame: number of samples in a frame.
         """
-        modifier = self.modifier
+        modifier = self.owner.modifiers[self._modifier]
         group = modifier.node_group
         obj = self.plain(folder, times, per_frame)
         _rename_read(group)
