@@ -5,8 +5,8 @@ from pathlib import Path
 
 import bpy
 
-import window_support
 from hand_over.test_hand_over_refusals import BEFORE, follower
+from window import window_support
 
 
 def start(path):

@@ -14,6 +14,7 @@ STUB = Path(__file__).resolve().parents[2] / "bindings" / "motus_native.pyi"
 
 class StubTest(unittest.TestCase):
     @unittest.skipIf(sys.platform == "win32", "pybind11-stubgen is installed for the Pythons of Linux")
+    @unittest.skipUnless(sys.version_info[:2] == (3, 11), "the stub has what Python 3.11 says of enums, and others say more")
     def test_the_stub_is_up_to_date(self):
         with tempfile.TemporaryDirectory() as folder:
             command = (Path(sys.executable).with_name("pybind11-stubgen"), "motus_native", "--exit-code", "--output-dir", folder)
