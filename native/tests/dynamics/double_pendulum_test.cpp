@@ -205,15 +205,14 @@ TEST_CASE("threads that ask for one pendulum get one answer", "[double_pendulum]
     std::array<std::vector<DoublePendulumState>, 4> found;
     std::vector<double> times;
     for (int i = 0; i < 200; ++i) times.push_back(i * 0.11);
-    {
-        std::vector<std::jthread> threads;
-        for (auto& states : found) {
-            threads.emplace_back([&] {
-                states.resize(times.size());
-                double_pendulum(pendulum, high, times, states);
-            });
-        }
+    std::vector<std::thread> threads;
+    for (auto& states : found) {
+        threads.emplace_back([&] {
+            states.resize(times.size());
+            double_pendulum(pendulum, high, times, states);
+        });
     }
+    for (std::thread& thread : threads) thread.join();
     for (const auto& states : found) CHECK(states == found[0]);
 }
 
