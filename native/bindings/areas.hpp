@@ -32,5 +32,6 @@ void bind_second_order(pybind11::module_& m);
 void bind_thread_state(pybind11::module_& m);
 void bind_instruction_set(pybind11::module_& m);
 void bind_memory(pybind11::module_& m);
+void bind_bounded(pybind11::module_& m);
 
 }  // namespace motus::bindings

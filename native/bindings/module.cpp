@@ -45,4 +45,5 @@ curve's interval never raise: extend = "clamp" | "extrapolate" | "loop" | "ping_
     bind_thread_state(m);
     bind_instruction_set(m);
     bind_memory(m);
+    bind_bounded(m);
 }

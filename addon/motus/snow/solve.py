@@ -3,6 +3,8 @@
 A Problem is a sentence that the panel shows.
 """
 
+from typing import NamedTuple
+
 from ..core import rigs
 from ..core.animation import strips
 from ..core.declare import Geometries, Geometry, Matrix, OwnMatrix, Points, Problem, Setting
@@ -65,6 +67,34 @@ INPUTS = (
 )
 
 
+class _Read(NamedTuple):
+    """Settings of an emitter that each solve needs, read once for as long as nothing animates them.
+
+    life: most seconds that a flake lives. start: first frame. shown: share of the flakes in the viewport, 0 to 1.
+    """
+
+    shape: str
+    look: str
+    life: float
+    start: float
+    shown: float
+    use_ground: bool
+    lands: bool
+
+    @classmethod
+    def of(cls, settings):
+        """Read the settings."""
+        return cls(
+            settings.shape,
+            settings.look,
+            flakes.longest_life(settings),
+            settings.start_frame,
+            settings.preview / 100.0,
+            settings.use_ground,
+            colliders.are_any(settings),
+        )
+
+
 def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence):
     """Compute the flakes at the frame of the context, in world space, as the points of the emitter; returns the Problem to show, or None.
 
@@ -80,13 +110,13 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
         return None
     if emitter is None or emitter.determinant() == 0.0:
         return FLAT
-    scene = context.depsgraph.scene
+    scene, read = context.depsgraph.scene, context.kept("read", None, lambda: _Read.of(settings))
     faces = camera = angles = unseen = None
-    if settings.shape == 'SURFACE':
+    if read.shape == 'SURFACE':
         emitter, faces = placed, _faces(context, placed, surface)
         if isinstance(faces, Problem):
             return faces
-    elif settings.shape == 'CAMERA':
+    elif read.shape == 'CAMERA':
         if not set(view.names(settings, [scene]).splitlines()).issubset(settings.reads.splitlines()):
             context.wants_to_settle = True
         camera = view.filming(context.target("camera"), settings, context.depsgraph, context.frame)
@@ -95,22 +125,21 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
         if isinstance(angles, Problem):
             return angles
         unseen = view.lens_problem(camera.data)
-    poses, problem = _poses(context, camera or source(context.owner), emitter, angles)
-    wind, is_sure = births.winds(context.owner, context.frame, flakes.longest_life(settings), settings.start_frame, context.fps)
+    poses, problem = _poses(context, camera or source(context.owner), emitter, angles, read)
+    wind, is_sure = context.kept("wind", None, lambda: births.winds(context.owner, context.frame, read.life, read.start, context.fps))
     if poses is None or wind is None:
         return flakes.NOT_FINITE
     acceleration = tuple(scene.gravity) if scene.use_gravity else (0.0, 0.0, 0.0)
-    lands = context.kept("lands", None, lambda: colliders.are_any(settings))
-    barrier, fault = colliders.barrier(context) if lands else (None, None)
+    barrier, fault = colliders.barrier(context) if read.lands else (None, None)
     snow = flakes.made(keywords, acceleration, poses, wind, faces, angles, barrier)
     if isinstance(snow, Problem):
         return snow
-    seconds = (context.frame - settings.start_frame) / context.fps
+    seconds = (context.frame - read.start) / context.fps
     is_viewport = not waits_for_all(context.depsgraph)
-    is_found = not (is_viewport and landings.are_left(context, snow, seconds, lands or settings.use_ground))
-    flakes.fill(context.points, snow, seconds, settings.preview / 100.0 if is_viewport else 1.0, is_found)
+    is_found = not (is_viewport and landings.are_left(context, snow, seconds, read.lands or read.use_ground))
+    flakes.fill(context.points, snow, seconds, read.shown if is_viewport else 1.0, is_found)
     unsure = None if is_sure else UNKNOWN_WIND
-    return problem or unseen or unsure or fault or (None if is_found else FINDING) or _look_problem(settings)
+    return problem or unseen or unsure or fault or (None if is_found else FINDING) or _look_problem(settings, read.look)
 
 
 def source(owner):
@@ -122,10 +151,11 @@ def source(owner):
     return {'SURFACE': pointed(settings, "surface"), 'CAMERA': pointed(settings, "camera")}.get(settings.shape, owner)
 
 
-def _poses(context, born_at, present, angles):
+def _poses(context, born_at, present, angles, read):
     """Return (births.Poses over time, Problem to show or None); the Poses are None if they are not finite.
 
     born_at: object whose poses count. present: its world matrix now. angles: half the angles of a camera's view, otherwise None.
+    read: the emitter's _Read.
     """
     settings, scene = context.settings, context.depsgraph.scene
     if born_at == context.owner:
@@ -137,8 +167,8 @@ def _poses(context, born_at, present, angles):
         scene,
         present,
         context.frame,
-        flakes.longest_life(settings),
-        settings.start_frame,
+        read.life,
+        read.start,
         context.fps,
         None if angles is None else (angles, settings.closest, settings.farthest),
     )
@@ -154,8 +184,6 @@ def _faces(context, placed, surface):
     return meshes.faces(surface) or NO_FACES
 
 
-def _look_problem(settings):
-    is_missing = (settings.look == 'OBJECT' and pointed(settings, "flake") is None) or (
-        settings.look == 'COLLECTION' and pointed(settings, "flakes") is None
-    )
+def _look_problem(settings, look):
+    is_missing = (look == 'OBJECT' and pointed(settings, "flake") is None) or (look == 'COLLECTION' and pointed(settings, "flakes") is None)
     return NO_FLAKES if is_missing else None

@@ -73,6 +73,24 @@ class CachesTest(unittest.TestCase):
                 native.set_cache_budget(wrong)
 
 
+class BoundedTest(unittest.TestCase):
+    def test_numbers_of_all_arrays_count(self):
+        self.assertTrue(native.are_below(3.4e38))
+        for dtype in (np.float32, np.float64):
+            rows = np.full((7, 3), -3.3e38, dtype)
+            self.assertTrue(native.are_below(3.4e38, rows, rows[0], np.empty((0, 3))))
+            for number in (np.nan, np.inf, -np.inf, 3.4e38):
+                rows[6, 2] = number
+                self.assertFalse(native.are_below(3.4e38, rows, np.zeros(3)))
+                self.assertFalse(native.are_below(3.4e38, np.zeros(3), rows))
+
+    def test_arrays_that_cannot_be_read_are_refused(self):
+        odd = np.zeros(9, np.uint8)[1:].view(np.float64)
+        for array in ([1.0], 1.0, None, np.zeros(3, int), np.zeros(3, np.float16), np.zeros((3, 3))[:, 0], odd):
+            with self.subTest(array=array), self.assertRaisesRegex(TypeError, "^arrays: "):
+                native.are_below(1.0, np.zeros(2), array)
+
+
 class SecondCopyTest(unittest.TestCase):
     def test_a_copy_under_another_package_is_imported_beside_the_first(self):
         with tempfile.TemporaryDirectory() as folder:

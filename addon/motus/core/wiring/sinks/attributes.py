@@ -1,5 +1,6 @@
 """Write arrays of numbers to attributes of the mesh of a hub, a hidden object with a solver's results, or get an attribute's memory."""
 
+import ctypes
 import math
 
 from ...file.stored import Damaged
@@ -62,7 +63,7 @@ def made(mesh, name, data_type, count):
     start, size = data[0].as_pointer(), 4 * math.prod(shape)
     if data[count - 1].as_pointer() != start + (count - 1) * size:
         raise Damaged("items that lie otherwise in memory")
-    return np.asarray(_Memory(start, (count, *shape), size, numbers))
+    return np.ndarray((count, *shape), numbers, (ctypes.c_byte * (count * size)).from_address(start))
 
 
 def items(data, numbers, shape):
