@@ -16,22 +16,26 @@ fi
 folder=$(mktemp -d "${output%/*}/.motus-$number-XXXXXX") # pictures come to their place when they are whole
 trap 'rm -rf "$folder"' EXIT
 
+install='import sys, bpy
+zip = sys.argv[-1]
+if zip.endswith("-legacy.zip"):  # for Blender before 4.2
+    bpy.ops.preferences.addon_install(filepath=zip)
+    bpy.ops.preferences.addon_enable(module="motus")
+else:
+    bpy.ops.extensions.package_install_files(repo="user_default", filepath=zip, enable_on_install=True)
+if not hasattr(bpy.types.Object, "motus"):
+    raise SystemExit("motus: the add-on could not be installed")'
+
 options=()
 if [[ $zip ]]; then
     export BLENDER_USER_RESOURCES=$folder/profile
-    if [[ $zip == *-legacy.zip ]]; then # for Blender before 4.2
-        "${blender[@]}" --background --python-exit-code 1 \
-            --python-expr 'import sys, bpy; bpy.ops.preferences.addon_install(filepath=sys.argv[-1])' -- "$zip"
-        options=(--addons motus)
-    else
-        "${blender[@]}" --command extension install-file --repo user_default --enable "$zip"
-        options=(--addons bl_ext.user_default.motus)
-    fi
+    export MOTUS_PLANS=${output%/*}/farm/plans # what one task has computed for all frames, the others read
+    options=(--python-exit-code 1 --python-expr "$install")
 fi
 
-# This is the command that farms with a "simple Blender render" run as well.
+# Without the options, this is the command that farms with a "simple Blender render" run as well.
 "${blender[@]}" --background --enable-autoexec "${options[@]}" "$file" --render-output "$folder/pictures/${output##*/}" \
-    ${format:+--render-format "$format"} --use-extension 1 --render-frame "$frame"
+    ${format:+--render-format "$format"} --use-extension 1 --render-frame "$frame" ${zip:+-- "$zip"}
 
 # Blender ends well, too, if it has written no picture.
 shopt -s nullglob

@@ -921,8 +921,18 @@ class SnowCover:
     Takes some 11 us and 200 bytes for each flake that is born until `end` (32 bytes once it is made).
     Raises ValueError or TypeError that names the argument, also where more than 1e7 flakes are born until then.
     """
+    @staticmethod
+    def restored(data: bytes) -> SnowCover:
+        """
+        The cover whose bytes() these are. Raises ValueError or TypeError that names the argument, where they are not the bytes of a
+        cover.
+        """
     def __init__(self, snow: Snow, *, end: float, flake_volume: float = 0.0001, repose: float = 0.9, smoothing: int = 4) -> None:
         ...
+    def bytes(self) -> bytes:
+        """
+        All that the cover is, for restored() in another process or another day. Some 40 bytes a flake, and 60 a vertex.
+        """
     def heights(self, time: float, out: numpy.typing.NDArray[numpy.float32] | None = None) -> numpy.ndarray:
         """
         (v,) float32: how deep snow lies on each vertex of the collider at `time`, s, in m across the surface.

@@ -56,11 +56,11 @@ class Shots(unittest.TestCase):
         cls.shot = cls.made("shot")
 
     @classmethod
-    def made(cls, name, broken=""):
+    def made(cls, name, broken="", scene=SCENE):
         path = cls.folder / f"{name}.blend"
         script = Path(__file__).with_name("make_shot.py")
         status, output = run(
-            MOTUS, "blender", "--background", "--factory-startup", "--python-exit-code", "1", "--python", script, "--", SCENE, path, broken
+            MOTUS, "blender", "--background", "--factory-startup", "--python-exit-code", "1", "--python", script, "--", scene, path, broken
         )
         assert status == 0 and path.is_file(), output[-3000:]
         return path
@@ -143,6 +143,15 @@ class Local(Shots):
         status, output, _ = self.farm("local", frames="2,4-5", out=out)
         self.assertIn("3 of 3 frames are done already", output)
         self.assertEqual(status, 0, output)
+
+    def test_what_one_task_has_computed_for_all_frames_the_others_read(self):
+        shot = self.made("snow", scene="MAIN")
+        _, _, out = self.farm("local", "--live", shot=shot, frames="1")
+        plans = {path.name: path.stat().st_mtime_ns for path in (out / "farm" / "plans").iterdir()}
+        self.assertEqual({Path(name).suffix for name in plans}, {".cover"})
+        status, output, _ = self.farm("local", "--live", shot=shot, frames="1-2", out=out)
+        self.assertEqual(status, 0, output)
+        self.assertEqual({path.name: path.stat().st_mtime_ns for path in (out / "farm" / "plans").iterdir()}, plans)
 
     def test_a_shot_that_was_broken_off_goes_on(self):
         out = Path(tempfile.mkdtemp(prefix="pictures ", dir=self.folder))

@@ -246,6 +246,18 @@ void set_collisions(const OptionalNumber& ground, const py::object& collider, co
     return {snow, settings};
 }
 
+[[nodiscard]] py::bytes bytes_of_cover(const Cover& self) {
+    const std::vector<std::byte> found = self.bytes();
+    return {reinterpret_cast<const char*>(found.data()), found.size()};
+}
+
+[[nodiscard]] Cover cover_of_bytes(const Typed<"bytes">& data) {
+    if (!py::isinstance<py::bytes>(data)) type_error("data", "must be bytes");
+    const std::string_view found = py::reinterpret_borrow<py::bytes>(data);
+    const py::gil_scoped_release released;
+    return Cover::restored(std::as_bytes(std::span(found)));
+}
+
 [[nodiscard]] py::array heights(const Cover& self, const Number& given_time,
                                 const OptionalFloat32Array& out) {
     const double time = number(given_time, "time");
@@ -490,7 +502,12 @@ Raises ValueError or TypeError that names the argument, also where more than 1e7
 out: an array of that kind to write into, which is returned.)")
         .def(
             "volume", [](const Cover& self, const Number& time) { return self.volume(number(time, "time")); },
-            "time"_a, "m^3 that lie on the collider at `time`, s.");
+            "time"_a, "m^3 that lie on the collider at `time`, s.")
+        .def("bytes", &bytes_of_cover, R"(
+All that the cover is, for restored() in another process or another day. Some 40 bytes a flake, and 60 a vertex.)")
+        .def_static("restored", &cover_of_bytes, "data"_a, R"(
+The cover whose bytes() these are. Raises ValueError or TypeError that names the argument, where they are not the bytes of a
+cover.)");
 }
 
 }  // namespace motus::bindings

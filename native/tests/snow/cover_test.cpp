@@ -8,6 +8,8 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "flakes.hpp"
@@ -288,4 +290,55 @@ TEST_CASE("covers of bad settings are refused with a sentence", "[snow]") {
     // A wall, on which nothing lies, and nothing at all.
     settings.collider = std::make_shared<const Collider>(Points{}, Triangles{});
     CHECK(Cover(Snow(settings), good).volume(3.0) == 0.0);
+}
+
+TEST_CASE("a cover comes back from its bytes, and answers as before", "[snow]") {
+    for (const int smoothing : {0, 4}) {
+        SnowSettings settings = falling(300.0);
+        settings.collider = sheet(2.0F, 0.0F, 0.1F, 5);
+        const Covered one(settings, {.end = 6.0, .flake_volume = 1e-3, .smoothing = smoothing});
+        const Cover again = Cover::restored(one.cover.bytes());
+        CHECK(again.bytes() == one.cover.bytes());
+        CHECK(std::ranges::equal(again.areas(), one.cover.areas()));
+        for (const double time : {0.0, 2.5, 6.0}) {
+            std::vector<float> heights(again.vertex_count());
+            again.heights(time, heights);
+            CHECK(heights == one.at(time));
+            CHECK(again.volume(time) == one.cover.volume(time));
+        }
+    }
+}
+
+TEST_CASE("bytes that are no cover's are refused, or give one that answers", "[snow]") {
+    SnowSettings settings = falling(30.0);
+    settings.collider = sheet(2.0F, 0.0F, 0.1F, 3);
+    const Covered one(settings, {.end = 3.0, .smoothing = 2});
+    const std::vector<std::byte> whole = one.cover.bytes();
+    const auto restored = [](const std::vector<std::byte>& data) -> bool {
+        try {
+            const Cover cover = Cover::restored(data);
+            std::vector<float> heights(cover.vertex_count());
+            cover.heights(2.0, heights, 1);
+            static_cast<void>(cover.volume(2.0));
+            return true;
+        } catch (const std::invalid_argument& problem) {
+            CHECK(std::string_view(problem.what()).starts_with("data: "));
+            return false;
+        }
+    };
+    CHECK(restored(whole));
+    for (std::size_t length = 0; length < whole.size(); length += 1 + length / 20)
+        CHECK_FALSE(restored({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)}));
+    std::vector<std::byte> longer = whole;
+    longer.push_back(std::byte{0});
+    CHECK_FALSE(restored(longer));
+    std::size_t refused = 0;
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        for (const unsigned mask : {0x01U, 0x80U, 0xffU}) {
+            std::vector<std::byte> other = whole;
+            other[at] ^= static_cast<std::byte>(mask);
+            refused += restored(other) ? 0 : 1;
+        }
+    }
+    CHECK(refused > 100);
 }

@@ -11,7 +11,7 @@ from ...core.declare import Problem
 from ...core.evaluated.shares import waits_for_all
 from ...core.measures import bounds
 from .. import flakes
-from . import ground
+from . import ground, shelf
 
 KEPT, MOST_KEPT = 2, 64
 """Most results (Work) that are kept for one cover, and for all covers together."""
@@ -203,18 +203,32 @@ def _steps(plan):
     smoothing = min(plan.smoothing, bounds.times(ROUND * place.vertex_count * len(plan.falls), plan.share))
     yield done
     for fall in plan.falls:
-        snow = flakes.made(fall.keywords, fall.acceleration, fall.poses, fall.wind, fall.faces, fall.angles, place.collider)
-        if isinstance(snow, Problem):
-            return snow
-        try:
-            for part in _landed(snow, fall):
-                yield done + part
-            covers.append(native.module.SnowCover(snow, end=fall.end, flake_volume=plan.volume, repose=plan.repose, smoothing=smoothing))
-        except ValueError:
-            return flakes.OUT_OF_RANGE
+        cover = shelf.find(plan, fall, smoothing, place.vertex_count)
+        if cover is None:
+            cover = yield from _covered(place, plan, fall, smoothing, done)
+            if isinstance(cover, Problem):
+                return cover
+            shelf.put(plan, fall, smoothing, cover)
+        covers.append(cover)
         done += PARTS + 1
         yield done
     return Work(place, tuple(covers), LESS_SMOOTH if smoothing < plan.smoothing else None)
+
+
+def _covered(place, plan, fall, smoothing, done):
+    """Compute the native SnowCover of one Fall; returns it, or a Problem, and yields the number of parts done, `done` of which were before.
+
+    place: Ground. smoothing: rounds of smoothing.
+    """
+    snow = flakes.made(fall.keywords, fall.acceleration, fall.poses, fall.wind, fall.faces, fall.angles, place.collider)
+    if isinstance(snow, Problem):
+        return snow
+    try:
+        for part in _landed(snow, fall):
+            yield done + part
+        return native.module.SnowCover(snow, end=fall.end, flake_volume=plan.volume, repose=plan.repose, smoothing=smoothing)
+    except ValueError:
+        return flakes.OUT_OF_RANGE
 
 
 def _landed(snow, fall):

@@ -1,7 +1,8 @@
 // Snow that lies (accumulation): how deep it is on each vertex of what flakes land on, at any time.
 //
 // Costs: O(flakes log flakes) to make, 10 us a flake if its landing is not known yet; O(vertices (log
-// flakes + rounds)) for the heights. Both allocate. Immutable: any number of threads may share one.
+// flakes + rounds)) for the heights, O(flakes + vertices) to and from bytes. All allocate. Immutable: any
+// number of threads may share one.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -53,7 +54,15 @@ class Cover {
     /// Of the flakes that have landed and lie on the collider, m^3: without those that fell from it.
     [[nodiscard]] double volume(double time) const;
 
+    /// All that the cover is, for restored() in another process: for files. A machine of another byte order
+    /// does not read it.
+    [[nodiscard]] std::vector<std::byte> bytes() const;
+    /// The cover that bytes() was asked of. Throws std::invalid_argument, naming data, where these are not
+    /// the bytes of a cover: whatever they are, all questions have answers afterwards.
+    [[nodiscard]] static Cover restored(std::span<const std::byte> data);
+
   private:
+    Cover() = default;
     /// A flake and what lies on a vertex since.
     struct Event {
         std::uint32_t flake = 0;  ///< of times_
@@ -64,8 +73,8 @@ class Cover {
     void link_neighbours(const Collider& collider, const Holding& holding);
     [[nodiscard]] std::size_t lying(double time) const;
 
-    double flake_volume_;
-    int rounds_;
+    double flake_volume_ = 0.0;
+    int rounds_ = 0;
     std::vector<double> times_;  ///< of landing, of flakes that lie
     std::vector<double> areas_;
     std::vector<std::size_t> starts_;  ///< of each vertex's events, and the end of the last's
