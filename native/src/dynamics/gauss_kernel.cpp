@@ -108,7 +108,8 @@ class GaussStages {
 
     /// Sums over j of table[j] times f[j]; in the same order whatever the number of lanes.
     [[nodiscard]] static HWY_INLINE Row product(const Table& table, const Stages& f) {
-        Row sums{};
+        Row sums;
+        for (Lanes& sum : sums) sum = Lanes(0.0);
         for (std::size_t j = 0; j < stages; ++j) {
             const Row part = row_of(table[j]);
             const Lanes factor(f[j]);

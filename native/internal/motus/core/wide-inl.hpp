@@ -93,7 +93,7 @@ struct Wide {
     using Mask = WideMask<n>;
     hn::Vec<Tag> lanes;
 
-    HWY_INLINE Wide() = default;  // not initialised
+    HWY_INLINE Wide() = default;  // not initialised, nor by {}: Highway's vectors for NEON are not either
     HWY_INLINE Wide(double all) : lanes(hn::Set(Tag(), all)) {}
     template <class... Double>
     requires(sizeof...(Double) == n) HWY_INLINE Wide(Double... each) : lanes(vector_of(each...)) {}
