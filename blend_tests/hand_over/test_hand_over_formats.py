@@ -21,7 +21,7 @@ for name, path in {paths!r}.items():
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     bpy.context.scene.render.fps = 24
     test_hand_over_formats.IMPORTERS[name](path)
-    found[name] = test_hand_over_formats.places()
+    found[name] = test_hand_over_formats.{what}()
 print("FOUND", json.dumps(found))
 """
 IMPORTERS = {
@@ -50,6 +50,59 @@ def places():
                 # Exporters split and order vertices as they like.
                 sizes = [(min(one[axis] for one in places), max(one[axis] for one in places)) for axis in range(3)]
                 found.setdefault(f"mesh {obj.name}", []).append([part for pair in sizes for part in pair])
+    return found
+
+
+def flakes():
+    """Of an imported file, for each of FRAMES: points as sorted rows (place, radius, velocity), and the box around all meshes."""
+    found = []
+    for frame in FRAMES:
+        bpy.context.scene.frame_set(frame)
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        rows, places = [], []
+        for obj in bpy.context.scene.objects:
+            evaluated = obj.evaluated_get(depsgraph)
+            if obj.type == 'POINTCLOUD' and len(evaluated.data.points):
+                named = evaluated.data.attributes
+                parts = (named["position"].data, "vector", 3), (named["radius"].data, "value", 1), (named["velocity"].data, "vector", 3)
+                rows += np.hstack([numbers(*part) for part in parts]).tolist()
+            elif obj.type == 'MESH':
+                places += [evaluated.matrix_world @ vertex.co for vertex in evaluated.data.vertices]
+        found.append((sorted(rows), box(places)))
+    return found
+
+
+def numbers(items, name, size):
+    """Rows of a property of items."""
+    rows = np.empty(size * len(items), np.float32)
+    items.foreach_get(name, rows)
+    return rows.reshape(-1, size)
+
+
+def box(places):
+    """Smallest and largest coordinates of places."""
+    return [[float(min(one[axis] for one in places)), float(max(one[axis] for one in places))] for axis in range(3)] if places else []
+
+
+def own_flakes(emitter):
+    """What flakes() is to find of an emitter that stands in this file."""
+    found = []
+    for frame in FRAMES:
+        bpy.context.scene.frame_set(frame)
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        mesh = emitter.motus.snow.hub.evaluated_get(depsgraph).data
+        rows = []
+        if len(mesh.vertices):
+            radius, velocity = (mesh.attributes[name].data for name in ("radius", "velocity"))
+            parts = (mesh.vertices, "co", 3), (radius, "value", 1), (velocity, "vector", 3)
+            rows = sorted(np.hstack([numbers(*part) for part in parts]).tolist())
+        corners = [
+            one.matrix_world @ vertex.co
+            for one in depsgraph.object_instances
+            if one.object.original == emitter or (one.is_instance and one.parent.original == emitter)
+            for vertex in one.object.data.vertices
+        ]
+        found.append((rows, box(corners)))
     return found
 
 
@@ -84,7 +137,7 @@ class TestFormats(support.SceneTestCase):
         path = hand_over_cases.handed_over(self, end=24, formats=there)
         files = {name: str(path.with_suffix(formats.FORMATS[name].suffix)) for name in sorted(there)}
         self.assertEqual({one.name for one in self.folder.iterdir()}, {path.name, *(f"out{formats.FORMATS[one].suffix}" for one in there)})
-        status, output = support.run_blender(READS.format(paths=files), enabled=False)
+        status, output = support.run_blender(READS.format(paths=files, what="places"), enabled=False)
         self.assertEqual(status, 0, output)
         found = json.loads(output.partition("FOUND ")[2].splitlines()[0])
         for name in sorted(there):
@@ -95,6 +148,30 @@ class TestFormats(support.SceneTestCase):
                     self.assertIn(known, found[name])
                     error = np.abs(np.array(found[name][known]) - np.array(expected[thing])).max()
                     self.assertLess(error, NEAR[name])
+
+    def test_flakes(self):
+        formats = support.addon("hand_over.formats")
+        there = {name for name in ("ALEMBIC", "USD") if self.is_there(formats, name)}
+        if not there:
+            self.skipTest("this Blender has no exporter of a format with flakes")
+        bpy.context.scene.render.fps = 24
+        bpy.ops.motus.snow_add(rate=40.0, lifetime=0.7, location=(1.0, 2.0, 5.0))
+        emitter = bpy.context.object
+        path = hand_over_cases.handed_over(self, end=24, formats=there)
+        emitter.motus.snow.all_attributes = True
+        expected = own_flakes(emitter)
+        self.assertGreater(len(expected[-1][0]), 10)
+        files = {name: str(path.with_suffix(formats.FORMATS[name].suffix)) for name in sorted(there)}
+        status, output = support.run_blender(READS.format(paths=files, what="flakes"), enabled=False)
+        self.assertEqual(status, 0, output)
+        found = json.loads(output.partition("FOUND ")[2].splitlines()[0])
+        for index, (rows, corners) in enumerate(expected[1:], 1):  # there are no flakes on the first frame
+            with self.subTest(frame=FRAMES[index]):
+                points, _ = found["USD"][index]
+                self.assertEqual(len(points), len(rows))
+                self.assertLess(np.abs(np.array(points) - np.array(rows)).max(), 1e-5)
+                _, around = found["ALEMBIC"][index]
+                self.assertLess(np.abs(np.array(around) - np.array(corners)).max(), 1e-5)
 
     @staticmethod
     def carried_by(name):

@@ -21,7 +21,7 @@ _MOVING = {found.POINTS: points.Points, found.FACES: faces.Faces}
 
 
 def convert(scene, view_layer, frames, folder):
-    """Record everything at these frames of the time line, and write it: a generator of the number of frames done.
+    """Record everything at these frames of the time line, and write it: a generator of the number of frames done, which returns a list of exchange.Handed.
 
     folder: caches.Folder of the file.
     """
@@ -47,8 +47,7 @@ def convert(scene, view_layer, frames, folder):
         yield len(frames)
     kept.restore()
     times = [scene_time.keys_time(scene, frame) for frame in frames]
-    for one in moving:
-        one.convert(folder, times, round(1.0 / (frames[1] - frames[0])))
+    handed = [one.convert(folder, times, round(1.0 / (frames[1] - frames[0]))) for one in moving]
     _remove(wired, recorded)
     _write(recorded, lambda frame: scene_time.keys_time(scene, frame))
     _clean()
@@ -57,6 +56,7 @@ def convert(scene, view_layer, frames, folder):
         obj.hide_viewport = is_off
         obj.hide_set(is_hidden, view_layer=view_layer)
     _check_clean()
+    return [one for one in handed if one is not None]
 
 
 def _between(frames, places):

@@ -6,16 +6,21 @@ import bpy
 
 from ..core.refusals import Refused
 from ..core.translations import tr
+from . import exchange
 
 
 class Format(NamedTuple):
-    """A format of files. operator: Blender's, as in bpy.ops. keywords: for the operator; those that a version of Blender lacks are left out."""
+    """A format of files. operator: Blender's, as in bpy.ops. keywords: for the operator; those that a version of Blender lacks are left out.
+
+    points: what the file has of flakes, as exchange.Shown shows them.
+    """
 
     label: str
     description: str
     suffix: str
     operator: str
     keywords: dict[str, Any]
+    points: str = exchange.NOTHING
 
 
 FORMATS = {
@@ -40,6 +45,7 @@ FORMATS = {
         ".usdc",
         "wm.usd_export",
         {"export_animation": True, "export_armatures": True, "only_deform_bones": False, "evaluation_mode": 'RENDER'},
+        exchange.CLOUDS,
     ),
     'ALEMBIC': Format(
         "Alembic",
@@ -47,6 +53,7 @@ FORMATS = {
         ".abc",
         "wm.alembic_export",
         {"as_background_job": False, "evaluation_mode": 'RENDER'},
+        exchange.MESHES,
     ),
     'FBX': Format(
         "FBX",
@@ -74,11 +81,17 @@ def check(names):
             raise Refused(tr("This Blender has no exporter for {format}").format(format=FORMATS[name].label)) from None
 
 
-def export(scene, names, path_of, span):
-    """Write the open file in these formats. path_of: function of a suffix that returns a path. span: (first, last) frame."""
+def need_velocities(names):
+    """Whether one of the formats has the velocities of points. names: keys of FORMATS."""
+    return any(FORMATS[name].points == exchange.CLOUDS for name in names)
+
+
+def export(shown, scene, names, path_of, span):
+    """Write the open file in these formats. shown: exchange.Shown. path_of: function of a suffix that returns a path. span: (first, last) frame."""
     scene.frame_start, scene.frame_end = span
     for name in sorted(names):
         found = FORMATS[name]
+        shown.show(found.points)
         operator = _operator(found)
         known = operator.get_rna_type().properties.keys()
         keywords = {"filepath": str(path_of(found.suffix)), "start": span[0], "end": span[1]} | found.keywords

@@ -14,6 +14,7 @@ from ..core.blender import node_groups
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.translations import tr
+from . import exchange
 
 HUB, OURS = "Hub", "motus_"
 _SIZES = {'FLOAT': 1, 'INT': 1, 'FLOAT_VECTOR': 3, 'FLOAT_COLOR': 4, 'QUATERNION': 4}
@@ -32,6 +33,7 @@ class Points:
         # By its name, since owners share a node group, which is no longer known as that of Motus once one of them is converted.
         self._modifier = owner.modifiers[place].name
         self._hub = node_groups.input_of(owner.modifiers[place], HUB)
+        self._is_loose = system.makes_points is not None and system.makes_points.shape == 'POINTS'
         self._sizes = {"position": 3} | {one.name: _SIZES[one.data_type] for one in own_attributes(self._hub.data)}
 
     def record(self, depsgraph, _frame):
@@ -44,7 +46,7 @@ class Points:
     def convert(self, folder, times, per_frame):
         """Let the owner's modifier read a plain object with the points. folder: caches.Folder. times: of the samples, in the keys' time.
 
-        per_frame: number of samples in a frame.
+        per_frame: number of samples in a frame. Returns the exchange.Handed; None where points make no instances.
         """
         modifier = self.owner.modifiers[self._modifier]
         group = modifier.node_group
@@ -55,6 +57,7 @@ class Points:
         for one in (group, modifier):
             one.name = one.name.replace("Motus ", "")
         node_groups.set_input(modifier, HUB, obj)
+        return exchange.Handed(self.owner, modifier.name, obj) if self._is_loose else None
 
     def plain(self, folder, times, per_frame):
         """Make the object that takes the hub's place. Arguments as for convert()."""

@@ -14,7 +14,7 @@ import bpy
 from ..core.evaluated import shares
 from ..core.refusals import Refused
 from ..core.translations import tr
-from . import caches, convert, formats
+from . import caches, convert, exchange, formats
 
 MARK = "MOTUS-HAND-OVER "
 PAUSE = 0.2
@@ -50,12 +50,10 @@ def _run(given):
     window = bpy.context.window
     window.scene, window.view_layer = scene, view_layer
     shares.wait_for_all()
-    told = time.perf_counter()
     folder = caches.Folder(Path(given["caches"]), given["caches_name"])
-    for done in convert.convert(scene, view_layer, given["frames"], folder):
-        if time.perf_counter() > told + PAUSE:
-            tell(done=done)
-            told = time.perf_counter()
+    if formats.need_velocities(given["formats"]):
+        exchange.want_velocities()
+    handed = _told(convert.convert(scene, view_layer, given["frames"], folder))
     bpy.context.preferences.filepaths.save_version = 0
     bpy.ops.wm.save_as_mainfile(filepath=given["result"], copy=True, relative_remap=False)
     if not Path(given["result"]).is_file():
@@ -63,4 +61,17 @@ def _run(given):
     if given["formats"]:
         folder.read_where_written()
         result = Path(given["result"])
-        formats.export(scene, given["formats"], result.with_suffix, given["span"])
+        formats.export(exchange.Shown(scene, handed), scene, given["formats"], result.with_suffix, given["span"])
+
+
+def _told(steps):
+    """Let a generator run, and tell the numbers that it yields; returns what it returns."""
+    told = time.perf_counter()
+    while True:
+        try:
+            done = next(steps)
+        except StopIteration as end:
+            return end.value
+        if time.perf_counter() > told + PAUSE:
+            tell(done=done)
+            told = time.perf_counter()
