@@ -7,7 +7,7 @@ import numpy as np
 
 import live_scenes
 import support
-from hand_over import hand_over_cases, plain_state
+from hand_over import hand_over_cases, plain_state, test_hand_over_refusals
 
 
 class TestHandOver(support.SceneTestCase):
@@ -34,6 +34,15 @@ class TestHandOver(support.SceneTestCase):
         bpy.ops.wm.open_mainfile(filepath=str(path))
         self.assertEqual(hand_over_cases.differences(expected, plain_state.states(hand_over_cases.FRAMES)), [])
         self.assertEqual(plain_state.leftovers(), [])
+
+    def test_stretched_time(self):
+        test_hand_over_refusals.follower()
+        bpy.ops.motus.snow_add(preset='GENTLE', rate=10.0, lifetime=1.0)
+        render = bpy.context.scene.render
+        render.frame_map_old, render.frame_map_new = 100, 150
+        expected = plain_state.states(hand_over_cases.FRAMES)
+        found, left = hand_over_cases.states_without(self.folder, hand_over_cases.handed_over(self))
+        self.assertEqual((hand_over_cases.differences(expected, found), left), ([], []))
 
     @staticmethod
     def all_there_is():

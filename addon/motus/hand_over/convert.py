@@ -11,7 +11,7 @@ from ..core.translations import tr
 from . import faces, found, points, tracks
 
 PREFIX = "Motus "
-"""With this the names of materials and node groups begin that Motus makes."""
+"""With this the names of materials and node groups begin that Motus makes; with a dot before it those of hidden shapes, such as flakes."""
 
 FINER = 8
 """How many times finer the step is where something does not move smoothly: after at most every eighth sample, so that it takes no longer
@@ -122,6 +122,8 @@ def _rename(id_data):
     """Take the add-on's name out of a datablock's; a number is added by Blender where the rest is taken."""
     if id_data.name.startswith(PREFIX) and isinstance(id_data, (bpy.types.Material, bpy.types.NodeTree)):
         id_data.name = id_data.name.removeprefix(PREFIX)
+    elif id_data.name.startswith(f".{PREFIX}"):
+        id_data.name = f".{id_data.name.removeprefix(f'.{PREFIX}')}"
 
 
 def _drop_drivers(id_data):
