@@ -11,8 +11,10 @@ from ..core.refusals import Refused
 from ..core.translations import tr
 from . import points
 
-LARGEST = 400_000_000
-"""Bytes that the meshes of one owner may take together, in the file and in memory."""
+LARGE, LARGEST = 400_000_000, 2_000_000_000
+"""Bytes of the meshes of one owner, in the file and in memory: up to the first, parts of frames have meshes too; more than the second is
+refused.
+"""
 
 
 class Faces(points.Points):
@@ -46,7 +48,7 @@ class Faces(points.Points):
     def _stride(self, per_frame):
         size = sum(value.nbytes for sample in self._samples for value in sample.values()) * 3  # edges and corners besides
         for stride in (one for one in range(1, per_frame + 1) if per_frame % one == 0):
-            if size / stride < LARGEST:
+            if size / stride < (LARGEST if stride == per_frame else LARGE):
                 return stride
         raise Refused(tr("The snow of {object} would be too large a file: make its resolution coarser").format(object=self.owner.name))
 
