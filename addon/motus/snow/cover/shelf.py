@@ -54,11 +54,15 @@ def put(plan, fall, smoothing, cover):
 
 
 def _path(plan, fall, smoothing):
-    """Path of the file of a cover; None if there is no folder for covers."""
+    """Path of the file of a cover; None if there is no folder for covers, or the native module's own file is gone."""
     folder = os.environ.get(FOLDER)
     if not folder:
         return None
-    name = hashlib.blake2b(Path(native.module.__file__).read_bytes(), digest_size=16)
+    try:
+        by_what = Path(native.module.__file__).read_bytes()
+    except OSError:  # another version of the add-on has taken its place
+        return None
+    name = hashlib.blake2b(by_what, digest_size=16)
     for part in _parts((plan._replace(falls=(), share=0.0, smoothing=smoothing), fall)):
         name.update(part)
     return Path(folder) / f"{name.hexdigest()}.cover"
