@@ -102,6 +102,17 @@ struct Room {
         // No result has these bytes in each number; they are finite in every type.
         std::memset(static_cast<void*>(all.data()), 0x47, all.size() * sizeof(T));
     }
+    /// With the bytes between members, which a copy of each element need not have.
+    Room(const Room& other) : all(other.all.size()), size(other.size) {
+        std::memcpy(static_cast<void*>(all.data()), other.all.data(), all.size() * sizeof(T));
+    }
+    Room& operator=(const Room& other) {
+        if (this != &other) *this = Room(other);
+        return *this;
+    }
+    Room(Room&&) noexcept = default;
+    Room& operator=(Room&&) noexcept = default;
+    ~Room() = default;
     [[nodiscard]] std::span<T> span() { return std::span<T>(all).subspan(border, size); }
 };
 template <class T>
