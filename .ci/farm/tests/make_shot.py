@@ -26,8 +26,6 @@ cycles = scene.cycles
 cycles.samples, cycles.use_denoising, cycles.use_adaptive_sampling, cycles.max_bounces = 1, False, False, 2
 scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 160, 90, 100
 scene.render.use_multiview = False
-# With more threads Cycles now and then gives another pixel, of plain Blender too.
-scene.render.threads_mode, scene.render.threads = 'FIXED', 1
 scene.render.image_settings.file_format = 'PNG'
 if broken:
     text = bpy.data.texts.new("broken.py")
