@@ -338,9 +338,6 @@ void add_covers(Table& table) {
         table, "snow::Cover::volume(time)", [](double time) { return cover.volume(time); },
         arg("time", 1.0, finite()))
         .costs("O(log flakes)");
-    add(table, "snow::Cover::bytes()", [] { return cover.bytes().size(); })
-        .costs("O(flakes + vertices)")
-        .allocates(Memory::scratch);
     add(table, "snow::Cover::restored(data)", [] { return Cover::restored(cover.bytes()).volume(1.0); })
         .costs("O(flakes + vertices)")
         .allocates(Memory::scratch)
