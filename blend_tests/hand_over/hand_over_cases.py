@@ -13,8 +13,6 @@ EXACT = 1e-5
 """Largest difference on whole frames, in metres."""
 SHARE = 1e-3
 """Largest difference between frames, as a share of how far the thing moves."""
-SHARE_OF_STEPS = 5e-3
-"""The same for a surface whose faces change, which goes on in steps of a quarter of a frame."""
 MOST, SIDES = 300, 8
 READS = """
 import bpy
@@ -44,8 +42,7 @@ def differences(expected, found):
         motion, measure = _extent(rows), _error_of_points if name.startswith("points") else _error
         for index, (row, other) in enumerate(zip(rows, found.get(name, ()))):
             error = measure(row, other)
-            share = SHARE_OF_STEPS if "Snow Cover" in name else SHARE
-            if error > (EXACT if index < len(WHOLE) else max(EXACT, share * motion)):
+            if error > (EXACT if index < len(WHOLE) else max(EXACT, SHARE * motion)):
                 said.append(f"{name} is {error:.2g} off in state {index}, of {motion:.3g}")
     return said
 

@@ -1,6 +1,6 @@
 """What is recorded of surfaces that systems make, with other vertices and faces on each frame, and how it becomes plain meshes.
 
-The file gets a mesh for each sample, in a collection of its own, of which nodes show the one whose time has come.
+The file gets a mesh for each sample, in a collection of its own, of which nodes show the one whose time is nearest.
 """
 
 import bpy
@@ -69,7 +69,7 @@ class Faces(points.Points):
 
 
 def _picking(name, shapes, times):
-    """The node group that gives the shape whose time has come. shapes: collection with one for each time."""
+    """The node group that gives the shape whose time is nearest. shapes: collection with one for each time."""
     group = bpy.data.node_groups.new(name, 'GeometryNodeTree')
     node_groups.add_sockets(group, (("Geometry", 'INPUT', "NodeSocketGeometry"), ("Geometry", 'OUTPUT', "NodeSocketGeometry")))
     _, end = (node_groups.add_node(group, kind) for kind in ("NodeGroupInput", "NodeGroupOutput"))
@@ -78,8 +78,7 @@ def _picking(name, shapes, times):
     info.inputs["Separate Children"].default_value = True
     frame = node_groups.add_node(group, "GeometryNodeInputSceneTime").outputs["Frame"]
     step = times[1] - times[0]
-    # A little is added, so that a whole frame is not taken for the end of the frame before.
-    place = _computed(group, 'MULTIPLY_ADD', frame, 1.0 / step, 0.001 - times[0] / step)
+    place = _computed(group, 'MULTIPLY_ADD', frame, 1.0 / step, 0.5 - times[0] / step)
     place = _computed(group, 'MINIMUM', _computed(group, 'MAXIMUM', _computed(group, 'FLOOR', place), 0.0), len(times) - 1.0)
     one = node_groups.add_node(group, "GeometryNodeMeshLine")
     one.inputs["Count"].default_value = 1
