@@ -115,10 +115,10 @@ class Shots(unittest.TestCase):
 
     def check_broken(self, engine, environment=None):
         status, output, out = self.farm(
-            engine, "--live", "--tries", "2", shot=self.made("shot", "2"), environment=environment, frames="1-3"
+            engine, "--live", "--tries", "2", shot=self.made("broken", "2"), environment=environment, frames="1-3"
         )
         self.assertEqual(status, 1, output)
-        self.assertEqual(sorted(path.name for path in out.glob("*.png")), ["shot_0001.png", "shot_0003.png"], output)
+        self.assertEqual(sorted(path.name for path in out.glob("*.png")), ["broken_0001.png", "broken_0003.png"], output)
         (log,) = re.findall(r"^motus: frame 2 failed, see (.*)$", output, re.MULTILINE)
         self.assertIn("this frame is broken", Path(log).read_text(errors="replace"))
 
