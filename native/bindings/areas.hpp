@@ -26,6 +26,7 @@ void bind_colour(pybind11::module_& m);
 void bind_snow(pybind11::module_& m);
 void bind_snow_layer(pybind11::module_& m);
 void bind_walker(pybind11::module_& m);
+void bind_strand(pybind11::module_& m);
 void bind_stereo(pybind11::module_& m);
 void bind_pendulum(pybind11::module_& m);
 void bind_second_order(pybind11::module_& m);

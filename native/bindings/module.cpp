@@ -39,6 +39,7 @@ curve's interval never raise: extend = "clamp" | "extrapolate" | "loop" | "ping_
     bind_snow(m);
     bind_snow_layer(m);
     bind_walker(m);
+    bind_strand(m);
     bind_stereo(m);
     bind_pendulum(m);
     bind_second_order(m);

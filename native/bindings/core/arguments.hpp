@@ -53,6 +53,25 @@ namespace motus::bindings {
     return static_cast<int>(value);
 }
 
+/// (n,) whole numbers of any integer type, such as indices of bones: copied. TypeError for others, ValueError
+/// if one is no int.
+[[nodiscard]] inline std::vector<int> whole_numbers(py::handle object, std::string_view name) {
+    const py::array array = py::array::ensure(object);
+    if (!array) value_error(name, "must be an array of whole numbers");
+    if (array.ndim() != 1) value_error(name, "must have the shape (n,), not " + shape_of(array));
+    if (array.size() == 0) return {};  // NumPy makes an empty list one of float64
+    const char kind = array.dtype().kind();
+    if (kind != 'i' && kind != 'u') type_error(name, "must hold whole numbers");
+    const auto wide = py::array_t<long long, py::array::c_style | py::array::forcecast>::ensure(array);
+    std::vector<int> result;
+    result.reserve(static_cast<std::size_t>(wide.size()));
+    for (py::ssize_t i = 0; i < wide.size(); ++i) {
+        if (!std::in_range<int>(wide.data()[i])) value_error(name, "a number is too large");
+        result.push_back(static_cast<int>(wide.data()[i]));
+    }
+    return result;
+}
+
 /// Indices of samples; None: there are none.
 [[nodiscard]] inline std::vector<std::size_t> indices(py::handle object, std::string_view name) {
     std::vector<std::size_t> result;

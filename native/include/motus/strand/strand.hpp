@@ -1,0 +1,63 @@
+// What a strand is made of, and what moves it: chains of particles and links that hang, swing and touch, such
+// as tails, ropes, hair and strips of cloth.
+//
+// Costs: none, these are values.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <numbers>
+#include <span>
+
+#include "motus/config.hpp"
+
+namespace motus::strand {
+
+/// A particle, and the link that joins it to its parent. Links are as long as they are in the pose at each
+/// time.
+struct Link {
+    int parent = -1;         ///< index of a particle before this one; -1: a root, which stays on the pose
+    double mass = 1.0;       ///< kg, (0, 1e12]; counts as at least a thousandth of the strand's heaviest
+    double frequency = 0.0;  ///< Hz, 0 to an eighth of the rate: of the spring towards the pose; 0: none
+    double damping = 0.3;    ///< damping ratio of that spring, [0, 100]
+    double response = 0.0;   ///< of that spring, [-100, 100], as SecondOrder's: 0 damps the velocity, 2 the
+                             ///< velocity relative to the pose
+    double drag = 0.0;       ///< 1/s, [0, 1000], deceleration a velocity relative to the air
+    double stretch = 0.0;    ///< by how much of its length the particle's own weight, with 9.80665 m/s^2,
+                             ///< lengthens the link, [0, 1e6]; 0: not at all
+    double bend = std::numbers::pi;  ///< rad, [0, pi], at most this angle from where the link would be if it
+                                     ///< followed the parent's link as in the pose
+    double thickness = 0.0;          ///< m, [0, 1e6], radius of the link and its particle in contacts
+};
+
+/// What strands cannot enter. Two places for each time say where it is.
+struct Obstacle {
+    enum class Shape : std::uint8_t {
+        capsule,  ///< around the segment between both places, a ball if these are one
+        plane,    ///< through the first place; solid on the side away from the second one
+    };
+    Shape shape = Shape::capsule;
+    double radius = 0.0;    ///< m, [0, 1e6], of a capsule; added to the plane's height
+    double friction = 0.5;  ///< Coulomb's coefficient, [0, 100]
+};
+
+/// Everything over time, in world space, metres and seconds; linear between the times, and as at the nearest
+/// time outside them.
+struct Inputs {
+    std::span<const double> times;      ///< strictly rising
+    std::span<const glm::dvec3> poses;  ///< where the pose has the particles: a row for each time
+    std::span<const glm::dvec3> gravity{};  ///< acceleration: one, or one for each time; none: 0
+    std::span<const glm::dvec3> air{};      ///< its velocity: one, or one for each time; none: 0
+
+    std::span<const Obstacle> obstacles{};
+    std::span<const glm::dvec3> obstacle_places{};  ///< two for each obstacle: a row for each time
+
+    std::span<const std::size_t> pinned{};      ///< indices of particles that are held, each at most once
+    std::span<const glm::dvec3> pin_places{};   ///< where they are held: a row for each time
+    std::span<const double> pin_weights{};      ///< [0, 1], a row for each time: 1 holds fast, below that a
+                                                ///< spring that is the softer the less
+    std::span<const std::size_t> resets{};  ///< rising indices of times, not the first, at which all starts
+                                            ///< anew, such as cuts
+};
+
+}  // namespace motus::strand

@@ -1,0 +1,36 @@
+// Holds the angles between links within their limits. Private to the library.
+#pragma once
+#include <cstddef>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "motus/strand/strand.hpp"
+#include "state.hpp"
+
+namespace motus::strand {
+
+class Bends {
+  public:
+    explicit Bends(std::span<const Link> links);
+
+    /// Turns links that are bent too far, from the roots to the tips, together with the links they hang on,
+    /// and takes away the speed at which they bend farther. pose: of all particles at the step's end, of
+    /// which `lengths` are; duration: of the step, s.
+    void hold(const Stepped& step, std::span<const glm::dvec3> pose, std::span<const double> lengths,
+              double duration);
+
+  private:
+    template <class Visit>
+    void visit(const Stepped& step, std::span<const glm::dvec3> pose, const Visit& visit);
+    [[nodiscard]] bool straighten(const Stepped& step, std::size_t particle, const glm::dvec3& straight) const;
+
+    std::vector<int> parents_;
+    std::vector<double> most_;
+    std::vector<glm::dquat> turns_;  ///< of each link, from where the pose has it
+    std::vector<char> is_moved_;
+    std::size_t limited_ = 0;        ///< particles up to the last one with a limit
+};
+
+}  // namespace motus::strand

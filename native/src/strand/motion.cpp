@@ -1,0 +1,278 @@
+#include "motus/strand/motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "checks.hpp"
+#include "motus/core/numeric.hpp"
+#include "stepper.hpp"
+
+namespace motus::strand {
+namespace {
+
+/// The times between two resets, in steps of equal length.
+struct Section {
+    std::size_t first = 0, last = 0;  ///< samples
+    double begin = 0.0;
+    double duration = 0.0;  ///< of a step, s
+    std::size_t steps = 0;
+    std::size_t knots = 0;  ///< index of the state at `begin` among those kept
+
+    [[nodiscard]] double time(std::size_t step) const { return begin + static_cast<double>(step) * duration; }
+};
+
+[[nodiscard]] std::vector<Section> sections_of(const Inputs& inputs, const Solving& solving) {
+    std::vector<Section> sections;
+    std::size_t first = 0, knots = 0;
+    const auto add = [&](std::size_t last, double end) {
+        Section section{.first = first, .last = last, .begin = inputs.times[first], .knots = knots};
+        const double seconds = end - section.begin;
+        // A whole number of steps in a cycle; elsewhere steps are equally long whatever the end is, so that it
+        // makes no difference.
+        const double steps = solving.is_loop ? std::max(std::round(seconds * solving.rate), 1.0) : std::ceil(seconds * solving.rate);
+        require(steps < Motion::most_work, "times: must be a shorter time, or the rate lower");
+        section.steps = static_cast<std::size_t>(steps);
+        section.duration = solving.is_loop ? seconds / steps : 1.0 / solving.rate;
+        sections.push_back(section);
+        knots += section.steps / Motion::knot + 1;
+        first = last + 1;
+    };
+    for (const std::size_t reset : inputs.resets) add(reset - 1, inputs.times[reset]);
+    add(inputs.times.size() - 1, inputs.times.back());
+    return sections;
+}
+
+}  // namespace
+
+struct Motion::Solver {
+    Solver(std::span<const Link> links, const Inputs& inputs, const Solving& how);
+
+    [[nodiscard]] std::size_t size() const { return stepper.size(); }
+    [[nodiscard]] const Section& now() const { return sections[section]; }
+
+    void begin_section();
+    void settle();
+    void begin_steps();
+    void advance();
+    void keep(std::size_t knot);
+    void restore(std::size_t knot, State& out) const;
+    void end_cycle();
+    void places(double time, std::span<glm::dvec3> out) const;
+
+    Solving solving;
+    Stepper stepper;
+    std::vector<Section> sections;
+    std::vector<glm::dvec3> kept;  ///< places, then velocities, of each state that is kept
+
+    // How far it is solved.
+    std::size_t ready = 0;  ///< sections whose first state is known
+    std::size_t section = 0, step = 0, settled = 0, cycle = 0;
+    bool is_begun = false, is_settled = false, is_done = false;
+    double energy = 0.0;
+    double gap = 0.0;
+    State state;
+    Driven driven, next;
+    std::vector<glm::dvec3> cycle_start;
+    Stepper::Work work;
+};
+
+Motion::Solver::Solver(std::span<const Link> links, const Inputs& inputs, const Solving& how)
+    : solving(how), stepper(links, inputs, how), sections(sections_of(inputs, how)), work(stepper) {
+    double steps = 0.0, knots = 0.0;
+    const double settling = std::ceil(how.settle * how.rate);
+    for (const Section& one : sections) {
+        steps += static_cast<double>(one.steps) * (how.is_loop ? how.cycles : 1) + settling;
+        knots += static_cast<double>(one.steps / knot + 1);
+    }
+    const auto count = static_cast<double>(links.size());
+    require(steps * count <= most_work && knots * count * 6.0 <= most_numbers,
+            "times: must be a shorter time, or links fewer, or the rate lower");
+    kept.resize(static_cast<std::size_t>(knots) * 2 * links.size());
+    is_done = links.empty();
+}
+
+void Motion::Solver::begin_section() {
+    stepper.read(now().begin, now().first, now().last, driven);
+    stepper.start(driven, state);
+    step = settled = 0;
+    energy = 0.0;
+    is_begun = true;
+    is_settled = !(solving.settle > 0.0);
+    if (is_settled) begin_steps();
+}
+
+/// One step of coming to rest: whenever the energy of motion has been largest, all stands still for a moment
+/// (dynamic relaxation with kinetic damping: Barnes, "Form Finding and Analysis of Tension Structures by
+/// Dynamic Relaxation", 1999).
+void Motion::Solver::settle() {
+    constexpr double still = 1e-7;  // m/s^2, of all forces that are left
+    const double duration = 1.0 / solving.rate;
+    stepper.step(state, driven, driven, duration, work);
+    ++settled;
+    double moving = 0.0, fastest = 0.0;
+    for (std::size_t i = 0; i < size(); ++i) {
+        const double square = glm::dot(state.velocities[i], state.velocities[i]);
+        moving += square;
+        fastest = std::max(fastest, square);
+    }
+    const bool has_turned = moving < energy;
+    const bool is_at_rest = energy == 0.0 && std::sqrt(fastest) < still * duration;
+    energy = moving;
+    if (has_turned) {
+        std::fill(state.velocities.begin(), state.velocities.end(), glm::dvec3(0.0));
+        energy = 0.0;
+    }
+    is_settled = is_at_rest || static_cast<double>(settled) >= solving.settle * solving.rate;
+    if (!is_settled) return;
+    std::fill(state.velocities.begin(), state.velocities.end(), glm::dvec3(0.0));
+    begin_steps();
+}
+
+void Motion::Solver::begin_steps() {
+    keep(0);
+    ready = section + 1;
+}
+
+void Motion::Solver::keep(std::size_t knot) {
+    const auto to = kept.begin() + static_cast<std::ptrdiff_t>((now().knots + knot) * 2 * size());
+    std::copy(state.velocities.begin(), state.velocities.end(),
+              std::copy(state.places.begin(), state.places.end(), to));
+}
+
+void Motion::Solver::restore(std::size_t knot, State& out) const {
+    const auto from = kept.begin() + static_cast<std::ptrdiff_t>(knot * 2 * size());
+    const auto middle = from + static_cast<std::ptrdiff_t>(size());
+    out.places.assign(from, middle);
+    out.velocities.assign(middle, middle + static_cast<std::ptrdiff_t>(size()));
+}
+
+void Motion::Solver::advance() {
+    if (!is_begun) return begin_section();
+    if (!is_settled) return settle();
+    if (step < now().steps) {
+        stepper.read(now().time(step + 1), now().first, now().last, next);
+        stepper.step(state, driven, next, now().duration, work);
+        std::swap(driven, next);
+        ++step;
+        if (step % knot == 0) keep(step / knot);
+        if (step < now().steps) return;
+    }
+    if (solving.is_loop) return end_cycle();
+    ++section;
+    is_begun = false;
+    is_done = section == sections.size();
+}
+
+/// Goes on with the next cycle from where this one ends, until it ends where it has begun.
+void Motion::Solver::end_cycle() {
+    constexpr double closed = 1e-9;  // m
+    State began;
+    restore(0, began);
+    gap = 0.0;
+    for (std::size_t i = 0; i < size(); ++i)
+        gap = std::max(gap, glm::length(state.places[i] - began.places[i]));
+    ++cycle;
+    is_done = gap <= closed || static_cast<double>(cycle) >= solving.cycles;
+    if (is_done) return;
+    step = 0;
+    stepper.read(now().begin, now().first, now().last, driven);
+    keep(0);
+}
+
+/// Between steps the way is the parabola through the steps before and after, and the one before these.
+void Motion::Solver::places(double time, std::span<glm::dvec3> out) const {
+    if (solving.is_loop) {
+        const double begin = stepper.times().front(), seconds = stepper.times().back() - begin;
+        const double cycles = std::floor((time - begin) / seconds);
+        time = std::clamp(time - cycles * seconds, begin, begin + seconds);
+    }
+    if (ready == 0) {
+        Driven first;
+        stepper.read(now().begin, now().first, now().last, first);
+        std::copy(first.pose.begin(), first.pose.end(), out.begin());
+        return;
+    }
+    std::size_t which = 0;
+    while (which + 1 < ready && sections[which + 1].begin <= time) ++which;
+    const Section& in = sections[which];
+    const double local = std::max((time - in.begin) / in.duration, 0.0);
+    const auto step_before = static_cast<std::size_t>(std::min(std::floor(local), static_cast<double>(in.steps)));
+    const double share = step_before == in.steps ? 0.0 : local - static_cast<double>(step_before);
+    const std::size_t first = step_before > 0 && share > 0.0 ? step_before - 1 : step_before;
+    const std::size_t last = share > 0.0 ? step_before + 1 : step_before;
+    State at;
+    restore(in.knots + first / knot, at);
+    Stepper::Work own(stepper);
+    Driven start, end;
+    std::size_t k = first / knot * knot;
+    stepper.read(in.time(k), in.first, in.last, start);
+    std::array<std::vector<glm::dvec3>, 3> near;  // at `first` to `last`
+    for (;; ++k) {
+        if (k >= first) near[k - first] = at.places;
+        if (k == last) break;
+        stepper.read(in.time(k + 1), in.first, in.last, end);
+        stepper.step(at, start, end, in.duration, own);
+        std::swap(start, end);
+    }
+    if (!(share > 0.0)) {
+        std::copy(at.places.begin(), at.places.end(), out.begin());
+        return;
+    }
+    const auto& before = near[step_before - first];
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const glm::dvec3 way = at.places[i] - before[i];
+        glm::dvec3 bend(0.0);
+        if (first < step_before) {
+            bend = 0.5 * (way - (before[i] - near[0][i]));
+            const double most = 0.1 * glm::length(way), size = glm::length(bend);
+            if (size > most) bend *= most / size;  // it was a push, after which the parabola would go beyond
+        }
+        out[i] = before[i] + share * (way - (1.0 - share) * bend);
+    }
+    stepper.keep_lengths(before, at.places, share, out);
+}
+
+Motion::Motion(std::span<const Link> links, const Inputs& inputs, const Solving& solving) {
+    require_sound(links, inputs, solving);
+    solver_ = std::make_unique<Solver>(links, inputs, solving);
+}
+
+Motion::~Motion() = default;
+Motion::Motion(Motion&& other) noexcept = default;
+Motion& Motion::operator=(Motion&& other) noexcept = default;
+
+std::size_t Motion::size() const noexcept { return solver_ ? solver_->size() : 0; }
+
+bool Motion::solve(std::size_t steps) {
+    while (!is_solved() && steps-- > 0) solver_->advance();
+    return is_solved();
+}
+
+bool Motion::is_solved() const noexcept { return !solver_ || solver_->is_done; }
+
+double Motion::solved_until() const noexcept {
+    if (!solver_) return 0.0;
+    const Solver& solver = *solver_;
+    if (solver.is_done) return solver.stepper.times().back();
+    const Section& now = solver.now();
+    return solver.solving.is_loop || !solver.is_begun || !solver.is_settled ? now.begin : now.time(solver.step);
+}
+
+double Motion::gap() const noexcept { return solver_ ? solver_->gap : 0.0; }
+
+void Motion::places(double time, std::span<glm::dvec3> out) const {
+    require(std::isfinite(time), "time: must be finite");
+    require(out.size() == size(), "out: must have a row for each link");
+    if (out.empty()) return;
+    const Solver& solver = *solver_;
+    solver.places(solver.is_done ? time : std::min(time, solved_until()), out);
+}
+
+std::size_t Motion::bytes() const noexcept {
+    return solver_ ? sizeof(Solver) + solver_->stepper.bytes() + solver_->kept.size() * sizeof(glm::dvec3) : 0;
+}
+
+}  // namespace motus::strand
