@@ -195,6 +195,19 @@ def status_of(end):
     return 1
 
 
+def keep_processors(count):
+    """Lets the process use that many of its processors: a module counts its threads by these, and is not told another number."""
+    if sys.platform != "win32":
+        os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[:count])
+        return
+    kernel, process = ctypes.windll.kernel32, ctypes.c_void_p(-1)
+    own, all_there = ctypes.c_size_t(), ctypes.c_size_t()
+    if not kernel.GetProcessAffinityMask(process, ctypes.byref(own), ctypes.byref(all_there)):
+        raise OSError("Windows does not tell which processors may be used")
+    bits = [1 << place for place in range(own.value.bit_length()) if own.value >> place & 1]
+    kernel.SetProcessAffinityMask(process, ctypes.c_size_t(sum(bits[:count])))
+
+
 def run(folder, arguments):
     """Starts Blender, and follows the arguments; returns the exit status."""
     try:
@@ -206,8 +219,7 @@ def run(folder, arguments):
     if ("--debug-memory", None) in options and "MALLOC_PERTURB_" not in os.environ:
         os.execve(own[0], [*own, *arguments], os.environ | {"MALLOC_PERTURB_": FREED})
     for count in [int(value) for option, value in options if option in {"-t", "--threads"} and int(value)]:
-        # A module counts its threads by the processors that it may use, and is not told another number.
-        os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[:count])
+        keep_processors(count)
     os.environ[PROGRAM] = shlex.join(own)
     sys.argv = [__file__, *arguments]
     sys.path.insert(0, folder)

@@ -11,7 +11,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -1084,6 +1084,61 @@ class Walker:
         """
         All steps by leg, then time, as a dict of arrays: leg (s,) int32; lift, touch (s,), s; start, end (s, 3); apex (s, 3), where the
         foot is half-way. If lift equals touch the foot is put there at once: at the first sample and at jumps.
+        """
+class StrandMotion:
+    """
+    Strands over a whole shot: particles, each joined to its parent by a link, that hang, swing and touch. Solved once, by solve(), then
+    read at any time.
+    
+    parents: (n,), index of each particle's parent, which comes before it; -1 for a root, which stays on the pose.  times: (m,), s,
+    strictly rising.  poses: (m, n, 3), where the animation has the particles; links are as long as there.
+    
+    A number for all links, or (n,): mass: kg, > 0.  frequency: Hz, of a spring towards the pose, at most rate / 8; 0: none.  damping:
+    its damping ratio, 0 to 100.  response: of that spring, as SecondOrder's, -100 to 100.  drag: deceleration relative to the air a
+    velocity, 1/s, 0 to 1000.  stretch: by how much of its length a link is lengthened by its particle's weight, 0 to 1e6.  bend: rad,
+    0 to pi, at most this angle from where the link would be if it followed its parent's link as in the pose.  thickness: m, >= 0,
+    radius in contacts.
+    
+    gravity, air: acceleration, and velocity of the air: (3,), or (m, 3), one for each time; None: 0.
+    obstacles: k names, "capsule" (around the segment between both places; a ball if they are one) or "plane" (through the first
+    place; solid on the side away from the second).  obstacle_places: (m, k, 2, 3).  radii, friction: a number or (k,).
+    pinned: p indices of particles that are held.  pin_places: (m, p, 3).  pin_weights: a number or (m, p), 0 to 1: 1 holds fast, below
+    that a spring that is the softer the less.
+    resets: rising indices of times at which all starts anew in the pose.
+    rate: steps a second, 60 to 1e5.  settle: s, 0 to 1000: for at most so long strands come to rest before the motion begins.
+    loop: the times are one cycle of an endless motion, gone through up to `cycles` times until it closes.
+    
+    Everything in world space and metres, linear between times.  Raises ValueError or TypeError that names the argument.
+    """
+    def __init__(self, parents: numpy.typing.ArrayLike, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, *, mass: numpy.typing.ArrayLike = 1.0, frequency: numpy.typing.ArrayLike = 0.0, damping: numpy.typing.ArrayLike = 0.3, response: numpy.typing.ArrayLike = 0.0, drag: numpy.typing.ArrayLike = 0.0, stretch: numpy.typing.ArrayLike = 0.0, bend: numpy.typing.ArrayLike = 3.141592653589793, thickness: numpy.typing.ArrayLike = 0.0, gravity: numpy.typing.ArrayLike | None = None, air: numpy.typing.ArrayLike | None = None, obstacles: typing.Sequence[str] | None = None, obstacle_places: numpy.typing.ArrayLike | None = None, radii: numpy.typing.ArrayLike = 0.0, friction: numpy.typing.ArrayLike = 0.5, pinned: typing.Sequence[int] | None = None, pin_places: numpy.typing.ArrayLike | None = None, pin_weights: numpy.typing.ArrayLike = 1.0, resets: typing.Sequence[int] | None = None, rate: float = 480.0, settle: float = 0.0, loop: bool = False, cycles: int = 40) -> None:
+        ...
+    def __len__(self) -> int:
+        ...
+    def places(self, time: float) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Where the particles are at a time, s: (n, 3). After solved_until, as at that time.
+        """
+    def solve(self, steps: int = 2147483647) -> bool:
+        """
+        Goes on for about so many steps: whether all is solved. No other thread may use this object meanwhile.
+        """
+    @property
+    def gap(self) -> float:
+        """
+        Of a loop, the largest distance of a particle at the end of its last cycle from where that began, m.
+        """
+    @property
+    def is_solved(self) -> bool:
+        ...
+    @property
+    def nbytes(self) -> int:
+        """
+        Of the memory that it takes.
+        """
+    @property
+    def solved_until(self) -> float:
+        """
+        Time up to which places are known, s; of a loop the first one until all is solved.
         """
 class SecondOrder:
     """

@@ -1,5 +1,6 @@
 // Results that docs/library.md says to be the same bits by all compilers that it names: each is compared with
 // one number, a hash that was computed once. The tests run this for an older processor as well.
+#include <array>
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -20,6 +21,7 @@
 #include "motus/sculpt/pull.hpp"
 #include "motus/snow/collider.hpp"
 #include "motus/snow/snow.hpp"
+#include "motus/strand/motion.hpp"
 #include "motus/walker/walker.hpp"
 #include "random.hpp"
 
@@ -247,6 +249,52 @@ TEST_CASE("double pendulums have the same bits everywhere", "[same_bits]") {
     for (const dynamics::DoublePendulumState& state : states)
         for (const double number : {state.theta1, state.theta2, state.omega1, state.omega2}) bits.add(number);
     CHECK(bits.hash() == 0x06b0611eda9e1dbcU);
+}
+
+TEST_CASE("strands have the same bits everywhere", "[same_bits]") {
+    using namespace strand;
+    // Two chains on a way of parabolas, with a branch, a spring, a pin that comes and goes, a ball and a
+    // floor.
+    const Link link{.frequency = 0.7, .response = 0.5, .drag = 0.4, .stretch = 0.01, .thickness = 0.05};
+    std::vector<Link> links(9, link);
+    const std::array parents{-1, 0, 1, 2, 1, -1, 5, 6, 7};
+    for (std::size_t i = 0; i < links.size(); ++i) links[i].parent = parents[i];
+    std::vector<double> times, pin_weights;
+    std::vector<glm::dvec3> poses, obstacle_places, pin_places;
+    for (int k = 0; k <= 96; ++k) {
+        const double time = k / 48.0;
+        times.push_back(time);
+        const glm::dvec3 body(time * (2.0 - time), 0.0, 1.0 + 0.5 * time * (1.0 - time));
+        for (const glm::dvec3& rest : {glm::dvec3(0, 0, 0),
+                                       {0.2, 0, 0},
+                                       {0.4, 0, 0},
+                                       {0.6, 0, 0},
+                                       {0.2, 0.3, 0.1},
+                                       {0, 1, 0},
+                                       {0.3, 1, 0},
+                                       {0.6, 1, 0},
+                                       {0.9, 1, 0}})
+            poses.push_back(body + rest);
+        obstacle_places.insert(obstacle_places.end(),
+                               {{0.6, 0, 0.5}, {0.6, 0.4, 0.5}, {0, 0, 0.3}, {0, 0, 1}});
+        pin_places.emplace_back(0.5, 1.0, 1.2);
+        pin_weights.push_back(0.25 * (k / 24));
+    }
+    const std::vector<glm::dvec3> gravity{{0, 0, -9.81}}, air{{0, 2, 0}};
+    const std::vector<Obstacle> obstacles{{Obstacle::Shape::capsule, 0.2, 0.4},
+                                          {Obstacle::Shape::plane, 0.0, 0.6}};
+    const std::vector<std::size_t> pinned{8};
+    Motion motion(links,
+                  {times, poses, gravity, air, obstacles, obstacle_places, pinned, pin_places, pin_weights},
+                  {.settle = 0.5});
+    motion.solve(100000);
+    Bits bits;
+    std::vector<glm::dvec3> places(links.size());
+    for (int frame = 0; frame <= 50; ++frame) {
+        motion.places(frame / 25.0, places);
+        for (const glm::dvec3& place : places) bits.add(place);
+    }
+    CHECK(bits.hash() == 0x04622e48759cc94bU);
 }
 
 TEST_CASE("transforms are laid over each other with the same bits everywhere", "[same_bits]") {

@@ -32,8 +32,8 @@ void set(std::vector<Link>& links, double Link::*member, py::handle given, const
 }
 
 /// An array of vectors with these rows before the last axis, which has 3.
-[[nodiscard]] std::vector<glm::dvec3> vectors(py::handle given, const char* name, std::vector<std::size_t> shape,
-                                              const char* wanted) {
+[[nodiscard]] std::vector<glm::dvec3> vectors(py::handle given, const char* name,
+                                              std::vector<std::size_t> shape, const char* wanted) {
     const DoubleArray array = doubles(given, name);
     shape.push_back(3);
     bool fits = static_cast<std::size_t>(array.ndim()) == shape.size();
@@ -58,8 +58,8 @@ struct Obstacles {
     std::vector<glm::dvec3> places;
 };
 
-[[nodiscard]] Obstacles obstacles_of(py::handle shapes, py::handle places, py::handle radii, py::handle friction,
-                                     std::size_t times) {
+[[nodiscard]] Obstacles obstacles_of(py::handle shapes, py::handle places, py::handle radii,
+                                     py::handle friction, std::size_t times) {
     Obstacles result;
     if (shapes.is_none()) return result;
     if (!py::isinstance<py::iterable>(shapes)) wrong_type(shapes, "obstacles", "a sequence of names");
@@ -178,11 +178,11 @@ Everything in world space and metres, linear between times.  Raises ValueError o
                  return Motion(links, inputs, solving);
              }),
              "parents"_a, "times"_a, "poses"_a, py::kw_only(), "mass"_a = 1.0, "frequency"_a = 0.0,
-             "damping"_a = 0.3, "response"_a = 0.0, "drag"_a = 0.0, "stretch"_a = 0.0, "bend"_a = std::numbers::pi,
-             "thickness"_a = 0.0, "gravity"_a = py::none(), "air"_a = py::none(), "obstacles"_a = py::none(),
-             "obstacle_places"_a = py::none(), "radii"_a = 0.0, "friction"_a = 0.5, "pinned"_a = py::none(),
-             "pin_places"_a = py::none(), "pin_weights"_a = 1.0, "resets"_a = py::none(), "rate"_a = 480.0,
-             "settle"_a = 0.0, "loop"_a = false, "cycles"_a = 40)
+             "damping"_a = 0.3, "response"_a = 0.0, "drag"_a = 0.0, "stretch"_a = 0.0,
+             "bend"_a = std::numbers::pi, "thickness"_a = 0.0, "gravity"_a = py::none(), "air"_a = py::none(),
+             "obstacles"_a = py::none(), "obstacle_places"_a = py::none(), "radii"_a = 0.0,
+             "friction"_a = 0.5, "pinned"_a = py::none(), "pin_places"_a = py::none(), "pin_weights"_a = 1.0,
+             "resets"_a = py::none(), "rate"_a = 480.0, "settle"_a = 0.0, "loop"_a = false, "cycles"_a = 40)
         .def("__len__", &Motion::size)
         .def(
             "solve",
@@ -195,11 +195,13 @@ Everything in world space and metres, linear between times.  Raises ValueError o
             "steps"_a = 2147483647, R"(
 Goes on for about so many steps: whether all is solved. No other thread may use this object meanwhile.)")
         .def_property_readonly("is_solved", &Motion::is_solved)
-        .def_property_readonly("solved_until", &Motion::solved_until,
-                               "Time up to which places are known, s; of a loop the first one until all is solved.")
-        .def_property_readonly("gap", &Motion::gap,
-                               "Of a loop, the largest distance of a particle at the end of its last cycle from "
-                               "where that began, m.")
+        .def_property_readonly(
+            "solved_until", &Motion::solved_until,
+            "Time up to which places are known, s; of a loop the first one until all is solved.")
+        .def_property_readonly(
+            "gap", &Motion::gap,
+            "Of a loop, the largest distance of a particle at the end of its last cycle from "
+            "where that began, m.")
         .def_property_readonly("nbytes", &Motion::bytes, "Of the memory that it takes.")
         .def(
             "places",

@@ -17,11 +17,14 @@ Bends::Bends(std::span<const Link> links) : turns_(links.size(), bones::no_turn)
     }
 }
 
-void Bends::hold(const Stepped& step, std::span<const glm::dvec3> pose, std::span<const double> lengths, double duration) {
-    constexpr int rounds = 4;
+void Bends::hold(const Stepped& step, std::span<const glm::dvec3> pose, std::span<const double> lengths,
+                 double duration) {
+    constexpr int rounds = 2;
     for (int round = 0; round < rounds; ++round) {
         bool has_turned = false;
-        visit(step, pose, [&](std::size_t i, const glm::dvec3& straight) { has_turned |= straighten(step, i, straight); });
+        visit(step, pose, [&](std::size_t i, const glm::dvec3& straight) {
+            has_turned |= straighten(step, i, straight);
+        });
         if (!has_turned) return;
     }
     // What is left is turned without the links that it hangs on.
@@ -35,7 +38,8 @@ void Bends::hold(const Stepped& step, std::span<const glm::dvec3> pose, std::spa
         const glm::dvec3 axis = direction_or(glm::cross(straight, link), glm::dvec3(0.0));
         const glm::dvec3 along = direction_or(link, direction_or(straight, glm::dvec3(0.0)));
         const double back = is_beyond ? most_[i] - angle : 0.0;
-        const glm::dvec3 place = root + lengths[i] * (std::cos(back) * along + std::sin(back) * glm::cross(axis, along));
+        const glm::dvec3 place =
+            root + lengths[i] * (std::cos(back) * along + std::sin(back) * glm::cross(axis, along));
         step.state.velocities[i] += (place - step.state.places[i]) / duration;
         step.state.places[i] = place;
         is_moved_[i] = 1;
@@ -53,7 +57,8 @@ void Bends::visit(const Stepped& step, std::span<const glm::dvec3> pose, const V
         visit(i, straight);
         const glm::dvec3 link = step.state.places[i] - step.state.places[parent];
         const auto across = [&] { return glm::dvec3(1.0, 0.0, 0.0); };
-        turns_[i] = bones::normalized_product(bones::smallest_turn_between(straight, link, across) * turns_[parent]);
+        turns_[i] =
+            bones::normalized_product(bones::smallest_turn_between(straight, link, across) * turns_[parent]);
     }
 }
 

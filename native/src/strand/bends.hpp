@@ -24,13 +24,14 @@ class Bends {
   private:
     template <class Visit>
     void visit(const Stepped& step, std::span<const glm::dvec3> pose, const Visit& visit);
-    [[nodiscard]] bool straighten(const Stepped& step, std::size_t particle, const glm::dvec3& straight) const;
+    [[nodiscard]] bool straighten(const Stepped& step, std::size_t particle,
+                                  const glm::dvec3& straight) const;
 
     std::vector<int> parents_;
     std::vector<double> most_;
     std::vector<glm::dquat> turns_;  ///< of each link, from where the pose has it
     std::vector<char> is_moved_;
-    std::size_t limited_ = 0;        ///< particles up to the last one with a limit
+    std::size_t limited_ = 0;  ///< particles up to the last one with a limit
 };
 
 }  // namespace motus::strand

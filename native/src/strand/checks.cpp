@@ -13,7 +13,9 @@ namespace {
 
 constexpr double farthest = 1e9;  // m, m/s or m/s^2: beyond it doubles have lost a tenth of a micrometre
 
-[[nodiscard]] bool is_within(double value, double least, double most) { return value >= least && value <= most; }
+[[nodiscard]] bool is_within(double value, double least, double most) {
+    return value >= least && value <= most;
+}
 
 [[nodiscard]] bool are_near(std::span<const glm::dvec3> vectors) {
     return std::ranges::all_of(vectors, [](const glm::dvec3& v) {
@@ -78,8 +80,9 @@ void require_pins(std::span<const Link> links, const Inputs& inputs) {
     require(inputs.pin_places.size() == numbers, "pin_places: must have a row for each time");
     require(are_near(inputs.pin_places), "pin_places: must be finite, and at most 1e9 in size");
     require(inputs.pin_weights.size() == numbers, "pin_weights: must have a row for each time");
-    require(std::ranges::all_of(inputs.pin_weights, [](double weight) { return is_within(weight, 0.0, 1.0); }),
-            "pin_weights: must be between 0 and 1");
+    require(
+        std::ranges::all_of(inputs.pin_weights, [](double weight) { return is_within(weight, 0.0, 1.0); }),
+        "pin_weights: must be between 0 and 1");
 }
 
 void require_solving(const Inputs& inputs, const Solving& solving) {

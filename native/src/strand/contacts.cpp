@@ -39,7 +39,8 @@ void resolve(const Contact& contact, double friction, double duration, const Ste
     const glm::dvec3 way = mixed(places) - mixed(step.before) - contact.carried;
     const glm::dvec3 velocity = mixed(velocities) - contact.carried / duration;
     const double entering = std::max(-glm::dot(velocity, contact.normal), 0.0);
-    const glm::dvec3 push = (contact.normal * contact.depth - held(along_surface(way), contact.depth)) / yielding;
+    const glm::dvec3 push =
+        (contact.normal * contact.depth - held(along_surface(way), contact.depth)) / yielding;
     const glm::dvec3 brake = (contact.normal * entering - held(along_surface(velocity), entering)) / yielding;
     places[contact.first] += way1 * share1 * push;
     places[contact.second] += way2 * share2 * push;

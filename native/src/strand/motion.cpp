@@ -30,9 +30,10 @@ struct Section {
     const auto add = [&](std::size_t last, double end) {
         Section section{.first = first, .last = last, .begin = inputs.times[first], .knots = knots};
         const double seconds = end - section.begin;
-        // A whole number of steps in a cycle; elsewhere steps are equally long whatever the end is, so that it
-        // makes no difference.
-        const double steps = solving.is_loop ? std::max(std::round(seconds * solving.rate), 1.0) : std::ceil(seconds * solving.rate);
+        // A whole number of steps in a cycle; elsewhere steps are equally long whatever the end is, so that
+        // it makes no difference.
+        const double steps = solving.is_loop ? std::max(std::round(seconds * solving.rate), 1.0)
+                                             : std::ceil(seconds * solving.rate);
         require(steps < Motion::most_work, "times: must be a shorter time, or the rate lower");
         section.steps = static_cast<std::size_t>(steps);
         section.duration = solving.is_loop ? seconds / steps : 1.0 / solving.rate;
@@ -182,7 +183,6 @@ void Motion::Solver::end_cycle() {
     keep(0);
 }
 
-/// Between steps the way is the parabola through the steps before and after, and the one before these.
 void Motion::Solver::places(double time, std::span<glm::dvec3> out) const {
     if (solving.is_loop) {
         const double begin = stepper.times().front(), seconds = stepper.times().back() - begin;
@@ -199,7 +199,8 @@ void Motion::Solver::places(double time, std::span<glm::dvec3> out) const {
     while (which + 1 < ready && sections[which + 1].begin <= time) ++which;
     const Section& in = sections[which];
     const double local = std::max((time - in.begin) / in.duration, 0.0);
-    const auto step_before = static_cast<std::size_t>(std::min(std::floor(local), static_cast<double>(in.steps)));
+    const auto step_before =
+        static_cast<std::size_t>(std::min(std::floor(local), static_cast<double>(in.steps)));
     const double share = step_before == in.steps ? 0.0 : local - static_cast<double>(step_before);
     const std::size_t first = step_before > 0 && share > 0.0 ? step_before - 1 : step_before;
     const std::size_t last = share > 0.0 ? step_before + 1 : step_before;
@@ -209,7 +210,7 @@ void Motion::Solver::places(double time, std::span<glm::dvec3> out) const {
     Driven start, end;
     std::size_t k = first / knot * knot;
     stepper.read(in.time(k), in.first, in.last, start);
-    std::array<std::vector<glm::dvec3>, 3> near;  // at `first` to `last`
+    std::array<std::vector<glm::dvec3>, 3> near;  // at `first` to `last`, of which there are two or three
     for (;; ++k) {
         if (k >= first) near[k - first] = at.places;
         if (k == last) break;
@@ -221,18 +222,7 @@ void Motion::Solver::places(double time, std::span<glm::dvec3> out) const {
         std::copy(at.places.begin(), at.places.end(), out.begin());
         return;
     }
-    const auto& before = near[step_before - first];
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        const glm::dvec3 way = at.places[i] - before[i];
-        glm::dvec3 bend(0.0);
-        if (first < step_before) {
-            bend = 0.5 * (way - (before[i] - near[0][i]));
-            const double most = 0.1 * glm::length(way), size = glm::length(bend);
-            if (size > most) bend *= most / size;  // it was a push, after which the parabola would go beyond
-        }
-        out[i] = before[i] + share * (way - (1.0 - share) * bend);
-    }
-    stepper.keep_lengths(before, at.places, share, out);
+    stepper.between(near[0], near[step_before - first], at.places, share, out);
 }
 
 Motion::Motion(std::span<const Link> links, const Inputs& inputs, const Solving& solving) {
@@ -244,24 +234,31 @@ Motion::~Motion() = default;
 Motion::Motion(Motion&& other) noexcept = default;
 Motion& Motion::operator=(Motion&& other) noexcept = default;
 
-std::size_t Motion::size() const noexcept { return solver_ ? solver_->size() : 0; }
+std::size_t Motion::size() const noexcept {
+    return solver_ ? solver_->size() : 0;
+}
 
 bool Motion::solve(std::size_t steps) {
     while (!is_solved() && steps-- > 0) solver_->advance();
     return is_solved();
 }
 
-bool Motion::is_solved() const noexcept { return !solver_ || solver_->is_done; }
+bool Motion::is_solved() const noexcept {
+    return !solver_ || solver_->is_done;
+}
 
 double Motion::solved_until() const noexcept {
     if (!solver_) return 0.0;
     const Solver& solver = *solver_;
     if (solver.is_done) return solver.stepper.times().back();
     const Section& now = solver.now();
-    return solver.solving.is_loop || !solver.is_begun || !solver.is_settled ? now.begin : now.time(solver.step);
+    return solver.solving.is_loop || !solver.is_begun || !solver.is_settled ? now.begin
+                                                                            : now.time(solver.step);
 }
 
-double Motion::gap() const noexcept { return solver_ ? solver_->gap : 0.0; }
+double Motion::gap() const noexcept {
+    return solver_ ? solver_->gap : 0.0;
+}
 
 void Motion::places(double time, std::span<glm::dvec3> out) const {
     require(std::isfinite(time), "time: must be finite");
@@ -272,7 +269,8 @@ void Motion::places(double time, std::span<glm::dvec3> out) const {
 }
 
 std::size_t Motion::bytes() const noexcept {
-    return solver_ ? sizeof(Solver) + solver_->stepper.bytes() + solver_->kept.size() * sizeof(glm::dvec3) : 0;
+    return solver_ ? sizeof(Solver) + solver_->stepper.bytes() + solver_->kept.size() * sizeof(glm::dvec3)
+                   : 0;
 }
 
 }  // namespace motus::strand

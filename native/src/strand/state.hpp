@@ -26,13 +26,15 @@ struct State {
 };
 
 /// How a particle answers to an impulse at the beginning of a step: at its end it is
-/// `yielding * impulse` further, and by `speed` times that way faster. Both are 0 for what goes where it must.
+/// `yielding * impulse` further, and by `speed` times that way faster. Both are 0 for what goes where it
+/// must.
 struct Yielding {
     double way = 0.0;    ///< s/kg
     double speed = 0.0;  ///< 1/s
 };
 
-/// One step of all particles. `before` are places at its beginning, `state` those at its end as far as they are known.
+/// One step of all particles. `before` are places at its beginning, `state` those at its end as far as they
+/// are known.
 struct Stepped {
     std::span<const glm::dvec3> before;
     std::span<const Yielding> yieldings;

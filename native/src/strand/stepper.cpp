@@ -17,6 +17,7 @@ constexpr double lightest = 1e-3;      // of the heaviest particle of a strand
 
 Stepper::Stepper(std::span<const Link> links, const Inputs& inputs, const Solving& solving)
     : links_(links.begin(), links.end()),
+      roots_(roots_of(links)),
       obstacles_(inputs.obstacles.begin(), inputs.obstacles.end()),
       pinned_(inputs.pinned.begin(), inputs.pinned.end()),
       pins_(links.size(), -1),
@@ -34,14 +35,13 @@ Stepper::Stepper(std::span<const Link> links, const Inputs& inputs, const Solvin
         springs_.push_back({rate * rate, link.response * link.damping * rate,
                             2.0 * link.damping * rate + link.drag, link.drag, link.mass});
     }
-    // A chain between much heavier particles is as good as without mass, but its swings across would take steps
-    // that are a thousand times shorter.
-    const std::vector<std::size_t> roots = roots_of(links);
+    // A chain between much heavier particles is as good as without mass, but its swings across would take
+    // steps that are a thousand times shorter.
     std::vector<double> heaviest(links.size(), 0.0);
     for (std::size_t i = 0; i < links.size(); ++i)
-        heaviest[roots[i]] = std::max(heaviest[roots[i]], links[i].mass);
+        heaviest[roots_[i]] = std::max(heaviest[roots_[i]], links[i].mass);
     for (std::size_t i = 0; i < links.size(); ++i)
-        springs_[i].mass = std::max(links[i].mass, lightest * heaviest[roots[i]]);
+        springs_[i].mass = std::max(links[i].mass, lightest * heaviest[roots_[i]]);
     for (std::size_t row = 0; row < pinned_.size(); ++row) pins_[pinned_[row]] = static_cast<int>(row);
 }
 
@@ -80,17 +80,32 @@ void Stepper::start(const Driven& driven, State& state) const {
     state.velocities.assign(links_.size(), glm::dvec3(0.0));
 }
 
-void Stepper::keep_lengths(std::span<const glm::dvec3> before, std::span<const glm::dvec3> after, double share,
-                           std::span<glm::dvec3> out) const {
-    std::vector<glm::dvec3> moved(out.size(), glm::dvec3(0.0));  // from where it was
+/// The way is the parabola through the three steps. After a push, such as that of a contact, the parabola
+/// would go beyond what pushed; there all of a strand goes straight, so that its links stay what they are to
+/// each other. Links get the lengths between those that they have at both steps: what turns fast would be
+/// shorter.
+void Stepper::between(std::span<const glm::dvec3> earlier, std::span<const glm::dvec3> before,
+                      std::span<const glm::dvec3> after, double share, std::span<glm::dvec3> out) const {
+    constexpr double smooth = 0.1;  // largest part of the way by which it bends
+    const bool is_first = earlier.data() == before.data();
+    const auto way = [&](std::size_t i) { return after[i] - before[i]; };
+    const auto bend = [&](std::size_t i) {
+        return is_first ? glm::dvec3(0.0) : 0.5 * (way(i) - (before[i] - earlier[i]));
+    };
+    std::vector<char> is_pushed(out.size(), 0);  // by roots
+    for (std::size_t i = 0; i < out.size(); ++i)
+        if (glm::length(bend(i)) > smooth * glm::length(way(i))) is_pushed[roots_[i]] = 1;
+    std::vector<glm::dvec3> unchanged(out.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
+        unchanged[i] = before[i] + share * way(i);
+        if (is_pushed[roots_[i]] == 0) unchanged[i] -= share * (1.0 - share) * bend(i);
+        out[i] = unchanged[i];
         if (links_[i].parent < 0) continue;
         const auto parent = static_cast<std::size_t>(links_[i].parent);
-        const double length1 = glm::length(before[i] - before[parent]), length2 = glm::length(after[i] - after[parent]);
-        const glm::dvec3 link = out[i] - (out[parent] - moved[parent]);
-        const glm::dvec3 place = out[parent] + direction_or(link, glm::dvec3(0.0)) * (length1 + share * (length2 - length1));
-        moved[i] = place - out[i];
-        out[i] = place;
+        const double length1 = glm::length(before[i] - before[parent]);
+        const double length2 = glm::length(after[i] - after[parent]);
+        const glm::dvec3 along = direction_or(unchanged[i] - unchanged[parent], glm::dvec3(0.0));
+        out[i] = out[parent] + along * (length1 + share * (length2 - length1));
     }
 }
 
@@ -120,7 +135,8 @@ void Stepper::flow(State& state, const Driven& before, const Driven& now, double
         };
         const Spring& spring = springs_[i];
         const glm::dvec3 pose_velocity = (now.pose[i] - before.pose[i]) * frequency;
-        glm::dvec3 force = spring.pull * (before.pose[i] - place) + spring.lead * pose_velocity + gravity + spring.drag * air;
+        glm::dvec3 force = spring.pull * (before.pose[i] - place) + spring.lead * pose_velocity + gravity +
+                           spring.drag * air;
         glm::dvec3 ramp = spring.pull * pose_velocity;
         const Flow* by = &work.flows_[i];
         if (pins_[i] >= 0) {

@@ -41,10 +41,10 @@ class Stepper {
     void read(double time, std::size_t first, std::size_t last, Driven& out) const;
     /// The state at rest in a pose.
     void start(const Driven& driven, State& state) const;
-    /// Gives links of `out`, places between two states, the lengths between those that they have there: what
-    /// turns fast would be shorter on a way of cubics.
-    void keep_lengths(std::span<const glm::dvec3> before, std::span<const glm::dvec3> after, double share,
-                      std::span<glm::dvec3> out) const;
+    /// Places between two steps, of which `share` of the time has gone, from those at both and at the one
+    /// before them, `earlier`, which is `before` if there is none. `earlier` and `before` may be one.
+    void between(std::span<const glm::dvec3> earlier, std::span<const glm::dvec3> before,
+                 std::span<const glm::dvec3> after, double share, std::span<glm::dvec3> out) const;
     /// From the driven at its beginning to that at its end, `duration` later.
     void step(State& state, const Driven& before, const Driven& now, double duration, Work& work) const;
 
@@ -62,6 +62,7 @@ class Stepper {
     void hold(State& state, const Driven& before, const Driven& now, double duration, Work& work) const;
 
     std::vector<Link> links_;
+    std::vector<std::size_t> roots_;  ///< of each link, that of its strand
     std::vector<Spring> springs_;
     std::vector<Obstacle> obstacles_;
     std::vector<std::size_t> pinned_;

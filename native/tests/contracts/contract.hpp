@@ -93,6 +93,7 @@ void add_sculpt(Table& table);
 void add_lattice(Table& table);
 void add_dynamics(Table& table);
 void add_stereo(Table& table);
+void add_strand(Table& table);
 void add_noise(Table& table);
 void add_snow(Table& table);
 void add_walker(Table& table);

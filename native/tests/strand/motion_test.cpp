@@ -50,7 +50,8 @@ struct Shot {
         for (std::size_t k = 0; k < times.size(); ++k) poses[k * links() + link] = place(times[k]);
     }
     [[nodiscard]] Inputs inputs() const {
-        return {times, poses, gravity, air, obstacles, obstacle_places, pinned, pin_places, pin_weights, resets};
+        return {times,           poses,  gravity,    air,         obstacles,
+                obstacle_places, pinned, pin_places, pin_weights, resets};
     }
 };
 
@@ -80,7 +81,10 @@ std::vector<glm::dvec3> straight(std::size_t links, double length, const glm::dv
 TEST_CASE("a link that stretches freely is the second-order system", "[strand]") {
     Random random(1);
     for (const double response : {0.0, 1.0, 2.0, -0.5}) {
-        Link link{.frequency = random.between(0.5, 8.0), .damping = random.between(0.0, 1.5), .response = response, .stretch = 1e6};
+        Link link{.frequency = random.between(0.5, 8.0),
+                  .damping = random.between(0.0, 1.5),
+                  .response = response,
+                  .stretch = 1e6};
         Shot shot(2.0, {{0, 0, 0}, {0.5, 0, 0}});
         shot.gravity.clear();
         std::vector<double> inputs;
@@ -90,7 +94,8 @@ TEST_CASE("a link that stretches freely is the second-order system", "[strand]")
             return place;
         });
         const Motion motion = solved(chain(1, link), shot);
-        const motus::dynamics::Track track({link.frequency, link.damping, link.response}, shot.times, inputs, 3);
+        const motus::dynamics::Track track({link.frequency, link.damping, link.response}, shot.times, inputs,
+                                           3);
         for (const double time : {0.1, 0.5, 1.0, 1.7, 2.0}) {
             glm::dvec3 expected;
             track.evaluate(time, {&expected.x, 3});
@@ -124,12 +129,15 @@ TEST_CASE("a rigid link turns as the second-order system of its angle", "[strand
 TEST_CASE("small swings have the period of a pendulum", "[strand]") {
     for (const double length : {0.1, 1.0}) {
         const double amplitude = 0.02;
-        const double period = 2.0 * std::numbers::pi * std::sqrt(length / g) * (1.0 + amplitude * amplitude / 16.0);
-        Shot shot(40.0 * period, {{0, 0, 0}, glm::dvec3(std::sin(amplitude), 0, -std::cos(amplitude)) * length}, 10.0);
+        const double period =
+            2.0 * std::numbers::pi * std::sqrt(length / g) * (1.0 + amplitude * amplitude / 16.0);
+        Shot shot(40.0 * period,
+                  {{0, 0, 0}, glm::dvec3(std::sin(amplitude), 0, -std::cos(amplitude)) * length}, 10.0);
         const Motion motion = solved(chain(1), shot);
         // After many periods: where in its swing it is tells how long they were.
         const double after = 30.0 * period;
-        const double x = places(motion, after)[1].x / (length * amplitude), quarter = places(motion, after + 0.25 * period)[1].x / (length * amplitude);
+        const double x = places(motion, after)[1].x / (length * amplitude),
+                     quarter = places(motion, after + 0.25 * period)[1].x / (length * amplitude);
         const double phase = std::atan2(-quarter, x) / (2.0 * std::numbers::pi);
         CAPTURE(length, x, quarter, phase);
         CHECK(std::abs(phase) / 30.0 < 1e-3);
@@ -162,8 +170,8 @@ TEST_CASE("two links swing as the double pendulum", "[strand]") {
 }
 
 TEST_CASE("a hanging chain at rest is the discrete catenary", "[strand]") {
-    // 20 links of equal length between two pins: the horizontal force is the same everywhere, and the slope of a
-    // link is the weight below it over that force. The force is found by bisection.
+    // 20 links of equal length between two pins: the horizontal force is the same everywhere, and the slope
+    // of a link is the weight below it over that force. The force is found by bisection.
     constexpr int links = 20;
     const double length = 0.1, span = 1.2;
     const auto slope = [&](int i, double force) { return (i - 0.5 * (links - 1)) / force; };
@@ -177,7 +185,8 @@ TEST_CASE("a hanging chain at rest is the discrete catenary", "[strand]") {
     std::vector<glm::dvec3> expected{{0, 0, 0}};
     for (int i = 0; i < links; ++i) {
         const double cosine = 1.0 / std::hypot(1.0, slope(i, low));
-        expected.push_back(expected.back() + glm::dvec3(length * cosine, 0.0, length * cosine * slope(i, low)));
+        expected.push_back(expected.back() +
+                           glm::dvec3(length * cosine, 0.0, length * cosine * slope(i, low)));
     }
     // The pose: an arc of the right length, whose end the pin holds elsewhere.
     Shot shot(0.5, straight(links, links * length, {1, 0, 0}));
@@ -188,7 +197,8 @@ TEST_CASE("a hanging chain at rest is the discrete catenary", "[strand]") {
     for (const double time : {0.0, 0.25, 0.5}) {
         const auto now = places(motion, time);
         double worst = 0.0;
-        for (std::size_t i = 0; i < now.size(); ++i) worst = std::max(worst, glm::length(now[i] - expected[i]));
+        for (std::size_t i = 0; i < now.size(); ++i)
+            worst = std::max(worst, glm::length(now[i] - expected[i]));
         CAPTURE(time, worst);
         CHECK(worst < 1e-4 * links * length);
     }
@@ -279,8 +289,9 @@ TEST_CASE("a ball and a floor are not entered by more than a tenth of the thickn
         const glm::dvec3 rest = fall.poses[i];
         fall.pose(i, [&](double t) { return rest + glm::dvec3(0, 0, 2.0 - std::min(5.0 * t, 1.95)); });
     }
-    add_obstacle(fall, {Obstacle::Shape::plane, 0.0, 0.5},
-                 [](double) { return std::array{glm::dvec3(0), glm::dvec3(0, 0, 1)}; });
+    add_obstacle(fall, {Obstacle::Shape::plane, 0.0, 0.5}, [](double) {
+        return std::array{glm::dvec3(0), glm::dvec3(0, 0, 1)};
+    });
     const Motion lying = solved(chain(10, link), fall);
     double lowest = 1.0;
     for (double time = 0.0; time <= 3.0; time += 1e-3)
@@ -295,10 +306,12 @@ TEST_CASE("friction holds on a slope, and lets go on a steeper one", "[strand]")
     for (const double friction : {0.3, 0.7}) {
         // A free particle: its link stretches without resistance.
         const double angle = 0.5;
-        const glm::dvec3 normal(-std::sin(angle), 0.0, std::cos(angle)), along(std::cos(angle), 0.0, std::sin(angle));
+        const glm::dvec3 normal(-std::sin(angle), 0.0, std::cos(angle)),
+            along(std::cos(angle), 0.0, std::sin(angle));
         Shot shot(1.0, {{0, 0, 1}, normal * 0.1});
-        add_obstacle(shot, {Obstacle::Shape::plane, 0.0, friction},
-                     [&](double) { return std::array{glm::dvec3(0), normal}; });
+        add_obstacle(shot, {Obstacle::Shape::plane, 0.0, friction}, [&](double) {
+            return std::array{glm::dvec3(0), normal};
+        });
         const Motion motion = solved(chain(1, {.stretch = 1e6, .thickness = 0.1}), shot);
         const double way = glm::dot(places(motion, 1.0)[1] - normal * 0.1, along);
         const double expected = -0.5 * g * std::max(std::sin(angle) - friction * std::cos(angle), 0.0);
@@ -318,7 +331,8 @@ TEST_CASE("bends stay within their limits", "[strand]") {
         glm::dvec3 before(1, 0, 0);
         for (std::size_t i = 1; i < now.size(); ++i) {
             const glm::dvec3 along = now[i] - now[i - 1];
-            most = std::max(most, std::atan2(glm::length(glm::cross(before, along)), glm::dot(before, along)));
+            most =
+                std::max(most, std::atan2(glm::length(glm::cross(before, along)), glm::dot(before, along)));
             before = along;
         }
     }
@@ -330,7 +344,10 @@ TEST_CASE("a loop closes", "[strand]") {
     Shot shot(2.0, straight(8, 0.8, {1, 0, 0}));
     for (std::size_t i = 0; i <= 8; ++i) {
         const glm::dvec3 rest = shot.poses[i];
-        shot.pose(i, [&](double t) { return rest + glm::dvec3(0, 0.3 * std::sin(std::numbers::pi * t), 0.1 * std::cos(std::numbers::pi * t)); });
+        shot.pose(i, [&](double t) {
+            return rest +
+                   glm::dvec3(0, 0.3 * std::sin(std::numbers::pi * t), 0.1 * std::cos(std::numbers::pi * t));
+        });
     }
     Link link{.frequency = 1.0, .drag = 0.5};
     const Motion motion = solved(chain(8, link), shot, {.is_loop = true});
@@ -379,7 +396,8 @@ TEST_CASE("at a reset strands start anew in the pose", "[strand]") {
     const Motion motion = solved(chain(5), shot);
     CHECK(places(motion, 0.499)[0].x == 0.0);
     for (std::size_t i = 0; i <= 5; ++i) {
-        CHECK(glm::length(places(motion, 0.5)[i] - glm::dvec3(100.0 + 0.2 * static_cast<double>(i), 0, 0)) < 1e-12);
+        CHECK(glm::length(places(motion, 0.5)[i] - glm::dvec3(100.0 + 0.2 * static_cast<double>(i), 0, 0)) <
+              1e-12);
         CHECK(glm::length(places(motion, 0.75)[i] - glm::dvec3(100, 0, 0) - places(motion, 0.25)[i]) < 1e-9);
     }
 }
@@ -422,10 +440,74 @@ TEST_CASE("the error of a swing falls with the square of the step", "[strand]") 
     const auto exact = at(7680.0), coarse = at(240.0), fine = at(480.0), finer = at(960.0);
     const auto error = [&](const auto& found) {
         double worst = 0.0;
-        for (std::size_t i = 0; i < found.size(); ++i) worst = std::max(worst, glm::length(found[i] - exact[i]));
+        for (std::size_t i = 0; i < found.size(); ++i)
+            worst = std::max(worst, glm::length(found[i] - exact[i]));
         return worst;
     };
     CAPTURE(error(coarse), error(fine), error(finer));
     CHECK(error(coarse) / error(fine) > 3.0);
     CHECK(error(fine) / error(finer) > 3.0);
+}
+
+TEST_CASE("a chain stays near its root, whatever is done to it", "[strand]") {
+    const auto farthest = [](const std::vector<Link>& links, const Shot& shot, const Solving& solving = {}) {
+        const Motion motion = solved(links, shot, solving);
+        double most = 0.0;
+        for (double time = 0.0; time <= shot.times.back(); time += 0.01) {
+            const auto now = places(motion, time);
+            for (const glm::dvec3& place : now) most = std::max(most, glm::length(place - now.front()));
+        }
+        return most;
+    };
+    const double length = 1.0, more = 1.01 * length;
+    std::vector<Link> links = chain(8, {.thickness = 0.02});
+    Shot fast(1.0, straight(8, length, {1, 0, 0}));
+    for (std::size_t i = 0; i <= 8; ++i) {
+        const glm::dvec3 rest = fast.poses[i];
+        fast.pose(i, [&](double t) {
+            return rest + glm::dvec3(0, 100.0 * t, 50.0 * std::sin(20.0 * t));
+        });  // 100 m/s and more
+    }
+    CHECK(farthest(links, fast) < more);
+    Shot jump(1.0, straight(8, length, {1, 0, 0}));
+    for (std::size_t i = 0; i <= 8; ++i) {
+        const glm::dvec3 rest = jump.poses[i];
+        jump.pose(
+            i, [&](double t) { return t < 0.5 ? rest : rest + glm::dvec3(1000, 0, 0); });  // without a reset
+    }
+    CHECK(farthest(links, jump) < more);
+    Shot inside(1.0, straight(8, length, {1, 0, 0}));  // begins in a ball
+    add_obstacle(inside, {Obstacle::Shape::capsule, 0.5, 0.5}, [](double) {
+        return std::array{glm::dvec3(0.5, 0.01, 0), glm::dvec3(0.5, 0.01, 0)};
+    });
+    CHECK(farthest(links, inside) < 1.5 * length);
+    std::vector<Link> heavy = links;
+    heavy[8].mass = 1e6;
+    heavy[3].mass = 1e-6;
+    CHECK(farthest(heavy, fast) < more);
+    // Long ones lie on a floor without going wild: at rest in the end.
+    Shot floor(6.0, straight(40, 4.0, glm::normalize(glm::dvec3(1, 0, 0.3))), 24.0);
+    add_obstacle(floor, {Obstacle::Shape::plane, 0.0, 0.5}, [](double) {
+        return std::array{glm::dvec3(0, 0, -0.1), glm::dvec3(0, 0, 1)};
+    });
+    const Motion lying = solved(chain(40, {.thickness = 0.02}), floor);
+    const auto one = places(lying, 5.9), two = places(lying, 6.0);
+    for (std::size_t i = 0; i < one.size(); ++i) CHECK(glm::length(two[i] - one[i]) / 0.1 < 1e-4);
+}
+
+TEST_CASE("a strand is what it is without the others beside it", "[strand]") {
+    std::vector<Link> links = chain(5), both = links;
+    for (Link link : links) {
+        link.parent += link.parent < 0 ? 0 : 6;
+        link.mass = 1000.0;
+        both.push_back(link);
+    }
+    const auto pose = straight(5, 1.0, {1, 0, 0});
+    auto two = pose;
+    for (const glm::dvec3& place : pose) two.push_back(place + glm::dvec3(0, 3, 0));
+    const Motion alone = solved(links, Shot(1.0, pose)), beside = solved(both, Shot(1.0, two));
+    for (const double time : {0.3, 0.777, 1.0}) {
+        const auto now = places(beside, time);
+        CHECK(std::vector(now.begin(), now.begin() + 6) == places(alone, time));
+    }
 }

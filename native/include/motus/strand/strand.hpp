@@ -44,18 +44,18 @@ struct Obstacle {
 /// Everything over time, in world space, metres and seconds; linear between the times, and as at the nearest
 /// time outside them.
 struct Inputs {
-    std::span<const double> times;      ///< strictly rising
-    std::span<const glm::dvec3> poses;  ///< where the pose has the particles: a row for each time
+    std::span<const double> times;          ///< strictly rising
+    std::span<const glm::dvec3> poses;      ///< where the pose has the particles: a row for each time
     std::span<const glm::dvec3> gravity{};  ///< acceleration: one, or one for each time; none: 0
     std::span<const glm::dvec3> air{};      ///< its velocity: one, or one for each time; none: 0
 
     std::span<const Obstacle> obstacles{};
     std::span<const glm::dvec3> obstacle_places{};  ///< two for each obstacle: a row for each time
 
-    std::span<const std::size_t> pinned{};      ///< indices of particles that are held, each at most once
-    std::span<const glm::dvec3> pin_places{};   ///< where they are held: a row for each time
-    std::span<const double> pin_weights{};      ///< [0, 1], a row for each time: 1 holds fast, below that a
-                                                ///< spring that is the softer the less
+    std::span<const std::size_t> pinned{};     ///< indices of particles that are held, each at most once
+    std::span<const glm::dvec3> pin_places{};  ///< where they are held: a row for each time
+    std::span<const double> pin_weights{};     ///< [0, 1], a row for each time: 1 holds fast, below that a
+                                               ///< spring that is the softer the less
     std::span<const std::size_t> resets{};  ///< rising indices of times, not the first, at which all starts
                                             ///< anew, such as cuts
 };

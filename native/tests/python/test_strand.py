@@ -1,0 +1,125 @@
+"""Strands through the binding: shapes, defaults and errors. The formulas are tested natively."""
+
+import unittest
+
+import numpy as np
+
+import motus_native as native
+
+DOWN = (0.0, 0.0, -9.81)
+
+
+def shot(samples=3, links=3):
+    """Return parents, times and poses of one chain along X that stands still for a second."""
+    pose = [(0.5 * link, 0.0, 1.0) for link in range(links)]
+    return [link - 1 for link in range(links)], np.linspace(0.0, 1.0, samples), np.tile(pose, (samples, 1, 1))
+
+
+class StrandTest(unittest.TestCase):
+    def test_places_over_time(self):
+        parents, times, poses = shot()
+        motion = native.StrandMotion(parents, times, poses, gravity=DOWN)
+        self.assertEqual(len(motion), 3)
+        self.assertFalse(motion.is_solved)
+        self.assertFalse(motion.solve(100))
+        self.assertGreater(motion.solved_until, 0.0)
+        self.assertLess(motion.solved_until, 1.0)
+        self.assertTrue(motion.solve())
+        self.assertTrue(motion.is_solved)
+        self.assertEqual(motion.solved_until, 1.0)
+        self.assertEqual(motion.gap, 0.0)
+        self.assertGreater(motion.nbytes, 1000)
+        places = motion.places(0.25)
+        self.assertEqual(places.shape, (3, 3))
+        np.testing.assert_array_equal(places[0], poses[0, 0])
+        self.assertLess(places[2, 2], 0.9)
+        np.testing.assert_allclose(np.linalg.norm(np.diff(places, axis=0), axis=1), 0.5, atol=1e-6)
+        np.testing.assert_array_equal(motion.places(0.0), poses[0])
+
+    def test_a_number_is_that_of_all_links(self):
+        parents, times, poses = shot()
+        settings = {
+            "mass": 2.0,
+            "frequency": 1.5,
+            "damping": 0.5,
+            "response": 1.0,
+            "drag": 0.3,
+            "stretch": 0.1,
+            "bend": 1.0,
+            "thickness": 0.1,
+        }
+        one = native.StrandMotion(parents, times, poses, gravity=DOWN, **settings)
+        each = native.StrandMotion(
+            parents, times, poses, gravity=np.tile(DOWN, (3, 1)), **{name: np.full(3, number) for name, number in settings.items()}
+        )
+        one.solve()
+        each.solve()
+        np.testing.assert_array_equal(one.places(0.7), each.places(0.7))
+        limp = native.StrandMotion(parents, times, poses, gravity=DOWN)
+        limp.solve()
+        self.assertGreater(np.abs(limp.places(0.7) - one.places(0.7)).max(), 0.1)
+
+    def test_obstacles_pins_wind_and_resets(self):
+        parents, times, poses = shot()
+        floor = np.tile([[(0.0, 0.0, 0.8), (0.0, 0.0, 1.8)], [(5.0, 0.0, 0.0), (5.0, 0.0, 0.0)]], (3, 1, 1, 1))
+        held = {"obstacles": ["plane", "capsule"], "obstacle_places": floor, "radii": [0.0, 0.1], "friction": 0.2}
+        lying = native.StrandMotion(parents, times, poses, gravity=DOWN, thickness=0.05, **held)
+        lying.solve()
+        self.assertGreater(lying.places(1.0)[1:, 2].min(), 0.849)
+        pins = {"pinned": [2], "pin_places": poses[:, 2:] + (0.0, 0.5, 0.0), "pin_weights": 1.0}
+        pinned = native.StrandMotion(parents, times, poses, gravity=DOWN, **pins)
+        pinned.solve()
+        np.testing.assert_allclose(pinned.places(1.0)[2], (1.0, 0.5, 1.0), atol=1e-12)
+        blown = native.StrandMotion(parents, times, poses, drag=1.0, air=(0.0, 3.0, 0.0))
+        blown.solve()
+        self.assertGreater(blown.places(0.5)[2, 1], 0.1)
+        anew = native.StrandMotion(parents, times, poses, gravity=DOWN, resets=[1])
+        anew.solve()
+        np.testing.assert_array_equal(anew.places(0.5), poses[0])
+
+    def test_a_loop_closes(self):
+        parents, times, poses = shot(samples=49)
+        poses = poses + 0.1 * np.sin(2.0 * np.pi * times)[:, None, None]
+        motion = native.StrandMotion(parents, times, poses, gravity=DOWN, drag=2.0, settle=1.0, loop=True)
+        self.assertTrue(motion.solve())
+        self.assertLess(motion.gap, 1e-4)
+        np.testing.assert_allclose(motion.places(0.3), motion.places(3.3), atol=1e-9)
+
+    def test_errors_name_the_argument(self):
+        parents, times, poses = shot()
+        for changes, problem in (
+            ({"parents": [-1, 0]}, "poses"),
+            ({"parents": [0, 0, 1]}, "parent"),
+            ({"times": [0.0, 1.0, 1.0]}, "times"),
+            ({"times": [[0.0]]}, "times"),
+            ({"poses": poses[0]}, "poses"),
+            ({"mass": 0.0}, "mass"),
+            ({"mass": [1.0, 2.0]}, "mass"),
+            ({"frequency": 100.0}, "frequency"),
+            ({"bend": -1.0}, "bend"),
+            ({"gravity": (0.0, 1.0)}, "gravity"),
+            ({"gravity": np.zeros((2, 3))}, "gravity"),
+            ({"obstacles": ["cube"]}, "obstacles"),
+            ({"obstacles": ["plane"], "obstacle_places": np.zeros((3, 2, 3))}, "obstacle_places"),
+            ({"obstacles": ["plane"], "obstacle_places": np.zeros((3, 1, 2, 3)), "radii": [1.0, 2.0]}, "radii"),
+            ({"pinned": [1], "pin_places": np.zeros((3, 3))}, "pin_places"),
+            ({"pinned": [1], "pin_places": np.zeros((3, 1, 3)), "pin_weights": [1.0]}, "pin_weights"),
+            ({"pinned": [3], "pin_places": np.zeros((3, 1, 3))}, "pinned"),
+            ({"resets": [0]}, "resets"),
+            ({"rate": 1.0}, "rate"),
+            ({"settle": float("nan")}, "settle"),
+            ({"loop": True, "resets": [1]}, "resets"),
+        ):
+            with self.subTest(changes=list(changes)), self.assertRaisesRegex(ValueError, problem):
+                native.StrandMotion(**{"parents": parents, "times": times, "poses": poses} | changes)
+        for changes, problem in (({"parents": "x"}, "parents"), ({"loop": 1}, "loop"), ({"obstacles": 3}, "obstacles")):
+            with self.subTest(changes=list(changes)), self.assertRaisesRegex((TypeError, ValueError), problem):
+                native.StrandMotion(**{"parents": parents, "times": times, "poses": poses} | changes)
+        motion = native.StrandMotion(parents, times, poses)
+        for call, problem in ((lambda: motion.solve(-1), "steps"), (lambda: motion.places(float("inf")), "time")):
+            with self.assertRaisesRegex(ValueError, problem):
+                call()
+
+
+if __name__ == "__main__":
+    unittest.main()
