@@ -273,6 +273,7 @@ class TimeTest(cases.PinsTestCase):
         go_to(5)
         self.assertIn("pull", calls)
 
+    @support.needs_drawing
     def test_rendered_as_seen(self):
         grid = cases.new_grid()
         cases.key_strength(add(grid, centre(grid), (0.0, 0.0, 2.0)), {1: 0.0, 11: 1.0})

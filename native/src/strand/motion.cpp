@@ -24,6 +24,11 @@ struct Section {
     [[nodiscard]] double time(std::size_t step) const { return begin + static_cast<double>(step) * duration; }
 };
 
+/// How many of its states are kept.
+[[nodiscard]] std::size_t knots_of(const Section& section) {
+    return section.steps / Motion::knot + 1;
+}
+
 [[nodiscard]] std::vector<Section> sections_of(const Inputs& inputs, const Solving& solving) {
     std::vector<Section> sections;
     std::size_t first = 0, knots = 0;
@@ -38,7 +43,7 @@ struct Section {
         section.steps = static_cast<std::size_t>(steps);
         section.duration = solving.is_loop ? seconds / steps : 1.0 / solving.rate;
         sections.push_back(section);
-        knots += section.steps / Motion::knot + 1;
+        knots += knots_of(section);
         first = last + 1;
     };
     for (const std::size_t reset : inputs.resets) add(reset - 1, inputs.times[reset]);
@@ -76,22 +81,20 @@ struct Motion::Solver {
     double gap = 0.0;
     State state;
     Driven driven, next;
-    std::vector<glm::dvec3> cycle_start;
     Stepper::Work work;
 };
 
 Motion::Solver::Solver(std::span<const Link> links, const Inputs& inputs, const Solving& how)
     : solving(how), stepper(links, inputs, how), sections(sections_of(inputs, how)), work(stepper) {
-    double steps = 0.0, knots = 0.0;
+    double steps = 0.0;
     const double settling = std::ceil(how.settle * how.rate);
-    for (const Section& one : sections) {
+    for (const Section& one : sections)
         steps += static_cast<double>(one.steps) * (how.is_loop ? how.cycles : 1) + settling;
-        knots += static_cast<double>(one.steps / knot + 1);
-    }
+    const std::size_t knots = sections.back().knots + knots_of(sections.back());
     const auto count = static_cast<double>(links.size());
-    require(steps * count <= most_work && knots * count * 6.0 <= most_numbers,
+    require(steps * count <= most_work && static_cast<double>(knots) * count * 6.0 <= most_numbers,
             "times: must be a shorter time, or links fewer, or the rate lower");
-    kept.resize(static_cast<std::size_t>(knots) * 2 * links.size());
+    kept.resize(knots * 2 * links.size());
     is_done = links.empty();
 }
 
