@@ -11,7 +11,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -1085,6 +1085,20 @@ class Walker:
         All steps by leg, then time, as a dict of arrays: leg (s,) int32; lift, touch (s,), s; start, end (s, 3); apex (s, 3), where the
         foot is half-way. If lift equals touch the foot is put there at once: at the first sample and at jumps.
         """
+class StrandSurface:
+    """
+    Triangles that strands cannot go through, from either side. Immutable.
+    
+    positions: (v, 3) float32, in a space of their own.  triangles: (t, 3) int32.  Raises ValueError or TypeError that names the
+    argument.
+    """
+    def __init__(self, positions: numpy.typing.ArrayLike, triangles: numpy.typing.ArrayLike) -> None:
+        ...
+    @property
+    def nbytes(self) -> int:
+        """
+        Of the memory that it takes, roughly.
+        """
 class StrandMotion:
     """
     Strands over a whole shot: particles, each joined to its parent by a link, that hang, swing and touch. Solved once, by solve(), then
@@ -1102,6 +1116,8 @@ class StrandMotion:
     gravity, air: acceleration, and velocity of the air: (3,), or (m, 3), one for each time; None: 0.
     obstacles: k names, "capsule" (around the segment between both places; a ball if they are one) or "plane" (through the first
     place; solid on the side away from the second).  obstacle_places: (m, k, 2, 3).  radii, friction: a number or (k,).
+    surfaces: s StrandSurface, which particles and the middles of links keep away from, by the thickness and surface_distances: a
+    number or (s,), m.  surface_matrices: (m, s, 4, 4), to world space, scaled evenly.  surface_friction: a number or (s,).
     pinned: p indices of particles that are held.  pin_places: (m, p, 3).  pin_weights: a number or (m, p), 0 to 1: 1 holds fast, below
     that a spring that is the softer the less.
     resets: rising indices of times at which all starts anew in the pose.
@@ -1110,7 +1126,7 @@ class StrandMotion:
     
     Everything in world space and metres, linear between times.  Raises ValueError or TypeError that names the argument.
     """
-    def __init__(self, parents: numpy.typing.ArrayLike, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, *, mass: numpy.typing.ArrayLike = 1.0, frequency: numpy.typing.ArrayLike = 0.0, damping: numpy.typing.ArrayLike = 0.3, response: numpy.typing.ArrayLike = 0.0, drag: numpy.typing.ArrayLike = 0.0, stretch: numpy.typing.ArrayLike = 0.0, bend: numpy.typing.ArrayLike = 3.141592653589793, thickness: numpy.typing.ArrayLike = 0.0, gravity: numpy.typing.ArrayLike | None = None, air: numpy.typing.ArrayLike | None = None, obstacles: typing.Sequence[str] | None = None, obstacle_places: numpy.typing.ArrayLike | None = None, radii: numpy.typing.ArrayLike = 0.0, friction: numpy.typing.ArrayLike = 0.5, pinned: typing.Sequence[int] | None = None, pin_places: numpy.typing.ArrayLike | None = None, pin_weights: numpy.typing.ArrayLike = 1.0, resets: typing.Sequence[int] | None = None, rate: float = 480.0, settle: float = 0.0, loop: bool = False, cycles: int = 40) -> None:
+    def __init__(self, parents: numpy.typing.ArrayLike, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, *, mass: numpy.typing.ArrayLike = 1.0, frequency: numpy.typing.ArrayLike = 0.0, damping: numpy.typing.ArrayLike = 0.3, response: numpy.typing.ArrayLike = 0.0, drag: numpy.typing.ArrayLike = 0.0, stretch: numpy.typing.ArrayLike = 0.0, bend: numpy.typing.ArrayLike = 3.141592653589793, thickness: numpy.typing.ArrayLike = 0.0, gravity: numpy.typing.ArrayLike | None = None, air: numpy.typing.ArrayLike | None = None, obstacles: typing.Sequence[str] | None = None, obstacle_places: numpy.typing.ArrayLike | None = None, radii: numpy.typing.ArrayLike = 0.0, friction: numpy.typing.ArrayLike = 0.5, surfaces: typing.Sequence[StrandSurface] | None = None, surface_matrices: numpy.typing.ArrayLike | None = None, surface_distances: numpy.typing.ArrayLike = 0.0, surface_friction: numpy.typing.ArrayLike = 0.5, pinned: typing.Sequence[int] | None = None, pin_places: numpy.typing.ArrayLike | None = None, pin_weights: numpy.typing.ArrayLike = 1.0, resets: typing.Sequence[int] | None = None, rate: float = 480.0, settle: float = 0.0, loop: bool = False, cycles: int = 40) -> None:
         ...
     def __len__(self) -> int:
         ...

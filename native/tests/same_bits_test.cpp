@@ -284,9 +284,10 @@ TEST_CASE("strands have the same bits everywhere", "[same_bits]") {
     const std::vector<Obstacle> obstacles{{Obstacle::Shape::capsule, 0.2, 0.4},
                                           {Obstacle::Shape::plane, 0.0, 0.6}};
     const std::vector<std::size_t> pinned{8};
-    Motion motion(links,
-                  {times, poses, gravity, air, obstacles, obstacle_places, pinned, pin_places, pin_weights},
-                  {.settle = 0.5});
+    Motion motion(
+        links,
+        {times, poses, gravity, air, obstacles, obstacle_places, {}, {}, pinned, pin_places, pin_weights},
+        {.settle = 0.5});
     motion.solve(100000);
     Bits bits;
     std::vector<glm::dvec3> places(links.size());

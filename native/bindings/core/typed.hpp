@@ -55,6 +55,7 @@ using ArrayLikes = Typed<"typing.Sequence[numpy.typing.ArrayLike]">;
 using IndexOrArrayLike = Typed<"int | numpy.typing.ArrayLike">;
 using WholeNumbers = Typed<"typing.Sequence[int]">;
 using OptionalWholeNumbers = Typed<"typing.Sequence[int] | None">;
+using OptionalSurfaces = Typed<"typing.Sequence[StrandSurface] | None">;
 using OptionalTexts = Typed<"typing.Sequence[str] | None">;
 
 // Names of options, each read by choice() (core/arguments.hpp), which refuses others.

@@ -3,7 +3,9 @@
 
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "core/typed.hpp"
+#include "mesh/arrays.hpp"
 #include "motus/strand/motion.hpp"
 
 namespace motus::bindings {
@@ -22,13 +25,14 @@ using namespace motus::strand;
 
 constexpr double step_cost = 100.0;  // ns, rough
 
-/// Sets a member of all links from a number, or from an array with one for each.
-void set(std::vector<Link>& links, double Link::*member, py::handle given, const char* name) {
+/// Gives a member of all structs from a number, or from an array with one for each.
+template <class Struct>
+void give(std::vector<Struct>& all, double Struct::*member, py::handle given, const char* name) {
     const Numbers numbers(given, name);
     const std::span<const double> values = numbers.values();
-    if (!numbers.is_single() && values.size() != links.size())
-        value_error(name, "must be a number, or one for each of " + std::to_string(links.size()) + " links");
-    for (std::size_t i = 0; i < links.size(); ++i) links[i].*member = values[numbers.is_single() ? 0 : i];
+    if (!numbers.is_single() && values.size() != all.size())
+        value_error(name, "must be a number, or " + std::to_string(all.size()) + " numbers");
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].*member = values[numbers.is_single() ? 0 : i];
 }
 
 /// An array of vectors with these rows before the last axis, which has 3.
@@ -66,16 +70,47 @@ struct Obstacles {
     for (const py::handle shape : shapes)
         result.all.push_back({choice<Obstacle::Shape>(
             shape, "obstacles", {{"capsule", Obstacle::Shape::capsule}, {"plane", Obstacle::Shape::plane}})});
-    const auto give = [&](double Obstacle::*member, py::handle given, const char* name) {
-        const Numbers numbers(given, name);
-        if (!numbers.is_single() && numbers.values().size() != result.all.size())
-            value_error(name, "must be a number, or one for each obstacle");
-        for (std::size_t i = 0; i < result.all.size(); ++i)
-            result.all[i].*member = numbers.values()[numbers.is_single() ? 0 : i];
-    };
-    give(&Obstacle::radius, radii, "radii");
-    give(&Obstacle::friction, friction, "friction");
+    give(result.all, &Obstacle::radius, radii, "radii");
+    give(result.all, &Obstacle::friction, friction, "friction");
     result.places = vectors(places, "obstacle_places", {times, result.all.size(), 2}, "(m, k, 2, 3)");
+    return result;
+}
+
+[[nodiscard]] std::shared_ptr<Surface> surface_of(const ArrayLike& positions, const ArrayLike& triangles) {
+    const Positions given_points(positions, "positions");
+    const IndexRows<glm::ivec3> given_corners(triangles, "triangles");
+    const std::vector<glm::vec3> points = copied(given_points.values());
+    const std::vector<glm::ivec3> corners = copied(given_corners.values());
+    const py::gil_scoped_release released;
+    return std::make_shared<Surface>(points, corners);
+}
+
+struct Surfaces {
+    std::vector<PlacedSurface> all;
+    std::vector<glm::dmat4> matrices;
+};
+
+[[nodiscard]] Surfaces surfaces_of(py::handle given, py::handle matrices, py::handle distances,
+                                   py::handle friction, std::size_t times) {
+    Surfaces result;
+    if (given.is_none()) return result;
+    if (!py::isinstance<py::iterable>(given)) wrong_type(given, "surfaces", "a sequence of StrandSurface");
+    for (const py::handle one : given) {
+        static_cast<void>(instance<Surface>(one, "surfaces", "StrandSurface"));
+        result.all.push_back({one.cast<std::shared_ptr<Surface>>()});
+    }
+    give(result.all, &PlacedSurface::distance, distances, "surface_distances");
+    give(result.all, &PlacedSurface::friction, friction, "surface_friction");
+    const DoubleArray array = doubles(matrices, "surface_matrices");
+    const std::vector<py::ssize_t> wanted{static_cast<py::ssize_t>(times),
+                                          static_cast<py::ssize_t>(result.all.size()), 4, 4};
+    if (!std::equal(wanted.begin(), wanted.end(), array.shape(), array.shape() + array.ndim()))
+        value_error("surface_matrices", "must have the shape (m, s, 4, 4), not " + shape_of(array));
+    const double* value = array.data();
+    result.matrices.resize(times * result.all.size());
+    for (glm::dmat4& one : result.matrices)
+        for (int row = 0; row < 4; ++row)
+            for (int column = 0; column < 4; ++column) one[column][row] = *value++;
     return result;
 }
 
@@ -105,6 +140,13 @@ struct Pins {
 }  // namespace
 
 void bind_strand(py::module_& m) {
+    py::class_<Surface, std::shared_ptr<Surface>>(m, "StrandSurface", py::module_local(), R"(
+Triangles that strands cannot go through, from either side. Immutable.
+
+positions: (v, 3) float32, in a space of their own.  triangles: (t, 3) int32.  Raises ValueError or TypeError that names the
+argument.)")
+        .def(py::init(&surface_of), "positions"_a, "triangles"_a)
+        .def_property_readonly("nbytes", &Surface::bytes, "Of the memory that it takes, roughly.");
     py::class_<Motion>(m, "StrandMotion", py::module_local(), R"(
 Strands over a whole shot: particles, each joined to its parent by a link, that hang, swing and touch. Solved once, by solve(), then
 read at any time.
@@ -121,6 +163,8 @@ radius in contacts.
 gravity, air: acceleration, and velocity of the air: (3,), or (m, 3), one for each time; None: 0.
 obstacles: k names, "capsule" (around the segment between both places; a ball if they are one) or "plane" (through the first
 place; solid on the side away from the second).  obstacle_places: (m, k, 2, 3).  radii, friction: a number or (k,).
+surfaces: s StrandSurface, which particles and the middles of links keep away from, by the thickness and surface_distances: a
+number or (s,), m.  surface_matrices: (m, s, 4, 4), to world space, scaled evenly.  surface_friction: a number or (s,).
 pinned: p indices of particles that are held.  pin_places: (m, p, 3).  pin_weights: a number or (m, p), 0 to 1: 1 holds fast, below
 that a spring that is the softer the less.
 resets: rising indices of times at which all starts anew in the pose.
@@ -134,7 +178,9 @@ Everything in world space and metres, linear between times.  Raises ValueError o
                          const ArrayLike& bend, const ArrayLike& thickness, const OptionalArrayLike& gravity,
                          const OptionalArrayLike& air, const OptionalTexts& obstacles,
                          const OptionalArrayLike& obstacle_places, const ArrayLike& radii,
-                         const ArrayLike& friction, const OptionalWholeNumbers& pinned,
+                         const ArrayLike& friction, const OptionalSurfaces& surfaces,
+                         const OptionalArrayLike& surface_matrices, const ArrayLike& surface_distances,
+                         const ArrayLike& surface_friction, const OptionalWholeNumbers& pinned,
                          const OptionalArrayLike& pin_places, const ArrayLike& pin_weights,
                          const OptionalWholeNumbers& resets, const Number& rate, const Number& settle,
                          const Flag& loop, const WholeNumber& cycles) {
@@ -144,14 +190,14 @@ Everything in world space and metres, linear between times.  Raises ValueError o
                      link.parent = parent;
                      links.push_back(link);
                  }
-                 set(links, &Link::mass, mass, "mass");
-                 set(links, &Link::frequency, frequency, "frequency");
-                 set(links, &Link::damping, damping, "damping");
-                 set(links, &Link::response, response, "response");
-                 set(links, &Link::drag, drag, "drag");
-                 set(links, &Link::stretch, stretch, "stretch");
-                 set(links, &Link::bend, bend, "bend");
-                 set(links, &Link::thickness, thickness, "thickness");
+                 give(links, &Link::mass, mass, "mass");
+                 give(links, &Link::frequency, frequency, "frequency");
+                 give(links, &Link::damping, damping, "damping");
+                 give(links, &Link::response, response, "response");
+                 give(links, &Link::drag, drag, "drag");
+                 give(links, &Link::stretch, stretch, "stretch");
+                 give(links, &Link::bend, bend, "bend");
+                 give(links, &Link::thickness, thickness, "thickness");
                  const DoubleArray moments = doubles(times, "times");
                  if (moments.ndim() != 1)
                      value_error("times", "must have the shape (m,), not " + shape_of(moments));
@@ -159,6 +205,8 @@ Everything in world space and metres, linear between times.  Raises ValueError o
                  const auto pose = vectors(poses, "poses", {count, links.size()}, "(m, n, 3)");
                  const auto pulls = over_time(gravity, "gravity"), winds = over_time(air, "air");
                  const Obstacles solid = obstacles_of(obstacles, obstacle_places, radii, friction, count);
+                 const Surfaces meshes =
+                     surfaces_of(surfaces, surface_matrices, surface_distances, surface_friction, count);
                  const Pins pins = pins_of(pinned, pin_places, pin_weights, count);
                  const std::vector<std::size_t> jumps = indices(resets, "resets");
                  const Solving solving{.rate = number(rate, "rate"),
@@ -171,6 +219,8 @@ Everything in world space and metres, linear between times.  Raises ValueError o
                                      .air = winds,
                                      .obstacles = solid.all,
                                      .obstacle_places = solid.places,
+                                     .surfaces = meshes.all,
+                                     .surface_matrices = meshes.matrices,
                                      .pinned = pins.pinned,
                                      .pin_places = pins.places,
                                      .pin_weights = pins.weights,
@@ -181,8 +231,10 @@ Everything in world space and metres, linear between times.  Raises ValueError o
              "damping"_a = 0.3, "response"_a = 0.0, "drag"_a = 0.0, "stretch"_a = 0.0,
              "bend"_a = std::numbers::pi, "thickness"_a = 0.0, "gravity"_a = py::none(), "air"_a = py::none(),
              "obstacles"_a = py::none(), "obstacle_places"_a = py::none(), "radii"_a = 0.0,
-             "friction"_a = 0.5, "pinned"_a = py::none(), "pin_places"_a = py::none(), "pin_weights"_a = 1.0,
-             "resets"_a = py::none(), "rate"_a = 480.0, "settle"_a = 0.0, "loop"_a = false, "cycles"_a = 40)
+             "friction"_a = 0.5, "surfaces"_a = py::none(), "surface_matrices"_a = py::none(),
+             "surface_distances"_a = 0.0, "surface_friction"_a = 0.5, "pinned"_a = py::none(),
+             "pin_places"_a = py::none(), "pin_weights"_a = 1.0, "resets"_a = py::none(), "rate"_a = 480.0,
+             "settle"_a = 0.0, "loop"_a = false, "cycles"_a = 40)
         .def("__len__", &Motion::size)
         .def(
             "solve",

@@ -1,8 +1,11 @@
 #include "checks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <numbers>
 #include <vector>
 
@@ -70,6 +73,30 @@ void require_obstacles(const Inputs& inputs) {
     require(are_near(inputs.obstacle_places), "obstacle_places: must be finite, and at most 1e9 in size");
 }
 
+void require_surfaces(const Inputs& inputs) {
+    for (const PlacedSurface& surface : inputs.surfaces) {
+        require(surface.surface != nullptr, "surfaces: there must be one");
+        require(is_within(surface.distance, 0.0, 1e6), "distance: must be between 0 and 1e6");
+        require(is_within(surface.friction, 0.0, 100.0), "friction: must be between 0 and 100");
+    }
+    require(inputs.surface_matrices.size() == inputs.surfaces.size() * inputs.times.size(),
+            "surface_matrices: must have a row of all surfaces for each time");
+    for (const glm::dmat4& matrix : inputs.surface_matrices) {
+        constexpr double least = 1e-6, most = 1e6;  // scales
+        require(are_near(std::array{glm::dvec3(matrix[3])}),
+                "surface_matrices: must be finite, and move by at most 1e9");
+        const double scale = glm::length(glm::dvec3(matrix[0]));
+        require(is_within(scale, least, most), "surface_matrices: scales must be between 1e-6 and 1e6");
+        const glm::dmat3 axes(matrix);
+        const glm::dmat3 square = glm::transpose(axes) * axes;
+        constexpr double even = 1e-3;
+        for (int column = 0; column < 3; ++column)
+            for (int row = 0; row < 3; ++row)
+                require(std::abs(square[column][row] / (scale * scale) - (row == column ? 1.0 : 0.0)) < even,
+                        "surface_matrices: must turn, move and scale evenly alone");
+    }
+}
+
 void require_pins(std::span<const Link> links, const Inputs& inputs) {
     std::vector<bool> is_pinned(links.size());
     for (const std::size_t pinned : inputs.pinned) {
@@ -101,6 +128,7 @@ void require_sound(std::span<const Link> links, const Inputs& inputs, const Solv
     require_links(links, solving.rate);
     require_over_time(links, inputs);
     require_obstacles(inputs);
+    require_surfaces(inputs);
     require_pins(links, inputs);
 }
 

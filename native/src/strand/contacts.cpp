@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
+#include <optional>
 
 #include "motus/core/numeric.hpp"
 
@@ -13,12 +15,24 @@ struct Contact {
     std::size_t first = 0, second = 0;  ///< the link's ends
     double share = 0.0;                 ///< from the first to the second
     glm::dvec3 normal{0.0};             ///< outwards
-    double depth = 0.0;                 ///< m, > 0
+    double depth = 0.0;                 ///< m; below 0 it has left the obstacle within the step
     glm::dvec3 carried{0.0};            ///< how the obstacle moves there within the step
 };
 
+/// What is left of a way or velocity along a surface that friction may take away.
+[[nodiscard]] glm::dvec3 held(const glm::dvec3& sliding, double most, double& used) {
+    const double size = glm::length(sliding), left = std::max(most - used, 0.0);
+    if (size <= left) {
+        used += size;
+        return sliding;
+    }
+    used += left;
+    return sliding * (left / size);
+}
+
 /// Puts the place onto the obstacle, without any speed by that: what begins inside is not thrown out.
-void resolve(const Contact& contact, double friction, double duration, const Stepped& step) {
+void resolve(const Contact& contact, double coefficient, double duration, const Stepped& step,
+             Contacts::Friction& friction) {
     const double share1 = 1.0 - contact.share, share2 = contact.share;
     const double way1 = step.yieldings[contact.first].way, way2 = step.yieldings[contact.second].way;
     const double yielding = way1 * share1 * share1 + way2 * share2 * share2;
@@ -31,17 +45,16 @@ void resolve(const Contact& contact, double friction, double duration, const Ste
     const auto along_surface = [&](const glm::dvec3& v) {
         return v - contact.normal * glm::dot(v, contact.normal);
     };
-    // What friction takes away of a way or velocity along the surface, if `push` is that against it.
-    const auto held = [&](const glm::dvec3& sliding, double push) {
-        const double size = glm::length(sliding);
-        return size > friction * push ? sliding * (friction * push / size) : sliding;
-    };
     const glm::dvec3 way = mixed(places) - mixed(step.before) - contact.carried;
     const glm::dvec3 velocity = mixed(velocities) - contact.carried / duration;
+    const double out = std::max(contact.depth, 0.0);
     const double entering = std::max(-glm::dot(velocity, contact.normal), 0.0);
-    const glm::dvec3 push =
-        (contact.normal * contact.depth - held(along_surface(way), contact.depth)) / yielding;
-    const glm::dvec3 brake = (contact.normal * entering - held(along_surface(velocity), entering)) / yielding;
+    friction.pushed += out;
+    friction.stopped += entering;
+    const glm::dvec3 still = held(along_surface(way), coefficient * friction.pushed, friction.held);
+    const glm::dvec3 slower = held(along_surface(velocity), coefficient * friction.stopped, friction.braked);
+    const glm::dvec3 push = (contact.normal * out - still) / yielding;
+    const glm::dvec3 brake = (contact.normal * entering - slower) / yielding;
     places[contact.first] += way1 * share1 * push;
     places[contact.second] += way2 * share2 * push;
     velocities[contact.first] += way1 * share1 * brake;
@@ -72,15 +85,77 @@ struct Shares {
     return {s, t};
 }
 
+/// A space that is turned, moved and scaled evenly.
+class Space {
+  public:
+    explicit Space(const glm::dmat4& matrix)
+        : axes_(matrix),
+          origin_(matrix[3]),
+          scale_(std::cbrt(std::abs(glm::determinant(axes_)))),
+          back_(glm::inverse(axes_)) {}
+
+    [[nodiscard]] double scale() const { return scale_; }
+    [[nodiscard]] glm::dvec3 inside(const glm::dvec3& place) const { return back_ * (place - origin_); }
+    [[nodiscard]] glm::dvec3 outside(const glm::dvec3& place) const { return axes_ * place + origin_; }
+    [[nodiscard]] glm::dvec3 direction_outside(const glm::dvec3& direction) const {
+        return direction_or(axes_ * direction, glm::dvec3(0.0));
+    }
+
+  private:
+    glm::dmat3 axes_;
+    glm::dvec3 origin_;
+    double scale_;
+    glm::dmat3 back_;
+};
+
+/// Where and how a place that moves keeps away from a surface, in the surface's own space.
+struct Nearness {
+    glm::dvec3 point{0.0};   ///< of the surface
+    glm::dvec3 normal{0.0};  ///< away from it
+    double depth = 0.0;      ///< by how much it is too near
+};
+
+[[nodiscard]] glm::dvec3 normal_of(const Surface& surface, const mesh::Hit& hit) {
+    const auto corner = [&](std::size_t which) {
+        return glm::dvec3(surface.positions()[hit.corners[which]]);
+    };
+    return direction_or(glm::cross(corner(1) - corner(0), corner(2) - corner(0)), glm::dvec3(0.0));
+}
+
+/// What has gone through the surface belongs to the side that it comes from; else the side is that where it
+/// is.
+[[nodiscard]] std::optional<Nearness> nearness(const Surface& surface, const glm::dvec3& before,
+                                               const glm::dvec3& now, double reach, double slack) {
+    const glm::dvec3 way = now - before;
+    const auto away_from = [&](const mesh::Hit& hit) {
+        const glm::dvec3 normal = normal_of(surface, hit);
+        return glm::dot(normal, before - hit.point) < 0.0 ? -normal : normal;
+    };
+    if (const auto hit = surface.picker().ray(before, way, glm::length(way))) {
+        const glm::dvec3 normal = away_from(*hit);
+        return Nearness{hit->point, normal, reach - glm::dot(now - hit->point, normal)};
+    }
+    const auto nearest = surface.picker().nearest_on_surface(now, reach + slack);
+    if (!nearest || !(nearest->distance < reach + slack)) return std::nullopt;
+    const glm::dvec3 normal = direction_or(now - nearest->point, away_from(*nearest));
+    return Nearness{nearest->point, normal, reach - nearest->distance};
+}
+
 }  // namespace
 
-Contacts::Contacts(std::span<const Link> links, std::span<const Obstacle> obstacles)
-    : obstacles_(obstacles.begin(), obstacles.end()) {
+Contacts::Contacts(std::span<const Link> links, std::span<const Obstacle> obstacles,
+                   std::span<const PlacedSurface> surfaces)
+    : obstacles_(obstacles.begin(), obstacles.end()), surfaces_(surfaces.begin(), surfaces.end()) {
     for (const Link& link : links) bodies_.push_back({link.parent, link.thickness});
+    frictions_.resize(2 * links.size());
+}
+
+void Contacts::begin() {
+    std::fill(frictions_.begin(), frictions_.end(), Friction{});
 }
 
 void Contacts::keep_out(const Stepped& step, std::span<const glm::dvec3> before,
-                        std::span<const glm::dvec3> now, double duration) const {
+                        std::span<const glm::dvec3> now, double duration) {
     for (std::size_t k = 0; k < obstacles_.size(); ++k) {
         const Obstacle& obstacle = obstacles_[k];
         const glm::dvec3 start = now[2 * k], axis = now[2 * k + 1] - start;
@@ -91,8 +166,10 @@ void Contacts::keep_out(const Stepped& step, std::span<const glm::dvec3> before,
             for (std::size_t i = 0; i < bodies_.size(); ++i) {
                 const double depth =
                     obstacle.radius + bodies_[i].thickness - glm::dot(step.state.places[i] - start, normal);
-                if (depth > 0.0)
-                    resolve({i, i, 0.0, normal, depth, carried1}, obstacle.friction, duration, step);
+                Friction& friction = of_end(i);
+                if (depth > -friction.pushed)
+                    resolve({i, i, 0.0, normal, depth, carried1}, obstacle.friction, duration, step,
+                            friction);
             }
             continue;
         }
@@ -105,13 +182,42 @@ void Contacts::keep_out(const Stepped& step, std::span<const glm::dvec3> before,
             const Shares shares = nearest(root, link, start, axis);
             const glm::dvec3 apart = root + shares.first * link - (start + shares.second * axis);
             const double square = glm::dot(apart, apart);
-            if (!(square < reach * reach)) continue;
+            Friction& friction = of_end(i);
+            const double near = reach + friction.pushed;
+            if (!(square < near * near)) continue;
             const double distance = std::sqrt(square);
             // From the very middle the way out is any.
             const glm::dvec3 normal = direction_or(apart, glm::dvec3(0.0, 0.0, 1.0));
             resolve({parent, i, shares.first, normal, reach - distance,
                      carried1 + shares.second * (carried2 - carried1)},
-                    obstacle.friction, duration, step);
+                    obstacle.friction, duration, step, friction);
+        }
+    }
+}
+
+void Contacts::keep_apart(const Stepped& step, std::span<const glm::dmat4> before,
+                          std::span<const glm::dmat4> now, double duration) {
+    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+        const Space space_before(before[k]), space(now[k]);
+        // Ends first: where they lie on the surface, middles are not in it, and each end's friction is its
+        // own.
+        for (const double share : {1.0, 0.5}) {
+            for (std::size_t i = 0; i < bodies_.size(); ++i) {
+                if (bodies_[i].parent < 0) continue;
+                const auto parent = static_cast<std::size_t>(bodies_[i].parent);
+                const auto mixed = [&](const auto& of) { return (1.0 - share) * of[parent] + share * of[i]; };
+                const double reach = (surfaces_[k].distance + bodies_[i].thickness) / space.scale();
+                if (!std::isfinite(reach)) continue;  // half-way to a matrix that is turned the other way
+                Friction& friction = share < 1.0 ? frictions_[2 * i] : of_end(i);
+                const auto found =
+                    nearness(*surfaces_[k].surface, space_before.inside(mixed(step.before)),
+                             space.inside(mixed(step.state.places)), reach, friction.pushed / space.scale());
+                if (!found) continue;
+                const glm::dvec3 carried = space.outside(found->point) - space_before.outside(found->point);
+                resolve({parent, i, share, space.direction_outside(found->normal),
+                         found->depth * space.scale(), carried},
+                        surfaces_[k].friction, duration, step, friction);
+            }
         }
     }
 }

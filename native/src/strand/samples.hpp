@@ -59,7 +59,7 @@ class Rows {
             std::copy_n(first, width_, out.begin());
             return;
         }
-        for (std::size_t i = 0; i < width_; ++i) out[i] = first[i] + place.share * (second[i] - first[i]);
+        for (std::size_t i = 0; i < width_; ++i) out[i] = first[i] + (second[i] - first[i]) * place.share;
     }
     [[nodiscard]] std::size_t bytes() const noexcept { return values_.size() * sizeof(Value); }
 

@@ -19,6 +19,7 @@ Stepper::Stepper(std::span<const Link> links, const Inputs& inputs, const Solvin
     : links_(links.begin(), links.end()),
       roots_(roots_of(links)),
       obstacles_(inputs.obstacles.begin(), inputs.obstacles.end()),
+      surfaces_(inputs.surfaces.begin(), inputs.surfaces.end()),
       pinned_(inputs.pinned.begin(), inputs.pinned.end()),
       pins_(links.size(), -1),
       times_(inputs.times),
@@ -27,6 +28,7 @@ Stepper::Stepper(std::span<const Link> links, const Inputs& inputs, const Solvin
       air_(inputs.air, 1),
       obstacle_places_(inputs.obstacle_places, 2 * inputs.obstacles.size()),
       pin_places_(inputs.pin_places, inputs.pinned.size()),
+      surface_matrices_(inputs.surface_matrices, inputs.surfaces.size()),
       pin_weights_(inputs.pin_weights, inputs.pinned.size()),
       stiffest_(turn * solving.rate / 8.0) {
     springs_.reserve(links.size());
@@ -48,7 +50,7 @@ Stepper::Stepper(std::span<const Link> links, const Inputs& inputs, const Solvin
 Stepper::Work::Work(const Stepper& stepper)
     : lengths_(stepper.links_),
       bends_(stepper.links_),
-      contacts_(stepper.links_, stepper.obstacles_),
+      contacts_(stepper.links_, stepper.obstacles_, stepper.surfaces_),
       flows_(stepper.size()),
       pin_flows_(stepper.pinned_.size()),
       yieldings_(stepper.size()),
@@ -57,18 +59,20 @@ Stepper::Work::Work(const Stepper& stepper)
 
 std::size_t Stepper::bytes() const noexcept {
     return links_.size() * (sizeof(Link) + sizeof(Spring)) + times_.size() * sizeof(double) + poses_.bytes() +
-           gravity_.bytes() + air_.bytes() + obstacle_places_.bytes() + pin_places_.bytes() +
-           pin_weights_.bytes();
+           gravity_.bytes() + air_.bytes() + obstacle_places_.bytes() + surface_matrices_.bytes() +
+           pin_places_.bytes() + pin_weights_.bytes();
 }
 
 void Stepper::read(double time, std::size_t first, std::size_t last, Driven& out) const {
     const Between place = times_.at(time, first, last);
     out.pose.resize(links_.size());
     out.obstacles.resize(obstacle_places_.width());
+    out.surfaces.resize(surfaces_.size());
     out.pins.resize(pinned_.size());
     out.pin_weights.resize(pinned_.size());
     poses_.at(place, out.pose);
     obstacle_places_.at(place, out.obstacles);
+    surface_matrices_.at(place, out.surfaces);
     pin_places_.at(place, out.pins);
     pin_weights_.at(place, out.pin_weights);
     gravity_.at(place, {&out.gravity, 1});
@@ -178,10 +182,15 @@ void Stepper::hold(State& state, const Driven& before, const Driven& now, double
         work.wanted_lengths_[i] =
             glm::length(now.pose[i] - now.pose[static_cast<std::size_t>(links_[i].parent)]);
     }
-    work.contacts_.keep_out(stepped, before.obstacles, now.obstacles, duration);
+    const auto keep_away = [&] {
+        work.contacts_.keep_out(stepped, before.obstacles, now.obstacles, duration);
+        work.contacts_.keep_apart(stepped, before.surfaces, now.surfaces, duration);
+    };
+    work.contacts_.begin();
+    keep_away();
     work.lengths_.hold(stepped, work.wanted_lengths_, duration);
     work.bends_.hold(stepped, now.pose, work.wanted_lengths_, duration);
-    work.contacts_.keep_out(stepped, before.obstacles, now.obstacles, duration);
+    keep_away();
 }
 
 }  // namespace motus::strand

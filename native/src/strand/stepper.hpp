@@ -20,6 +20,7 @@ namespace motus::strand {
 struct Driven {
     std::vector<glm::dvec3> pose;
     std::vector<glm::dvec3> obstacles;
+    std::vector<glm::dmat4> surfaces;
     std::vector<glm::dvec3> pins;
     std::vector<double> pin_weights;
     glm::dvec3 gravity{0.0}, air{0.0};
@@ -65,10 +66,12 @@ class Stepper {
     std::vector<std::size_t> roots_;  ///< of each link, that of its strand
     std::vector<Spring> springs_;
     std::vector<Obstacle> obstacles_;
+    std::vector<PlacedSurface> surfaces_;
     std::vector<std::size_t> pinned_;
     std::vector<int> pins_;  ///< of each particle: its row in pinned_, or -1
     Times times_;
     Rows<glm::dvec3> poses_, gravity_, air_, obstacle_places_, pin_places_;
+    Rows<glm::dmat4> surface_matrices_;
     Rows<double> pin_weights_;
     double stiffest_;  ///< rad/s, of a spring that a step resolves
 };

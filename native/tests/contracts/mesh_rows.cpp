@@ -123,6 +123,13 @@ void add_pickers(Table& table) {
         .costs("O(log n)")
         .allocates(Memory::scratch);
     add(
+        table, "mesh::Picker::nearest_on_surface(point, farthest)",
+        [](const auto& point, double farthest) {
+            return sample_picker().nearest_on_surface(point, farthest);
+        },
+        arg("point", glm::dvec3(0.3), finds()), arg("farthest", 9.0, finds()))
+        .costs("O(log n)");
+    add(
         table, "mesh::Picker::within(point, radius, metric)",
         [](const auto& point, float radius, const auto& by) {
             return sample_picker().within(point, radius, by);

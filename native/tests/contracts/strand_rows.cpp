@@ -1,5 +1,6 @@
 #include <numbers>
 
+#include "contracts/meshes.hpp"
 #include "contracts/row.hpp"
 #include "contracts/samples.hpp"
 #include "motus/strand/motion.hpp"
@@ -16,6 +17,9 @@ struct Shot {
         air{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 0.0}};
     std::vector<Obstacle> obstacles{{Obstacle::Shape::capsule, 0.1, 0.5}, {Obstacle::Shape::plane, 0.0, 0.5}};
     std::vector<glm::dvec3> obstacle_places, pin_places;
+    std::vector<PlacedSurface> surfaces{
+        {std::make_shared<const Surface>(sample_positions(), sample_triangles(), 1), 0.01, 0.5}};
+    std::vector<glm::dmat4> surface_matrices{3, glm::dmat4(1.0)};
     std::vector<std::size_t> pinned{2}, resets{2};
     std::vector<double> pin_weights{0.5, 0.7, 1.0};
 
@@ -27,8 +31,9 @@ struct Shot {
         }
     }
     [[nodiscard]] Inputs inputs() const {
-        return {times,           poses,  gravity,    air,         obstacles,
-                obstacle_places, pinned, pin_places, pin_weights, resets};
+        return {times,     poses,           gravity,     air,
+                obstacles, obstacle_places, surfaces,    surface_matrices,
+                pinned,    pin_places,      pin_weights, resets};
     }
 };
 
@@ -117,6 +122,34 @@ void add_making(Table& table) {
         arg("pinned", shot.pinned, index(3, "a link")),
         arg("pin_places", shot.pin_places, near.in_words("at most 1e9 in size"), rows),
         arg("pin_weights", shot.pin_weights, from(0.0, 1.0), rows))
+        .costs(cost)
+        .allocates(Memory::scratch);
+    add(
+        table, "strand::Surface::Surface(positions, triangles, executor)",
+        [](const auto& positions, const auto& triangles) {
+            Shot given;
+            const Surface made(positions, triangles, 1);
+            given.surfaces[0].surface = std::make_shared<const Surface>(made.positions(), triangles, 1);
+            return solved(Motion(sample_links(), given.inputs()));
+        },
+        arg("positions", sample_positions(), any_at_rest("any; what is not finite is never met")),
+        arg("triangles", sample_triangles(), index(5, "a vertex")))
+        .costs("O(n log n)")
+        .allocates(Memory::scratch);
+    add(
+        table, "strand::Motion::Motion(links, inputs, solving)",
+        [](const auto& surfaces, const auto& matrices) {
+            Shot given;
+            given.surfaces = surfaces;
+            given.surface_matrices = matrices;
+            return solved(Motion(sample_links(), given.inputs()));
+        },
+        of(shot.surfaces, each("distance", &PlacedSurface::distance, from(0.0, 1e6)),
+           each("friction", &PlacedSurface::friction, from(0.0, 100.0))),
+        arg("surface_matrices", shot.surface_matrices,
+            Domain{"turned, moved by at most 1e9 and scaled evenly by 1e-6 to 1e6; the last row is not read",
+                   [](const Domain::Seen&) { return Verdict::open; }},
+            rows))
         .costs(cost)
         .allocates(Memory::scratch);
     add(

@@ -49,8 +49,8 @@ TEST_CASE("strands of arbitrary numbers are refused or stay finite", "[fuzz]") {
                                       pin_places = vectors(samples, 1.0);
         const std::vector<std::size_t> pinned{dice.below(count)};
         const std::vector<double> pin_weights = dice.numbers(samples, 0.0, 1.0);
-        const Inputs inputs{times,           poses,  gravity,    air,        obstacles,
-                            obstacle_places, pinned, pin_places, pin_weights};
+        const Inputs inputs{times, poses, gravity, air,        obstacles,  obstacle_places,
+                            {},    {},    pinned,  pin_places, pin_weights};
         returns([&] {
             Motion motion(links, inputs,
                           {.rate = dice.chance(0.1) ? dice.number(60.0, 1000.0) : 480.0,

@@ -77,6 +77,28 @@ class StrandTest(unittest.TestCase):
         anew.solve()
         np.testing.assert_array_equal(anew.places(0.5), poses[0])
 
+    def test_a_surface(self):
+        parents, times, poses = shot(samples=33)
+        corners = np.array([(-9, -9, 0), (9, -9, 0), (-9, 9, 0), (9, 9, 0)], np.float32)
+        surface = native.StrandSurface(corners, np.array([(0, 1, 2), (2, 1, 3)], np.int32))
+        self.assertGreater(surface.nbytes, 0)
+        placed = np.tile(np.eye(4), (33, 1, 1, 1))
+        placed[:, 0, 2, 3] = np.linspace(0.5, 0.9, 33)
+        settings = {"surfaces": [surface], "surface_matrices": placed, "surface_distances": 0.01, "surface_friction": [0.2]}
+        lifted = native.StrandMotion(parents, times, poses, gravity=DOWN, thickness=0.05, **settings)
+        lifted.solve()
+        self.assertGreater(lifted.places(1.0)[1:, 2].min(), 0.955)
+        for changes, problem in (
+            ({"surfaces": [3]}, "surfaces"),
+            ({"surface_matrices": placed[:, 0]}, "surface_matrices"),
+            ({"surface_matrices": placed * (1.0, 2.0, 1.0, 1.0)}, "surface_matrices"),
+            ({"surface_distances": [0.1, 0.2]}, "surface_distances"),
+        ):
+            with self.subTest(changes=list(changes)), self.assertRaisesRegex((TypeError, ValueError), problem):
+                native.StrandMotion(parents, times, poses, **settings | changes)
+        with self.assertRaisesRegex(ValueError, "triangles"):
+            native.StrandSurface(corners, [(0, 1, 4)])
+
     def test_a_loop_closes(self):
         parents, times, poses = shot(samples=49)
         poses = poses + 0.1 * np.sin(2.0 * np.pi * times)[:, None, None]

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -34,6 +35,8 @@ struct Shot {
     std::vector<double> times;
     std::vector<glm::dvec3> poses, gravity{down}, air, obstacle_places, pin_places;
     std::vector<Obstacle> obstacles;
+    std::vector<PlacedSurface> surfaces;
+    std::vector<glm::dmat4> surface_matrices;
     std::vector<std::size_t> pinned, resets;
     std::vector<double> pin_weights;
 
@@ -50,8 +53,9 @@ struct Shot {
         for (std::size_t k = 0; k < times.size(); ++k) poses[k * links() + link] = place(times[k]);
     }
     [[nodiscard]] Inputs inputs() const {
-        return {times,           poses,  gravity,    air,         obstacles,
-                obstacle_places, pinned, pin_places, pin_weights, resets};
+        return {times,     poses,           gravity,     air,
+                obstacles, obstacle_places, surfaces,    surface_matrices,
+                pinned,    pin_places,      pin_weights, resets};
     }
 };
 
@@ -510,4 +514,75 @@ TEST_CASE("a strand is what it is without the others beside it", "[strand]") {
         const auto now = places(beside, time);
         CHECK(std::vector(now.begin(), now.begin() + 6) == places(alone, time));
     }
+}
+
+namespace {
+
+/// A box around the origin, half of whose sides are `half`.
+std::shared_ptr<const Surface> box(const glm::vec3& half) {
+    std::vector<glm::vec3> positions;
+    for (int corner = 0; corner < 8; ++corner)
+        positions.emplace_back((corner & 1) != 0 ? half.x : -half.x, (corner & 2) != 0 ? half.y : -half.y,
+                               (corner & 4) != 0 ? half.z : -half.z);
+    const std::vector<glm::ivec3> triangles{{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                            {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return std::make_shared<const Surface>(positions, triangles);
+}
+
+glm::dmat4 moved_to(const glm::dvec3& place, double turn = 0.0) {
+    glm::dmat4 matrix(1.0);
+    matrix[0] = {std::cos(turn), std::sin(turn), 0.0, 0.0};
+    matrix[1] = {-std::sin(turn), std::cos(turn), 0.0, 0.0};
+    matrix[3] = glm::dvec4(place, 1.0);
+    return matrix;
+}
+
+}  // namespace
+
+TEST_CASE("a mesh that moves at 5 m/s is not entered by more than a tenth of the thickness", "[strand]") {
+    const glm::vec3 half(0.3f, 1.0f, 0.3f);
+    Shot shot(1.0, straight(20, 1.0, {0, 0, -1}));
+    shot.surfaces = {{box(half)}};
+    const auto middle = [](double t) { return glm::dvec3(5.0 * t - 1.5, 0.0, -0.6); };
+    for (const double time : shot.times) shot.surface_matrices.push_back(moved_to(middle(time)));
+    const Motion motion = solved(chain(20, {.drag = 0.5, .thickness = 0.02}), shot);
+    double deepest = -1.0;
+    bool is_pushed = false;
+    for (double time = 0.0; time <= 1.0; time += 1e-3) {
+        const auto now = places(motion, time);
+        for (const glm::dvec3& place : now) {
+            if (&place == &now.front()) continue;  // the root stays on the pose, here outside
+            const glm::dvec3 at = glm::abs(place - middle(time)) - glm::dvec3(half);
+            const double outside = glm::length(glm::max(at, glm::dvec3(0.0))),
+                         inside = std::min(std::max({at.x, at.y, at.z}), 0.0);
+            deepest = std::max(deepest, 0.02 - (outside + inside));
+            is_pushed = is_pushed || place.x > 0.3;
+        }
+    }
+    CHECK(deepest < 0.002);
+    CHECK(is_pushed);
+}
+
+TEST_CASE("strands lie on a mesh at rest, and ride on one that turns", "[strand]") {
+    const Link link{.drag = 1.0, .thickness = 0.02};
+    Shot shot(4.0, straight(10, 1.0, glm::normalize(glm::dvec3(1, 0, 0.5))), 48.0);
+    for (std::size_t i = 0; i <= 10; ++i)
+        shot.pose(i, [rest = shot.poses[i]](double) { return rest + glm::dvec3(0, 0, 0.2); });
+    shot.surfaces = {{box({3.0f, 3.0f, 0.1f}), 0.01, 0.8}};
+    shot.surface_matrices.assign(shot.times.size(), moved_to({0, 0, -0.1}));
+    const Motion lying = solved(chain(10, link), shot);
+    // The first links hang from the root and still swing.
+    const auto one = places(lying, 3.9), two = places(lying, 4.0);
+    for (std::size_t i = 4; i < one.size(); ++i) {
+        CHECK(glm::length(two[i] - one[i]) / 0.1 < 1e-4);
+        CHECK(std::abs(one[i].z - 0.03) < 2e-3);
+    }
+    // A free particle on a table that turns slowly: friction takes it along.
+    Shot table(2.0, {{0, 0, 1}, {1, 0, 0.02}}, 96.0);
+    table.surfaces = {{box({3.0f, 3.0f, 0.1f}), 0.0, 0.8}};
+    for (const double time : table.times)
+        table.surface_matrices.push_back(moved_to({0, 0, -0.1}, 0.5 * time * time * 0.3));
+    const glm::dvec3 end = places(solved(chain(1, {.stretch = 1e6, .thickness = 0.02}), table), 2.0)[1];
+    CHECK(std::abs(std::atan2(end.y, end.x) - 0.6) < 0.01);
+    CHECK(std::abs(std::hypot(end.x, end.y) - 1.0) < 0.01);
 }

@@ -88,6 +88,12 @@ class Picker {
     /// has no vertex of finite position.
     [[nodiscard]] std::optional<std::uint32_t> nearest(const glm::vec3& point) const;
 
+    /// The place of the surface nearest to the point, in the triangle of the lowest index if several are as
+    /// near; its distance is that from the point. Nothing if it is farther away than `farthest`, or a number
+    /// is not finite (`farthest` apart).
+    [[nodiscard]] std::optional<Hit> nearest_on_surface(
+        const glm::dvec3& point, double farthest = std::numeric_limits<double>::infinity()) const;
+
     /// The vertices with |metric (p - point)| <= radius, ascending. With a metric distances are measured in
     /// a different space than that of the positions. Empty for a negative radius.
     [[nodiscard]] std::vector<std::uint32_t> within(const glm::vec3& point, float radius,

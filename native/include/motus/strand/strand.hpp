@@ -5,11 +5,16 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <numbers>
 #include <span>
+#include <vector>
 
 #include "motus/config.hpp"
+#include "motus/core/executor.hpp"
+#include "motus/mesh/picker.hpp"
 
 namespace motus::strand {
 
@@ -41,6 +46,30 @@ struct Obstacle {
     double friction = 0.5;  ///< Coulomb's coefficient, [0, 100]
 };
 
+/// Triangles that strands cannot go through, from either side. An immutable value, in a space of its own.
+class Surface {
+  public:
+    /// Throws std::invalid_argument as mesh::Picker does. `executor` works for the constructor alone.
+    Surface(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
+            const Executor& executor = {});
+
+    [[nodiscard]] const mesh::Picker& picker() const noexcept { return picker_; }
+    [[nodiscard]] std::span<const glm::vec3> positions() const noexcept { return positions_; }
+    /// Size of the memory in use, roughly.
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    mesh::Picker picker_;
+    std::vector<glm::vec3> positions_;
+};
+
+/// A surface in a shot. Particles, and the middles of links, keep away from it.
+struct PlacedSurface {
+    std::shared_ptr<const Surface> surface;
+    double distance = 0.0;  ///< m, [0, 1e6], added to the strand's thickness
+    double friction = 0.5;  ///< Coulomb's coefficient, [0, 100]
+};
+
 /// Everything over time, in world space, metres and seconds; linear between the times, and as at the nearest
 /// time outside them.
 struct Inputs {
@@ -51,6 +80,10 @@ struct Inputs {
 
     std::span<const Obstacle> obstacles{};
     std::span<const glm::dvec3> obstacle_places{};  ///< two for each obstacle: a row for each time
+
+    std::span<const PlacedSurface> surfaces{};
+    std::span<const glm::dmat4> surface_matrices{};  ///< to world space, turned, moved and scaled evenly, the
+                                                     ///< scale not 0: a row of all surfaces for each time
 
     std::span<const std::size_t> pinned{};     ///< indices of particles that are held, each at most once
     std::span<const glm::dvec3> pin_places{};  ///< where they are held: a row for each time
