@@ -70,6 +70,7 @@ struct Obstacles {
     for (const py::handle shape : shapes)
         result.all.push_back({choice<Obstacle::Shape>(
             shape, "obstacles", {{"capsule", Obstacle::Shape::capsule}, {"plane", Obstacle::Shape::plane}})});
+    if (result.all.empty()) return result;
     give(result.all, &Obstacle::radius, radii, "radii");
     give(result.all, &Obstacle::friction, friction, "friction");
     result.places = vectors(places, "obstacle_places", {times, result.all.size(), 2}, "(m, k, 2, 3)");
@@ -99,6 +100,7 @@ struct Surfaces {
         static_cast<void>(instance<Surface>(one, "surfaces", "StrandSurface"));
         result.all.push_back({one.cast<std::shared_ptr<Surface>>()});
     }
+    if (result.all.empty()) return result;
     give(result.all, &PlacedSurface::distance, distances, "surface_distances");
     give(result.all, &PlacedSurface::friction, friction, "surface_friction");
     const DoubleArray array = doubles(matrices, "surface_matrices");

@@ -12,10 +12,25 @@
 namespace motus::mesh {
 namespace {
 
+/// The place of a segment that is nearest to the origin.
+[[nodiscard]] glm::dvec3 nearest_to_origin(const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 way = b - a;
+    const double square = glm::dot(way, way);
+    return square > 0.0 ? a + way * std::clamp(-glm::dot(a, way) / square, 0.0, 1.0) : a;
+}
+
 /// The place of a triangle that is nearest to the origin: Ericson, "Real-Time Collision Detection" (2005),
-/// 5.1.5. Of one without area the nearest of what is left of it.
+/// 5.1.5. A triangle without area counts as its three edges.
 [[nodiscard]] glm::dvec3 nearest_to_origin(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const auto on_edges = [&] {
+        glm::dvec3 nearest = nearest_to_origin(a, b);
+        for (const glm::dvec3& place : {nearest_to_origin(b, c), nearest_to_origin(c, a)})
+            if (glm::dot(place, place) < glm::dot(nearest, nearest)) nearest = place;
+        return nearest;
+    };
     const glm::dvec3 ab = b - a, ac = c - a;
+    const glm::dvec3 across = glm::cross(ab, ac);
+    if (!(glm::dot(across, across) > 0.0)) return on_edges();
     const double d1 = -glm::dot(ab, a), d2 = -glm::dot(ac, a);
     if (d1 <= 0.0 && d2 <= 0.0) return a;
     const double d3 = -glm::dot(ab, b), d4 = -glm::dot(ac, b);
@@ -30,14 +45,16 @@ namespace {
     const double along = d4 - d3, back = d5 - d6;
     if (beside_a <= 0.0 && along >= 0.0 && back >= 0.0) return b + (c - b) * (along / (along + back));
     const double sum = beside_a + beside_b + beside_c;
-    return sum > 0.0 ? a + ab * (beside_b / sum) + ac * (beside_c / sum) : a;
+    return sum > 0.0 ? a + ab * (beside_b / sum) + ac * (beside_c / sum) : on_edges();
 }
 
 /// The nearest place so far, and the search for nearer ones.
 class Search {
   public:
     Search(const RayTree& tree, const glm::dvec3& point, double farthest)
-        : tree_(tree), point_(point), best_(farthest * farthest) {}
+        : tree_(tree),
+          point_(point),
+          best_(std::min(farthest * farthest, std::numeric_limits<double>::max())) {}
 
     void descend(std::size_t level, std::size_t node) {
         std::array<double, fan_out> squares{};

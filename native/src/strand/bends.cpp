@@ -8,8 +8,23 @@
 #include "motus/core/numeric.hpp"
 
 namespace motus::strand {
+namespace {
 
-Bends::Bends(std::span<const Link> links) : turns_(links.size(), bones::no_turn), is_moved_(links.size()) {
+/// About which a link is turned from where it would be straight; any across it, if it points the other way.
+[[nodiscard]] glm::dvec3 axis_of(const glm::dvec3& straight, const glm::dvec3& link) {
+    const glm::dvec3 axis = direction_or(glm::cross(straight, link), glm::dvec3(0.0));
+    if (axis != glm::dvec3(0.0)) return axis;
+    const glm::dvec3 size = glm::abs(link);
+    const glm::dvec3 across = size.x <= size.y && size.x <= size.z ? glm::dvec3(1.0, 0.0, 0.0)
+                              : size.y <= size.z                   ? glm::dvec3(0.0, 1.0, 0.0)
+                                                                   : glm::dvec3(0.0, 0.0, 1.0);
+    return direction_or(glm::cross(link, across), glm::dvec3(1.0, 0.0, 0.0));
+}
+
+}  // namespace
+
+Bends::Bends(std::span<const Link> links)
+    : turns_(links.size(), bones::no_turn), is_moved_(links.size()), lengths_(links.size()) {
     for (std::size_t i = 0; i < links.size(); ++i) {
         parents_.push_back(links[i].parent);
         most_.push_back(links[i].bend);
@@ -17,40 +32,52 @@ Bends::Bends(std::span<const Link> links) : turns_(links.size(), bones::no_turn)
     }
 }
 
-void Bends::hold(const Stepped& step, std::span<const glm::dvec3> pose, std::span<const double> lengths,
-                 double duration) {
+void Bends::hold(const Stepped& step, std::span<const glm::dvec3> pose) {
+    if (limited_ == 0) return;
     constexpr int rounds = 2;
+    std::fill(is_moved_.begin(), is_moved_.end(), 0);
+    for (std::size_t i = 0; i < parents_.size(); ++i)
+        if (parents_[i] >= 0)
+            lengths_[i] =
+                glm::length(step.state.places[i] - step.state.places[static_cast<std::size_t>(parents_[i])]);
+    bool has_moved = false;
     for (int round = 0; round < rounds; ++round) {
         bool has_turned = false;
-        visit(step, pose, [&](std::size_t i, const glm::dvec3& straight) {
+        visit(step, pose, limited_, [&](std::size_t i, const glm::dvec3& straight) {
             has_turned |= straighten(step, i, straight);
         });
-        if (!has_turned) return;
+        if (!has_turned) break;
+        has_moved = true;
     }
-    // What is left is turned without the links that it hangs on.
-    std::fill(is_moved_.begin(), is_moved_.end(), 0);
-    visit(step, pose, [&](std::size_t i, const glm::dvec3& straight) {
+    if (has_moved) lay(step, pose);
+}
+
+/// Turns what is bent too far still, without the links that it hangs on, and gives links back the lengths
+/// that they had.
+void Bends::lay(const Stepped& step, std::span<const glm::dvec3> pose) {
+    visit(step, pose, parents_.size(), [&](std::size_t i, const glm::dvec3& straight) {
         const auto parent = static_cast<std::size_t>(parents_[i]);
         const glm::dvec3 root = step.state.places[parent], link = step.state.places[i] - root;
         const double angle = bones::angle_between(straight, link);
         const bool is_beyond = angle > most_[i];
-        if ((!is_beyond && is_moved_[parent] == 0) || !(step.yieldings[i].way > 0.0)) return;
-        const glm::dvec3 axis = direction_or(glm::cross(straight, link), glm::dvec3(0.0));
+        if ((!is_beyond && is_moved_[i] == 0 && is_moved_[parent] == 0) ||
+            !(step.mobilities[i].displacement > 0.0))
+            return;
         const glm::dvec3 along = direction_or(link, direction_or(straight, glm::dvec3(0.0)));
         const double back = is_beyond ? most_[i] - angle : 0.0;
-        const glm::dvec3 place =
-            root + lengths[i] * (std::cos(back) * along + std::sin(back) * glm::cross(axis, along));
-        step.state.velocities[i] += (place - step.state.places[i]) / duration;
-        step.state.places[i] = place;
+        step.state.places[i] =
+            root + lengths_[i] *
+                       (std::cos(back) * along + std::sin(back) * glm::cross(axis_of(straight, link), along));
         is_moved_[i] = 1;
     });
 }
 
-/// Calls visit(particle, straight) of each link, from the roots to the tips, `straight` being where the link
-/// would point if it followed its parent's.
+/// Calls visit(particle, straight) of each of the first `count` links, from the roots to the tips, `straight`
+/// being where the link would point if it followed its parent's.
 template <class Visit>
-void Bends::visit(const Stepped& step, std::span<const glm::dvec3> pose, const Visit& visit) {
-    for (std::size_t i = 0; i < limited_; ++i) {
+void Bends::visit(const Stepped& step, std::span<const glm::dvec3> pose, std::size_t count,
+                  const Visit& visit) {
+    for (std::size_t i = 0; i < count; ++i) {
         if (parents_[i] < 0) continue;
         const auto parent = static_cast<std::size_t>(parents_[i]);
         const glm::dvec3 straight = turns_[parent] * (pose[i] - pose[parent]);
@@ -63,7 +90,7 @@ void Bends::visit(const Stepped& step, std::span<const glm::dvec3> pose, const V
 }
 
 /// Returns whether it was bent too far.
-bool Bends::straighten(const Stepped& step, std::size_t particle, const glm::dvec3& straight) const {
+bool Bends::straighten(const Stepped& step, std::size_t particle, const glm::dvec3& straight) {
     const auto parent = static_cast<std::size_t>(parents_[particle]);
     const auto& places = step.state.places;
     auto& velocities = step.state.velocities;
@@ -72,13 +99,12 @@ bool Bends::straighten(const Stepped& step, std::size_t particle, const glm::dve
     const double angle = bones::angle_between(straight, link);
     if (!(angle > most_[particle]) || !(length > 0.0)) return false;
     const glm::dvec3 along = link / length;
-    const glm::dvec3 axis = direction_or(glm::cross(straight, link), glm::dvec3(0.0));
-    if (axis == glm::dvec3(0.0)) return false;
+    const glm::dvec3 axis = axis_of(straight, link);
     // How the angle grows with each place: of the link's ends, and of the parent's link, along which it is
     // straight.
     const glm::dvec3 out = glm::cross(axis, along) / length;
     glm::dvec3 middle = -out, back(0.0);
-    double yielding = step.yieldings[particle].way * glm::dot(out, out);
+    double mobility = step.mobilities[particle].displacement * glm::dot(out, out);
     std::size_t above = parent;
     if (parents_[parent] >= 0) {
         above = static_cast<std::size_t>(parents_[parent]);
@@ -87,19 +113,20 @@ bool Bends::straighten(const Stepped& step, std::size_t particle, const glm::dve
         if (square > 0.0) {
             back = glm::cross(axis, arm) / square;
             middle -= back;
-            yielding += step.yieldings[above].way * glm::dot(back, back);
+            mobility += step.mobilities[above].displacement * glm::dot(back, back);
         }
     }
-    yielding += step.yieldings[parent].way * glm::dot(middle, middle);
-    if (!(yielding > 0.0)) return false;
+    mobility += step.mobilities[parent].displacement * glm::dot(middle, middle);
+    if (!(mobility > 0.0)) return false;
     const double speed = glm::dot(out, velocities[particle]) + glm::dot(middle, velocities[parent]) +
                          glm::dot(back, velocities[above]);
-    const double turn = (most_[particle] - angle) / yielding;
-    const double brake = std::min(-speed, 0.0) / yielding;
+    const double turn = (most_[particle] - angle) / mobility;
+    const double brake = std::min(-speed, 0.0) / mobility;
     const auto move = [&](std::size_t which, const glm::dvec3& direction) {
-        const double way = step.yieldings[which].way;
+        const double way = step.mobilities[which].displacement;
         step.state.places[which] += turn * way * direction;
         velocities[which] += brake * way * direction;
+        if (way > 0.0) is_moved_[which] = 1;
     };
     move(particle, out);
     move(parent, middle);

@@ -16,22 +16,22 @@ class Bends {
     explicit Bends(std::span<const Link> links);
 
     /// Turns links that are bent too far, from the roots to the tips, together with the links they hang on,
-    /// and takes away the speed at which they bend farther. pose: of all particles at the step's end, of
-    /// which `lengths` are; duration: of the step, s.
-    void hold(const Stepped& step, std::span<const glm::dvec3> pose, std::span<const double> lengths,
-              double duration);
+    /// and takes away the speed at which they bend farther. Lengths stay. pose: of all particles at the
+    /// step's end.
+    void hold(const Stepped& step, std::span<const glm::dvec3> pose);
 
   private:
     template <class Visit>
-    void visit(const Stepped& step, std::span<const glm::dvec3> pose, const Visit& visit);
-    [[nodiscard]] bool straighten(const Stepped& step, std::size_t particle,
-                                  const glm::dvec3& straight) const;
+    void visit(const Stepped& step, std::span<const glm::dvec3> pose, std::size_t count, const Visit& visit);
+    [[nodiscard]] bool straighten(const Stepped& step, std::size_t particle, const glm::dvec3& straight);
+    void lay(const Stepped& step, std::span<const glm::dvec3> pose);
 
     std::vector<int> parents_;
     std::vector<double> most_;
     std::vector<glm::dquat> turns_;  ///< of each link, from where the pose has it
     std::vector<char> is_moved_;
-    std::size_t limited_ = 0;  ///< particles up to the last one with a limit
+    std::vector<double> lengths_;  ///< before links are turned
+    std::size_t limited_ = 0;      ///< particles up to the last one with a limit
 };
 
 }  // namespace motus::strand

@@ -10,6 +10,9 @@
 namespace motus::strand {
 namespace {
 
+/// m; what lies nearer to a surface may be behind it by rounding.
+constexpr double least_reach = 1e-5;
+
 /// A place on a link that has entered an obstacle.
 struct Contact {
     std::size_t first = 0, second = 0;  ///< the link's ends
@@ -30,13 +33,15 @@ struct Contact {
     return sliding * (left / size);
 }
 
-/// Puts the place onto the obstacle, without any speed by that: what begins inside is not thrown out.
+/// Moves the contact out of the obstacle. The move adds no velocity, so that strands that begin inside are
+/// not thrown out.
 void resolve(const Contact& contact, double coefficient, double duration, const Stepped& step,
              Contacts::Friction& friction) {
     const double share1 = 1.0 - contact.share, share2 = contact.share;
-    const double way1 = step.yieldings[contact.first].way, way2 = step.yieldings[contact.second].way;
-    const double yielding = way1 * share1 * share1 + way2 * share2 * share2;
-    if (!(yielding > 0.0)) return;
+    const double way1 = step.mobilities[contact.first].displacement,
+                 way2 = step.mobilities[contact.second].displacement;
+    const double mobility = way1 * share1 * share1 + way2 * share2 * share2;
+    if (!(mobility > 0.0)) return;
     auto& places = step.state.places;
     auto& velocities = step.state.velocities;
     const auto mixed = [&](const auto& of) {
@@ -53,8 +58,8 @@ void resolve(const Contact& contact, double coefficient, double duration, const 
     friction.stopped += entering;
     const glm::dvec3 still = held(along_surface(way), coefficient * friction.pushed, friction.held);
     const glm::dvec3 slower = held(along_surface(velocity), coefficient * friction.stopped, friction.braked);
-    const glm::dvec3 push = (contact.normal * out - still) / yielding;
-    const glm::dvec3 brake = (contact.normal * entering - slower) / yielding;
+    const glm::dvec3 push = (contact.normal * out - still) / mobility;
+    const glm::dvec3 brake = (contact.normal * entering - slower) / mobility;
     places[contact.first] += way1 * share1 * push;
     places[contact.second] += way2 * share2 * push;
     velocities[contact.first] += way1 * share1 * brake;
@@ -91,8 +96,8 @@ class Space {
     explicit Space(const glm::dmat4& matrix)
         : axes_(matrix),
           origin_(matrix[3]),
-          scale_(std::cbrt(std::abs(glm::determinant(axes_)))),
-          back_(glm::inverse(axes_)) {}
+          scale_(glm::length(axes_[0])),
+          back_(glm::transpose(axes_) / (scale_ * scale_)) {}
 
     [[nodiscard]] double scale() const { return scale_; }
     [[nodiscard]] glm::dvec3 inside(const glm::dvec3& place) const { return back_ * (place - origin_); }
@@ -109,7 +114,7 @@ class Space {
 };
 
 /// Where and how a place that moves keeps away from a surface, in the surface's own space.
-struct Nearness {
+struct SurfaceContact {
     glm::dvec3 point{0.0};   ///< of the surface
     glm::dvec3 normal{0.0};  ///< away from it
     double depth = 0.0;      ///< by how much it is too near
@@ -122,10 +127,12 @@ struct Nearness {
     return direction_or(glm::cross(corner(1) - corner(0), corner(2) - corner(0)), glm::dvec3(0.0));
 }
 
-/// What has gone through the surface belongs to the side that it comes from; else the side is that where it
-/// is.
-[[nodiscard]] std::optional<Nearness> nearness(const Surface& surface, const glm::dvec3& before,
-                                               const glm::dvec3& now, double reach, double slack) {
+/// Which side a place belongs to: if it has crossed the surface in this step, the side that it came from;
+/// else the side that it is on. reach: how far from the surface it should be; slack: by how much more it may
+/// be, and still is in contact.
+[[nodiscard]] std::optional<SurfaceContact> surface_contact(const Surface& surface, const glm::dvec3& before,
+                                                            const glm::dvec3& now, double reach,
+                                                            double slack) {
     const glm::dvec3 way = now - before;
     const auto away_from = [&](const mesh::Hit& hit) {
         const glm::dvec3 normal = normal_of(surface, hit);
@@ -133,12 +140,12 @@ struct Nearness {
     };
     if (const auto hit = surface.picker().ray(before, way, glm::length(way))) {
         const glm::dvec3 normal = away_from(*hit);
-        return Nearness{hit->point, normal, reach - glm::dot(now - hit->point, normal)};
+        return SurfaceContact{hit->point, normal, reach - glm::dot(now - hit->point, normal)};
     }
     const auto nearest = surface.picker().nearest_on_surface(now, reach + slack);
     if (!nearest || !(nearest->distance < reach + slack)) return std::nullopt;
     const glm::dvec3 normal = direction_or(now - nearest->point, away_from(*nearest));
-    return Nearness{nearest->point, normal, reach - nearest->distance};
+    return SurfaceContact{nearest->point, normal, reach - nearest->distance};
 }
 
 }  // namespace
@@ -147,15 +154,15 @@ Contacts::Contacts(std::span<const Link> links, std::span<const Obstacle> obstac
                    std::span<const PlacedSurface> surfaces)
     : obstacles_(obstacles.begin(), obstacles.end()), surfaces_(surfaces.begin(), surfaces.end()) {
     for (const Link& link : links) bodies_.push_back({link.parent, link.thickness});
-    frictions_.resize(2 * links.size());
+    frictions_.resize((obstacles.size() + 2 * surfaces.size()) * links.size());
 }
 
 void Contacts::begin() {
     std::fill(frictions_.begin(), frictions_.end(), Friction{});
 }
 
-void Contacts::keep_out(const Stepped& step, std::span<const glm::dvec3> before,
-                        std::span<const glm::dvec3> now, double duration) {
+void Contacts::resolve_obstacles(const Stepped& step, std::span<const glm::dvec3> before,
+                                 std::span<const glm::dvec3> now, double duration) {
     for (std::size_t k = 0; k < obstacles_.size(); ++k) {
         const Obstacle& obstacle = obstacles_[k];
         const glm::dvec3 start = now[2 * k], axis = now[2 * k + 1] - start;
@@ -166,7 +173,7 @@ void Contacts::keep_out(const Stepped& step, std::span<const glm::dvec3> before,
             for (std::size_t i = 0; i < bodies_.size(); ++i) {
                 const double depth =
                     obstacle.radius + bodies_[i].thickness - glm::dot(step.state.places[i] - start, normal);
-                Friction& friction = of_end(i);
+                Friction& friction = frictions_[k * bodies_.size() + i];
                 if (depth > -friction.pushed)
                     resolve({i, i, 0.0, normal, depth, carried1}, obstacle.friction, duration, step,
                             friction);
@@ -182,7 +189,7 @@ void Contacts::keep_out(const Stepped& step, std::span<const glm::dvec3> before,
             const Shares shares = nearest(root, link, start, axis);
             const glm::dvec3 apart = root + shares.first * link - (start + shares.second * axis);
             const double square = glm::dot(apart, apart);
-            Friction& friction = of_end(i);
+            Friction& friction = frictions_[k * bodies_.size() + i];
             const double near = reach + friction.pushed;
             if (!(square < near * near)) continue;
             const double distance = std::sqrt(square);
@@ -195,8 +202,8 @@ void Contacts::keep_out(const Stepped& step, std::span<const glm::dvec3> before,
     }
 }
 
-void Contacts::keep_apart(const Stepped& step, std::span<const glm::dmat4> before,
-                          std::span<const glm::dmat4> now, double duration) {
+void Contacts::resolve_surfaces(const Stepped& step, std::span<const glm::dmat4> before,
+                                std::span<const glm::dmat4> now, double duration) {
     for (std::size_t k = 0; k < surfaces_.size(); ++k) {
         const Space space_before(before[k]), space(now[k]);
         // Ends first: where they lie on the surface, middles are not in it, and each end's friction is its
@@ -206,12 +213,13 @@ void Contacts::keep_apart(const Stepped& step, std::span<const glm::dmat4> befor
                 if (bodies_[i].parent < 0) continue;
                 const auto parent = static_cast<std::size_t>(bodies_[i].parent);
                 const auto mixed = [&](const auto& of) { return (1.0 - share) * of[parent] + share * of[i]; };
-                const double reach = (surfaces_[k].distance + bodies_[i].thickness) / space.scale();
-                if (!std::isfinite(reach)) continue;  // half-way to a matrix that is turned the other way
-                Friction& friction = share < 1.0 ? frictions_[2 * i] : of_end(i);
-                const auto found =
-                    nearness(*surfaces_[k].surface, space_before.inside(mixed(step.before)),
-                             space.inside(mixed(step.state.places)), reach, friction.pushed / space.scale());
+                const double reach =
+                    std::max(surfaces_[k].distance + bodies_[i].thickness, least_reach) / space.scale();
+                const std::size_t row = obstacles_.size() + 2 * k + (share < 1.0 ? 1 : 0);
+                Friction& friction = frictions_[row * bodies_.size() + i];
+                const auto found = surface_contact(
+                    *surfaces_[k].surface, space_before.inside(mixed(step.before)),
+                    space.inside(mixed(step.state.places)), reach, friction.pushed / space.scale());
                 if (!found) continue;
                 const glm::dvec3 carried = space.outside(found->point) - space_before.outside(found->point);
                 resolve({parent, i, share, space.direction_outside(found->normal),

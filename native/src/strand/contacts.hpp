@@ -22,15 +22,15 @@ class Contacts {
     /// Puts particles and links that have entered an obstacle onto it, takes away the speed at which they
     /// enter it, and as much of their sliding as friction does. before, now: two places of each obstacle at
     /// the step's beginning and end. duration: of the step, s.
-    void keep_out(const Stepped& step, std::span<const glm::dvec3> before, std::span<const glm::dvec3> now,
-                  double duration);
+    void resolve_obstacles(const Stepped& step, std::span<const glm::dvec3> before,
+                           std::span<const glm::dvec3> now, double duration);
 
-    /// The same of surfaces, whose matrices these are.
-    void keep_apart(const Stepped& step, std::span<const glm::dmat4> before, std::span<const glm::dmat4> now,
-                    double duration);
+    /// The same for surfaces. before, now: their matrices at the step's beginning and end.
+    void resolve_surfaces(const Stepped& step, std::span<const glm::dmat4> before,
+                          std::span<const glm::dmat4> now, double duration);
 
-    /// What friction may take away in a step, which is as much as contacts push, and what it has taken. Both
-    /// as ways (m) and as velocities (m/s).
+    /// Coulomb friction of a contact during one step. Bounds: the coefficient times `pushed` (m) for
+    /// displacements and times `stopped` (m/s) for velocities. `held` and `braked`: the parts used so far.
     struct Friction {
         double pushed = 0.0, held = 0.0;
         double stopped = 0.0, braked = 0.0;
@@ -41,10 +41,9 @@ class Contacts {
         int parent = -1;
         double thickness = 0.0;
     };
-    [[nodiscard]] Friction& of_end(std::size_t link) { return frictions_[2 * link + 1]; }
-
     std::vector<Body> bodies_;
-    std::vector<Friction> frictions_;  ///< of the middle and the end of each link
+    /// Of each obstacle with each link; then of each surface with each end, and with each middle.
+    std::vector<Friction> frictions_;
     std::vector<Obstacle> obstacles_;
     std::vector<PlacedSurface> surfaces_;
 };

@@ -10,22 +10,26 @@ namespace motus::strand {
 namespace {
 
 constexpr double standard_gravity = 9.80665;  // m/s^2
-constexpr double least_stretch =
-    1e-7;  // under the weight of all; links to pins that are out of reach are equally long by that
+/// Strain of a rigid link under the weight of its whole strand. Above 0, so that a pin out of reach stretches
+/// all links alike.
+constexpr double least_stretch = 1e-7;
+constexpr double least_length = 1e-9;  // m, by which errors of links without a length are measured
 
 }  // namespace
 
-Lengths::Lengths(std::span<const Link> links)
+Lengths::Lengths(std::span<const Link> links, std::span<const double> masses)
     : roots_(roots_of(links)),
       branches_(links.size()),
       rows_(links.size()),
-      ways_(links.size()),
+      displacements_(links.size()),
       impulses_(links.size()),
-      more_(links.size()),
-      yieldings_(links.size()),
+      corrections_(links.size()),
+      mobilities_(links.size()),
       stiffnesses_(links.size()),
-      is_braced_(links.size()),
+      is_stiff_(links.size()),
       is_along_now_(links.size()),
+      is_open_(links.size()),
+      is_between_(links.size()),
       is_lost_(links.size()) {
     parents_.reserve(links.size());
     compliances_.reserve(links.size());
@@ -37,57 +41,71 @@ Lengths::Lengths(std::span<const Link> links)
         if (count > 1) matrices_.emplace_back();
     }
     std::vector<double> weights(links.size(), 0.0);  // of whole strands, by their roots
-    for (std::size_t i = 0; i < links.size(); ++i) weights[roots_[i]] += links[i].mass;
+    for (std::size_t i = 0; i < links.size(); ++i) weights[roots_[i]] += masses[i];
     for (std::size_t i = 0; i < links.size(); ++i) {
         parents_.push_back(links[i].parent);
-        stretches_.push_back(links[i].stretch > 0.0 ? 1 : 0);
-        compliances_.push_back(
-            std::max(links[i].stretch / links[i].mass, least_stretch / weights[roots_[i]]) /
-            standard_gravity);
+        is_rigid_.push_back(links[i].stretch > 0.0 ? 0 : 1);
+        compliances_.push_back(std::max(links[i].stretch / masses[i], least_stretch / weights[roots_[i]]) /
+                               standard_gravity);
     }
 }
 
 void Lengths::hold(const Stepped& step, std::span<const double> lengths, double duration) {
-    constexpr int most = 12;         // one is enough but for links that turn fast
-    constexpr int along_before = 4;  // then impulses along the links as they are, which are sure to close in
-    constexpr double close = 1e-6;   // of the length
+    constexpr int most = 12;  // one is enough but for links that turn fast
+    // Rounds along the links' former directions (SHAKE); later rounds use the present directions, which
+    // converge after large turns.
+    constexpr int along_before = 4;
+    constexpr double close = 1e-6;  // of the length
     std::fill(impulses_.begin(), impulses_.end(), 0.0);
     std::fill(is_along_now_.begin(), is_along_now_.end(), 0);
-    for (std::size_t i = 0; i < yieldings_.size(); ++i) yieldings_[i] = step.yieldings[i].way;
+    std::fill(is_open_.begin(), is_open_.end(), 1);
+    for (std::size_t i = 0; i < mobilities_.size(); ++i) mobilities_[i] = step.mobilities[i].displacement;
     for (int round = 0; round < most; ++round) {
-        if (round > 0 && !is_off(step, lengths, duration, close)) break;
+        if (round > 0 && !find_open(step, lengths, duration, close)) break;
         if (round == along_before) std::fill(is_along_now_.begin(), is_along_now_.end(), 1);
-        gather(step, lengths, duration);
-        scatter();
-        if (round == 0 && brace(lengths)) {
-            gather(step, lengths, duration);
-            scatter();
+        eliminate(step, lengths, duration);
+        substitute();
+        if (round == 0 && add_geometric_stiffness(lengths)) {
+            eliminate(step, lengths, duration);
+            substitute();
         }
         apply(step);
     }
-    lay(step, lengths, duration);
+    project_lost(step, lengths, duration);
+}
+
+/// Finds strands whose lengths are wrong by more than `most` of them: of the others nothing changes any more.
+bool Lengths::find_open(const Stepped& step, std::span<const double> lengths, double duration, double most) {
+    std::fill(is_open_.begin(), is_open_.end(), 0);
+    bool has = false;
+    for (std::size_t i = 0; i < parents_.size(); ++i) {
+        if (length_error(i, step, lengths, 1.0 / duration) <= most) continue;
+        is_open_[roots_[i]] = 1;
+        has = true;
+    }
+    return has;
 }
 
 /// Lays the links of strands that no impulses bring together along where they point, from the roots to the
 /// tips.
-void Lengths::lay(const Stepped& step, std::span<const double> lengths, double duration) {
+void Lengths::project_lost(const Stepped& step, std::span<const double> lengths, double duration) {
     constexpr double lost = 0.01;  // of the length
     constexpr double lost_between =
         10.0;  // of strands between two places that may be too far from each other
     std::fill(is_lost_.begin(), is_lost_.end(), 0);
-    std::vector<char>& is_between = is_braced_;
-    std::fill(is_between.begin(), is_between.end(), 0);
+    std::fill(is_between_.begin(), is_between_.end(), 0);
     for (std::size_t i = 0; i < parents_.size(); ++i)
-        if (parents_[i] >= 0 && !(step.yieldings[i].way > 0.0)) is_between[roots_[i]] = 1;
+        if (parents_[i] >= 0 && !(step.mobilities[i].displacement > 0.0)) is_between_[roots_[i]] = 1;
     for (std::size_t i = 0; i < parents_.size(); ++i) {
-        const bool is_free = is_between[roots_[i]] == 0;
-        // What the least stretch makes of a push without any measure is no length either.
-        const double far = is_free && stretches_[i] == 0 ? off(i, step, lengths, 0.0)
-                                                         : off(i, step, lengths, 1.0 / duration);
-        if (!(far < (is_free ? lost : lost_between))) is_lost_[roots_[i]] = 1;
+        const bool is_free = is_between_[roots_[i]] == 0;
+        // A rigid link must have its length itself: under a large compression even the least compliance would
+        // excuse a wrong one.
+        const double frequency = is_free && is_rigid_[i] != 0 ? 0.0 : 1.0 / duration;
+        if (!(length_error(i, step, lengths, frequency) < (is_free ? lost : lost_between)))
+            is_lost_[roots_[i]] = 1;
     }
     for (std::size_t i = 0; i < parents_.size(); ++i) {
-        if (is_lost_[roots_[i]] == 0 || parents_[i] < 0 || !(step.yieldings[i].way > 0.0)) continue;
+        if (is_lost_[roots_[i]] == 0 || parents_[i] < 0 || !(step.mobilities[i].displacement > 0.0)) continue;
         const auto parent = static_cast<std::size_t>(parents_[i]);
         const glm::dvec3& root = step.state.places[parent];
         const glm::dvec3 before = direction_or(step.before[i] - step.before[parent], glm::dvec3(0.0));
@@ -105,54 +123,46 @@ void Lengths::lay(const Stepped& step, std::span<const double> lengths, double d
 /// Between taut links a light particle swings across faster than steps resolve: there it counts as heavier,
 /// so that it follows its links instead (geometric stiffness, put on the diagonal: Andrews, Teichmann, Kry,
 /// "Geometric Stiffness for Real-time Constrained Multibody Dynamics", 2017). Returns whether there is one.
-bool Lengths::brace(std::span<const double> lengths) {
+bool Lengths::add_geometric_stiffness(std::span<const double> lengths) {
     constexpr double resolved = 1.0;  // square of the angle of such a swing within a step
     std::fill(stiffnesses_.begin(), stiffnesses_.end(), 0.0);
     for (std::size_t i = 0; i < parents_.size(); ++i) {
-        if (parents_[i] < 0 || !(more_[i] < 0.0)) continue;
-        const double stiffness = -2.0 * more_[i] / lengths[i];
+        if (parents_[i] < 0 || !(corrections_[i] < 0.0)) continue;
+        const double stiffness = -2.0 * corrections_[i] / std::max(lengths[i], least_length);
         stiffnesses_[i] += stiffness;
         stiffnesses_[static_cast<std::size_t>(parents_[i])] += stiffness;
     }
-    std::fill(is_braced_.begin(), is_braced_.end(), 0);
+    std::fill(is_stiff_.begin(), is_stiff_.end(), 0);
     bool has = false;
     for (std::size_t i = 0; i < parents_.size(); ++i) {
-        const double square = yieldings_[i] * stiffnesses_[i];
+        const double square = mobilities_[i] * stiffnesses_[i];
         if (!(square > resolved)) continue;
-        yieldings_[i] /= 1.0 + square;
-        is_braced_[i] = 1;
+        mobilities_[i] /= 1.0 + square;
+        is_stiff_[i] = 1;
         has = true;
     }
     for (std::size_t i = 0; has && i < parents_.size(); ++i)
-        if (parents_[i] >= 0 &&
-            (is_braced_[i] != 0 || is_braced_[static_cast<std::size_t>(parents_[i])] != 0))
+        if (parents_[i] >= 0 && (is_stiff_[i] != 0 || is_stiff_[static_cast<std::size_t>(parents_[i])] != 0))
             is_along_now_[i] = 1;
     return has;
 }
 
-bool Lengths::is_off(const Stepped& step, std::span<const double> lengths, double duration,
-                     double most) const {
-    for (std::size_t i = 0; i < parents_.size(); ++i)
-        if (!(off(i, step, lengths, 1.0 / duration) <= most)) return true;
-    return false;
-}
-
-/// By which part of its length a link is longer or shorter than its impulse, as a force times `frequency`,
-/// makes it; 0 if nothing can be done about it.
-double Lengths::off(std::size_t i, const Stepped& step, std::span<const double> lengths,
-                    double frequency) const {
+/// Relative error of a link's length, without the stretch that its impulse causes. frequency: 1 / duration,
+/// 1/s; 0: all stretch counts as error. 0 if neither end can move.
+double Lengths::length_error(std::size_t i, const Stepped& step, std::span<const double> lengths,
+                             double frequency) const {
     if (parents_[i] < 0) return 0.0;
     const auto parent = static_cast<std::size_t>(parents_[i]);
-    if (!(step.yieldings[i].way + step.yieldings[parent].way > 0.0)) return 0.0;
+    if (!(step.mobilities[i].displacement + step.mobilities[parent].displacement > 0.0)) return 0.0;
     const double length = glm::length(step.state.places[i] - step.state.places[parent]);
     const double yielded = compliances_[i] * lengths[i] * frequency * impulses_[i];
-    return std::abs(length + yielded - lengths[i]) / lengths[i];
+    return std::abs(length + yielded - lengths[i]) / std::max(lengths[i], least_length);
 }
 
-/// The way of a particle by an impulse on it, with all links beyond.
+/// The displacement of a particle by an impulse on it, with all links beyond.
 glm::dvec3 Lengths::answer(const Branch& branch, const glm::dvec3& impulse) const {
     if (branch.matrix >= 0) return matrices_[static_cast<std::size_t>(branch.matrix)] * impulse;
-    return branch.yielding * (impulse - branch.before * (branch.share * glm::dot(branch.now, impulse)));
+    return branch.mobility * (impulse - branch.before * (branch.share * glm::dot(branch.now, impulse)));
 }
 
 /// Hangs a link on a particle, with all that is beyond it (Sherman and Morrison's formula).
@@ -160,29 +170,30 @@ void Lengths::join(Branch& branch, const Row& row) {
     const glm::dvec3 way = answer(branch, row.before);
     const double divisor = row.divisor + glm::dot(row.now, way);
     if (!(divisor > 0.0)) return;
-    branch.way += way * ((row.excess - glm::dot(row.now, branch.way)) / divisor);
+    branch.displacement += way * ((row.excess - glm::dot(row.now, branch.displacement)) / divisor);
     if (branch.matrix < 0) {
         branch.before = row.before;
         branch.now = row.now;
-        branch.share = branch.yielding / divisor;
+        branch.share = branch.mobility / divisor;
         return;
     }
     glm::dmat3& matrix = matrices_[static_cast<std::size_t>(branch.matrix)];
     matrix -= glm::outerProduct(way / divisor, row.now * matrix);
 }
 
-void Lengths::gather(const Stepped& step, std::span<const double> lengths, double duration) {
+void Lengths::eliminate(const Stepped& step, std::span<const double> lengths, double duration) {
     for (std::size_t i = 0; i < branches_.size(); ++i) {
+        if (is_open_[roots_[i]] == 0) continue;
         Branch& branch = branches_[i];
-        branch.yielding = yieldings_[i];
+        branch.mobility = mobilities_[i];
         branch.share = 0.0;
-        branch.way = glm::dvec3(0.0);
+        branch.displacement = glm::dvec3(0.0);
         branch.matrix = meetings_[i];
         if (branch.matrix >= 0)
-            matrices_[static_cast<std::size_t>(branch.matrix)] = glm::dmat3(yieldings_[i]);
+            matrices_[static_cast<std::size_t>(branch.matrix)] = glm::dmat3(mobilities_[i]);
     }
     for (std::size_t i = branches_.size(); i-- > 0;) {
-        if (parents_[i] < 0) continue;
+        if (parents_[i] < 0 || is_open_[roots_[i]] == 0) continue;
         const auto parent = static_cast<std::size_t>(parents_[i]);
         Row& row = rows_[i];
         const glm::dvec3 link = step.state.places[i] - step.state.places[parent];
@@ -192,30 +203,33 @@ void Lengths::gather(const Stepped& step, std::span<const double> lengths, doubl
         // A link that turns by more than a third of half a turn within a step is taken as it is at the end.
         if (is_along_now_[i] != 0 || !(glm::dot(row.before, row.now) > 0.5)) row.before = row.now;
         row.answer = answer(branches_[i], row.before);
-        row.way = branches_[i].way;
+        row.displacement = branches_[i].displacement;
         const double compliance = compliances_[i] * lengths[i] / duration;
         row.divisor = std::max(glm::dot(row.now, row.answer), 0.0) + compliance;
-        row.excess = length - lengths[i] + compliance * impulses_[i] + glm::dot(row.now, row.way);
+        row.excess = length - lengths[i] + compliance * impulses_[i] + glm::dot(row.now, row.displacement);
         join(branches_[parent], row);
     }
 }
 
-void Lengths::scatter() {
+void Lengths::substitute() {
     for (std::size_t i = 0; i < parents_.size(); ++i) {
+        if (is_open_[roots_[i]] == 0) continue;
         const Row& row = rows_[i];
-        more_[i] = 0.0;
-        ways_[i] = branches_[i].way;
+        corrections_[i] = 0.0;
+        displacements_[i] = branches_[i].displacement;
         if (parents_[i] < 0 || !(row.divisor > 0.0)) continue;
-        more_[i] =
-            (glm::dot(row.now, ways_[static_cast<std::size_t>(parents_[i])]) - row.excess) / row.divisor;
-        ways_[i] = row.way + row.answer * more_[i];
+        corrections_[i] =
+            (glm::dot(row.now, displacements_[static_cast<std::size_t>(parents_[i])]) - row.excess) /
+            row.divisor;
+        displacements_[i] = row.displacement + row.answer * corrections_[i];
     }
 }
 
 void Lengths::apply(const Stepped& step) {
     for (std::size_t i = 0; i < parents_.size(); ++i) {
-        impulses_[i] += more_[i];
-        if (step.yieldings[i].way > 0.0) step.kick(i, ways_[i]);
+        if (is_open_[roots_[i]] == 0) continue;
+        impulses_[i] += corrections_[i];
+        if (step.mobilities[i].displacement > 0.0) step.kick(i, displacements_[i]);
     }
 }
 

@@ -35,10 +35,12 @@ struct Section {
     const auto add = [&](std::size_t last, double end) {
         Section section{.first = first, .last = last, .begin = inputs.times[first], .knots = knots};
         const double seconds = end - section.begin;
+        require(!solving.is_loop || seconds * solving.rate >= 1.0,
+                "times: must span a step of the rate at least, in a loop");
         // A whole number of steps in a cycle; elsewhere steps are equally long whatever the end is, so that
         // it makes no difference.
-        const double steps = solving.is_loop ? std::max(std::round(seconds * solving.rate), 1.0)
-                                             : std::ceil(seconds * solving.rate);
+        const double steps =
+            solving.is_loop ? std::round(seconds * solving.rate) : std::ceil(seconds * solving.rate);
         require(steps < Motion::most_work, "times: must be a shorter time, or the rate lower");
         section.steps = static_cast<std::size_t>(steps);
         section.duration = solving.is_loop ? seconds / steps : 1.0 / solving.rate;
@@ -77,7 +79,7 @@ struct Motion::Solver {
     std::size_t ready = 0;  ///< sections whose first state is known
     std::size_t section = 0, step = 0, settled = 0, cycle = 0;
     bool is_begun = false, is_settled = false, is_done = false;
-    double energy = 0.0;
+    std::vector<double> energies;  ///< of motion, by roots, while strands come to rest
     double gap = 0.0;
     State state;
     Driven driven, next;
@@ -92,8 +94,12 @@ Motion::Solver::Solver(std::span<const Link> links, const Inputs& inputs, const 
         steps += static_cast<double>(one.steps) * (how.is_loop ? how.cycles : 1) + settling;
     const std::size_t knots = sections.back().knots + knots_of(sections.back());
     const auto count = static_cast<double>(links.size());
-    require(steps * count <= most_work && static_cast<double>(knots) * count * 6.0 <= most_numbers,
-            "times: must be a shorter time, or links fewer, or the rate lower");
+    // A surface is asked twice for each end and each middle of a link, before lengths are held and after.
+    const double asked =
+        static_cast<double>(inputs.obstacles.size()) + 4.0 * static_cast<double>(inputs.surfaces.size());
+    require(steps * count * (1.0 + asked) <= most_work &&
+                static_cast<double>(knots) * count * 6.0 <= most_numbers,
+            "times: must be a shorter time, or links and obstacles fewer, or the rate lower");
     kept.resize(knots * 2 * links.size());
     is_done = links.empty();
 }
@@ -102,7 +108,7 @@ void Motion::Solver::begin_section() {
     stepper.read(now().begin, now().first, now().last, driven);
     stepper.start(driven, state);
     step = settled = 0;
-    energy = 0.0;
+    energies.assign(size(), 0.0);
     is_begun = true;
     is_settled = !(solving.settle > 0.0);
     if (is_settled) begin_steps();
@@ -116,20 +122,22 @@ void Motion::Solver::settle() {
     const double duration = 1.0 / solving.rate;
     stepper.step(state, driven, driven, duration, work);
     ++settled;
-    double moving = 0.0, fastest = 0.0;
+    // By roots, so that each strand comes to rest as it would alone.
+    std::vector<double> moving(size(), 0.0), fastest(size(), 0.0);
     for (std::size_t i = 0; i < size(); ++i) {
         const double square = glm::dot(state.velocities[i], state.velocities[i]);
-        moving += square;
-        fastest = std::max(fastest, square);
+        moving[stepper.root(i)] += square;
+        fastest[stepper.root(i)] = std::max(fastest[stepper.root(i)], square);
     }
-    const bool has_turned = moving < energy;
-    const bool is_at_rest = energy == 0.0 && std::sqrt(fastest) < still * duration;
-    energy = moving;
-    if (has_turned) {
-        std::fill(state.velocities.begin(), state.velocities.end(), glm::dvec3(0.0));
-        energy = 0.0;
+    is_settled = true;
+    for (std::size_t i = 0; i < size(); ++i) {
+        const std::size_t root = stepper.root(i);
+        if (!(energies[root] == 0.0 && std::sqrt(fastest[root]) < still * duration)) is_settled = false;
+        if (moving[root] < energies[root]) state.velocities[i] = glm::dvec3(0.0);
     }
-    is_settled = is_at_rest || static_cast<double>(settled) >= solving.settle * solving.rate;
+    for (std::size_t root = 0; root < size(); ++root)
+        energies[root] = moving[root] < energies[root] ? 0.0 : moving[root];
+    is_settled = is_settled || static_cast<double>(settled) >= solving.settle * solving.rate;
     if (!is_settled) return;
     std::fill(state.velocities.begin(), state.velocities.end(), glm::dvec3(0.0));
     begin_steps();
@@ -177,7 +185,8 @@ void Motion::Solver::end_cycle() {
     restore(0, began);
     gap = 0.0;
     for (std::size_t i = 0; i < size(); ++i)
-        gap = std::max(gap, glm::length(state.places[i] - began.places[i]));
+        gap = std::max({gap, glm::length(state.places[i] - began.places[i]),
+                        now().duration * glm::length(state.velocities[i] - began.velocities[i])});
     ++cycle;
     is_done = gap <= closed || static_cast<double>(cycle) >= solving.cycles;
     if (is_done) return;
@@ -198,9 +207,10 @@ void Motion::Solver::places(double time, std::span<glm::dvec3> out) const {
         std::copy(first.pose.begin(), first.pose.end(), out.begin());
         return;
     }
-    std::size_t which = 0;
-    while (which + 1 < ready && sections[which + 1].begin <= time) ++which;
-    const Section& in = sections[which];
+    const auto after =
+        std::upper_bound(sections.begin() + 1, sections.begin() + static_cast<std::ptrdiff_t>(ready), time,
+                         [](double at, const Section& one) { return at < one.begin; });
+    const Section& in = *(after - 1);
     const double local = std::max((time - in.begin) / in.duration, 0.0);
     const auto step_before =
         static_cast<std::size_t>(std::min(std::floor(local), static_cast<double>(in.steps)));
@@ -225,7 +235,12 @@ void Motion::Solver::places(double time, std::span<glm::dvec3> out) const {
         std::copy(at.places.begin(), at.places.end(), out.begin());
         return;
     }
-    stepper.between(near[0], near[step_before - first], at.places, share, out);
+    stepper.read(time, in.first, in.last, start);
+    const auto& before = near[step_before - first];
+    const bool has_earlier = first < step_before;
+    stepper.between({has_earlier ? std::span<const glm::dvec3>(near[0]) : std::span<const glm::dvec3>(),
+                     before, at.places},
+                    share, start, out);
 }
 
 Motion::Motion(std::span<const Link> links, const Inputs& inputs, const Solving& solving) {
@@ -268,7 +283,9 @@ void Motion::places(double time, std::span<glm::dvec3> out) const {
     require(out.size() == size(), "out: must have a row for each link");
     if (out.empty()) return;
     const Solver& solver = *solver_;
-    solver.places(solver.is_done ? time : std::min(time, solved_until()), out);
+    // What is not solved yet of a loop comes before its first time, too.
+    const double known = solver.solving.is_loop ? solved_until() : std::min(time, solved_until());
+    solver.places(solver.is_done ? time : known, out);
 }
 
 std::size_t Motion::bytes() const noexcept {

@@ -23,7 +23,7 @@ class Times {
     [[nodiscard]] double front() const { return times_.front(); }
     [[nodiscard]] double back() const { return times_.back(); }
 
-    /// `last`: of samples after this one nothing is taken, as before a jump; there the last but one is held.
+    /// Among the samples from `first` to `last`: earlier and later times have the values of these.
     [[nodiscard]] Between at(double time, std::size_t first, std::size_t last) const {
         const auto begin = times_.begin() + static_cast<std::ptrdiff_t>(first);
         const auto end = times_.begin() + static_cast<std::ptrdiff_t>(last) + 1;
@@ -48,6 +48,9 @@ class Rows {
     [[nodiscard]] std::size_t width() const noexcept { return width_; }
     [[nodiscard]] bool is_still() const noexcept { return values_.size() <= width_; }
 
+    [[nodiscard]] std::span<const Value> row(std::size_t sample) const {
+        return std::span(values_).subspan(sample * width_, width_);
+    }
     void at(const Between& place, std::span<Value> out) const {
         if (values_.empty()) {
             std::fill(out.begin(), out.end(), Value(0.0));

@@ -25,25 +25,25 @@ struct State {
     std::vector<glm::dvec3> velocities;
 };
 
-/// How a particle answers to an impulse at the beginning of a step: at its end it is
-/// `yielding * impulse` further, and by `speed` times that way faster. Both are 0 for what goes where it
-/// must.
-struct Yielding {
-    double way = 0.0;    ///< s/kg
-    double speed = 0.0;  ///< 1/s
+/// How a particle answers to an impulse at the beginning of a step. At the end of the step the particle is
+/// displaced by `displacement * impulse`, and its velocity is changed by `speed` times the displacement. Both
+/// are 0 for a particle that is held.
+struct Mobility {
+    double displacement = 0.0;  ///< s/kg
+    double speed = 0.0;         ///< 1/s
 };
 
 /// One step of all particles. `before` are places at its beginning, `state` those at its end as far as they
 /// are known.
 struct Stepped {
     std::span<const glm::dvec3> before;
-    std::span<const Yielding> yieldings;
+    std::span<const Mobility> mobilities;
     State& state;
 
     /// Moves a particle and gives it the velocity of that.
     void kick(std::size_t particle, const glm::dvec3& way) const {
         state.places[particle] += way;
-        state.velocities[particle] += yieldings[particle].speed * way;
+        state.velocities[particle] += mobilities[particle].speed * way;
     }
 };
 

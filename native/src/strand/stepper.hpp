@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,16 +37,21 @@ class Stepper {
 
     [[nodiscard]] const Times& times() const noexcept { return times_; }
     [[nodiscard]] std::size_t size() const noexcept { return links_.size(); }
+    /// Of a link, the root of its strand.
+    [[nodiscard]] std::size_t root(std::size_t link) const { return roots_[link]; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
     /// Everything over time at `time`, of samples from `first` to `last`.
     void read(double time, std::size_t first, std::size_t last, Driven& out) const;
     /// The state at rest in a pose.
     void start(const Driven& driven, State& state) const;
-    /// Places between two steps, of which `share` of the time has gone, from those at both and at the one
-    /// before them, `earlier`, which is `before` if there is none. `earlier` and `before` may be one.
-    void between(std::span<const glm::dvec3> earlier, std::span<const glm::dvec3> before,
-                 std::span<const glm::dvec3> after, double share, std::span<glm::dvec3> out) const;
+    /// Positions at two steps that follow each other, and at the one before them, if there is one.
+    struct Near {
+        std::span<const glm::dvec3> earlier, before, after;
+    };
+    /// Positions at the fraction `share` of the step from `near.before` to `near.after`. driven: at that
+    /// time.
+    void between(const Near& near, double share, const Driven& driven, std::span<glm::dvec3> out) const;
     /// From the driven at its beginning to that at its end, `duration` later.
     void step(State& state, const Driven& before, const Driven& now, double duration, Work& work) const;
 
@@ -57,14 +63,15 @@ class Stepper {
         double lead = 0.0;        ///< 1/s, times the velocity of the pose
         double resistance = 0.0;  ///< 1/s, with the drag
         double drag = 0.0;        ///< 1/s
-        double mass = 1.0;
     };
+    [[nodiscard]] std::optional<glm::dvec3> held_place(std::size_t particle, const Driven& driven) const;
     void flow(State& state, const Driven& before, const Driven& now, double duration, Work& work) const;
     void hold(State& state, const Driven& before, const Driven& now, double duration, Work& work) const;
 
     std::vector<Link> links_;
     std::vector<std::size_t> roots_;  ///< of each link, that of its strand
     std::vector<Spring> springs_;
+    std::vector<double> masses_;  ///< as they count, kg
     std::vector<Obstacle> obstacles_;
     std::vector<PlacedSurface> surfaces_;
     std::vector<std::size_t> pinned_;
@@ -95,7 +102,7 @@ class Stepper::Work {
     double duration_ = 0.0;  ///< that flows_ are made for
     std::vector<Flow> flows_;
     std::vector<PinFlow> pin_flows_;
-    std::vector<Yielding> yieldings_;
+    std::vector<Mobility> mobilities_;
     std::vector<glm::dvec3> before_;
     std::vector<double> wanted_lengths_;
 };

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "motus/core/numeric.hpp"
 #include "motus/mesh/picker.hpp"
@@ -39,7 +40,13 @@ double distance_to_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm:
 
 TEST_CASE("no place of the surface is nearer than the one that is found, which is there", "[picker]") {
     Dice dice(11);
-    for (const Mesh& mesh : troubling_meshes()) {
+    constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
+    std::vector<Mesh> meshes = troubling_meshes();
+    meshes.push_back(
+        {"a triangle with a corner nowhere", {{0, 0, 0}, {1, 0, 0}, {0, nowhere, 0}}, {{0, 1, 2}}});
+    meshes.push_back({"a triangle that is a segment", {{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}}});
+    meshes.push_back({"a triangle in a line", {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}, {{0, 2, 1}}});
+    for (const Mesh& mesh : meshes) {
         const Picker picker(mesh.positions, mesh.triangles, 1);
         const auto [centre, size] = extent(mesh);
         for (int round = 0; round < 40; ++round) {

@@ -55,7 +55,7 @@ class StrandTest(unittest.TestCase):
         one.solve()
         each.solve()
         np.testing.assert_array_equal(one.places(0.7), each.places(0.7))
-        limp = native.StrandMotion(parents, times, poses, gravity=DOWN)
+        limp = native.StrandMotion(parents, times, poses, gravity=DOWN, obstacles=[], surfaces=[], pinned=[], resets=[])
         limp.solve()
         self.assertGreater(np.abs(limp.places(0.7) - one.places(0.7)).max(), 0.1)
 

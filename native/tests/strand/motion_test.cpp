@@ -329,7 +329,7 @@ TEST_CASE("bends stay within their limits", "[strand]") {
     link.bend = 0.3;
     Shot shot(3.0, straight(10, 1.0, {1, 0, 0}));
     const Motion motion = solved(chain(10, link), shot);
-    double most = 0.0;
+    double most = 0.0, longest = 0.0;
     for (double time = 0.0; time <= 3.0; time += 0.01) {
         const auto now = places(motion, time);
         glm::dvec3 before(1, 0, 0);
@@ -341,6 +341,7 @@ TEST_CASE("bends stay within their limits", "[strand]") {
         }
     }
     CHECK((most - 0.3) * 180.0 / std::numbers::pi < 0.1);
+    CHECK(longest < 1e-4);
     CHECK(most > 0.299);
 }
 
@@ -500,20 +501,53 @@ TEST_CASE("a chain stays near its root, whatever is done to it", "[strand]") {
 }
 
 TEST_CASE("a strand is what it is without the others beside it", "[strand]") {
-    std::vector<Link> links = chain(5), both = links;
+    // Beside it one that is heavier, faster, hard to solve and long to settle, and links without a length.
+    std::vector<Link> links = chain(5), all = links;
     for (Link link : links) {
         link.parent += link.parent < 0 ? 0 : 6;
-        link.mass = 1000.0;
-        both.push_back(link);
+        link.mass = link.parent == 8 ? 1e6 : 1000.0;
+        all.push_back(link);
     }
+    for (const int parent : {-1, 12, 13}) all.push_back({.parent = parent});
     const auto pose = straight(5, 1.0, {1, 0, 0});
-    auto two = pose;
-    for (const glm::dvec3& place : pose) two.push_back(place + glm::dvec3(0, 3, 0));
-    const Motion alone = solved(links, Shot(1.0, pose)), beside = solved(both, Shot(1.0, two));
-    for (const double time : {0.3, 0.777, 1.0}) {
-        const auto now = places(beside, time);
-        CHECK(std::vector(now.begin(), now.begin() + 6) == places(alone, time));
+    auto three = pose;
+    for (const glm::dvec3& place : pose) three.push_back(3.0 * place + glm::dvec3(0, 3, 0));
+    three.insert(three.end(), 3, glm::dvec3(0, 6, 0));
+    Shot shot(1.0, three);
+    for (std::size_t i = 6; i < 12; ++i)
+        shot.pose(i, [rest = shot.poses[i]](double t) {
+            return rest + glm::dvec3(0, 0, 3.0 * std::sin(40.0 * t));
+        });
+    for (const double settle : {0.0, 1.0}) {
+        const Motion alone = solved(links, Shot(1.0, pose), {.settle = settle}),
+                     beside = solved(all, shot, {.settle = settle});
+        for (const double time : {0.0, 0.3, 0.777, 1.0}) {
+            const auto now = places(beside, time);
+            CHECK(std::vector(now.begin(), now.begin() + 6) == places(alone, time));
+            for (std::size_t i = 12; i < 15; ++i) CHECK(glm::length(now[i] - glm::dvec3(0, 6, 0)) < 1e-6);
+        }
     }
+}
+
+TEST_CASE("what is not solved yet is not shown", "[strand]") {
+    Shot shot(1.0, straight(3, 1.0, {1, 0, 0}), 48.0);
+    Motion motion(chain(3), shot.inputs(), {.settle = 0.1, .is_loop = true});
+    const auto pose = straight(3, 1.0, {1, 0, 0});
+    CHECK(places(motion, -0.1) == pose);
+    motion.solve(100);
+    CHECK(places(motion, -0.1) == places(motion, 0.0));
+    CHECK(places(motion, 0.9) == places(motion, 0.0));
+}
+
+TEST_CASE("a link that points backwards is turned within its limit", "[strand]") {
+    // The pose folds within a step; the particle is where it was.
+    Shot shot(0.2, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 480.0);
+    shot.gravity.clear();
+    shot.pose(2, [](double t) { return glm::dvec3(t < 0.05 ? 2.0 : 0.0, 0, 0); });
+    const auto now = places(solved(chain(2, {.bend = 0.5}), shot), 0.2);
+    const glm::dvec3 straight_on = glm::normalize(now[0] - now[1]), link = glm::normalize(now[2] - now[1]);
+    CHECK(glm::dot(straight_on, link) > std::cos(0.5 + 0.01));
+    CHECK(std::abs(glm::length(now[2] - now[1]) - 1.0) < 1e-3);
 }
 
 namespace {
@@ -577,6 +611,12 @@ TEST_CASE("strands lie on a mesh at rest, and ride on one that turns", "[strand]
         CHECK(glm::length(two[i] - one[i]) / 0.1 < 1e-4);
         CHECK(std::abs(one[i].z - 0.03) < 2e-3);
     }
+    // Without any thickness, too.
+    Shot thin(4.0, {{0, 0, 0.5}, {0.3, 0, 0.5}}, 48.0);
+    thin.surfaces = {{box({3.0f, 3.0f, 0.1f})}};
+    thin.surface_matrices.assign(thin.times.size(), moved_to({0, 0, -0.1}));
+    const auto landed = places(solved(chain(1, {.stretch = 1e6}), thin), 4.0);
+    CHECK(std::abs(landed[1].z) < 1e-3);
     // A free particle on a table that turns slowly: friction takes it along.
     Shot table(2.0, {{0, 0, 1}, {1, 0, 0.02}}, 96.0);
     table.surfaces = {{box({3.0f, 3.0f, 0.1f}), 0.0, 0.8}};

@@ -89,8 +89,8 @@ class Picker {
     [[nodiscard]] std::optional<std::uint32_t> nearest(const glm::vec3& point) const;
 
     /// The place of the surface nearest to the point, in the triangle of the lowest index if several are as
-    /// near; its distance is that from the point. Nothing if it is farther away than `farthest`, or a number
-    /// is not finite (`farthest` apart).
+    /// near; its distance is that from the point. Nothing if the distance exceeds `farthest` (at least 0, may
+    /// be infinite), or a coordinate of the point is not finite or exceeds 1e100.
     [[nodiscard]] std::optional<Hit> nearest_on_surface(
         const glm::dvec3& point, double farthest = std::numeric_limits<double>::infinity()) const;
 

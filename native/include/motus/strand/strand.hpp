@@ -18,8 +18,8 @@
 
 namespace motus::strand {
 
-/// A particle, and the link that joins it to its parent. Links are as long as they are in the pose at each
-/// time.
+/// A particle, and the link from its parent to it. The link's rest length at each time is the distance of
+/// both particles in the pose.
 struct Link {
     int parent = -1;         ///< index of a particle before this one; -1: a root, which stays on the pose
     double mass = 1.0;       ///< kg, (0, 1e12]; counts as at least a thousandth of the strand's heaviest
@@ -28,14 +28,14 @@ struct Link {
     double response = 0.0;   ///< of that spring, [-100, 100], as SecondOrder's: 0 damps the velocity, 2 the
                              ///< velocity relative to the pose
     double drag = 0.0;       ///< 1/s, [0, 1000], deceleration a velocity relative to the air
-    double stretch = 0.0;    ///< by how much of its length the particle's own weight, with 9.80665 m/s^2,
-                             ///< lengthens the link, [0, 1e6]; 0: not at all
-    double bend = std::numbers::pi;  ///< rad, [0, pi], at most this angle from where the link would be if it
-                                     ///< followed the parent's link as in the pose
+    double stretch = 0.0;    ///< strain of the link under its own particle's weight (at 9.80665 m/s^2), [0,
+                             ///< 1e6]; 0: rigid
+    double bend = std::numbers::pi;  ///< rad, [0, pi], largest angle between the link and the direction that
+                                     ///< it would have if it kept the pose's angle to its parent's link
     double thickness = 0.0;          ///< m, [0, 1e6], radius of the link and its particle in contacts
 };
 
-/// What strands cannot enter. Two places for each time say where it is.
+/// A solid that strands cannot enter, given by two points at each time.
 struct Obstacle {
     enum class Shape : std::uint8_t {
         capsule,  ///< around the segment between both places, a ball if these are one
@@ -46,7 +46,8 @@ struct Obstacle {
     double friction = 0.5;  ///< Coulomb's coefficient, [0, 100]
 };
 
-/// Triangles that strands cannot go through, from either side. An immutable value, in a space of its own.
+/// An immutable mesh that strands cannot go through, from either side, in a space of its own. It can be moved
+/// but not copied.
 class Surface {
   public:
     /// Throws std::invalid_argument as mesh::Picker does. `executor` works for the constructor alone.
@@ -66,12 +67,12 @@ class Surface {
 /// A surface in a shot. Particles, and the middles of links, keep away from it.
 struct PlacedSurface {
     std::shared_ptr<const Surface> surface;
-    double distance = 0.0;  ///< m, [0, 1e6], added to the strand's thickness
+    double distance = 0.0;  ///< m, [0, 1e6], added to the strand's thickness; both together are 1e-5 at least
     double friction = 0.5;  ///< Coulomb's coefficient, [0, 100]
 };
 
-/// Everything over time, in world space, metres and seconds; linear between the times, and as at the nearest
-/// time outside them.
+/// Everything over time, in world space, metres and seconds, coordinates at most 1e9 in size; linear between
+/// the times, and as at the nearest time outside them.
 struct Inputs {
     std::span<const double> times;          ///< strictly rising
     std::span<const glm::dvec3> poses;      ///< where the pose has the particles: a row for each time
@@ -82,13 +83,15 @@ struct Inputs {
     std::span<const glm::dvec3> obstacle_places{};  ///< two for each obstacle: a row for each time
 
     std::span<const PlacedSurface> surfaces{};
-    std::span<const glm::dmat4> surface_matrices{};  ///< to world space, turned, moved and scaled evenly, the
-                                                     ///< scale not 0: a row of all surfaces for each time
+    /// To world space: turn, move and evenly scale by [1e-6, 1e6], may mirror; the last row is not read. A
+    /// row of all surfaces for each time.
+    std::span<const glm::dmat4> surface_matrices{};
 
     std::span<const std::size_t> pinned{};     ///< indices of particles that are held, each at most once
     std::span<const glm::dvec3> pin_places{};  ///< where they are held: a row for each time
-    std::span<const double> pin_weights{};     ///< [0, 1], a row for each time: 1 holds fast, below that a
-                                               ///< spring that is the softer the less
+    /// [0, 1], a row for each time. 1: the particle is at the pin. Below 1: a critically damped spring,
+    /// softer for smaller weights; a root is between the pose and the pin. 0: no pin.
+    std::span<const double> pin_weights{};
     std::span<const std::size_t> resets{};  ///< rising indices of times, not the first, at which all starts
                                             ///< anew, such as cuts
 };
