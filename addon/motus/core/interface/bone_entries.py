@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..declare import has_settings, of_owner, registered
+from ..declare import entries_on, has_settings, of_owner, registered
 from ..refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..settings import entries
 from ..translations import counted, tr
@@ -84,6 +84,16 @@ def check_apart(found):
                     tr("{bone} would be driven from {first} and from {second}").format(bone=name, first=taken[name], second=entry)
                 )
             taken[name] = entry
+
+
+def check_free(rig, names, system):
+    """Raise Refused if a system other than `system` drives one of a rig's bones. names: of the bones."""
+    for other, entry in entries_on(rig):
+        shared = set(names) & {one for one in entry.drives if isinstance(one, str)}
+        if shared and other != system:
+            raise Refused(
+                tr("{bone} is driven by {system} of {other} already").format(bone=min(shared), system=tr(other.label), other=entry.name)
+            )
 
 
 def has_entry(rig, name, bone):
