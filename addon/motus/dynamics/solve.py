@@ -19,8 +19,17 @@ from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.settings import entries
 from ..core.tracks import in_world, own_track, solved
-from ..core.tracks.inputs import stamp_of_carrier, stamp_of_known
-from ..core.tracks.problems import BAD_NUMBERS, BONES_CHANGED, LOOPED_BONES, MISSING_BONES, NEEDS_RECORDING, NOT_KNOWN, of_unknown
+from ..core.tracks.inputs import (
+    BAD_NUMBERS,
+    BONES_CHANGED,
+    LOOPED_BONES,
+    MISSING_BONES,
+    NEEDS_RECORDING,
+    NOT_KNOWN,
+    of_unknown,
+    stamp_of_carrier,
+    stamp_of_known,
+)
 from . import inputs, motion, sampling
 from .groups import LOOPED, MISSING, PLAN, PROPERTIES, Unit
 

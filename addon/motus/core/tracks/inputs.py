@@ -6,6 +6,7 @@ from typing import Any
 
 from .. import wiring
 from ..animation import keys, strips
+from ..declare import Problem
 from ..evaluated.question import answered
 from ..lazy import numpy as np
 from ..measures import scene_time
@@ -15,6 +16,19 @@ from .track import kept_by, own_track, world_track
 
 PARENT = None
 """Stands for the parent of the object (an object or bone) in lists of bone names, in which "" stands for the object itself."""
+
+
+NEEDS_RECORDING = Problem("Some of the followed motion cannot be read from keys: record it", blocking=False)
+NOT_KNOWN = Problem("Some of what is followed is not known on other frames, and cannot be recorded", blocking=False)
+BAD_NUMBERS = Problem("Some numbers are outside of what a motion can be computed from", blocking=False)
+MISSING_BONES = Problem("Some bones that follow are not there any more: remove them from the list", blocking=False)
+LOOPED_BONES = Problem("Some bones move with what they follow, and are left out", blocking=False)
+BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
+
+
+def of_unknown(source):
+    """Return the Problem of an input (core/tracks/inputs.py) that is not known."""
+    return NOT_KNOWN if source.reason else NEEDS_RECORDING
 
 
 def carrier(obj, scene):
