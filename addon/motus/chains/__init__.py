@@ -1,7 +1,7 @@
 """Chains: bones that hang, swing and touch, solved once for the whole scene."""
 
 from ..core.declare import System
-from . import groups, operators, overlay, panel, presets, properties, solve
+from . import groups, operators, over_time, overlay, panel, presets, properties, solve
 
 SYSTEM = System(
     name="chains",
@@ -18,6 +18,7 @@ SYSTEM = System(
     groups=groups.groups,
     entries=groups.entries,
     bone_renamed=groups.bone_renamed,
+    over_time=over_time.over_time,
     load=lambda settings: len(settings.entries),
     overlay=overlay.overlay,
     object_menu=("motus.chains_add", "motus.chains_remove"),

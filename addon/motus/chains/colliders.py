@@ -21,12 +21,17 @@ class Obstacles(NamedTuple):
 def objects(settings):
     """List the empties that the settings of a rig name as colliders."""
     collection = pointed(settings, "colliders")
-    return [] if collection is None else [obj for obj in collection.all_objects if obj.type == 'EMPTY']
+    return [] if collection is None else empties(collection.all_objects)
 
 
-def over_time(empties, scene):
+def empties(found):
+    """List the empties among objects."""
+    return [obj for obj in found if obj is not None and obj.type == 'EMPTY']
+
+
+def over_time(touched, scene):
     """List (empty, track of its world matrix) for empties, evaluated or original."""
-    return [(obj, tracks.world_track(obj, scene)) for obj in empties]
+    return [(obj, tracks.world_track(obj, scene)) for obj in touched]
 
 
 def form(obj):

@@ -2,7 +2,7 @@
 
 from ..core.tracks.inputs import MISSING_BONES, NEEDS_RECORDING, NOT_KNOWN, Tails, of_unknown
 from ..core.translations import tr
-from . import groups, setup, solve
+from . import groups, making, setup
 
 
 def input_of(owner, name, scene):
@@ -17,7 +17,7 @@ def sentence(owner, problem, scene):
     if problem == MISSING_BONES:
         gone = next((entry.name for entry in entries if groups.is_missing(owner, entry)), "")
         return tr("{object} has no bone {bone}: remove it from the list").format(object=owner.name, bone=gone)
-    if problem == solve.BELOW_ANOTHER:
+    if problem == making.BELOW_ANOTHER:
         name = next((entry.name for entry in entries if groups.is_below(owner, entry)), "")
         return tr("{bone} belongs to another chain, which moves it: remove it from the list").format(bone=name)
     for chain in groups.chains(owner) if problem in (NEEDS_RECORDING, NOT_KNOWN) else ():

@@ -2,7 +2,7 @@
 
 import functools
 
-from ..core import native, rigs, tracks
+from ..core import tracks
 from ..core.animation import keys
 from ..core.animation.channel import Channel
 from ..core.animation.reason import Reason
@@ -227,15 +227,7 @@ class _Tail(_OverTime):
         for one in tails:
             targets[:, one.rows] = one.track.evaluate(seconds - one.delay).reshape(count, -1, 3)
         shares = np.array([self._weight(entry) for entry in self._unit.entries])
-        all_names = rigs.names_of(self._owner)
-        still, worlds = rigs.still(self._owner, all_names), self._rig.worlds(times)
-        plan = native.module.TailPlan(rigs.parents(self._owner, all_names), [all_names.index(name) for name in names])
-        return np.stack(
-            [
-                plan.solve(still.rest, poses, basis, still.inheritance, worlds[index], targets[index], shares)
-                for index, (poses, basis) in enumerate(self._rig.rows(times, all_names))
-            ]
-        )
+        return self._rig.turns(times, names, targets, shares)
 
     @property
     def stamp(self):
