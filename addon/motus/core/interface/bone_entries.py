@@ -21,7 +21,8 @@ def active_property(label, index_of):
     def get(settings):
         bone = _active_bone(settings.id_data)
         index = index_of(settings, bone.name) if bone else -1
-        return min(settings.chosen_entry if index < 0 else index, len(settings.entries) - 1)
+        # A file may have any number there.
+        return min(max(settings.chosen_entry if index < 0 else index, 0), len(settings.entries) - 1)
 
     def put(settings, index):
         settings.chosen_entry = index
