@@ -218,6 +218,17 @@ class ChainsSettingsTest(support.SceneTestCase):
         cases.add(rig)
         self.assertIn("too long", self.told(rig))
 
+    def test_settling_is_bounded(self):
+        rig = cases.rope(2)
+        cases.add(rig)
+        for frame in range(2, 102):
+            bpy.context.scene.timeline_markers.new("cut", frame=frame)
+        (found,) = self.made(lambda: setattr(rig.motus.chains, "settle", 1000.0))
+        self.assertEqual(found.settle, 1000.0)
+        (found,) = self.made(lambda: setattr(rig.motus.chains, "use_cuts", True))
+        self.assertEqual(len(found.resets), 100)
+        self.assertAlmostEqual(found.settle, 0.25 * 1.5e7 / (480 * 2 * 101), places=6)
+
     def test_numbers_that_no_motion_has(self):
         rig = cases.rope(2)
         (entry,) = cases.add(rig)

@@ -102,15 +102,15 @@ class Making:
         return source.is_known
 
     def _solve(self, ready):
-        settings = self._settings
-        price, links = sum(source.price for source, *_ in ready), sum(len(bones) for _, bones, *_ in ready)
+        settings, around = self._settings, self._surroundings
+        price = sum(source.price for source, *_ in ready) + sum(track.price for _, track in around.colliders)
+        step = motion.step_price([(len(bones), settings.entries[index]) for _, bones, index, _ in ready], len(around.touched))
         share = self._share * len(ready) / max(len(settings.entries), len(ready))
-        times = motion.times_of(
-            self._surroundings.scene, self._surroundings.cuts, motion.most_seconds(price, links, settings.use_loop, share)
-        )
+        times = motion.times_of(around.scene, around.cuts, motion.most_seconds(price, step, settings.use_loop, share))
         if times.is_cut_short:
             self.problems.append(TOO_LONG)
         world = self._world(times)
+        world["settle"] = motion.settling(settings.settle, step, 1 + len(times.cuts), share)
         for source, bones, index, rows in ready:
             poses = source.kept(("places", times.frames.tobytes()), lambda source=source: source.places(times.frames))
             try:
@@ -136,9 +136,9 @@ class Making:
         return found
 
     def _world(self, times):
-        """Return the keywords of the native StrandMotion that all chains share: the air, gravity, what they touch, how they begin."""
+        """Return the keywords of the native StrandMotion that all chains share: the air, gravity, what they touch."""
         settings, around = self._settings, self._surroundings
-        found = {"settle": settings.settle, "air": motion.wind_at(times.seconds, settings.wind, settings.gusts, settings.use_loop)}
+        found = {"air": motion.wind_at(times.seconds, settings.wind, settings.gusts, settings.use_loop)}
         if around.pulling.use_gravity:
             pull = around.gravity
             if all(track.is_known for track in pull):

@@ -13,8 +13,10 @@ RATE = 240.0
 """Samples a second of what chains read: times that do not depend on the frame rate, every second one of the solver's steps."""
 STEPS = 480.0
 """Steps of the solver a second."""
-STEP_PRICE = 1.0
-"""Price of a step of a link, in units of core/measures/bounds.MANY_AT_ONCE (about 0.1 microseconds)."""
+STEP_PRICE, BEND_PRICE, OBSTACLE_PRICE = 1.0, 2.0, 0.2
+"""Prices of a step of a link, of its bend limit, and of each collider, in units of core/measures/bounds.MANY_AT_ONCE (0.1 microseconds)."""
+SETTLING = 0.25
+"""Part of the limit of work that may go into settling before the scene begins, and after cuts."""
 CYCLES = 40
 """How often a loop is gone through at most, until it closes."""
 AT_ONCE = 4096
@@ -62,10 +64,25 @@ def times_of(scene, cuts, most):
     return Times(frames, scene_time.seconds(scene, frames), np.searchsorted(frames, inside).tolist(), (last - first) / fps > most)
 
 
-def most_seconds(price, links, is_loop, share):
-    """Return how many seconds may be looked at. price: of what is read, at one time. links: number of bones. share: of the limit of work."""
-    steps = STEPS * links * STEP_PRICE * (CYCLES if is_loop else 1)
-    return bounds.MANY_AT_ONCE * share / max(RATE * price + steps, 1.0)
+def step_price(chains, obstacles):
+    """Return the price of a step. chains: [(number of bones, settings)]. obstacles: number of colliders."""
+    return sum(
+        count * (STEP_PRICE + OBSTACLE_PRICE * obstacles + (BEND_PRICE if numbers.bend_limit < math.pi else 0.0))
+        for count, numbers in chains
+    )
+
+
+def most_seconds(price, step, is_loop, share):
+    """Return how many seconds may be looked at. price: of what is read, at one time. step: step_price(). share: of the limit of work."""
+    return bounds.MANY_AT_ONCE * share / max(RATE * price + STEPS * step * (CYCLES if is_loop else 1), 1.0)
+
+
+def settling(wanted, step, beginnings, share):
+    """Return the time in which chains may come to rest: that which is wanted, or what the limit of work allows, s.
+
+    step: step_price(). beginnings: how often they come to rest. share: of the limit of work.
+    """
+    return min(wanted, SETTLING * bounds.MANY_AT_ONCE * share / (STEPS * step * beginnings))
 
 
 def wind_at(seconds, wind, gusts, is_loop):
