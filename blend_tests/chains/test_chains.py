@@ -70,7 +70,7 @@ class ChainsTest(support.SceneTestCase):
     def test_the_same_motion_at_every_frame_rate(self):
         found = {}
         for fps in (24, 25, 30, 60):
-            self.setUp()
+            support.empty_scene()
             scene = bpy.context.scene
             scene.render.fps, scene.frame_start, scene.frame_end = fps, 0, 4 * fps
             rig = cases.rope(4)
