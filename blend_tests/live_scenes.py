@@ -4,6 +4,7 @@ import bpy
 import numpy as np
 
 import support
+from chains import chain_cases
 from dynamics import dynamics_cases
 from ik import ik_cases
 from lattice import lattice_cases
@@ -19,7 +20,7 @@ FRAMES = (1, 13, 25.5, 40)
 def build():
     """Something of every system, and users' drivers.
 
-    A follower, a train, an arm, a figure that looks, one with a layer, things with dynamics, pins, a pulled lattice, pendulums, snow, a stereo
+    A follower, a train, an arm, a figure that looks, one with a layer, things with dynamics, a chain, pins, a pulled lattice, pendulums, snow, a stereo
     camera, walkers.
     """
     target = support.link("Target", location=(0.6, 0.3, 1.4))
@@ -27,6 +28,7 @@ def build():
     _paths()
     _rigs()
     _dynamics()
+    _chains()
     _meshes()
     _pendulums()
     _snow()
@@ -92,6 +94,11 @@ def _dynamics():
     pendant = support.link("Pendant")
     pendant.parent, pendant.parent_type, pendant.parent_bone = bpy.data.objects["Arm"], 'BONE', "Bone 1"
     bpy.ops.motus.dynamics_add(object="Pendant", style='BOUNCY')
+
+
+def _chains():
+    braid = chain_cases.rope(3, name="Braid")
+    bpy.ops.motus.chains_add(object=braid.name, bones="Tail 0 0", frequency=1.0)
 
 
 def _rig(name, build_bones):

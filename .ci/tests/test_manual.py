@@ -13,7 +13,22 @@ FROM = (DOCS / "architecture.md", DOCS / "systems.md", ROOT / "CONTRIBUTING.md")
 LINK = re.compile(r"(?<!!)\[[^\]]*\]\(([^)\s]+)\)|!\[[^\]]*\]\(([^)\s]+)\)")
 LONGEST = 360
 """Most characters of an entry in the glossary: one or two sentences."""
-SYSTEMS = ("path", "layers", "ik", "look_at", "pull", "lattice", "drivers", "dynamics", "pendulums", "snow", "stereo", "chroma", "walker")
+SYSTEMS = (
+    "path",
+    "layers",
+    "ik",
+    "look_at",
+    "pull",
+    "lattice",
+    "drivers",
+    "dynamics",
+    "chains",
+    "pendulums",
+    "snow",
+    "stereo",
+    "chroma",
+    "walker",
+)
 
 
 def pages():

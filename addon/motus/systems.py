@@ -1,6 +1,6 @@
 """All systems, in the order of the interface. Adding a system adds its folder and one line here."""
 
-from . import chroma, drivers, dynamics, hand_over, ik, lattice, layers, look_at, path, pendulum, pull, snow, stereo, walker
+from . import chains, chroma, drivers, dynamics, hand_over, ik, lattice, layers, look_at, path, pendulum, pull, snow, stereo, walker
 
 SYSTEMS = (
     path.SYSTEM,
@@ -9,6 +9,7 @@ SYSTEMS = (
     ik.SYSTEM,
     look_at.SYSTEM,
     dynamics.SYSTEM,
+    chains.SYSTEM,
     pull.SYSTEM,
     lattice.SYSTEM,
     pendulum.SYSTEM,

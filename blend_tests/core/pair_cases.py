@@ -13,21 +13,27 @@ BONES = look_at_cases.BONES | {"Foot.L": ("", (0.1, -0.1, 0.0), (0.1, -0.3, 0.0)
 FRAMES = (5, 14, 26.5, 40)
 KINDS = {
     "object": ("path", "pull", "lattice", "pendulum", "snow", "snow_cover", "drivers", "walker", "dynamics"),
-    "rig": ("path", "layers", "ik", "look_at", "pendulum", "drivers", "walker", "dynamics", "dynamics own", "dynamics object"),
+    "rig": ("path", "layers", "ik", "look_at", "pendulum", "drivers", "walker", "dynamics", "dynamics own", "dynamics object", "chains"),
     "camera": ("path", "pendulum", "drivers", "dynamics", "stereo", "chroma"),
     "scene": ("drivers", "stereo", "chroma"),
 }
 """Kinds of owners, and the systems that each can have; dynamics in the ways in which they follow, pendulums with their trails."""
 SEVERAL = {
     "object": ("pull", "lattice", "snow", "drivers"),
-    "rig": ("layers", "ik", "look_at", "drivers", "dynamics"),
+    "rig": ("layers", "ik", "look_at", "drivers", "dynamics", "chains"),
     "camera": ("drivers",),
     "scene": ("drivers",),
 }
 """Systems of which an owner can have several entries. The second is named "<system> again", and drives something different."""
 IN_ORDER = {"pull", "lattice", "walker", "snow again"}
 """Systems that are put where things stand at that moment, or whose objects are named in the order in which they are made."""
-BONES_OF = {"layers": "UpperArm.L,LowerArm.L", "ik": "LowerArm.L,UpperArm.L", "look_at": "Head,Neck", "walker": "Hips"}
+BONES_OF = {
+    "layers": "UpperArm.L,LowerArm.L",
+    "chains": "Head,Chest",
+    "ik": "LowerArm.L,UpperArm.L",
+    "look_at": "Head,Neck",
+    "walker": "Hips",
+}
 """Bones with dynamics, beside another system: those that it moves."""
 
 
@@ -102,6 +108,8 @@ def add(system, kind, beside=""):
     elif name == "walker":
         more = {"feet": "Foot.L,Foot.R", "body": "Hips"} if kind == "rig" else {"feet": "Left,Right"}
         operators.walker_add(object=owner, **more)
+    elif name == "chains":
+        operators.chains_add(object=owner, bones="UpperArm.L" if is_first else "Thigh.L", frequency=1.0)
     elif kind == "rig" and how != "object":
         bones = BONES_OF.get(beside, "UpperArm.L,Chest") if is_first else "Thigh.L,Shin.L"
         operators.dynamics_add(object=owner, bones=bones, style='FLOPPY', follow='OWN' if how == "own" else 'WORLD')

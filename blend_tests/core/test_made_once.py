@@ -32,6 +32,7 @@ EXPENSIVE = frozenset(
         "SnowCover",
         "SnowLayer",
         "Spline",
+        "StrandMotion",
         "TailPlan",
         "Timing.pins",
         "Timing.speeds",

@@ -133,7 +133,7 @@ class DynamicsKeptTest(support.SceneTestCase):
         cases.go_to(24)
 
         def computed(act):
-            with mock.patch.object(inputs.TailInput, "_tails", autospec=True, side_effect=inputs.TailInput._tails) as tails:
+            with mock.patch.object(inputs.TailInput, "places", autospec=True, side_effect=inputs.TailInput.places) as tails:
                 act()
                 bpy.context.view_layer.update()
             return tails.call_count

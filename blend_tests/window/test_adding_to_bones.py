@@ -7,7 +7,9 @@ import bpy
 import support
 from window import window_support
 
-SYSTEMS = {"ik": "motus.ik_add", "look_at": "motus.look_at_add", "dynamics": "motus.dynamics_add"}
+SYSTEMS = {"ik": "motus.ik_add", "look_at": "motus.look_at_add", "dynamics": "motus.dynamics_add", "chains": "motus.chains_add"}
+OF_SELECTION = {"dynamics", "chains"}
+"""Systems whose one button takes all selected bones."""
 
 
 def build():
@@ -72,14 +74,14 @@ def test_add_stays_offered_on_the_next_bone_and_on_all_selected():
                 assert getattr(bpy.ops.motus, identifier[6:])('INVOKE_DEFAULT') == {'FINISHED'}
             assert [entry.name for entry in settings] == ["lower.L"], name
             yield from shown(found)
-            assert name == "dynamics" or not found[identifier][0][0], "it has one already"
+            assert name in OF_SELECTION or not found[identifier][0][0], "it has one already"
             choose(rig, "lower.M")
             yield from shown(found)
             assert "lower.M" in found[identifier][0][0], found
             choose(rig, "lower.M", "lower.R")
             yield from shown(found)
-            words, bones = found[identifier][0 if name == "dynamics" else 1]
-            assert "2 " in words and set(bones) == (set() if name == "dynamics" else {"lower.M", "lower.R"}), found
+            words, bones = found[identifier][0 if name in OF_SELECTION else 1]
+            assert "2 " in words and set(bones) == (set() if name in OF_SELECTION else {"lower.M", "lower.R"}), found
             keywords = {"bones": ",".join(bones)} if bones else {}
             with window_support.override():
                 assert getattr(bpy.ops.motus, identifier[6:])('INVOKE_DEFAULT', **keywords) == {'FINISHED'}
@@ -87,5 +89,5 @@ def test_add_stays_offered_on_the_next_bone_and_on_all_selected():
             with window_support.override():
                 for entry in [entry.name for entry in settings]:
                     remove = getattr(bpy.ops.motus, f"{name}_remove")
-                    remove(object="Figure", **({"bones": entry} if name == "dynamics" else {"bone": entry}))
+                    remove(object="Figure", **({"bones": entry} if name in OF_SELECTION else {"bone": entry}))
     bpy.ops.object.mode_set(mode='OBJECT')

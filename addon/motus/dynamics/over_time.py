@@ -2,7 +2,8 @@
 
 import functools
 
-from ..core import native, rigs, tracks
+from ..core import tracks
+from ..core.animation import keys
 from ..core.animation.channel import Channel
 from ..core.animation.reason import Reason
 from ..core.animation.strips import together
@@ -10,7 +11,8 @@ from ..core.evaluated.question import answered
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.settings import entry_keys
-from ..core.tracks import rotations
+from ..core.tracks import in_world, rotations
+from ..core.tracks.inputs import carrier
 from ..core.tracks.rig_inputs import RigInputs, kept, once, stamp_of
 from ..core.tracks.solved import turned
 from . import groups, inputs, motion, sampling, setup
@@ -61,7 +63,7 @@ class _OverTime:
         They are the whole frames and the frames at which a track of the input is not smooth.
         """
         found = [track.bounds(first, last) for track in self._input.tracks]
-        return inputs.keys.union([[first, *inputs.keys.whole(first, last), last], *found])
+        return keys.union([[first, *keys.whole(first, last), last], *found])
 
     @property
     def extent(self):
@@ -126,8 +128,8 @@ class OverTime(_OverTime):
         """Convert moves (n, 3) from the space of the object's location channels to world space."""
         if self._owner.parent is None:
             return moves
-        carried = inputs.carrier(self._owner, self._scene).values(times)
-        space = rotations.chained(carried, inputs.in_world.parent_offset(self._owner))[:, :3, :3]
+        carried = carrier(self._owner, self._scene).values(times)
+        space = rotations.chained(carried, in_world.parent_offset(self._owner))[:, :3, :3]
         return rotations.chained(space, moves[:, :, None])[:, :, 0]
 
     @property
@@ -192,7 +194,7 @@ class _Tail(_OverTime):
     def reason(self):
         """The Reason why the motion at other frames cannot be computed; None if it can."""
         # Bones without dynamics between bones of the chain are read by their own channels, so constraints on them make them unknown.
-        held = next(filter(None, map(inputs.in_world.constrained, self._between)), None)
+        held = next(filter(None, map(in_world.constrained, self._between)), None)
         return held or super().reason or self._rig.reason
 
     def _channels(self):
@@ -225,15 +227,7 @@ class _Tail(_OverTime):
         for one in tails:
             targets[:, one.rows] = one.track.evaluate(seconds - one.delay).reshape(count, -1, 3)
         shares = np.array([self._weight(entry) for entry in self._unit.entries])
-        all_names = rigs.names_of(self._owner)
-        still, worlds = rigs.still(self._owner, all_names), self._rig.worlds(times)
-        plan = native.module.TailPlan(rigs.parents(self._owner, all_names), [all_names.index(name) for name in names])
-        return np.stack(
-            [
-                plan.solve(still.rest, poses, basis, still.inheritance, worlds[index], targets[index], shares)
-                for index, (poses, basis) in enumerate(self._rig.rows(times, all_names))
-            ]
-        )
+        return self._rig.turns(times, names, targets, shares)
 
     @property
     def stamp(self):

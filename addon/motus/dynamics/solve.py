@@ -9,30 +9,36 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix, Vector
 
-from ..core import keeping, native, rigs, wiring
+from ..core import keeping, rigs
 from ..core.animation import strips
-from ..core.declare import Problem, laying_systems, registered
+from ..core.declare import Problem, registered
 from ..core.evaluated import copies, shares
 from ..core.evaluated.question import answered
 from ..core.file import stored
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
-from ..core.tracks import in_world, own_track, world_track
+from ..core.settings import entries
+from ..core.tracks import in_world, own_track, solved
+from ..core.tracks.inputs import (
+    BAD_NUMBERS,
+    BONES_CHANGED,
+    LOOPED_BONES,
+    MISSING_BONES,
+    NEEDS_RECORDING,
+    NOT_KNOWN,
+    of_unknown,
+    stamp_of_carrier,
+    stamp_of_known,
+)
 from . import inputs, motion, sampling
 from .groups import LOOPED, MISSING, PLAN, PROPERTIES, Unit
 
-NEEDS_RECORDING = Problem("Some of the followed motion cannot be read from keys: record it", blocking=False)
-NOT_KNOWN = Problem("Some of what is followed is not known on other frames, and cannot be recorded", blocking=False)
 LOOP_IS_OPEN = Problem("A rotation does not come back to where its loop began", blocking=False)
-BAD_NUMBERS = Problem("Some numbers are outside of what a motion can be computed from", blocking=False)
 JUMPS_LOOPED = Problem("Where the motion loops, jumps of what it follows are swung through", blocking=False)
 CONSTRAINED = Problem(
     "Constraints of its own are not followed, and may undo it: let an empty have them, and a child of that the dynamics", blocking=False
 )
 EMPTY_LOOP = Problem("A loop ends before it begins, and is none: set its end behind its start", blocking=False)
-MISSING_BONES = Problem("Some bones that follow are not there any more: remove them from the list", blocking=False)
-LOOPED_BONES = Problem("Some bones move with what they follow, and are left out", blocking=False)
-BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
 TOO_LONG = Problem(
     "What is followed goes on for too long, and only its beginning counts: raise Damping or Frequency, shorten Delay, or have fewer dynamics",
     blocking=False,
@@ -84,18 +90,6 @@ class Made(NamedTuple):
     edits: int
 
 
-class Plan:
-    """Prepared native solver for the bones of a rig whose tails have dynamics; made anew when the rig changes.
-
-    rows: {bone name: row in the rig's arrays}. members: (bone name, row of the member in the group) of the bones.
-    """
-
-    def __init__(self, rig, rows, members):
-        self.still = rigs.still(rig, tuple(rows))
-        self.solver = native.module.TailPlan(rigs.parents(rig, list(rows)), [rows[name] for name, _ in members])
-        self.members = np.array([member for _, member in members], int)
-
-
 def solve(context):
     """Fill the context's arrays with the changes by which dynamics move the group's members at the context's frame.
 
@@ -107,7 +101,7 @@ def solve(context):
         return BONES_CHANGED
     own_weights = made.weights
     if own_weights is None:
-        own_weights = _weights(context.settings)
+        own_weights = entries.weights(context.settings)
     influence = context.settings.influence
     weights = own_weights if influence == 1.0 else [influence * weight for weight in own_weights]
     seconds = context.frame / context.fps
@@ -129,17 +123,11 @@ def solve(context):
 
 def _turn(context, made, seconds, weights):
     """Fill context.rotations so that bones point their tails to the filtered positions. weights: of all entries."""
-    rig = context.owner
-    text, members = context.data[PLAN], made.plan
-    plan = rigs.plan(rig, f"{text} {members}", lambda rig, rows: Plan(rig, rows, members))
-    arrays = rigs.read(rig, plan.still)
-    places, influences = np.zeros((len(members), 3)), np.zeros(len(members))
+    places, influences = np.zeros((len(made.plan), 3)), np.zeros(len(made.plan))
     for tails in made.tails:
         places[tails.rows] = tails.track.evaluate(seconds - tails.delay).reshape(-1, 3)
         influences[tails.rows] = [weights[place] for place in tails.places]
-    context.rotations[plan.members] = plan.solver.solve(
-        arrays.rest, arrays.poses, arrays.basis, arrays.inheritance, arrays.world, places, influences
-    )
+    rigs.turn(context, context.data[PLAN], made.plan, places, influences)
 
 
 def _made(context):
@@ -181,24 +169,10 @@ def _stamp(owner, copy, scene, asked):
     found = [copy.number, strips.stamp_of(owner.animation_data), *scene_time.stamp(scene)]
     if owner.type == 'ARMATURE':
         found.append(copies.stamp_of_data(owner))
-    found += [_stamp_of_carrier(owner, name, scene) for name in asked.carriers]
+    found += [stamp_of_carrier(owner, name, scene, registered["dynamics"]) for name in asked.carriers]
     found += [strips.stamp_of(_animation_of(owner, path)) for path in asked.paths]
-    found += [_stamp_of_known(own_track(owner.pose.bones[name])) for name in asked.laid]
+    found += [stamp_of_known(own_track(owner.pose.bones[name])) for name in asked.laid]
     return strips.together(found)
-
-
-def _stamp_of_carrier(owner, name, scene):
-    """Return a hashable value that changes whenever the motion of a carrier may. name: of a bone, "" for the rig, or inputs.PARENT."""
-    if name is inputs.PARENT:
-        reason = in_world.of_parent(owner)
-        return reason.kind if reason else _stamp_of_known(inputs.carrier(owner, scene))
-    thing = owner.pose.bones[name] if name else owner
-    return _stamp_of_known(world_track(thing, scene, registered["dynamics"]))
-
-
-def _stamp_of_known(track):
-    """Return the stamp of a track; () if the track is unknown because it has not been recorded, since then nothing reads it."""
-    return track.stamp if track.is_known else ()
 
 
 def _animation_of(owner, path):
@@ -256,7 +230,7 @@ class _Making:
         entries = [self._settings.entries[place] for place in places]
         things = [self._owner.pose.bones[name] if name else self._owner for name in names]
         self._count += len(names)
-        if any(_are_constrained(thing) for thing in things):
+        if any(map(_is_constrained, things)):
             self.problems.append(CONSTRAINED)
         source = Unit("", kind, entries, things).input(self._scene)
         self.carriers += source.carriers
@@ -301,7 +275,7 @@ class _Making:
         if any(entry.use_loop and not inputs.has_loop(entry) for entry in numbers):
             self.problems.append(EMPTY_LOOP)
         if not source.is_known and not all(entry.is_muted for entry in numbers):
-            self.problems.append(NOT_KNOWN if source.reason else NEEDS_RECORDING)
+            self.problems.append(of_unknown(source))
         if not all(math.isfinite(number) for entry in numbers for number in (entry.delay, entry.jump, entry.weight)):
             self.problems.append(BAD_NUMBERS)
             return False
@@ -362,27 +336,15 @@ def _made_anew(context, copy, scene, share):
         making.values,
         tuple(making.members),
         next(iter(making.problems), None),
-        _weights(settings) if is_still else None,
+        entries.weights(settings) if is_still else None,
         share,
         shares.edits(),
     )
 
 
-def _are_constrained(thing):
+def _is_constrained(thing):
     """Whether active constraints move an evaluated Object or PoseBone, other than those by which Motus applies dynamics or poses."""
-    followed = answered("what dynamics follow", lambda: [registered["dynamics"], *laying_systems()])
-    return any(
-        not one.mute and one.influence > 0.0 and not any(wiring.is_sink(system, one) for system in followed) for one in thing.constraints
-    )
-
-
-def _weights(settings):
-    """List the weights of all entries; 0.0 for a muted entry, and for a weight that is not a positive number."""
-    count = len(settings.entries)
-    weights, muted = np.empty(count, np.float32), np.empty(count, bool)
-    settings.entries.foreach_get("weight", weights)
-    settings.entries.foreach_get("is_muted", muted)
-    return [0.0 if is_muted or not weight > 0.0 else weight for weight, is_muted in zip(weights.tolist(), muted.tolist())]
+    return any(one.influence > 0.0 for one in solved.acting_on(thing, registered["dynamics"]))
 
 
 def _to_local(owner, moves, is_in_world):

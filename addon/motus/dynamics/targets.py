@@ -7,8 +7,9 @@ import re
 
 from ..core import wiring
 from ..core.blender import actions
-from ..core.declare import entries_on, systems
+from ..core.declare import registered, systems
 from ..core.file import libraries
+from ..core.interface import bone_entries
 from ..core.measures import scene_time
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.translations import tr
@@ -177,12 +178,7 @@ def check_free(owner, names):
             raise Refused(
                 tr("{object} is driven by {system} already: let a child of it follow").format(object=owner.name, system=tr(system.label))
             )
-    for system, entry in entries_on(owner):
-        shared = set(names) & {one for one in entry.drives if isinstance(one, str)}
-        if shared and system.name != "dynamics":
-            raise Refused(
-                tr("{bone} is driven by {system} of {other} already").format(bone=min(shared), system=tr(system.label), other=entry.name)
-            )
+    bone_entries.check_free(owner, [name for name in names if name], registered["dynamics"])
 
 
 def loop_of(scene):

@@ -153,9 +153,10 @@ def test_every_add_shows_the_values_that_its_settings_have():
     bpy.context.scene.motus.pull.radius = 0.37
     live_scenes.build()
     things = bpy.data.objects
-    arm, figure, puppet = things["Arm"], things["Figure"], things["Puppet"]
+    arm, figure, puppet, braid = (things[name] for name in ("Arm", "Figure", "Puppet", "Braid"))
     bpy.ops.motus.ik_remove(object=arm.name, bone="Bone 1")
     bpy.ops.motus.look_at_remove(object=figure.name, bone="Head")
+    bpy.ops.motus.chains_remove(object=braid.name)
     bpy.ops.mesh.primitive_plane_add(size=2.0)
     ground = bpy.context.object
     camera = things.new("Eye", bpy.data.cameras.new("Eye"))
@@ -166,6 +167,7 @@ def test_every_add_shows_the_values_that_its_settings_have():
         ("ik", "ik_add", (arm,), {"bone": "Bone 1"}, lambda: arm.motus.ik.entries["Bone 1"]),
         ("look_at", "look_at_add", (figure,), {"bone": "Head"}, lambda: figure.motus.look_at.entries["Head"]),
         ("dynamics", "dynamics_add", (ground,), {"style": 'BOUNCY'}, lambda: ground.motus.dynamics.entries[0]),
+        ("chains", "chains_add", (braid,), {"bones": "Tail 0 0"}, lambda: braid.motus.chains.entries[0]),
         ("layers", "layer_add", (puppet,), {"action": "Wave"}, lambda: puppet.motus.layers.entries[-1]),
         ("snow.cover", "snow_cover_add", (ground,), {}, lambda: bpy.context.object.motus.snow_cover),
         ("stereo", "stereo_rig_add", (camera,), {}, lambda: camera.motus.stereo),

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..declare import has_settings, of_owner, registered
+from ..declare import entries_on, has_settings, of_owner, registered
 from ..refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..settings import entries
 from ..translations import counted, tr
@@ -21,7 +21,8 @@ def active_property(label, index_of):
     def get(settings):
         bone = _active_bone(settings.id_data)
         index = index_of(settings, bone.name) if bone else -1
-        return min(settings.chosen_entry if index < 0 else index, len(settings.entries) - 1)
+        # A file may have any number there.
+        return min(max(settings.chosen_entry if index < 0 else index, 0), len(settings.entries) - 1)
 
     def put(settings, index):
         settings.chosen_entry = index
@@ -84,6 +85,16 @@ def check_apart(found):
                     tr("{bone} would be driven from {first} and from {second}").format(bone=name, first=taken[name], second=entry)
                 )
             taken[name] = entry
+
+
+def check_free(rig, names, system):
+    """Raise Refused if a system other than `system` drives one of a rig's bones. names: of the bones."""
+    for other, entry in entries_on(rig):
+        shared = set(names) & {one for one in entry.drives if isinstance(one, str)}
+        if shared and other != system:
+            raise Refused(
+                tr("{bone} is driven by {system} of {other} already").format(bone=min(shared), system=tr(other.label), other=entry.name)
+            )
 
 
 def has_entry(rig, name, bone):

@@ -24,6 +24,7 @@ from .arrays import (
     world,
 )
 from .plans import fingerprint, plan, source
+from .tails import turn
 from .world_matrices import WorldMatrixReader, world_matrices
 
 __all__ = (
@@ -51,6 +52,7 @@ __all__ = (
     "read",
     "source",
     "still",
+    "turn",
     "world",
     "world_matrices",
 )

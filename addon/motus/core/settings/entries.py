@@ -9,6 +9,7 @@ from .. import wiring
 from ..blender import actions
 from ..declare import of_owner
 from ..declare.forgetting import forget
+from ..lazy import numpy as np
 from . import entry_keys
 
 
@@ -38,6 +39,15 @@ def active(obj, name):
     if not settings or not settings.is_active or not 0 <= settings.active_entry < len(settings.entries):
         return None
     return settings.entries[settings.active_entry]
+
+
+def weights(settings):
+    """Weights of all entries; 0.0 for a muted entry, and for a weight that is not a positive number."""
+    count = len(settings.entries)
+    found, muted = np.empty(count, np.float32), np.empty(count, bool)
+    settings.entries.foreach_get("weight", found)
+    settings.entries.foreach_get("is_muted", muted)
+    return [0.0 if is_muted or not weight > 0.0 else weight for weight, is_muted in zip(found.tolist(), muted.tolist())]
 
 
 @contextmanager

@@ -2,7 +2,7 @@
 
 import functools
 
-from .. import keeping
+from .. import keeping, native, rigs
 from ..animation import keys, strips
 from ..animation.channel import Channel
 from ..animation.strips import together
@@ -107,6 +107,21 @@ class RigInputs:
             if hung is not None:
                 poses[places[self._above]] = hung[index]
             yield poses, basis
+
+    def turns(self, times, bones, places, shares):
+        """Quaternions (n, k, 4) that point the tails of k bones to places in the world at times (n,), on top of their own pose.
+
+        bones: their names, parents first, all among those of the inputs. places: (n, k, 3). shares: (k,), 0 to 1, by how much.
+        """
+        names = rigs.names_of(self._rig)
+        still, worlds = rigs.still(self._rig, names), self.worlds(times)
+        plan = native.module.TailPlan(rigs.parents(self._rig, list(names)), [names.index(name) for name in bones])
+        return np.stack(
+            [
+                plan.solve(still.rest, poses, basis, still.inheritance, worlds[index], places[index], shares)
+                for index, (poses, basis) in enumerate(self.rows(times, names))
+            ]
+        )
 
 
 class SolvedBone:

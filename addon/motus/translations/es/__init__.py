@@ -3,6 +3,7 @@
 from ...core.translations import OWN_SENSE
 from . import (
     base,
+    chains,
     chroma,
     drivers,
     dynamics,
@@ -31,6 +32,7 @@ _PARTS = (
     look_at,
     walker,
     dynamics,
+    chains,
     hand_over,
     pull,
     pins,

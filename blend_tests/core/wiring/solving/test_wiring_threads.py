@@ -66,7 +66,20 @@ class SolversTest(support.SceneTestCase):
         support.addon("core.wiring.healing.revival").revive()
         self.assertEqual(
             {name.partition(".")[0] for name in calls},
-            {"path", "layers", "ik", "look_at", "dynamics", "pendulum", "pendulum_trail", "snow", "snow_cover", "stereo", "walker"},
+            {
+                "path",
+                "layers",
+                "ik",
+                "look_at",
+                "dynamics",
+                "chains",
+                "pendulum",
+                "pendulum_trail",
+                "snow",
+                "snow_cover",
+                "stereo",
+                "walker",
+            },
         )
         self.assertEqual(asked, set())
 

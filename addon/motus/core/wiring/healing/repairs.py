@@ -237,9 +237,9 @@ def _part_copies(_found, _event):
         sharing.tidy(system)
     attached = _attached()
     deleted.watch(dict.fromkeys(owner for _, owner in attached))
-    for system, owner in attached:
-        place = system.name, owner.name
-        if place in noticed.given_up or not _is_borrowing(system, owner):
+    for place in [(system.name, owner.name) for system, owner in attached]:
+        system, owner = _find(*place)  # to wire one owner anew may remove another, if a script has made it a helper
+        if owner is None or place in noticed.given_up or not _is_borrowing(system, owner):
             continue
         attach.refresh(system, owner)
         if _is_borrowing(system, owner):

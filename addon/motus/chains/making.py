@@ -1,0 +1,155 @@
+"""Make the motions of chains, from what their animation and their surroundings are over the scene."""
+
+import math
+from typing import Any, NamedTuple
+
+from ..core import tracks
+from ..core.animation.strips import together
+from ..core.declare import Problem, registered
+from ..core.lazy import numpy as np
+from ..core.measures import scene_time
+from ..core.tracks import solved
+from ..core.tracks.inputs import BAD_NUMBERS, Tails, of_unknown, stamp_of_known
+from . import colliders, motion
+from .properties import KEYWORDS
+
+LOOP_IS_OPEN = Problem("A chain does not come back to where its loop began", blocking=False)
+CONSTRAINED = Problem("Constraints on bones of a chain are no part of what it follows, and may undo it", blocking=False)
+BELOW_ANOTHER = Problem("Some chains begin within another chain, which moves them: remove them from the list", blocking=False)
+COLLIDER_NOT_KNOWN = Problem("The motion of a collider is not known on other frames: chains pass through it", blocking=False)
+GRAVITY_NOT_KNOWN = Problem("The scene's gravity is not known on other frames: chains move without it", blocking=False)
+TOO_LONG = Problem("The scene is too long for so many chains, which come to a stop before its end: split it, or mute some", blocking=False)
+CUT = "cut"
+"""Beginning of the names of the markers at which chains start anew."""
+
+
+def cuts(settings, scene):
+    """List the frames of a scene's markers at which chains start anew, rising, in the keys' time. settings: of the rig."""
+    if not settings.use_cuts or settings.use_loop:
+        return []
+    found = [marker.frame for marker in scene.timeline_markers if marker.name.lower().startswith(CUT)]
+    return [scene_time.keys_time(scene, frame) for frame in sorted(found)]
+
+
+class Surroundings(NamedTuple):
+    """What acts on the chains of a rig beside its own animation.
+
+    scene: whose frames count. pulling: scene whose gravity is read, evaluated in a solver. cuts: frames at which chains start anew.
+    touched: the empties that are colliders, evaluated in a solver.
+    """
+
+    scene: Any
+    pulling: Any
+    cuts: list
+    touched: tuple
+
+    @property
+    def gravity(self):
+        """Tracks of the gravity along X, Y and Z."""
+        return [tracks.property_track(self.pulling, "gravity", axis) for axis in range(3)]
+
+    @property
+    def colliders(self):
+        """[(empty, track of its world matrix)]."""
+        return colliders.over_time(self.touched, self.scene)
+
+    @property
+    def stamp(self):
+        """Hashable value that changes whenever the surroundings may change at any time; None if changes cannot be detected."""
+        found = [*scene_time.stamp(self.scene), scene_time.last(self.scene), self.pulling.use_gravity, tuple(self.cuts)]
+        found += [track.reason.kind if track.reason else track.stamp for track in self.gravity]
+        found += [(colliders.form(obj), stamp_of_known(track)) for obj, track in self.colliders]
+        return together(found)
+
+
+class Making:
+    """Makes motions of chains of a rig, and lists their problems.
+
+    chains: [(motion.Motion, index of the chain's entry, number of bones)]. members: [(bone name, row)] of the bones of these chains.
+    problems: Problems. carriers, laid: as those of core/tracks/inputs.Tails, of all chains. count: number of all bones, of chains without
+    a motion too. share: of the limit of work, that the rig has.
+    """
+
+    def __init__(self, owner, settings, surroundings, share):
+        self._owner, self._settings, self._surroundings, self._share = owner, settings, surroundings, share
+        self.chains, self.members, self.problems, self.carriers, self.laid, self.count = [], [], [], [], [], 0
+
+    def make(self, plan):
+        """Make the motions of the chains of a plan: lists of the names of their bones."""
+        ready = []
+        for names in plan:
+            index = self._settings.entries.find(names[0])
+            if index < 0:
+                raise KeyError(names[0])
+            bones = [self._owner.pose.bones[name] for name in names]
+            source = Tails(bones, self._surroundings.scene, registered["chains"])
+            self.carriers += source.carriers
+            self.laid += source.laid
+            if self._is_ready(source, bones, self._settings.entries[index]):
+                ready.append((source, bones, index, range(self.count, self.count + len(bones))))
+            self.count += len(bones)
+        if ready:
+            self._solve(ready)
+
+    def _is_ready(self, source, bones, entry):
+        if any(one.influence > 0.0 for bone in bones for one in solved.acting_on(bone, registered["chains"])):
+            self.problems.append(CONSTRAINED)
+        if not source.is_known and not entry.is_muted:
+            self.problems.append(of_unknown(source))
+        if not all(math.isfinite(getattr(entry, name)) for name in (*KEYWORDS, "weight")):
+            self.problems.append(BAD_NUMBERS)
+            return False
+        return source.is_known
+
+    def _solve(self, ready):
+        settings, around = self._settings, self._surroundings
+        price = sum(source.price for source, *_ in ready) + sum(track.price for _, track in around.colliders)
+        step = motion.step_price([(len(bones), settings.entries[index]) for _, bones, index, _ in ready], len(around.touched))
+        share = self._share * len(ready) / max(len(settings.entries), len(ready))
+        times = motion.times_of(around.scene, around.cuts, motion.most_seconds(price, step, settings.use_loop, share))
+        if times.is_cut_short:
+            self.problems.append(TOO_LONG)
+        world = self._world(times)
+        world["settle"] = motion.settling(settings.settle, step, 1 + len(times.cuts), share)
+        for source, bones, index, rows in ready:
+            poses = source.kept(("places", times.frames.tobytes()), lambda source=source: source.places(times.frames))
+            try:
+                moved = self._motion(bones, np.stack(poses, axis=1), settings.entries[index], world, times)
+            except ValueError:
+                self.problems.append(BAD_NUMBERS)
+                continue
+            self.chains.append((moved, index, len(bones)))
+            self.members += zip([bone.name for bone in bones], rows)
+
+    def _motion(self, bones, poses, entry, world, times):
+        places = {bone.name: place for place, bone in enumerate(bones, 1)}
+        parents = [-1, 0, *(places[bone.parent.name] for bone in bones[1:])]
+        is_loop, size = self._settings.use_loop, sum(bone.bone.length for bone in bones)
+        if is_loop and np.abs(poses[-1] - poses[0]).max() > motion.CLOSED * size:
+            self.problems.append(LOOP_IS_OPEN)
+            is_loop = False
+        if is_loop:
+            poses[-1] = poses[0]
+        found = motion.motion_of(parents, poses, entry, world, times, is_loop)
+        if is_loop and found.gap > motion.CLOSED * size:
+            self.problems.append(LOOP_IS_OPEN)
+        return found
+
+    def _world(self, times):
+        """Return the keywords of the native StrandMotion that all chains share: the air, gravity, what they touch."""
+        settings, around = self._settings, self._surroundings
+        found = {"air": motion.wind_at(times.seconds, settings.wind, settings.gusts, settings.use_loop)}
+        if around.pulling.use_gravity:
+            pull = around.gravity
+            if all(track.is_known for track in pull):
+                found["gravity"] = np.stack([track.values(times.frames) for track in pull], axis=1)
+            else:
+                self.problems.append(GRAVITY_NOT_KNOWN)
+        touched = around.colliders
+        known = [(obj, track) for obj, track in touched if track.is_known]
+        if len(known) < len(touched):
+            self.problems.append(COLLIDER_NOT_KNOWN)
+        obstacles = colliders.at(known, times.frames)
+        if obstacles:
+            found |= {"obstacles": obstacles.shapes, "obstacle_places": obstacles.places, "radii": obstacles.radii}
+        return found

@@ -1,0 +1,175 @@
+"""The motion of a chain over the scene: what the native module solves once, from the chain's animation, and reads at any time."""
+
+import hashlib
+import math
+import threading
+from typing import Any, NamedTuple
+
+from ..core import keeping, native
+from ..core.lazy import numpy as np
+from ..core.measures import bounds, scene_time
+
+RATE = 240.0
+"""Samples a second of what chains read: times that do not depend on the frame rate, every second one of the solver's steps."""
+STEPS = 480.0
+"""Steps of the solver a second."""
+STEP_PRICE, BEND_PRICE, OBSTACLE_PRICE = 1.0, 2.0, 0.2
+"""Prices of a step of a link, of its bend limit, and of each collider, in units of core/measures/bounds.MANY_AT_ONCE (0.1 microseconds)."""
+SETTLING = 0.25
+"""Part of the limit of work that may go into settling before the scene begins, and after cuts."""
+CYCLES = 40
+"""How often a loop is gone through at most, until it closes."""
+AT_ONCE = 4096
+"""Steps that are solved before it is looked whether the time that was asked for is reached."""
+SUDDEN = 1.0 / 64.0
+"""Time in frames, before a cut, at which what chains read is still that of the shot before."""
+CLOSED = 1e-3
+"""Tolerance of a closed loop, as a part of the chain's length."""
+GUSTS = ((0.31, 0.0), (0.53, 1.3), (1.13, 2.1))
+"""Frequency in Hz and phase of the sine waves whose mean is a gust."""
+LARGEST_MEMORY = 1 << 28  # bytes
+
+_MOTIONS = keeping.OfFile(
+    "solved motions of chains (Motion)",
+    "hash of the settings and of all samples that the motion is made from",
+    most_size=LARGEST_MEMORY,
+    size=lambda _, motion: motion.size,
+    unit="bytes",
+)
+
+
+class Times(NamedTuple):
+    """When chains are looked at. frames: (m,), rising, in the keys' time. seconds: (m,), the same in seconds.
+
+    cuts: indices of those at which chains start anew. is_cut_short: whether the scene goes on for longer.
+    """
+
+    frames: Any
+    seconds: Any
+    cuts: list
+    is_cut_short: bool
+
+
+def times_of(scene, cuts, most):
+    """Return the Times of a scene, from its first frame to the one after its last.
+
+    cuts: frames at which chains start anew. most: seconds, at most.
+    """
+    first, last = scene_time.first(scene), scene_time.keys_time(scene, scene.frame_end + 1)
+    fps = scene_time.fps(scene)
+    count = math.ceil(min((last - first) / fps, most) * RATE - 1e-6)
+    frames = first + np.arange(max(count, 1) + 1) * fps / RATE
+    inside = [frame for frame in cuts if first < frame < frames[-1]]
+    frames = np.unique(np.concatenate([frames, inside, [frame - SUDDEN for frame in inside if frame - SUDDEN > first]]))
+    return Times(frames, scene_time.seconds(scene, frames), np.searchsorted(frames, inside).tolist(), (last - first) / fps > most)
+
+
+def step_price(chains, obstacles):
+    """Return the price of a step. chains: [(number of bones, settings)]. obstacles: number of colliders."""
+    return sum(
+        count * (STEP_PRICE + OBSTACLE_PRICE * obstacles + (BEND_PRICE if numbers.bend_limit < math.pi else 0.0))
+        for count, numbers in chains
+    )
+
+
+def most_seconds(price, step, is_loop, share):
+    """Return how many seconds may be looked at. price: of what is read, at one time. step: step_price(). share: of the limit of work."""
+    return bounds.MANY_AT_ONCE * share / max(RATE * price + STEPS * step * (CYCLES if is_loop else 1), 1.0)
+
+
+def settling(wanted, step, beginnings, share):
+    """Return the time in which chains may come to rest: that which is wanted, or what the limit of work allows, s.
+
+    step: step_price(). beginnings: how often they come to rest. share: of the limit of work.
+    """
+    return min(wanted, SETTLING * bounds.MANY_AT_ONCE * share / (STEPS * step * beginnings))
+
+
+def wind_at(seconds, wind, gusts, is_loop):
+    """Return the velocity of the air at times (m,), s: (m, 3), or (3,) without gusts. Gusts of a loop close."""
+    if gusts <= 0.0:
+        return np.array(wind)
+    duration = seconds[-1] - seconds[0]
+    at, waves = seconds - seconds[0] if is_loop else seconds, np.zeros(len(seconds))
+    for frequency, phase in GUSTS:
+        if is_loop:
+            frequency = max(round(frequency * duration), 1) / duration
+        waves += np.sin(math.tau * frequency * at + phase)
+    return np.array(wind) * (1.0 + gusts * waves[:, None] / len(GUSTS))
+
+
+class Motion:
+    """Motion of one chain. Threads share it: each solves on as far as it asks, while the others wait.
+
+    solver: native StrandMotion. last: time at which a loop begins again, s; None if the motion is no loop. first: its first time, s.
+    """
+
+    def __init__(self, solver, first, last):
+        self._solver, self._lock, self._first, self._last = solver, threading.Lock(), first, last
+        self.size = solver.nbytes
+
+    def places(self, seconds):
+        """Return where the particles are at a time, s: (n, 3), the head of the topmost bone first."""
+        if self._last is not None:
+            seconds = self._first + (seconds - self._first) % (self._last - self._first)
+        with self._lock:
+            # Before its first step a solver has the first pose, not yet settled, at the first time.
+            while not self._solver.is_solved and (self._last is not None or self._solver.solved_until <= seconds):
+                self._solver.solve(AT_ONCE)
+            return self._solver.places(seconds)
+
+    @property
+    def gap(self):
+        """By how much a loop does not close, m; 0 if the motion is no loop."""
+        if self._last is None:
+            return 0.0
+        self.places(self._first)
+        return self._solver.gap
+
+
+def motion_of(parents, poses, numbers, world, times, is_loop):
+    """Return the Motion of a chain. Raises ValueError if a number is outside of what can be computed.
+
+    parents: index of the parent of each particle, -1 first. poses: (m, n, 3), where the animation has the particles at the Times. numbers:
+    the entry, or what has its settings. world: keywords of the native StrandMotion that all chains share.
+    """
+    depths = [0]
+    for parent in parents[1:]:
+        depths.append(depths[parent] + 1)
+    shares = np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1)
+    keywords = {
+        "frequency": np.minimum(numbers.frequency * (1.0 + (numbers.tip_frequency - 1.0) * shares), STEPS / 8.0),
+        "mass": 1.0 + (numbers.tip_mass - 1.0) * shares,
+        "damping": numbers.damping,
+        "response": numbers.response,
+        "drag": numbers.drag,
+        "stretch": numbers.stretch,
+        "bend": min(numbers.bend_limit, math.pi),
+        "thickness": numbers.thickness,
+        **world,
+    }
+    if "gravity" in keywords:
+        keywords["gravity"] = numbers.gravity * keywords["gravity"]
+    found = hashlib.blake2b(digest_size=16)
+    for value in (parents, times.seconds, poses, times.cuts, is_loop, *keywords.items()):
+        _note(found, value)
+    seconds = times.seconds
+
+    def make():
+        resets = None if is_loop else times.cuts
+        solver = native.module.StrandMotion(parents, seconds, poses, **keywords, resets=resets, rate=STEPS, loop=is_loop, cycles=CYCLES)
+        return Motion(solver, float(seconds[0]), float(seconds[-1]) if is_loop else None)
+
+    return _MOTIONS.made(found.digest(), make)
+
+
+def _note(found, value):
+    """Let a hash cover a value: a number, a text, an array, or a list or tuple of these."""
+    if isinstance(value, (list, tuple)):
+        found.update(f"{len(value)}".encode())
+        for one in value:
+            _note(found, one)
+    elif hasattr(value, "tobytes"):
+        found.update(f"{value.shape}".encode() + np.ascontiguousarray(value).tobytes())
+    else:
+        found.update(repr(value).encode())

@@ -1,0 +1,108 @@
+"""The panel of chains in the sidebar and in the constraint properties of bones."""
+
+import bpy
+
+from ..core.interface import bone_entries, panels, ui
+from ..core.interface.tracks import panel as track_panel
+from ..core.settings.entries import active
+from ..core.translations import OWN_SENSE, counted, tr
+from . import colliders, presets, rows, setup, told
+
+
+def draw_main(layout, context):
+    """Draw the list of chains, the problem if there is one, and how much and how stiffly the shown chain acts."""
+    rig = context.object
+    settings = rig.motus.chains
+    ui.draw_rig_influence(layout, settings)
+    _, remove, _ = ui.draw_list(
+        layout, "MOTUS_UL_chains_entries", settings, "entries", "active_entry", "motus.chains_add", "motus.chains_remove", rows=2
+    )
+    remove.object, remove.only_active = rig.name, True
+    ui.draw_problem(layout, context, setup.system(), rig, lambda problem: told.sentence(rig, problem, context.scene))
+    entry = active(rig, "chains")
+    if entry:
+        bone_entries.draw_shown(layout, setup.system(), entry.name)
+        column = ui.split(layout)
+        rows.AMOUNT.draw(column, entry)
+        rows.SPRING.draw(column, entry)
+
+
+def _draw_of_entry(group):
+    """Return the function that draws a group of rows for the shown chain."""
+
+    def draw(layout, context):
+        entry = active(context.object, "chains")
+        if entry:
+            group.draw(ui.split(layout), entry)
+
+    return draw
+
+
+def draw_world(layout, context):
+    """Draw the wind and the colliders, with buttons that record colliders whose motion is not known."""
+    settings = context.object.motus.chains
+    rows.WORLD.draw(ui.split(layout), settings)
+    for obj, track in colliders.over_time(colliders.objects(settings), context.scene):
+        if track.reason is not None:
+            track_panel.draw(layout, track, datablock=obj.name, transform='WORLD')
+
+
+def draw_time(layout, context):
+    """Draw how chains begin, loop and start anew, and whether what the shown chain follows is known."""
+    rig = context.object
+    rows.TIME.draw(ui.split(layout), rig.motus.chains)
+    entry = active(rig, "chains")
+    source = entry and told.input_of(rig, entry.name, context.scene)
+    for track, keywords in source.unknown if source else ():
+        track_panel.draw(layout, track, **keywords)
+
+
+def draw_actions(layout, context):
+    """Draw the buttons that bake and remove the chains."""
+    column = layout.column(align=True)  # the buttons would be too narrow side by side in a narrow editor
+    ui.draw_bake(column)
+    column.operator("motus.chains_remove", text="Remove All", icon='X').object = context.object.name
+
+
+def draw_add(layout, context):
+    """Draw the button that adds chains from the selected bones."""
+    bone_entries.draw_add(layout, "motus.chains_add", 'LINKED', _words(context))
+
+
+def _words(context):
+    """Return the label of the button that adds chains; "" if no bones are selected."""
+    names = bone_entries.posed(context)
+    return counted(len(names), tr("Chain from {name}").format(name=names[0]), tr("Chains from {count} Bones")) if names else ""
+
+
+class MOTUS_UL_chains_entries(bpy.types.UIList):
+    def draw_item(self, _context, layout, _settings, entry, _icon, _active, _name, _index):
+        row = layout.row(align=True)
+        row.active = not entry.is_muted
+        columns = row.split(factor=0.65, align=True)  # the factor leaves room for the name even in a narrow sidebar
+        columns.label(text=entry.name, icon='BONE_DATA', translate=False)
+        columns.prop(entry, "weight", text="", slider=True, emboss=False, text_ctxt=OWN_SENSE)
+        row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
+
+
+PANEL = panels.SystemPanel(
+    name="chains",
+    prefix="MOTUS_PT_chains",
+    label="Chains",
+    editors={"": ui.Sidebar, "_constraint": ui.BoneConstraints},
+    suits=lambda obj: obj.type == 'ARMATURE',
+    is_used=lambda obj: len(obj.motus.chains.entries) > 0,
+    draw=draw_main,
+    parts=(
+        panels.Part("forces", "Forces", _draw_of_entry(rows.FORCES), is_open=True),
+        panels.Part("limits", "Limits", _draw_of_entry(rows.LIMITS)),
+        panels.Part("world", "Surroundings", draw_world),
+        panels.Part("time", "Time", draw_time),
+    ),
+    actions=draw_actions,
+    refresh=panels.REFRESH,
+    presets=presets.PANEL,
+    draw_add=draw_add,
+)
+
+classes = (MOTUS_UL_chains_entries, *panels.classes(PANEL))

@@ -1,0 +1,122 @@
+"""Settings of chains in Object.motus.chains, with an entry for each chain of bones."""
+
+import math
+from functools import partial
+
+import bpy
+
+from ..core.interface import bone_entries
+from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire
+from ..core.settings.declared import factor, number, switch, vector
+
+# The motion at a frame depends on the whole past, so a setting that changed over time would have to be known at all times.
+_number = partial(number, tells_no_keys=True)
+
+
+class ChainsKeywords:
+    """Mixin with the properties that an entry and the operator that adds chains share. Scripts use the names as keywords."""
+
+    frequency: _number(
+        "Frequency",
+        "Swings per second around the animated pose; 0 for a limp chain",
+        1.5,
+        min=0.0,
+        max=60.0,
+        soft_max=10.0,
+        precision=3,
+        step=5,
+    )
+    tip_frequency: _number(
+        "Tip Frequency", "Frequency of the last bone, as a part of that of the first one", 1.0, min=0.0, max=10.0, soft_max=2.0, step=5
+    )
+    damping: _number(
+        "Damping", "0 swings for ever, 1 comes to rest soonest without swinging", 0.3, min=0.0, max=100.0, soft_max=2.0, precision=3, step=2
+    )
+    response: _number(
+        "Response",
+        "0 starts slowly, 1 starts at once, above 1 it overshoots, below 0 it winds up first",
+        0.0,
+        min=-100.0,
+        max=100.0,
+        soft_min=-3.0,
+        soft_max=3.0,
+        precision=3,
+        step=5,
+    )
+    gravity: _number("Gravity", "How much of the scene's gravity pulls the chain", 1.0, min=0.0, max=2.0, subtype='FACTOR')
+    drag: _number("Air Drag", "How fast the chain takes on the air's velocity, per second", 0.5, min=0.0, max=1000.0, soft_max=10.0, step=5)
+    tip_mass: _number(
+        "Tip Mass", "Mass of the last bone, as a part of that of the first one", 1.0, min=0.01, max=100.0, soft_max=10.0, step=5
+    )
+    stretch: _number(
+        "Stretch",
+        "Part of its length by which a bone's own weight would lengthen it; bones keep their lengths, and point to where longer ones would end",
+        0.0,
+        min=0.0,
+        max=100.0,
+        soft_max=1.0,
+        subtype='FACTOR',
+        precision=3,
+    )
+    bend_limit: _number(
+        "Bend Limit",
+        "Largest angle to where a bone would be if it followed its parent; 180 degrees for no limit",
+        math.pi,
+        min=0.0,
+        max=math.pi,
+        subtype='ANGLE',
+    )
+    thickness: _number("Thickness", "Radius of the chain where it touches colliders", 0.0, min=0.0, max=1e5, soft_max=1.0, unit='LENGTH')
+    weight: factor("Weight", "Blend from the animation (0) to the hanging chain (1)", 1.0, options=ANIMATED)
+
+
+KEYWORDS = tuple(name for name in ChainsKeywords.__annotations__ if name != "weight")
+"""Settings of an entry that presets and To All Selected copy."""
+
+
+class MOTUS_PG_chains_entry(ChainsKeywords, bpy.types.PropertyGroup):
+    name: bpy.props.StringProperty(
+        name="Bone", description="Topmost bone of the chain, which has all bones below it", update=rewire, override=OVERRIDABLE
+    )
+    is_muted: switch("Mute", "Switch this chain off", options=ANIMATED)
+
+
+def index_of_bone(settings, bone):
+    """Return the index of the entry whose chain has a bone; -1 if there is none. bone: name of the bone."""
+    index = settings.entries.find(bone)
+    rig = settings.id_data
+    if index < 0 and rig.pose and bone in rig.pose.bones:
+        above = (one.name for one in rig.data.bones[bone].parent_recursive)
+        index = next((found for found in map(settings.entries.find, above) if found >= 0), -1)
+    return index
+
+
+class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
+    influence: factor("Influence", "How much all chains of the rig act; 0 leaves the rig to its animation", 1.0, options=ANIMATED)
+    wind: vector("Wind", "Velocity of the air, which chains with Air Drag feel", tells_no_keys=True, subtype='VELOCITY', unit='VELOCITY')
+    gusts: _number("Gusts", "How much the wind rises and falls: 1 lets it fall to a calm at times", 0.0, min=0.0, max=2.0, subtype='FACTOR')
+    settle: _number(
+        "Settle",
+        "Time, at most, in which chains come to rest in their first pose before the scene begins",
+        2.0,
+        min=0.0,
+        max=1000.0,
+        soft_max=10.0,
+        unit='TIME_ABSOLUTE',
+    )
+    use_loop: switch("Loop", "Let the motion close without a seam over the scene's frames, where the animation does", tells_no_keys=True)
+    use_cuts: switch("Reset at Cuts", "Start anew at rest at each marker of the scene whose name begins with \"cut\"", tells_no_keys=True)
+    colliders: bpy.props.PointerProperty(
+        type=bpy.types.Collection,
+        name="Colliders",
+        description="Collection whose empties chains do not enter: one displayed as a sphere is a ball, each other one a plane that is "
+        "solid below its X and Y axes",
+        update=rewire,
+        override=OVERRIDABLE,
+    )
+    entries: bpy.props.CollectionProperty(type=MOTUS_PG_chains_entry, name="Chains", override=EXTENDABLE)
+    chosen_entry: bpy.props.IntProperty(name="Chosen Entry", options={'HIDDEN'})
+    active_entry: bone_entries.active_property("Active Entry", index_of_bone)
+
+
+classes = (MOTUS_PG_chains_entry, MOTUS_PG_chains)

@@ -1,0 +1,21 @@
+"""The rows in which the panels show settings of chains and the redo panel shows the operator's keywords."""
+
+from ..core.interface.rows import Row, Rows, is_positive
+from ..core.translations import OWN_SENSE
+
+AMOUNT = Rows((Row("weight", text="Weight", text_ctxt=OWN_SENSE),), title="Amount")
+SPRING = Rows(
+    (
+        "frequency",
+        Row("tip_frequency", active=is_positive("frequency")),
+        Row("damping", active=is_positive("frequency")),
+        Row("response", active=is_positive("frequency")),
+    ),
+    title="Spring",
+)
+FORCES = Rows(("gravity", "drag", "tip_mass"), title="Forces")
+LIMITS = Rows(("stretch", "bend_limit", "thickness"), title="Limits")
+WORLD = Rows(("wind", "gusts", "colliders"), title="Surroundings")
+TIME = Rows(("settle", "use_loop", Row("use_cuts", active=lambda settings: not settings.use_loop)), title="Time")
+ADDING = (SPRING, FORCES, LIMITS, AMOUNT)
+"""Rows of the redo panel of the operator that adds chains."""

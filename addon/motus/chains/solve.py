@@ -1,0 +1,162 @@
+"""Solve the chains of a group: turn bones to where their motion has them."""
+
+from typing import Any, NamedTuple
+
+from ..core import keeping, rigs, wiring
+from ..core.animation import strips
+from ..core.declare import Geometries, registered
+from ..core.evaluated import copies, shares
+from ..core.evaluated.question import answered
+from ..core.file import stored
+from ..core.lazy import numpy as np
+from ..core.settings import entries
+from ..core.tracks import inputs, own_track
+from . import colliders, making
+from .groups import BELOW, LOOPED, MISSING, PLAN
+from .making import (
+    BELOW_ANOTHER,
+    COLLIDER_NOT_KNOWN,
+    CONSTRAINED,
+    GRAVITY_NOT_KNOWN,
+    LOOP_IS_OPEN,
+    TOO_LONG,
+)
+
+PROBLEMS = (
+    inputs.NEEDS_RECORDING,
+    inputs.NOT_KNOWN,
+    inputs.BAD_NUMBERS,
+    LOOP_IS_OPEN,
+    CONSTRAINED,
+    BELOW_ANOTHER,
+    COLLIDER_NOT_KNOWN,
+    GRAVITY_NOT_KNOWN,
+    TOO_LONG,
+    inputs.LOOPED_BONES,
+    inputs.MISSING_BONES,
+    inputs.BONES_CHANGED,
+)
+
+INPUTS = (Geometries("obstacles", of=colliders.objects),)
+
+_FORM = {"fingerprint": int, "chains": [[str]]}
+"""Structure of the JSON text that groups.py stores in a group's data under PLAN."""
+
+_MADE = keeping.OfEvaluation(
+    "motions of the chains of a group (Made)",
+    "key of the group; looked up again if the stamp of the group's inputs differs",
+    "one for each group",
+)
+
+
+class Made(NamedTuple):
+    """Motions of a group's chains, valid while their inputs do not change.
+
+    stamp: hashable value that changes with the inputs, including the world tracks of `carriers` and the own tracks of `laid`, names as in
+    core/tracks/inputs.py. chains: [(motion.Motion, index of the chain's entry, number of bones)]. members: (bone name, row of the member) of
+    the bones of these chains. problem: the Problem to report, or None. weights: of all entries; None if they are animated.
+    share: of the limit of work, that the owner had (core/evaluated/shares.py). edits: shares.edits() when that was looked up.
+    """
+
+    stamp: Any
+    carriers: tuple
+    laid: tuple
+    chains: list
+    members: tuple
+    problem: Any
+    weights: Any
+    share: float
+    edits: int
+
+
+def solve(context, obstacles):
+    """Turn the group's bones to where the motion has them at the context's frame. Returns a Problem or None.
+
+    obstacles: what the wiring waits by for the colliders.
+    """
+    try:
+        made = _made(context)
+    except KeyError:  # bones or entries that do not exist any more
+        return inputs.BONES_CHANGED
+    weights = made.weights if made.weights is not None else entries.weights(context.settings)
+    places, influences = np.zeros((len(made.members), 3)), np.zeros(len(made.members))
+    row = 0
+    for moved, entry, count in made.chains:
+        rows = slice(row, row + count)
+        row += count
+        weight = context.settings.influence * weights[entry]
+        if weight > 0.0:
+            influences[rows] = weight
+            places[rows] = moved.places(context.frame / context.fps)[1:]
+    if influences.any():
+        rigs.turn(context, context.data[PLAN], made.members, places, influences)
+    return made.problem or _wrong(context.data)
+
+
+def _wrong(data):
+    """Return the Problem with the list of chains of a group's data; None if there is none."""
+    return next(
+        (
+            problem
+            for key, problem in ((LOOPED, inputs.LOOPED_BONES), (MISSING, inputs.MISSING_BONES), (BELOW, BELOW_ANOTHER))
+            if data.get(key)
+        ),
+        None,
+    )
+
+
+def _made(context):
+    """Return the Made of the context's group from the cache; make it anew if its inputs have changed."""
+    owner, copy, depsgraph = context.owner, context.copy, context.depsgraph
+    kept = _MADE.on(copy)
+    found = kept.get(context.group)
+    edits = shares.edits()
+    share = found.share if found and found.edits == edits else shares.share_of(registered["chains"], owner, depsgraph)
+    if found is None or found.stamp is None or found.share != share or found.stamp != _stamp(context, found.carriers, found.laid):
+        # One question, so that what many bones depend on, such as the motion of their rig, is found once.
+        found = kept[context.group] = answered(object(), lambda: _make(context, share))
+    elif found.edits != edits:
+        found = kept[context.group] = found._replace(edits=edits)
+    return found
+
+
+def _stamp(context, carriers, laid):
+    """Hashable value that changes whenever the inputs of an owner's chains may change; None if changes cannot be detected."""
+    owner, scene = context.owner, context.depsgraph.scene
+    if context.copy is None:
+        return None
+    found = [context.copy.number, strips.stamp_of(owner.animation_data), copies.stamp_of_data(owner), _surroundings(context).stamp]
+    found += [inputs.stamp_of_carrier(owner, name, scene, registered["chains"]) for name in carriers]
+    found += [inputs.stamp_of_known(own_track(owner.pose.bones[name])) for name in laid]
+    return strips.together(found)
+
+
+def _surroundings(context):
+    """Return the making.Surroundings of the context's chains."""
+    depsgraph, waited = context.depsgraph, wiring.waited_for(context.settings)
+    # Blender copies markers to the evaluated scene too late for a viewport, but a render must not read what is edited meanwhile.
+    marked = depsgraph.scene_eval if depsgraph.mode == 'RENDER' else depsgraph.scene
+    return making.Surroundings(
+        depsgraph.scene, depsgraph.scene_eval, making.cuts(context.settings, marked), tuple(colliders.empties(waited.values()))
+    )
+
+
+def _make(context, share):
+    plan = stored.parse(context.data.get(PLAN), _FORM)
+    found = making.Making(context.owner, context.settings, _surroundings(context), share)
+    found.make(plan["chains"])
+    if found.count != len(context.locations):
+        raise stored.Damaged("another number of members")
+    carriers, laid = tuple(dict.fromkeys(found.carriers)), tuple(dict.fromkeys(found.laid))
+    is_still = context.copy is not None and not context.copy.has_animated_settings
+    return Made(
+        _stamp(context, carriers, laid),
+        carriers,
+        laid,
+        found.chains,
+        tuple(found.members),
+        next(iter(found.problems), None),
+        entries.weights(context.settings) if is_still else None,
+        share,
+        shares.edits(),
+    )

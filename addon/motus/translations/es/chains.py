@@ -1,0 +1,83 @@
+"""Spanish: chains."""
+
+from ...core.settings import NO_KEYS
+
+_NO_KEYS_ES = ". No admite claves: todo el movimiento depende de ello"
+
+INTERFACE = {
+    "Chain from {name}": "Cadena desde {name}",
+    "Chains from {count} Bones": "Cadenas desde {count} huesos",
+    "Chains Presets": "Preajustes de cadenas",
+    "Chain added from {bone}": "Cadena agregada desde {bone}",
+    "{count} chains added": "{count} cadenas agregadas",
+    "{object} has no chains": "{object} no tiene cadenas",
+    "Let the selected bones, and all bones below them, hang and swing as chains": "Hace que los huesos seleccionados, y todos los que hay debajo, cuelguen y oscilen como cadenas",
+    "Remove chains from bones: from the selected ones in Pose Mode, else all of the rig": "Quitar cadenas de los huesos: de los seleccionados en modo Pose y, si no, todas las del rig",
+    "Names of the topmost bones of the chains, with commas between; empty takes the selected bones": "Nombres de los huesos superiores de las cadenas, separados por comas; vacío toma los huesos seleccionados",
+    "Select the topmost bones of the chains": "Selecciona los huesos superiores de las cadenas",
+    "{object} has these chains from its library, so that they cannot be removed here: mute them": "{object} tiene estas cadenas de su biblioteca, así que no se pueden quitar aquí: siléncialas",
+    "Topmost bone of the chain, which has all bones below it": "Hueso superior de la cadena, que tiene todos los huesos que hay debajo",
+    "Switch this chain off": "Desactivar esta cadena",
+    "Blend from the animation (0) to the hanging chain (1)": "Mezcla de la animación (0) a la cadena que cuelga (1)",
+    "Swings per second around the animated pose; 0 for a limp chain"
+    + NO_KEYS: "Oscilaciones por segundo en torno a la pose animada; 0 para una cadena floja" + _NO_KEYS_ES,
+    "Tip Frequency": "Frecuencia de la punta",
+    "Frequency of the last bone, as a part of that of the first one" + NO_KEYS: "Frecuencia del último hueso, como parte de la del primero"
+    + _NO_KEYS_ES,
+    "How much of the scene's gravity pulls the chain" + NO_KEYS: "Cuánta gravedad de la escena tira de la cadena" + _NO_KEYS_ES,
+    "How fast the chain takes on the air's velocity, per second"
+    + NO_KEYS: "Con qué rapidez toma la cadena la velocidad del aire, por segundo" + _NO_KEYS_ES,
+    "Tip Mass": "Masa de la punta",
+    "Mass of the last bone, as a part of that of the first one" + NO_KEYS: "Masa del último hueso, como parte de la del primero"
+    + _NO_KEYS_ES,
+    "Part of its length by which a bone's own weight would lengthen it; bones keep their lengths, and point to where longer ones would end"
+    + NO_KEYS: "Parte de su longitud en la que alargaría a un hueso su propio peso; los huesos conservan su longitud y apuntan a donde acabarían los alargados"
+    + _NO_KEYS_ES,
+    "Bend Limit": "Límite de flexión",
+    "Largest angle to where a bone would be if it followed its parent; 180 degrees for no limit"
+    + NO_KEYS: "Mayor ángulo respecto a donde estaría un hueso si siguiera a su padre; 180 grados para ningún límite" + _NO_KEYS_ES,
+    "Radius of the chain where it touches colliders" + NO_KEYS: "Radio de la cadena donde toca colisionadores" + _NO_KEYS_ES,
+    "Velocity of the air, which chains with Air Drag feel" + NO_KEYS: "Velocidad del aire, que notan las cadenas con resistencia del aire"
+    + _NO_KEYS_ES,
+    "How much the wind rises and falls: 1 lets it fall to a calm at times" + NO_KEYS: "Cuánto sube y baja el viento: con 1 se calma a veces"
+    + _NO_KEYS_ES,
+    "Settle": "Asentar",
+    "Time, at most, in which chains come to rest in their first pose before the scene begins"
+    + NO_KEYS: "Tiempo, como máximo, en el que las cadenas llegan al reposo en su primera pose antes de que empiece la escena"
+    + _NO_KEYS_ES,
+    "Let the motion close without a seam over the scene's frames, where the animation does"
+    + NO_KEYS: "Hace que el movimiento se cierre sin costura en los fotogramas de la escena, si la animación lo hace" + _NO_KEYS_ES,
+    "Reset at Cuts": "Reiniciar en los cortes",
+    'Start anew at rest at each marker of the scene whose name begins with "cut"'
+    + NO_KEYS: 'Empezar de nuevo en reposo en cada marcador de la escena cuyo nombre empiece por "cut"' + _NO_KEYS_ES,
+    "Collection whose empties chains do not enter: one displayed as a sphere is a ball, each other one a plane that is solid below its X and Y axes": "Colección con vacíos en los que las cadenas no entran: el que se muestra como esfera es una bola, cualquier otro un plano macizo por debajo de sus ejes X e Y",
+    "Surroundings": "Entorno",
+    "A chain does not come back to where its loop began": "Una cadena no vuelve adonde empezó su bucle",
+    "Constraints on bones of a chain are no part of what it follows, and may undo it": "Las restricciones de los huesos de una cadena no forman parte de lo que sigue y pueden anularla",
+    "Some chains begin within another chain, which moves them: remove them from the list": "Algunas cadenas empiezan dentro de otra, que las mueve: quítalas de la lista",
+    "{bone} belongs to another chain, which moves it: remove it from the list": "{bone} pertenece a otra cadena, que lo mueve: quítalo de la lista",
+    "The motion of a collider is not known on other frames: chains pass through it": "El movimiento de un colisionador no se conoce en otros fotogramas: las cadenas lo atraviesan",
+    "The scene's gravity is not known on other frames: chains move without it": "La gravedad de la escena no se conoce en otros fotogramas: las cadenas se mueven sin ella",
+    "The scene is too long for so many chains, which come to a stop before its end: split it, or mute some": "La escena es demasiado larga para tantas cadenas, que se detienen antes del final: divídela o silencia algunas",
+    "Dog's Tail": "Cola de perro",
+    "Stiff at its root, loose at its tip": "Rígida en la raíz, suelta en la punta",
+    "Ponytail": "Coleta",
+    "Hangs, with a little of its shape": "Cuelga y conserva un poco de su forma",
+    "Rope": "Cuerda",
+    "Limp: hangs by its weight alone": "Floja: cuelga solo por su peso",
+    "Antenna": "Antena",
+    "Springs back, and trembles for long": "Vuelve de golpe y tiembla mucho tiempo",
+    "Cape Strip": "Tira de capa",
+    "Hangs, and is carried by the air": "Cuelga y el aire se la lleva",
+    "Earring": "Pendiente",
+    "Limp, with a heavy end": "Floja, con el extremo pesado",
+    "Tentacle": "Tentáculo",
+    "Follows slowly, as in water": "Sigue despacio, como en el agua",
+}
+
+OPERATORS = {
+    "Add Chains": "Agregar cadenas",
+    "Remove Chains": "Quitar cadenas",
+    "Use Chains Preset": "Usar preajuste de cadenas",
+    "Add Chains Preset": "Agregar preajuste de cadenas",
+}
