@@ -134,11 +134,31 @@ class ChainsTest(support.SceneTestCase):
         # At rest gravity and the drag of the air are in balance with the pull of the bone.
         self.assertAlmostEqual(way[1] / -way[2], 4.0 * 2.0 / 9.81, places=2)
 
+    def test_wind_that_is_keyed(self):
+        rig = cases.rope(3)
+        rig.animation_data_clear()
+        cases.add(rig, frequency=0.0, drag=4.0)
+        for frame, wind in ((1, (0.0, 0.0, 0.0)), (60, (0.0, 0.0, 0.0)), (61, (3.0, 0.0, 0.0))):
+            rig.motus.chains.wind = wind
+            rig.keyframe_insert("motus.chains.wind", frame=frame)
+        self.assertLess(abs((cases.tail(rig, 60, "Tail 0 0") - cases.place(rig, 60, "Tail 0 0"))[0]), 1e-3)
+        blown = cases.tail(rig, 200, "Tail 0 0") - cases.place(rig, 200, "Tail 0 0")
+        self.assertAlmostEqual(blown[0] / -blown[2], 4.0 * 3.0 / 9.81, delta=0.1)
+        self.assertIsNone(cases.problem(rig))
+        support.addon().forget_all()
+        np.testing.assert_array_equal(cases.tail(rig, 200, "Tail 0 0") - cases.place(rig, 200, "Tail 0 0"), blown)
+        rig.animation_data_clear()
+        rig.driver_add("motus.chains.wind", 0).driver.expression = "frame"
+        bpy.context.view_layer.update()
+        cases.go_to(5)
+        self.assertIn("wind", cases.problem(rig).sentence)
+
     def test_gusts_change_the_wind_and_close_in_a_loop(self):
         motion = support.addon("chains.motion")
         seconds = np.linspace(1.0 / 24.0, 5.0 + 1.0 / 24.0, 1201)
+        wind = np.broadcast_to((2.0, 0.0, 0.0), (1201, 3))
         for is_loop in (False, True):
-            found = motion.wind_at(seconds, (2.0, 0.0, 0.0), 1.0, is_loop)
+            found = motion.with_gusts(wind, seconds, 1.0, is_loop)
             self.assertGreater(np.ptp(found[:, 0]), 1.0)
             self.assertTrue((found[:, 0] >= 0.0).all())
         np.testing.assert_allclose(found[-1], found[0], atol=1e-9)

@@ -18,6 +18,7 @@ CONSTRAINED = Problem("Constraints on bones of a chain are no part of what it fo
 BELOW_ANOTHER = Problem("Some chains begin within another chain, which moves them: remove them from the list", blocking=False)
 COLLIDER_NOT_KNOWN = Problem("The motion of a collider is not known on other frames: chains pass through it", blocking=False)
 GRAVITY_NOT_KNOWN = Problem("The scene's gravity is not known on other frames: chains move without it", blocking=False)
+WIND_NOT_KNOWN = Problem("The wind is not known on other frames: chains move without it", blocking=False)
 TOO_LONG = Problem("The scene is too long for so many chains, which come to a stop before its end: split it, or mute some", blocking=False)
 CUT = "cut"
 """Beginning of the names of the markers at which chains start anew."""
@@ -34,10 +35,11 @@ def cuts(settings, scene):
 class Surroundings(NamedTuple):
     """What acts on the chains of a rig beside its own animation.
 
-    scene: whose frames count. pulling: scene whose gravity is read, evaluated in a solver. cuts: frames at which chains start anew.
-    touched: the empties that are colliders, evaluated in a solver.
+    rig: whose settings have the wind. scene: whose frames count. pulling: scene whose gravity is read. cuts: frames at which chains start
+    anew. touched: the empties that are colliders. In a solver, all but `scene` are evaluated.
     """
 
+    rig: Any
     scene: Any
     pulling: Any
     cuts: list
@@ -49,6 +51,11 @@ class Surroundings(NamedTuple):
         return [tracks.property_track(self.pulling, "gravity", axis) for axis in range(3)]
 
     @property
+    def wind(self):
+        """Tracks of the wind along X, Y and Z."""
+        return [tracks.property_track(self.rig, "motus.chains.wind", axis) for axis in range(3)]
+
+    @property
     def colliders(self):
         """[(empty, track of its world matrix)]."""
         return colliders.over_time(self.touched, self.scene)
@@ -57,7 +64,7 @@ class Surroundings(NamedTuple):
     def stamp(self):
         """Hashable value that changes whenever the surroundings may change at any time; None if changes cannot be detected."""
         found = [*scene_time.stamp(self.scene), scene_time.last(self.scene), self.pulling.use_gravity, tuple(self.cuts)]
-        found += [track.reason.kind if track.reason else track.stamp for track in self.gravity]
+        found += [track.reason.kind if track.reason else track.stamp for track in (*self.gravity, *self.wind)]
         found += [(colliders.form(obj), stamp_of_known(track)) for obj, track in self.colliders]
         return together(found)
 
@@ -138,13 +145,13 @@ class Making:
     def _world(self, times):
         """Return the keywords of the native StrandMotion that all chains share: the air, gravity, what they touch."""
         settings, around = self._settings, self._surroundings
-        found = {"air": motion.wind_at(times.seconds, settings.wind, settings.gusts, settings.use_loop)}
-        if around.pulling.use_gravity:
-            pull = around.gravity
-            if all(track.is_known for track in pull):
-                found["gravity"] = np.stack([track.values(times.frames) for track in pull], axis=1)
-            else:
-                self.problems.append(GRAVITY_NOT_KNOWN)
+        found = {}
+        wind = self._over_time(around.wind, times, WIND_NOT_KNOWN)
+        if wind is not None:
+            found["air"] = motion.with_gusts(wind, times.seconds, settings.gusts, settings.use_loop)
+        pull = self._over_time(around.gravity, times, GRAVITY_NOT_KNOWN) if around.pulling.use_gravity else None
+        if pull is not None:
+            found["gravity"] = pull
         touched = around.colliders
         known = [(obj, track) for obj, track in touched if track.is_known]
         if len(known) < len(touched):
@@ -153,3 +160,10 @@ class Making:
         if obstacles:
             found |= {"obstacles": obstacles.shapes, "obstacle_places": obstacles.places, "radii": obstacles.radii}
         return found
+
+    def _over_time(self, along, times, problem):
+        """Return the vectors (m, 3) of three tracks at the Times; None if one is not known, which `problem` says."""
+        if not all(track.is_known for track in along):
+            self.problems.append(problem)
+            return None
+        return np.stack([track.values(times.frames) for track in along], axis=1)

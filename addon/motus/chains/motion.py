@@ -85,17 +85,17 @@ def settling(wanted, step, beginnings, share):
     return min(wanted, SETTLING * bounds.MANY_AT_ONCE * share / (STEPS * step * beginnings))
 
 
-def wind_at(seconds, wind, gusts, is_loop):
-    """Return the velocity of the air at times (m,), s: (m, 3), or (3,) without gusts. Gusts of a loop close."""
+def with_gusts(wind, seconds, gusts, is_loop):
+    """Return a wind (m, 3) with gusts at times (m,), s. Gusts of a loop close."""
     if gusts <= 0.0:
-        return np.array(wind)
+        return wind
     duration = seconds[-1] - seconds[0]
     at, waves = seconds - seconds[0] if is_loop else seconds, np.zeros(len(seconds))
     for frequency, phase in GUSTS:
         if is_loop:
             frequency = max(round(frequency * duration), 1) / duration
         waves += np.sin(math.tau * frequency * at + phase)
-    return np.array(wind) * (1.0 + gusts * waves[:, None] / len(GUSTS))
+    return wind * (1.0 + gusts * waves[:, None] / len(GUSTS))
 
 
 class Motion:

@@ -37,7 +37,9 @@ class _Bone:
     @functools.cached_property
     def _around(self):
         settings = self._owner.motus.chains
-        return making.Surroundings(self._scene, self._scene, making.cuts(settings, self._scene), tuple(colliders.objects(settings)))
+        return making.Surroundings(
+            self._owner, self._scene, self._scene, making.cuts(settings, self._scene), tuple(colliders.objects(settings))
+        )
 
     @property
     def reason(self):
@@ -55,7 +57,7 @@ class _Bone:
 
     @property
     def _read(self):
-        return [*self._input.tracks, *(track for _, track in self._around.colliders), *self._around.gravity]
+        return [*self._input.tracks, *(track for _, track in self._around.colliders), *self._around.gravity, *self._around.wind]
 
     def bounds(self, first, last):
         """Return rising frames from first to last; the motion is smooth between neighbours."""

@@ -93,7 +93,7 @@ def index_of_bone(settings, bone):
 
 class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
     influence: factor("Influence", "How much all chains of the rig act; 0 leaves the rig to its animation", 1.0, options=ANIMATED)
-    wind: vector("Wind", "Velocity of the air, which chains with Air Drag feel", tells_no_keys=True, subtype='VELOCITY', unit='VELOCITY')
+    wind: vector("Wind", "Velocity of the air, which chains with Air Drag feel", options=ANIMATED, subtype='VELOCITY', unit='VELOCITY')
     gusts: _number("Gusts", "How much the wind rises and falls: 1 lets it fall to a calm at times", 0.0, min=0.0, max=2.0, subtype='FACTOR')
     settle: _number(
         "Settle",

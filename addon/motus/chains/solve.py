@@ -20,6 +20,7 @@ from .making import (
     GRAVITY_NOT_KNOWN,
     LOOP_IS_OPEN,
     TOO_LONG,
+    WIND_NOT_KNOWN,
 )
 
 PROBLEMS = (
@@ -31,6 +32,7 @@ PROBLEMS = (
     BELOW_ANOTHER,
     COLLIDER_NOT_KNOWN,
     GRAVITY_NOT_KNOWN,
+    WIND_NOT_KNOWN,
     TOO_LONG,
     inputs.LOOPED_BONES,
     inputs.MISSING_BONES,
@@ -137,7 +139,11 @@ def _surroundings(context):
     # Blender copies markers to the evaluated scene too late for a viewport, but a render must not read what is edited meanwhile.
     marked = depsgraph.scene_eval if depsgraph.mode == 'RENDER' else depsgraph.scene
     return making.Surroundings(
-        depsgraph.scene, depsgraph.scene_eval, making.cuts(context.settings, marked), tuple(colliders.empties(waited.values()))
+        context.owner,
+        depsgraph.scene,
+        depsgraph.scene_eval,
+        making.cuts(context.settings, marked),
+        tuple(colliders.empties(waited.values())),
     )
 
 

@@ -37,8 +37,7 @@ INTERFACE = {
     "Largest angle to where a bone would be if it followed its parent; 180 degrees for no limit"
     + NO_KEYS: "Mayor ángulo respecto a donde estaría un hueso si siguiera a su padre; 180 grados para ningún límite" + _NO_KEYS_ES,
     "Radius of the chain where it touches colliders" + NO_KEYS: "Radio de la cadena donde toca colisionadores" + _NO_KEYS_ES,
-    "Velocity of the air, which chains with Air Drag feel" + NO_KEYS: "Velocidad del aire, que notan las cadenas con resistencia del aire"
-    + _NO_KEYS_ES,
+    "Velocity of the air, which chains with Air Drag feel": "Velocidad del aire, que notan las cadenas con resistencia del aire",
     "How much the wind rises and falls: 1 lets it fall to a calm at times" + NO_KEYS: "Cuánto sube y baja el viento: con 1 se calma a veces"
     + _NO_KEYS_ES,
     "Settle": "Asentar",
@@ -58,6 +57,7 @@ INTERFACE = {
     "{bone} belongs to another chain, which moves it: remove it from the list": "{bone} pertenece a otra cadena, que lo mueve: quítalo de la lista",
     "The motion of a collider is not known on other frames: chains pass through it": "El movimiento de un colisionador no se conoce en otros fotogramas: las cadenas lo atraviesan",
     "The scene's gravity is not known on other frames: chains move without it": "La gravedad de la escena no se conoce en otros fotogramas: las cadenas se mueven sin ella",
+    "The wind is not known on other frames: chains move without it": "El viento no se conoce en otros fotogramas: las cadenas se mueven sin él",
     "The scene is too long for so many chains, which come to a stop before its end: split it, or mute some": "La escena es demasiado larga para tantas cadenas, que se detienen antes del final: divídela o silencia algunas",
     "Dog's Tail": "Cola de perro",
     "Stiff at its root, loose at its tip": "Rígida en la raíz, suelta en la punta",
