@@ -11,7 +11,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "scripts"), str(HERE.parent / "blend_tests")]
 
-import chroma_pictures  # noqa: E402  (found by the line above)
+import chains_pictures  # noqa: E402  (found by the line above)
+import chroma_pictures  # noqa: E402
 import demo_pictures  # noqa: E402
 import dynamics_pictures  # noqa: E402
 import ik_pictures  # noqa: E402
@@ -45,6 +46,7 @@ for render in (
     pull_pictures.render_all,
     lattice_pictures.render_all,
     dynamics_pictures.render_all,
+    chains_pictures.render_all,
     pendulum_pictures.render_all,
     snow_pictures.render_all,
     stereo_pictures.render_all,

@@ -158,8 +158,8 @@ strictly rising.  poses: (m, n, 3), where the animation has the particles; links
 
 A number for all links, or (n,): mass: kg, > 0.  frequency: Hz, of a spring towards the pose, at most rate / 8; 0: none.  damping:
 its damping ratio, 0 to 100.  response: of that spring, as SecondOrder's, -100 to 100.  drag: deceleration relative to the air a
-velocity, 1/s, 0 to 1000.  stretch: by how much of its length a link is lengthened by its particle's weight, 0 to 1e6.  bend: rad,
-0 to pi, at most this angle from where the link would be if it followed its parent's link as in the pose.  thickness: m, >= 0,
+velocity, 1/s, 0 to 1000.  stretch: by how much of its length a link is lengthened by its particle's weight, 0 to 1e6.  bend_frequency: Hz, of a
+spring that keeps the pose's angle to the parent's link.  bend: rad, 0 to pi, at most this angle from where the link would be if it followed its parent's link as in the pose.  thickness: m, >= 0,
 radius in contacts.
 
 gravity, air: acceleration, and velocity of the air: (3,), or (m, 3), one for each time; None: 0.
@@ -177,10 +177,10 @@ Everything in world space and metres, linear between times.  Raises ValueError o
         .def(py::init([](const ArrayLike& parents, const ArrayLike& times, const ArrayLike& poses,
                          const ArrayLike& mass, const ArrayLike& frequency, const ArrayLike& damping,
                          const ArrayLike& response, const ArrayLike& drag, const ArrayLike& stretch,
-                         const ArrayLike& bend, const ArrayLike& thickness, const OptionalArrayLike& gravity,
-                         const OptionalArrayLike& air, const OptionalTexts& obstacles,
-                         const OptionalArrayLike& obstacle_places, const ArrayLike& radii,
-                         const ArrayLike& friction, const OptionalSurfaces& surfaces,
+                         const ArrayLike& bend_frequency, const ArrayLike& bend, const ArrayLike& thickness,
+                         const OptionalArrayLike& gravity, const OptionalArrayLike& air,
+                         const OptionalTexts& obstacles, const OptionalArrayLike& obstacle_places,
+                         const ArrayLike& radii, const ArrayLike& friction, const OptionalSurfaces& surfaces,
                          const OptionalArrayLike& surface_matrices, const ArrayLike& surface_distances,
                          const ArrayLike& surface_friction, const OptionalWholeNumbers& pinned,
                          const OptionalArrayLike& pin_places, const ArrayLike& pin_weights,
@@ -198,6 +198,7 @@ Everything in world space and metres, linear between times.  Raises ValueError o
                  give(links, &Link::response, response, "response");
                  give(links, &Link::drag, drag, "drag");
                  give(links, &Link::stretch, stretch, "stretch");
+                 give(links, &Link::bend_frequency, bend_frequency, "bend_frequency");
                  give(links, &Link::bend, bend, "bend");
                  give(links, &Link::thickness, thickness, "thickness");
                  const DoubleArray moments = doubles(times, "times");
@@ -231,12 +232,12 @@ Everything in world space and metres, linear between times.  Raises ValueError o
              }),
              "parents"_a, "times"_a, "poses"_a, py::kw_only(), "mass"_a = 1.0, "frequency"_a = 0.0,
              "damping"_a = 0.3, "response"_a = 0.0, "drag"_a = 0.0, "stretch"_a = 0.0,
-             "bend"_a = std::numbers::pi, "thickness"_a = 0.0, "gravity"_a = py::none(), "air"_a = py::none(),
-             "obstacles"_a = py::none(), "obstacle_places"_a = py::none(), "radii"_a = 0.0,
-             "friction"_a = 0.5, "surfaces"_a = py::none(), "surface_matrices"_a = py::none(),
-             "surface_distances"_a = 0.0, "surface_friction"_a = 0.5, "pinned"_a = py::none(),
-             "pin_places"_a = py::none(), "pin_weights"_a = 1.0, "resets"_a = py::none(), "rate"_a = 480.0,
-             "settle"_a = 0.0, "loop"_a = false, "cycles"_a = 40)
+             "bend_frequency"_a = 0.0, "bend"_a = std::numbers::pi, "thickness"_a = 0.0,
+             "gravity"_a = py::none(), "air"_a = py::none(), "obstacles"_a = py::none(),
+             "obstacle_places"_a = py::none(), "radii"_a = 0.0, "friction"_a = 0.5, "surfaces"_a = py::none(),
+             "surface_matrices"_a = py::none(), "surface_distances"_a = 0.0, "surface_friction"_a = 0.5,
+             "pinned"_a = py::none(), "pin_places"_a = py::none(), "pin_weights"_a = 1.0,
+             "resets"_a = py::none(), "rate"_a = 480.0, "settle"_a = 0.0, "loop"_a = false, "cycles"_a = 40)
         .def("__len__", &Motion::size)
         .def(
             "solve",

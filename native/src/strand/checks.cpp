@@ -35,6 +35,8 @@ void require_links(std::span<const Link> links, double rate) {
         require(link.mass > 0.0 && link.mass <= 1e12, "mass: must be greater than 0 and at most 1e12");
         require(is_within(link.frequency, 0.0, rate / 8.0),
                 "frequency: must be at least 0 and at most an eighth of the rate");
+        require(is_within(link.bend_frequency, 0.0, rate / 8.0),
+                "bend_frequency: must be at least 0 and at most an eighth of the rate");
         require(is_within(link.damping, 0.0, 100.0), "damping: must be between 0 and 100");
         require(is_within(link.response, -100.0, 100.0), "response: must be between -100 and 100");
         require(is_within(link.drag, 0.0, 1000.0), "drag: must be between 0 and 1000");

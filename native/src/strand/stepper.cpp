@@ -71,6 +71,7 @@ Stepper::Stepper(std::span<const Link> links, const Inputs& inputs, const Solvin
 
 Stepper::Work::Work(const Stepper& stepper)
     : lengths_(stepper.links_, stepper.masses_),
+      straightening_(stepper.links_, stepper.masses_),
       bends_(stepper.links_),
       contacts_(stepper.links_, stepper.obstacles_, stepper.surfaces_),
       flows_(stepper.size()),
@@ -206,7 +207,8 @@ void Stepper::flow(State& state, const Driven& before, const Driven& now, double
     }
 }
 
-/// Resolves contacts, lengths and bends, in this order, and contacts once more.
+/// Resolves contacts, springs between links, lengths and limits of bending, in this order, and contacts once
+/// more.
 void Stepper::hold(State& state, const Driven& before, const Driven& now, double duration, Work& work) const {
     const Stepped stepped{work.before_, work.mobilities_, state};
     for (std::size_t i = 0; i < links_.size(); ++i) {
@@ -220,6 +222,7 @@ void Stepper::hold(State& state, const Driven& before, const Driven& now, double
     };
     work.contacts_.begin();
     keep_away();
+    work.straightening_.hold(stepped, now.pose, duration);
     work.lengths_.hold(stepped, work.wanted_lengths_, duration);
     work.bends_.hold(stepped, now.pose);
     keep_away();

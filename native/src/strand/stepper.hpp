@@ -14,6 +14,7 @@
 #include "motus/strand/strand.hpp"
 #include "samples.hpp"
 #include "state.hpp"
+#include "straightening.hpp"
 
 namespace motus::strand {
 
@@ -97,6 +98,7 @@ class Stepper::Work {
     };
 
     Lengths lengths_;
+    Straightening straightening_;
     Bends bends_;
     Contacts contacts_;
     double duration_ = 0.0;  ///< that flows_ are made for

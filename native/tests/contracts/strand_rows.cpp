@@ -38,7 +38,7 @@ struct Shot {
 };
 
 [[nodiscard]] std::vector<Link> sample_links() {
-    Link link{.frequency = 2.0, .drag = 1.0, .bend = 1.0, .thickness = 0.02};
+    Link link{.frequency = 2.0, .drag = 1.0, .bend_frequency = 3.0, .bend = 1.0, .thickness = 0.02};
     std::vector<Link> links(3, link);
     for (int i = 0; i < 3; ++i) links[static_cast<std::size_t>(i)].parent = i - 1;
     return links;
@@ -77,6 +77,8 @@ void add_making(Table& table) {
            each("frequency", &Link::frequency, from(0.0, 60.0).in_words("0 to an eighth of the rate")),
            each("damping", &Link::damping, from(0.0, 100.0)), each("response", &Link::response, up_to(100.0)),
            each("drag", &Link::drag, from(0.0, 1000.0)), each("stretch", &Link::stretch, from(0.0, 1e6)),
+           each("bend_frequency", &Link::bend_frequency,
+                from(0.0, 60.0).in_words("0 to an eighth of the rate")),
            each("bend", &Link::bend, from(0.0, std::numbers::pi).in_words("0 to π")),
            each("thickness", &Link::thickness, from(0.0, 1e6))))
         .costs(cost)

@@ -27,6 +27,7 @@ TEST_CASE("strands of arbitrary numbers are refused or stay finite", "[fuzz]") {
                         dice.number(-1.0, 2.0),
                         dice.number(0.0, 3.0),
                         dice.chance(0.5) ? 0.0 : dice.number(0.0, 1.0),
+                        dice.chance(0.5) ? 0.0 : dice.number(0.0, 20.0),
                         dice.chance(0.5) ? std::numbers::pi : dice.number(0.0, 2.0),
                         dice.number(0.0, 0.1)};
         }

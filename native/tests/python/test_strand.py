@@ -45,6 +45,7 @@ class StrandTest(unittest.TestCase):
             "response": 1.0,
             "drag": 0.3,
             "stretch": 0.1,
+            "bend_frequency": 2.0,
             "bend": 1.0,
             "thickness": 0.1,
         }

@@ -345,6 +345,51 @@ TEST_CASE("bends stay within their limits", "[strand]") {
     CHECK(most > 0.299);
 }
 
+TEST_CASE("springs between links keep the bend of the pose", "[strand]") {
+    // A chain that is pulled along itself while its end lags behind folds, unless its links hold against
+    // that.
+    const auto largest_bend = [](double bend_frequency) {
+        std::vector<Link> links = chain(8, {.damping = 0.8, .drag = 3.0, .bend_frequency = bend_frequency});
+        for (std::size_t i = 0; i < links.size(); ++i)
+            links[i].frequency = 3.0 / (1.0 + static_cast<double>(i));
+        Shot shot(2.0, straight(8, 1.0, {1, 0, 0}));
+        shot.gravity = {{0.0, 0.0, -1.0}};
+        for (std::size_t i = 0; i <= 8; ++i)
+            shot.pose(i, [rest = shot.poses[i]](double t) {
+                return rest + glm::dvec3(0, 0, std::clamp(8.0 * (t - 0.5), 0.0, 0.8));
+            });
+        const Motion motion = solved(links, shot);
+        double most = 0.0;
+        for (double time = 0.0; time <= 2.0; time += 0.02) {
+            const auto now = places(motion, time);
+            for (std::size_t i = 2; i < now.size(); ++i) {
+                const glm::dvec3 before = now[i - 1] - now[i - 2], along = now[i] - now[i - 1];
+                most = std::max(most,
+                                std::atan2(glm::length(glm::cross(before, along)), glm::dot(before, along)));
+            }
+        }
+        return most;
+    };
+    CHECK(largest_bend(12.0) < 0.4 * largest_bend(0.0));
+    // Two links of one mass, free in space: they swing against each other with the frequency, as they are
+    // straight.
+    Shot free(2.0, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0.05, 0}});
+    std::vector<Link> links = chain(3, {.damping = 0.0, .bend_frequency = 1.0});
+    free.gravity.clear();
+    for (std::size_t k = 0; k < free.times.size(); ++k)
+        if (k > 0) free.poses[4 * k + 3] = {3.0, 0.0, 0.0};
+    free.pinned = {1, 2};
+    for (std::size_t k = 0; k < free.times.size(); ++k)
+        free.pin_places.insert(free.pin_places.end(), {{1, 0, 0}, {2, 0, 0}});
+    free.pin_weights.assign(2 * free.times.size(), 1.0);
+    const Motion swinging = solved(links, free);
+    for (const double time : {0.25, 0.5, 1.0, 1.5}) {
+        const double expected = 0.05 * std::cos(2.0 * std::numbers::pi * time);
+        CAPTURE(time, places(swinging, time)[3].y, expected);
+        CHECK(std::abs(places(swinging, time)[3].y - expected) < 0.15 * 0.05);
+    }
+}
+
 TEST_CASE("a loop closes", "[strand]") {
     Shot shot(2.0, straight(8, 0.8, {1, 0, 0}));
     for (std::size_t i = 0; i <= 8; ++i) {

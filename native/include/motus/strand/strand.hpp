@@ -30,6 +30,9 @@ struct Link {
     double drag = 0.0;       ///< 1/s, [0, 1000], deceleration a velocity relative to the air
     double stretch = 0.0;    ///< strain of the link under its own particle's weight (at 9.80665 m/s^2), [0,
                              ///< 1e6]; 0: rigid
+    /// Hz, 0 to an eighth of the rate: of a spring, with `damping`, that keeps the pose's angle to the
+    /// parent's link; 0: none. Not of links that hang on a root.
+    double bend_frequency = 0.0;
     double bend = std::numbers::pi;  ///< rad, [0, pi], largest angle between the link and the direction that
                                      ///< it would have if it kept the pose's angle to its parent's link
     double thickness = 0.0;          ///< m, [0, 1e6], radius of the link and its particle in contacts
