@@ -32,3 +32,17 @@ def hover(wanted):
                 if bpy.context.window_manager.clipboard.startswith(wanted):
                     return x, y
     return None
+
+
+def picture_of(tab, name):
+    """Generator: takes a picture, of a name, of that tab of the properties editor, in the place of the 3D viewport too."""
+    window_support.area('VIEW_3D').type = 'PROPERTIES'
+    yield
+    editors = [area for area in window_support.window().screen.areas if area.type == 'PROPERTIES']
+    for area in editors:
+        area.spaces.active.context = tab
+    yield
+    yield from window_support.picture(name)
+    assert all(area.spaces.active.context == tab for area in editors)
+    max(editors, key=lambda area: area.width * area.height).type = 'VIEW_3D'
+    yield

@@ -4,7 +4,7 @@ import bpy
 
 import support
 from chains import chain_cases as cases
-from window import window_support
+from window import properties_editor, window_support
 
 
 def build():
@@ -38,13 +38,5 @@ def test_the_sidebar_shows_the_chain_of_the_active_bone():
 
 def test_constraint_properties():
     build()
-    window_support.area('VIEW_3D').type = 'PROPERTIES'
-    yield
-    editors = [area for area in window_support.window().screen.areas if area.type == 'PROPERTIES']
-    for area in editors:
-        area.spaces.active.context = 'BONE_CONSTRAINT'
-    yield
-    yield from window_support.picture("chains_constraints")
-    max(editors, key=lambda area: area.width * area.height).type = 'VIEW_3D'
-    yield
+    yield from properties_editor.picture_of('BONE_CONSTRAINT', "chains_constraints")
     bpy.ops.object.mode_set(mode='OBJECT')

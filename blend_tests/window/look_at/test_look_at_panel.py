@@ -6,7 +6,7 @@ import bpy
 from mathutils import Vector
 
 import support
-from window import window_support
+from window import properties_editor, window_support
 
 sys.path.insert(0, str(support.CLONE / "docs" / "scripts"))
 
@@ -77,14 +77,5 @@ def test_gaze_is_red_where_it_misses():
 
 def test_constraint_properties():
     build()
-    window_support.area('VIEW_3D').type = 'PROPERTIES'
-    yield
-    editors = [area for area in window_support.window().screen.areas if area.type == 'PROPERTIES']
-    for area in editors:
-        area.spaces.active.context = 'BONE_CONSTRAINT'
-    yield
-    yield from window_support.picture("look_at_constraints")
-    assert all(area.spaces.active.context == 'BONE_CONSTRAINT' for area in editors)
-    max(editors, key=lambda area: area.width * area.height).type = 'VIEW_3D'
-    yield
+    yield from properties_editor.picture_of('BONE_CONSTRAINT', "look_at_constraints")
     bpy.ops.object.mode_set(mode='OBJECT')
