@@ -10,8 +10,8 @@ import support
 
 SPACING = 1.5  # m, from one chain to the next
 BONES, LENGTH = 8, 0.12  # of a chain, m
-MOVES = ((1, 0.0), (25, 0.0), (35, 0.75), (60, 0.75))  # frame, and how high the hook is then, m
-SHOWN = (30, 34, 38, 42, 46)  # frames, the last one darkest
+MOVES = ((1, 0.35, 0.0), (25, 0.35, 0.0), (33, 0.0, 0.5), (60, 0.0, 0.5))  # frame, and where the hook is then along X and Z, m
+SHOWN = (29, 33, 37, 41, 45)  # frames, the last one darkest
 HOOK = 0.045
 
 
@@ -22,7 +22,7 @@ def render_all(folder):
 
 
 def _render_presets(file):
-    """The same bones with each preset, some moments after their root was pulled up."""
+    """The same bones with each preset, some moments after their root was pulled to the left and up."""
     presets = support.addon("chains.presets").BROUGHT
     scene = stage.new_scene((0.52, 0.60, 0.68), 0.9)
     scene.frame_end = MOVES[-1][0]
@@ -51,7 +51,7 @@ def _render_presets(file):
 
 
 def _build(name, x):
-    """A rig whose bones lie along X, and whose object is pulled up by keys."""
+    """A rig whose bones lie along X, and whose object is pulled by keys."""
     rig = stage.link(bpy.data.objects.new(name, bpy.data.armatures.new(name)))
     bpy.context.view_layer.objects.active = rig
     bpy.ops.object.mode_set(mode='EDIT')
@@ -62,10 +62,9 @@ def _build(name, x):
         bone.parent, bone.use_connect = parent, parent is not None
         parent = bone
     bpy.ops.object.mode_set(mode='OBJECT')
-    rig.location.x = x
-    for frame, height in MOVES:
-        rig.location.z = height
-        rig.keyframe_insert("location", index=2, frame=frame)
+    for frame, aside, height in MOVES:
+        rig.location = (x + aside, 0.0, height)
+        rig.keyframe_insert("location", frame=frame)
     return rig
 
 

@@ -15,6 +15,8 @@ STEPS = 480.0
 """Steps of the solver a second."""
 STEP_PRICE, BEND_PRICE, OBSTACLE_PRICE = 1.0, 2.0, 0.2
 """Prices of a step of a link, of its bend limit, and of each collider, in units of core/measures/bounds.MANY_AT_ONCE (0.1 microseconds)."""
+LINED_UP = 4.0
+"""How much faster than towards the pose a bone swings back into line with its parent: a looser end would fold else, where it holds up the rest."""
 SETTLING = 0.25
 """Part of the limit of work that may go into settling before the scene begins, and after cuts."""
 CYCLES = 40
@@ -137,8 +139,10 @@ def motion_of(parents, poses, numbers, world, times, is_loop):
     for parent in parents[1:]:
         depths.append(depths[parent] + 1)
     shares = np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1)
+    frequency = numbers.frequency * (1.0 + (numbers.tip_frequency - 1.0) * shares)
     keywords = {
-        "frequency": np.minimum(numbers.frequency * (1.0 + (numbers.tip_frequency - 1.0) * shares), STEPS / 8.0),
+        "frequency": np.minimum(frequency, STEPS / 8.0),
+        "bend_frequency": np.minimum(LINED_UP * frequency, STEPS / 8.0),
         "mass": 1.0 + (numbers.tip_mass - 1.0) * shares,
         "damping": numbers.damping,
         "response": numbers.response,
