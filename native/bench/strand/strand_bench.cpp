@@ -99,7 +99,7 @@ int main() {
     const motus::bench::Table table(
         "Chains of 8 links, 480 steps a second, one thread",
         {{"solved", "ms"}, {"a link and step", "ns"}, {"a frame looked up", "us"}});
-    const Link tail{.frequency = 2.0, .drag = 0.5};
+    const Link tail{.frequency = 2.0, .drag = 0.5, .bend_frequency = 8.0};
     Link limited = tail, thick = tail;
     limited.bend = 0.5;
     thick.thickness = 0.02;

@@ -13,6 +13,7 @@ constexpr double standard_gravity = 9.80665;  // m/s^2
 /// Strain of a rigid link under the weight of its whole strand. Above 0, so that a pin out of reach stretches
 /// all links alike.
 constexpr double least_stretch = 1e-7;
+constexpr double lost = 0.01;          // of a length that is wrong by more whatever is done
 constexpr double least_length = 1e-9;  // m, by which errors of links without a length are measured
 
 }  // namespace
@@ -40,6 +41,7 @@ Lengths::Lengths(std::span<const Link> links, std::span<const double> masses)
         meetings_.push_back(count > 1 ? static_cast<int>(matrices_.size()) : -1);
         if (count > 1) matrices_.emplace_back();
     }
+    links_at_most_ = 1.0 + (children.empty() ? 0 : *std::ranges::max_element(children));
     std::vector<double> weights(links.size(), 0.0);  // of whole strands, by their roots
     for (std::size_t i = 0; i < links.size(); ++i) weights[roots_[i]] += masses[i];
     for (std::size_t i = 0; i < links.size(); ++i) {
@@ -60,8 +62,10 @@ void Lengths::hold(const Stepped& step, std::span<const double> lengths, double 
     std::fill(is_along_now_.begin(), is_along_now_.end(), 0);
     std::fill(is_open_.begin(), is_open_.end(), 1);
     for (std::size_t i = 0; i < mobilities_.size(); ++i) mobilities_[i] = step.mobilities[i].displacement;
+    bool is_open = true;
     for (int round = 0; round < most; ++round) {
-        if (round > 0 && !find_open(step, lengths, duration, close)) break;
+        if (round > 0) is_open = find_open(step, lengths, duration, close);
+        if (!is_open) break;
         if (round == along_before) std::fill(is_along_now_.begin(), is_along_now_.end(), 1);
         eliminate(step, lengths, duration);
         substitute();
@@ -71,15 +75,20 @@ void Lengths::hold(const Stepped& step, std::span<const double> lengths, double 
         }
         apply(step);
     }
-    project_lost(step, lengths, duration);
+    if (is_open || is_far_off_) project_lost(step, lengths, duration);
 }
 
 /// Finds strands whose lengths are wrong by more than `most` of them: of the others nothing changes any more.
 bool Lengths::find_open(const Stepped& step, std::span<const double> lengths, double duration, double most) {
     std::fill(is_open_.begin(), is_open_.end(), 0);
     bool has = false;
+    is_far_off_ = false;
+    const double frequency = 1.0 / duration;
     for (std::size_t i = 0; i < parents_.size(); ++i) {
-        if (length_error(i, step, lengths, 1.0 / duration) <= most) continue;
+        const Error error = length_error(i, step, lengths, frequency);
+        const double unit = std::max(lengths[i], least_length);
+        is_far_off_ = is_far_off_ || !(std::abs(error.whole) <= lost * unit);
+        if (std::abs(error.unexplained) <= most * unit) continue;
         is_open_[roots_[i]] = 1;
         has = true;
     }
@@ -89,7 +98,6 @@ bool Lengths::find_open(const Stepped& step, std::span<const double> lengths, do
 /// Lays the links of strands that no impulses bring together along where they point, from the roots to the
 /// tips.
 void Lengths::project_lost(const Stepped& step, std::span<const double> lengths, double duration) {
-    constexpr double lost = 0.01;  // of the length
     constexpr double lost_between =
         10.0;  // of strands between two places that may be too far from each other
     std::fill(is_lost_.begin(), is_lost_.end(), 0);
@@ -100,9 +108,10 @@ void Lengths::project_lost(const Stepped& step, std::span<const double> lengths,
         const bool is_free = is_between_[roots_[i]] == 0;
         // A rigid link must have its length itself: under a large compression even the least compliance would
         // excuse a wrong one.
-        const double frequency = is_free && is_rigid_[i] != 0 ? 0.0 : 1.0 / duration;
-        if (!(length_error(i, step, lengths, frequency) < (is_free ? lost : lost_between)))
-            is_lost_[roots_[i]] = 1;
+        const Error error = length_error(i, step, lengths, 1.0 / duration);
+        const double counted = is_free && is_rigid_[i] != 0 ? error.whole : error.unexplained;
+        const double most = (is_free ? lost : lost_between) * std::max(lengths[i], least_length);
+        if (!(std::abs(counted) < most)) is_lost_[roots_[i]] = 1;
     }
     for (std::size_t i = 0; i < parents_.size(); ++i) {
         if (is_lost_[roots_[i]] == 0 || parents_[i] < 0 || !(step.mobilities[i].displacement > 0.0)) continue;
@@ -125,6 +134,14 @@ void Lengths::project_lost(const Stepped& step, std::span<const double> lengths,
 /// "Geometric Stiffness for Real-time Constrained Multibody Dynamics", 2017). Returns whether there is one.
 bool Lengths::add_geometric_stiffness(std::span<const double> lengths) {
     constexpr double resolved = 1.0;  // square of the angle of such a swing within a step
+    // If no link does its part of that, no particle has it together.
+    bool has_taut = false;
+    for (std::size_t i = 0; i < parents_.size(); ++i) {
+        if (parents_[i] < 0) continue;
+        const double mobility = std::max(mobilities_[i], mobilities_[static_cast<std::size_t>(parents_[i])]);
+        has_taut = has_taut || -2.0 * links_at_most_ * corrections_[i] * mobility > resolved * lengths[i];
+    }
+    if (!has_taut) return false;
     std::fill(stiffnesses_.begin(), stiffnesses_.end(), 0.0);
     for (std::size_t i = 0; i < parents_.size(); ++i) {
         if (parents_[i] < 0 || !(corrections_[i] < 0.0)) continue;
@@ -147,16 +164,14 @@ bool Lengths::add_geometric_stiffness(std::span<const double> lengths) {
     return has;
 }
 
-/// Relative error of a link's length, without the stretch that its impulse causes. frequency: 1 / duration,
-/// 1/s; 0: all stretch counts as error. 0 if neither end can move.
-double Lengths::length_error(std::size_t i, const Stepped& step, std::span<const double> lengths,
-                             double frequency) const {
-    if (parents_[i] < 0) return 0.0;
+/// frequency: 1 / duration of the step, 1/s.
+Lengths::Error Lengths::length_error(std::size_t i, const Stepped& step, std::span<const double> lengths,
+                                     double frequency) const {
+    if (parents_[i] < 0) return {};
     const auto parent = static_cast<std::size_t>(parents_[i]);
-    if (!(step.mobilities[i].displacement + step.mobilities[parent].displacement > 0.0)) return 0.0;
-    const double length = glm::length(step.state.places[i] - step.state.places[parent]);
-    const double yielded = compliances_[i] * lengths[i] * frequency * impulses_[i];
-    return std::abs(length + yielded - lengths[i]) / std::max(lengths[i], least_length);
+    if (!(step.mobilities[i].displacement + step.mobilities[parent].displacement > 0.0)) return {};
+    const double whole = glm::length(step.state.places[i] - step.state.places[parent]) - lengths[i];
+    return {whole, whole + compliances_[i] * lengths[i] * frequency * impulses_[i]};
 }
 
 /// The displacement of a particle by an impulse on it, with all links beyond.

@@ -45,8 +45,13 @@ class Lengths {
 
     [[nodiscard]] glm::dvec3 answer(const Branch& branch, const glm::dvec3& impulse) const;
     void join(Branch& branch, const Row& row);
-    [[nodiscard]] double length_error(std::size_t i, const Stepped& step, std::span<const double> lengths,
-                                      double frequency) const;
+    /// By how much a link is too long, m: `whole`, and what of that its impulse does not explain. Both are 0
+    /// if neither end can move.
+    struct Error {
+        double whole = 0.0, unexplained = 0.0;
+    };
+    [[nodiscard]] Error length_error(std::size_t i, const Stepped& step, std::span<const double> lengths,
+                                     double frequency) const;
     [[nodiscard]] bool find_open(const Stepped& step, std::span<const double> lengths, double duration,
                                  double most);
     void eliminate(const Stepped& step, std::span<const double> lengths, double duration);
@@ -72,6 +77,8 @@ class Lengths {
     std::vector<char> is_along_now_;   ///< links whose impulses act along what they are at the step's end
     std::vector<char> is_open_;        ///< by roots: strands whose lengths are not right yet
     std::vector<char> is_between_;     ///< by roots: strands that are held in more places than the root
+    bool is_far_off_ = false;          ///< whether a link was wrong by more than a strand may be
+    double links_at_most_ = 1.0;       ///< that meet in one particle
     std::vector<char> is_lost_;        ///< by roots: strands whose lengths no impulses make right
 };
 

@@ -222,7 +222,7 @@ void Stepper::hold(State& state, const Driven& before, const Driven& now, double
     };
     work.contacts_.begin();
     keep_away();
-    work.straightening_.hold(stepped, now.pose, duration);
+    work.straightening_.hold(stepped, now.pose, work.wanted_lengths_, duration);
     work.lengths_.hold(stepped, work.wanted_lengths_, duration);
     work.bends_.hold(stepped, now.pose);
     keep_away();

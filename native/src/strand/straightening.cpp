@@ -33,17 +33,18 @@ Straightening::Straightening(std::span<const Link> links, std::span<const double
     }
 }
 
-void Straightening::hold(const Stepped& step, std::span<const glm::dvec3> pose, double duration) const {
+void Straightening::hold(const Stepped& step, std::span<const glm::dvec3> pose,
+                         std::span<const double> lengths, double duration) const {
     for (const auto& [particle, parent, above, stiffness, resistance] : joints_) {
         const glm::dvec3 rest_arm = pose[parent] - pose[above], rest_link = pose[particle] - pose[parent];
         const glm::dvec3 arm = step.state.places[parent] - step.state.places[above];
-        const double rest_square = glm::dot(rest_arm, rest_arm), square = glm::dot(arm, arm);
-        if (!(rest_square > 0.0) || !(square > 0.0)) continue;
-        const double rest_length = std::sqrt(rest_square);
-        const glm::dvec3 straight = turned(rest_link, rest_arm / rest_length, arm / std::sqrt(square));
+        const double rest_length = lengths[parent], square = glm::dot(arm, arm);
+        if (!(rest_length > 0.0) || !(square > 0.0)) continue;
+        const double back = 1.0 / rest_length;
+        const glm::dvec3 straight = turned(rest_link, rest_arm * back, arm * (1.0 / std::sqrt(square)));
         const glm::dvec3 off = step.state.places[particle] - step.state.places[parent] - straight;
         // The link's end moves with it, and by `lever` the other way with the parent's link.
-        const double lever = glm::length(rest_link) / rest_length;
+        const double lever = lengths[particle] * back;
         const auto& velocities = step.state.velocities;
         const glm::dvec3 speed =
             velocities[particle] - (1.0 + lever) * velocities[parent] + lever * velocities[above];

@@ -19,7 +19,8 @@ class Straightening {
     /// Draws each link, from the roots to the tips, to where it would be if it followed its parent's link as
     /// in the pose; the parent's link is drawn the other way. pose: of all particles at the step's end.
     /// duration: of the step, s.
-    void hold(const Stepped& step, std::span<const glm::dvec3> pose, double duration) const;
+    void hold(const Stepped& step, std::span<const glm::dvec3> pose, std::span<const double> lengths,
+              double duration) const;
 
   private:
     /// A particle, its parent and its parent's parent.
