@@ -19,7 +19,11 @@ def _python_stacks(output):
         return []
     threads = re.findall(r"^(Current thread|Thread) .*\n((?:[ ]{2}.*\n)*)", fatal[2], re.MULTILINE)
     is_elsewhere = any(name.startswith("Current") and not _calls(calls) for name, calls in threads)
-    return [fatal[1], *filter(None, (_calls(calls) for _, calls in threads)), *(["in a thread that runs no Python"] if is_elsewhere else ())]
+    return [
+        fatal[1],
+        *filter(None, (_calls(calls) for _, calls in threads)),
+        *(["in a thread that runs no Python"] if is_elsewhere else ()),
+    ]
 
 
 def _calls(thread):

@@ -137,10 +137,7 @@ class Making:
             is_loop = False
         if is_loop:
             poses[-1] = poses[0]
-        found = motion.motion_of(parents, poses, entry, world, times, is_loop)
-        if is_loop and found.gap > motion.CLOSED * size:
-            self.problems.append(LOOP_IS_OPEN)
-        return found
+        return motion.motion_of(parents, poses, entry, world, times, is_loop)
 
     def _world(self, times):
         """Return the keywords of the native StrandMotion that all chains share: the air, gravity, what they touch."""

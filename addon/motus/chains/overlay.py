@@ -2,9 +2,11 @@
 
 from ..core.interface.overlay import Batch, Overlay
 from ..core.lazy import numpy as np
-from . import groups
+from . import groups, steps
 
 LINK_COLOR = (0.35, 0.80, 0.75, 0.9)
+UNFINISHED_COLOR = (0.5, 0.5, 0.5, 0.6)
+"""Of links whose motion is being solved, and which still lie where their former motion has them."""
 LINK_WIDTH = 2.0  # pixels
 
 
@@ -13,11 +15,12 @@ def _batches_of(context, owner):
     if owner.type != 'ARMATURE' or not owner.motus.chains.is_active:
         return []
     rig = owner.evaluated_get(context.evaluated_depsgraph_get())
+    color = LINK_COLOR if steps.done(owner) is None else UNFINISHED_COLOR
     found = []
     for chain in groups.chains(rig):
         if not chain.entry.is_muted:
             ends = [rig.matrix_world @ end for bone in chain.bones for end in (bone.head, bone.tail)]
-            found.append(Batch('LINES', np.array(ends, np.float32), LINK_COLOR, LINK_WIDTH))
+            found.append(Batch('LINES', np.array(ends, np.float32), color, LINK_WIDTH))
     return found
 
 
