@@ -13,8 +13,8 @@ RATE = 240.0
 """Samples a second of what chains read: times that do not depend on the frame rate, every second one of the solver's steps."""
 STEPS = 480.0
 """Steps of the solver a second."""
-STEP_PRICE, BEND_PRICE, OBSTACLE_PRICE = 1.0, 2.0, 0.2
-"""Prices of a step of a link, of its bend limit, and of each collider, in units of core/measures/bounds.MANY_AT_ONCE (0.1 microseconds)."""
+STEP_PRICE, BEND_PRICE, OBSTACLE_PRICE, SURFACE_PRICE = 1.0, 2.0, 0.2, 50.0
+"""Prices of a step of a link, of its bend limit, and of each collider and mesh, in units of core/measures/bounds.MANY_AT_ONCE (0.1 microseconds)."""
 LINED_UP = 4.0
 """How much faster than towards the pose a bone swings back into line with its parent: a looser end would fold else, where it holds up the rest."""
 SETTLING = 0.25
@@ -66,12 +66,10 @@ def times_of(scene, cuts, most):
     return Times(frames, scene_time.seconds(scene, frames), np.searchsorted(frames, inside).tolist(), (last - first) / fps > most)
 
 
-def step_price(chains, obstacles):
-    """Return the price of a step. chains: [(number of bones, settings)]. obstacles: number of colliders."""
-    return sum(
-        count * (STEP_PRICE + OBSTACLE_PRICE * obstacles + (BEND_PRICE if numbers.bend_limit < math.pi else 0.0))
-        for count, numbers in chains
-    )
+def step_price(chains, solids):
+    """Return the price of a step. chains: [(number of bones, settings)]. solids: colliders.Solid that they touch."""
+    touching = sum(SURFACE_PRICE if solid.is_mesh else OBSTACLE_PRICE for solid in solids)
+    return sum(count * (STEP_PRICE + touching + (BEND_PRICE if numbers.bend_limit < math.pi else 0.0)) for count, numbers in chains)
 
 
 def most_seconds(price, step, is_loop, share):
@@ -133,7 +131,7 @@ def motion_of(parents, poses, numbers, world, times, is_loop):
     """Return the Motion of a chain. Raises ValueError if a number is outside of what can be computed.
 
     parents: index of the parent of each particle, -1 first. poses: (m, n, 3), where the animation has the particles at the Times. numbers:
-    the entry, or what has its settings. world: keywords of the native StrandMotion that all chains share.
+    the entry, or what has its settings. world: further keywords of the native StrandMotion, with a colliders.Surface for each surface.
     """
     depths = [0]
     for parent in parents[1:]:
@@ -154,14 +152,18 @@ def motion_of(parents, poses, numbers, world, times, is_loop):
     }
     if "gravity" in keywords:
         keywords["gravity"] = numbers.gravity * keywords["gravity"]
+    surfaces = keywords.pop("surfaces", ())
     found = hashlib.blake2b(digest_size=16)
-    for value in (parents, times.seconds, poses, times.cuts, is_loop, *keywords.items()):
+    for value in (parents, times.seconds, poses, times.cuts, is_loop, *keywords.items(), [one.stamp for one in surfaces]):
         _note(found, value)
     seconds = times.seconds
 
     def make():
+        more = {"surfaces": [one.native for one in surfaces]} if surfaces else {}
         resets = None if is_loop else times.cuts
-        solver = native.module.StrandMotion(parents, seconds, poses, **keywords, resets=resets, rate=STEPS, loop=is_loop, cycles=CYCLES)
+        solver = native.module.StrandMotion(
+            parents, seconds, poses, **keywords, **more, resets=resets, rate=STEPS, loop=is_loop, cycles=CYCLES
+        )
         return Motion(solver, float(seconds[0]), float(seconds[-1]) if is_loop else None)
 
     return _MOTIONS.made(found.digest(), make)

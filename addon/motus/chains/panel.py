@@ -8,6 +8,9 @@ from ..core.settings.entries import active
 from ..core.translations import OWN_SENSE, counted, tr
 from . import colliders, pins, presets, rows, setup, told
 
+MOST_SHOWN = 3
+"""Largest number of colliders that have buttons to record them at a time."""
+
 
 def draw_main(layout, context):
     """Draw the list of chains, the problem if there is one, and how much and how stiffly the shown chain acts."""
@@ -42,9 +45,10 @@ def draw_world(layout, context):
     """Draw the wind and the colliders, with buttons that record colliders whose motion is not known."""
     settings = context.object.motus.chains
     rows.WORLD.draw(ui.split(layout), settings)
-    for obj, track in colliders.over_time(colliders.objects(settings), context.scene):
-        if track.reason is not None:
-            track_panel.draw(layout, track, datablock=obj.name, transform='WORLD')
+    solids = colliders.over_time(settings, colliders.objects(settings), context.scene)
+    for solid in [one for one in solids if one.track.reason is not None][:MOST_SHOWN]:
+        bone = {"bone": solid.bone.name} if solid.bone else {}
+        track_panel.draw(layout, solid.track, datablock=solid.thing.id_data.name, transform='WORLD', **bone)
 
 
 def draw_time(layout, context):

@@ -126,11 +126,13 @@ class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
     colliders: bpy.props.PointerProperty(
         type=bpy.types.Collection,
         name="Colliders",
-        description="Collection whose empties chains do not enter: one displayed as a sphere is a ball, each other one a plane that is "
-        "solid below its X and Y axes",
+        description="Collection with what chains do not enter. An empty displayed as a sphere is a ball, or a capsule if it is scaled "
+        "unevenly; each other empty is a plane that is solid below its X and Y axes. Deforming bones of armatures are capsules as thick as "
+        "their envelopes. Meshes that keep their shape are surfaces",
         update=rewire,
         override=OVERRIDABLE,
     )
+    friction: _number("Friction", "How much colliders hold back what slides along them", 0.5, min=0.0, max=100.0, soft_max=2.0, step=5)
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_chains_entry, name="Chains", override=EXTENDABLE)
     chosen_entry: bpy.props.IntProperty(name="Chosen Entry", options={'HIDDEN'})
     active_entry: bone_entries.active_property("Active Entry", index_of_bone)

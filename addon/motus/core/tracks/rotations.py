@@ -85,6 +85,29 @@ def chained(left, right):
 
 
 @by_rows
+def rigid(matrices):
+    """Turns and moves, (n, 4, 4), of affine matrices (n, 4, 4), which may also scale, shear and mirror.
+
+    X keeps its direction, and Y its plane with X. An axis without length counts as any that fits.
+    """
+    found = np.zeros_like(matrices)
+    x = _directions(matrices[:, :3, 0], np.array([(1.0, 0.0, 0.0)]))
+    y = matrices[:, :3, 1] - x * (x * matrices[:, :3, 1]).sum(axis=1, keepdims=True)
+    beside = np.where(np.abs(x[:, 2:]) < 0.5, np.cross((0.0, 0.0, 1.0), x), np.cross((1.0, 0.0, 0.0), x))
+    found[:, :3, 0] = x
+    found[:, :3, 1] = y = _directions(y, _directions(beside, x))
+    found[:, :3, 2] = np.cross(x, y)
+    found[:, :, 3] = matrices[:, :, 3]
+    return found
+
+
+def _directions(vectors, others):
+    """Vectors (n, 3) scaled to length 1; `others` in the place of those that have no length."""
+    lengths = np.sqrt((vectors**2).sum(axis=1, keepdims=True))
+    return np.where(lengths > 0.0, vectors / np.where(lengths > 0.0, lengths, 1.0), others)
+
+
+@by_rows
 def of_axes(rows):
     """Unit quaternions (n, 4) of the rotations in matrices (n, 3, 3), which may also scale and shear.
 
