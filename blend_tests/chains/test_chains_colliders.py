@@ -1,5 +1,6 @@
 """What chains touch: balls, capsules, planes, bones and meshes, moving ones too, and those that other chains move."""
 
+import types
 from unittest import mock
 
 import bmesh
@@ -69,7 +70,8 @@ class ShapesTest(support.SceneTestCase):
         evaluated = rig.evaluated_get(bpy.context.evaluated_depsgraph_get())
         settings = evaluated.motus.chains
         touched = [obj.evaluated_get(bpy.context.evaluated_depsgraph_get()) for obj in colliders.objects(rig.motus.chains)]
-        return colliders.at(colliders.over_time(settings, touched, bpy.context.scene), np.array(frames, float))
+        found = colliders.over_time(settings, touched, bpy.context.scene)
+        return types.SimpleNamespace(**colliders.at(found, np.array(frames, float), 0.5))
 
     def test_empties(self):
         rig = cases.still_rope(2)
@@ -78,12 +80,12 @@ class ShapesTest(support.SceneTestCase):
         plane = empty("Plane", 'PLAIN_AXES', location=(0.0, 0.0, -1.0))
         cases.add(rig, colliders=collection_of(ball, capsule, plane, support.link("Lamp", bpy.data.lights.new("Lamp", 'POINT'))))
         found = self.obstacles(rig, (1.0, 2.0))
-        self.assertEqual(found.shapes, ["capsule", "capsule", "plane"])
+        self.assertEqual(found.obstacles, ["capsule", "capsule", "plane"])
         np.testing.assert_allclose(found.radii, [1.0, 0.5, 0.0], rtol=1e-6)
-        np.testing.assert_array_equal(found.places[:, 0], np.broadcast_to((1.0, 2.0, 3.0), (2, 2, 3)))
+        np.testing.assert_array_equal(found.obstacle_places[:, 0], np.broadcast_to((1.0, 2.0, 3.0), (2, 2, 3)))
         # 3 * 0.5 long to either side, of which 0.5 is round; Z has become -Y.
-        np.testing.assert_allclose(found.places[1, 1], [(0.0, 1.0, 1.0), (0.0, -1.0, 1.0)], atol=1e-6)
-        np.testing.assert_allclose(found.places[0, 2], [(0.0, 0.0, -1.0), (0.0, 0.0, 0.0)], atol=1e-6)
+        np.testing.assert_allclose(found.obstacle_places[1, 1], [(0.0, 1.0, 1.0), (0.0, -1.0, 1.0)], atol=1e-6)
+        np.testing.assert_allclose(found.obstacle_places[0, 2], [(0.0, 0.0, -1.0), (0.0, 0.0, 0.0)], atol=1e-6)
 
     def test_bones(self):
         rig = cases.still_rope(2)
@@ -96,11 +98,11 @@ class ShapesTest(support.SceneTestCase):
         cases.add(rig, colliders=collection_of(rig, other))
         found = self.obstacles(rig)
         # Of the rig itself the root alone, of the other rig the deforming bone alone.
-        self.assertEqual(found.shapes, ["capsule"] * 2)
+        self.assertEqual(found.obstacles, ["capsule"] * 2)
         bone = other.data.bones["Tail 0 0"]
         np.testing.assert_allclose(found.radii, [0.4, max(bone.head_radius, bone.tail_radius)], rtol=1e-6)
-        np.testing.assert_allclose(found.places[0, 0, 1], cases.place(rig, 1, "Tail 0 0"), atol=1e-5)
-        np.testing.assert_allclose(found.places[0, 1], [(1.0, 0.0, 1.0), (1.0, 0.0, 1.3)], atol=1e-5)
+        np.testing.assert_allclose(found.obstacle_places[0, 0, 1], cases.place(rig, 1, "Tail 0 0"), atol=1e-5)
+        np.testing.assert_allclose(found.obstacle_places[0, 1], [(1.0, 0.0, 1.0), (1.0, 0.0, 1.3)], atol=1e-5)
         self.assertIsNone(told(rig))
 
     def test_meshes(self):
@@ -114,7 +116,7 @@ class ShapesTest(support.SceneTestCase):
         dynamics_cases.key(above, "location", {1: (0.0, 0.0, 0.0), 30: (1.0, 2.0, 3.0)})
         cases.add(rig, colliders=collection_of(floor, flat))
         made = []
-        with mock.patch.object(colliders.native.module, "StrandSurface", lambda points, _: made.append(points) or Kept()):
+        with mock.patch.object(support.addon("core.native").module, "StrandSurface", lambda points, _: made.append(points) or Kept()):
             support.addon().forget_all()
             found = self.obstacles(rig, (1.0, 30.0))
         evaluated = floor.evaluated_get(bpy.context.evaluated_depsgraph_get())
@@ -122,9 +124,11 @@ class ShapesTest(support.SceneTestCase):
         self.assertGreater(len(points), len(floor.data.vertices))
         for row, frame in enumerate((1, 30)):
             world = cases.matrix(floor, frame)
-            placed = made[0] @ found.matrices[row, 0, :3, :3].T + found.matrices[row, 0, :3, 3]
+            placed = made[0] @ found.surface_matrices[row, 0, :3, :3].T + found.surface_matrices[row, 0, :3, 3]
             np.testing.assert_allclose(placed, points @ world[:3, :3].T + world[:3, 3], atol=1e-5)
-            np.testing.assert_allclose(found.matrices[row, 1, :3, :3] @ found.matrices[row, 1, :3, :3].T, np.eye(3), atol=1e-12)
+            np.testing.assert_allclose(
+                found.surface_matrices[row, 1, :3, :3] @ found.surface_matrices[row, 1, :3, :3].T, np.eye(3), atol=1e-12
+            )
 
     def test_what_is_left_out(self):
         rig = cases.still_rope(2)

@@ -69,7 +69,7 @@ class Surroundings(NamedTuple):
 
     @property
     def colliders(self):
-        """List of colliders.Solid."""
+        """List of what chains touch (solids.py)."""
         return colliders.over_time(self.rig.motus.chains, self.touched, self.scene)
 
     @property
@@ -82,7 +82,7 @@ class Surroundings(NamedTuple):
         """Hashable value that changes whenever the surroundings may change at any time; None if changes cannot be detected."""
         found = [*scene_time.stamp(self.scene), scene_time.last(self.scene), self.pulling.use_gravity, tuple(self.cuts)]
         found += [track.reason.kind if track.reason else track.stamp for track in (*self.gravity, *self.wind)]
-        found += [(solid.form, stamp_of_known(solid.track)) for solid in self.colliders]
+        found += [solid.stamp for solid in self.colliders]
         found += [(pin.bone, stamp_of_known(pin.place), stamp_of_known(pin.weight)) for pin in self.pins]
         return together(found)
 
@@ -140,15 +140,15 @@ class Making:
     def _solve(self, ready):
         settings, around = self._settings, self._surroundings
         solids = self._solids
-        price = sum(source.price for source, *_ in ready) + sum(solid.track.price for solid in solids)
+        price = sum(source.price for source, *_ in ready) + sum(solid.price for solid in solids)
         price += sum(pin.place.price + pin.weight.price for pin in around.pins)
         step = motion.step_price([(len(bones), settings.entries[index]) for _, bones, index, _ in ready], solids)
         share = self._share * len(ready) / max(len(settings.entries), len(ready))
         times = motion.times_of(around.scene, around.cuts, motion.most_seconds(price, step, settings.use_loop, share))
         if times.is_cut_short:
             self.problems.append(TOO_LONG)
-        world = self._world(times)
-        world["settle"] = motion.settling(settings.settle, step, 1 + len(times.cuts), share)
+        settle = motion.settling(settings.settle, step, 1 + len(times.cuts), share)
+        world = motion.world_of({"settle": settle, **self._world(times)})
         for source, bones, index, rows in ready:
             poses = source.kept(("places", times.frames.tobytes()), lambda source=source: source.places(times.frames))
             try:
@@ -168,7 +168,7 @@ class Making:
             poses[-1] = poses[0]
         places = _places(bones)
         held = pins.at([pin for pin in self._held if pin.bone in places], places, times.frames)
-        found = motion.motion_of(_parents(bones), poses, entry, world | held, times, is_loop)
+        found = motion.motion_of(_parents(bones), poses, entry, world, held, times, is_loop)
         if is_loop and found.gap > motion.CLOSED * size:
             self.problems.append(LOOP_IS_OPEN)
         return found
@@ -183,14 +183,14 @@ class Making:
         pull = self._over_time(around.gravity, times, GRAVITY_NOT_KNOWN) if around.pulling.use_gravity else None
         if pull is not None:
             found["gravity"] = pull
-        return found | colliders.at(self._solids, times.frames).keywords(settings.friction)
+        return found | colliders.at(self._solids, times.frames, settings.friction)
 
     @functools.cached_property
     def _solids(self):
-        """List of colliders.Solid that can be touched; the problems say what cannot."""
+        """List of what can be touched (solids.py); the problems say what cannot."""
         around, found = self._surroundings, []
         for solid in around.colliders:
-            if not solid.track.is_known:
+            if not solid.is_known:
                 self.problems.append(COLLIDER_NOT_KNOWN)
             elif colliders.deforms(solid, around.scene):
                 self.problems.append(DEFORMED_COLLIDER)

@@ -67,8 +67,8 @@ def times_of(scene, cuts, most):
 
 
 def step_price(chains, solids):
-    """Return the price of a step. chains: [(number of bones, settings)]. solids: colliders.Solid that they touch."""
-    touching = sum(SURFACE_PRICE if solid.is_mesh else OBSTACLE_PRICE for solid in solids)
+    """Return the price of a step. chains: [(number of bones, settings)]. solids: what they touch (solids.py)."""
+    touching = sum(SURFACE_PRICE if solid.is_mesh else OBSTACLE_PRICE * solid.count for solid in solids)
     return sum(count * (STEP_PRICE + touching + (BEND_PRICE if numbers.bend_limit < math.pi else 0.0)) for count, numbers in chains)
 
 
@@ -127,18 +127,32 @@ class Motion:
         return self._solver.gap
 
 
-def motion_of(parents, poses, numbers, world, times, is_loop):
+class World(NamedTuple):
+    """What chains share. keywords: of the native StrandMotion, with a solids.Surface for each surface. stamp: hash of them."""
+
+    keywords: dict
+    stamp: bytes
+
+
+def world_of(keywords):
+    """Return the World of keywords of the native StrandMotion."""
+    told = keywords | {"surfaces": [one.stamp for one in keywords.get("surfaces", ())]}
+    return World(keywords, _hash(told.items()))
+
+
+def motion_of(parents, poses, numbers, world, held, times, is_loop):
     """Return the Motion of a chain. Raises ValueError if a number is outside of what can be computed.
 
     parents: index of the parent of each particle, -1 first. poses: (m, n, 3), where the animation has the particles at the Times. numbers:
-    the entry, or what has its settings. world: further keywords of the native StrandMotion, with a colliders.Surface for each surface.
+    the entry, or what has its settings. world: World, with the settle time and the scene's gravity. held: keywords of the native
+    StrandMotion for pins.
     """
     depths = [0]
     for parent in parents[1:]:
         depths.append(depths[parent] + 1)
     shares = np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1)
     frequency = numbers.frequency * (1.0 + (numbers.tip_frequency - 1.0) * shares)
-    keywords = {
+    own = {
         "frequency": np.minimum(frequency, STEPS / 8.0),
         "bend_frequency": np.minimum(LINED_UP * frequency, STEPS / 8.0),
         "mass": 1.0 + (numbers.tip_mass - 1.0) * shares,
@@ -148,25 +162,29 @@ def motion_of(parents, poses, numbers, world, times, is_loop):
         "stretch": numbers.stretch,
         "bend": min(numbers.bend_limit, math.pi),
         "thickness": numbers.thickness,
-        **world,
+        **held,
     }
-    if "gravity" in keywords:
-        keywords["gravity"] = numbers.gravity * keywords["gravity"]
-    surfaces = keywords.pop("surfaces", ())
-    found = hashlib.blake2b(digest_size=16)
-    for value in (parents, times.seconds, poses, times.cuts, is_loop, *keywords.items(), [one.stamp for one in surfaces]):
-        _note(found, value)
     seconds = times.seconds
 
     def make():
-        more = {"surfaces": [one.native for one in surfaces]} if surfaces else {}
+        keywords = own | world.keywords
+        if "gravity" in keywords:
+            keywords["gravity"] = numbers.gravity * keywords["gravity"]
+        if "surfaces" in keywords:
+            keywords["surfaces"] = [one.native for one in keywords["surfaces"]]
         resets = None if is_loop else times.cuts
-        solver = native.module.StrandMotion(
-            parents, seconds, poses, **keywords, **more, resets=resets, rate=STEPS, loop=is_loop, cycles=CYCLES
-        )
+        solver = native.module.StrandMotion(parents, seconds, poses, **keywords, resets=resets, rate=STEPS, loop=is_loop, cycles=CYCLES)
         return Motion(solver, float(seconds[0]), float(seconds[-1]) if is_loop else None)
 
-    return _MOTIONS.made(found.digest(), make)
+    return _MOTIONS.made(_hash((parents, seconds, poses, times.cuts, is_loop, numbers.gravity, world.stamp, *own.items())), make)
+
+
+def _hash(values):
+    """Return a hash of numbers, texts, bytes, arrays, and lists and tuples of these."""
+    found = hashlib.blake2b(digest_size=16)
+    for value in values:
+        _note(found, value)
+    return found.digest()
 
 
 def _note(found, value):

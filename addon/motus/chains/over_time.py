@@ -58,7 +58,7 @@ class _Bone:
     def _read(self):
         around = self._around
         held = [track for pin in around.pins for track in (pin.place, pin.weight)]
-        return [*self._input.tracks, *(solid.track for solid in around.colliders), *around.gravity, *around.wind, *held]
+        return [*self._input.tracks, *(track for solid in around.colliders for track in solid.tracks), *around.gravity, *around.wind, *held]
 
     def bounds(self, first, last):
         """Return rising frames from first to last; the motion is smooth between neighbours."""

@@ -45,10 +45,9 @@ def draw_world(layout, context):
     """Draw the wind and the colliders, with buttons that record colliders whose motion is not known."""
     settings = context.object.motus.chains
     rows.WORLD.draw(ui.split(layout), settings)
-    solids = colliders.over_time(settings, colliders.objects(settings), context.scene)
-    for solid in [one for one in solids if one.track.reason is not None][:MOST_SHOWN]:
-        bone = {"bone": solid.bone.name} if solid.bone else {}
-        track_panel.draw(layout, solid.track, datablock=solid.thing.id_data.name, transform='WORLD', **bone)
+    touched = colliders.over_time(settings, colliders.objects(settings), context.scene)
+    for track, keywords in [found for solid in touched for found in solid.unknown][:MOST_SHOWN]:
+        track_panel.draw(layout, track, **keywords)
 
 
 def draw_time(layout, context):
