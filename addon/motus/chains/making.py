@@ -168,10 +168,7 @@ class Making:
             poses[-1] = poses[0]
         places = _places(bones)
         held = pins.at([pin for pin in self._held if pin.bone in places], places, times.frames)
-        found = motion.motion_of(_parents(bones), poses, entry, world, held, times, is_loop)
-        if is_loop and found.gap > motion.CLOSED * size:
-            self.problems.append(LOOP_IS_OPEN)
-        return found
+        return motion.motion_of(_parents(bones), poses, entry, world, held, times, is_loop)
 
     def _world(self, times):
         """Return the keywords of the native StrandMotion that all chains share: the air, gravity, what they touch."""

@@ -3,6 +3,7 @@
 import hashlib
 import math
 import threading
+import time
 from typing import Any, NamedTuple
 
 from ..core import keeping, native
@@ -21,8 +22,8 @@ SETTLING = 0.25
 """Part of the limit of work that may go into settling before the scene begins, and after cuts."""
 CYCLES = 40
 """How often a loop is gone through at most, until it closes."""
-AT_ONCE = 4096
-"""Steps that are solved before it is looked whether the time that was asked for is reached."""
+AT_ONCE = 1 << 17
+"""Steps times links that are solved before it is looked whether the time that was asked for is reached: some milliseconds."""
 SUDDEN = 1.0 / 64.0
 """Time in frames, before a cut, at which what chains read is still that of the shot before."""
 CLOSED = 1e-3
@@ -102,29 +103,47 @@ class Motion:
     """Motion of one chain. Threads share it: each solves on as far as it asks, while the others wait.
 
     solver: native StrandMotion. last: time at which a loop begins again, s; None if the motion is no loop. first: its first time, s.
+    length: of the chain, m.
     """
 
-    def __init__(self, solver, first, last):
+    def __init__(self, solver, first, last, length):
         self._solver, self._lock, self._first, self._last = solver, threading.Lock(), first, last
+        self._most_gap = CLOSED * length
+        self._at_once = max(AT_ONCE // len(solver), 1)
         self.size = solver.nbytes
 
-    def places(self, seconds):
-        """Return where the particles are at a time, s: (n, 3), the head of the topmost bone first."""
+    def __len__(self):
+        return len(self._solver)
+
+    def places(self, seconds, patience=math.inf):
+        """Return where the particles are at a time, s: (n, 3), the head of the topmost bone first.
+
+        patience: for how long, s, the motion may be solved up to there; None is returned if that was not enough, and the next call goes on.
+        """
+        end = time.perf_counter() + patience
         if self._last is not None:
             seconds = self._first + (seconds - self._first) % (self._last - self._first)
         with self._lock:
-            # Before its first step a solver has the first pose, not yet settled, at the first time.
-            while not self._solver.is_solved and (self._last is not None or self._solver.solved_until <= seconds):
-                self._solver.solve(AT_ONCE)
+            while not self._is_known(seconds):
+                if time.perf_counter() >= end:
+                    return None
+                self._solver.solve(self._at_once)
             return self._solver.places(seconds)
 
+    def _is_known(self, seconds):
+        # Before its first step a solver has the first pose, not yet settled, at the first time.
+        return self._solver.is_solved or (self._last is None and self._solver.solved_until > seconds)
+
+    def done(self, seconds):
+        """Return which part of the motion up to a time, s, is solved, from 0 to 1. That of a loop is not known before all of it is."""
+        if self._is_known(seconds):
+            return 1.0
+        return 0.0 if self._last is not None else (self._solver.solved_until - self._first) / max(seconds - self._first, 1e-9)
+
     @property
-    def gap(self):
-        """By how much a loop does not close, m; 0 if the motion is no loop."""
-        if self._last is None:
-            return 0.0
-        self.places(self._first)
-        return self._solver.gap
+    def is_open(self):
+        """Whether the motion is a loop that is solved and does not close."""
+        return self._last is not None and self._solver.is_solved and self._solver.gap > self._most_gap
 
 
 class World(NamedTuple):
@@ -174,7 +193,8 @@ def motion_of(parents, poses, numbers, world, held, times, is_loop):
             keywords["surfaces"] = [one.native for one in keywords["surfaces"]]
         resets = None if is_loop else times.cuts
         solver = native.module.StrandMotion(parents, seconds, poses, **keywords, resets=resets, rate=STEPS, loop=is_loop, cycles=CYCLES)
-        return Motion(solver, float(seconds[0]), float(seconds[-1]) if is_loop else None)
+        length = np.linalg.norm(poses[0, 1:] - poses[0, parents[1:]], axis=1).sum()
+        return Motion(solver, float(seconds[0]), float(seconds[-1]) if is_loop else None, float(length))
 
     return _MOTIONS.made(_hash((parents, seconds, poses, times.cuts, is_loop, numbers.gravity, world.stamp, *own.items())), make)
 

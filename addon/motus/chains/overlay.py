@@ -9,9 +9,11 @@ from ..core.interface.overlay import Batch, Overlay, Switch
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.settings import entries
-from . import colliders, groups, pins, wires
+from . import colliders, groups, pins, steps, wires
 
 LINK_COLOR = (0.35, 0.80, 0.75, 0.9)
+UNFINISHED_COLOR = (0.5, 0.5, 0.5, 0.6)
+"""Of links whose motion is being solved, and which still lie where their former motion has them."""
 LIMIT_COLOR = (0.80, 0.80, 0.90, 0.45)
 COLLIDER_COLOR = (0.45, 0.60, 0.95, 0.6)
 PIN_COLOR = (0.98, 0.80, 0.25, 0.9)
@@ -35,9 +37,9 @@ def _batches_of(context, owner):
         return []
     rig = owner.evaluated_get(context.evaluated_depsgraph_get())
     chains = [chain for chain in groups.chains(rig) if not chain.entry.is_muted]
-    found = []
+    color, found = LINK_COLOR if steps.done(owner) is None else UNFINISHED_COLOR, []
     for chain in chains:
-        found += _lines([rig.matrix_world @ end for bone in chain.bones for end in (bone.head, bone.tail)], LINK_COLOR, LINK_WIDTH)
+        found += _lines([rig.matrix_world @ end for bone in chain.bones for end in (bone.head, bone.tail)], color, LINK_WIDTH)
     if context.scene.motus.show_chains_limits:
         shown = entries.active(owner, "chains")
         found += [batch for chain in chains if shown and chain.entry.name == shown.name for batch in _limits(rig, chain)]

@@ -6,7 +6,7 @@ from ..core.interface import bone_entries, panels, ui
 from ..core.interface.tracks import panel as track_panel
 from ..core.settings.entries import active
 from ..core.translations import OWN_SENSE, counted, tr
-from . import colliders, pins, presets, rows, setup, told
+from . import colliders, pins, presets, rows, setup, steps, told
 
 MOST_SHOWN = 3
 """Largest number of colliders that have buttons to record them at a time."""
@@ -22,6 +22,9 @@ def draw_main(layout, context):
     )
     remove.object, remove.only_active = rig.name, True
     ui.draw_problem(layout, context, setup.system(), rig, lambda problem: told.sentence(rig, problem, context.scene))
+    done = steps.done(rig)
+    if done is not None:
+        ui.draw_readouts(layout, [ui.Readout(text="Motion Solved", value=f"{100.0 * done:.0f} %")])
     entry = active(rig, "chains")
     if entry:
         bone_entries.draw_shown(layout, setup.system(), entry.name)

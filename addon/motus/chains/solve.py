@@ -11,7 +11,7 @@ from ..core.file import stored
 from ..core.lazy import numpy as np
 from ..core.settings import entries
 from ..core.tracks import inputs, own_track
-from . import colliders, making, uneven
+from . import colliders, making, steps, uneven
 from .groups import BELOW, DEFORMED, LOOPED, MISSING, PLAN
 from .making import (
     BELOW_ANOTHER,
@@ -95,12 +95,13 @@ def solve(context, obstacles):
         rows = slice(row, row + len(links.lengths))
         row = rows.stop
         weight = context.settings.influence * weights[entry]
-        if weight > 0.0:
-            influences[rows] = weight
-            places[rows] = uneven.tails(moved.places(context.frame / context.fps), links, context.owner.matrix_world)
+        shown = steps.places(context, entry, moved, context.frame / context.fps) if weight > 0.0 else None
+        if shown is not None:
+            influences[rows], places[rows] = weight, uneven.tails(shown, links, context.owner.matrix_world)
     if influences.any():
         rigs.turn(context, context.data[PLAN], made.members, places, influences)
-    return made.problem or _wrong(context.data)
+    is_open = any(moved.is_open for moved, *_ in made.chains)
+    return made.problem or (LOOP_IS_OPEN if is_open else None) or _wrong(context.data)
 
 
 def _wrong(data):

@@ -87,6 +87,7 @@ INTERFACE = {
     "The scene is too long for so many chains, which come to a stop before its end: split it, or mute some": "La escena es demasiado larga para tantas cadenas, que se detienen antes del final: divídela o silencia algunas",
     "Dog's Tail": "Cola de perro",
     "Stiff at its root, loose at its tip": "Rígida en la raíz, suelta en la punta",
+    "Motion Solved": "Movimiento resuelto",
     "Ponytail": "Coleta",
     "Hangs, with a little of its shape": "Cuelga y conserva un poco de su forma",
     "Rope": "Cuerda",
