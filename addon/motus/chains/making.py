@@ -11,7 +11,7 @@ from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.tracks import solved
 from ..core.tracks.inputs import BAD_NUMBERS, Tails, of_unknown, stamp_of_known
-from . import colliders, motion, pins
+from . import colliders, motion, pins, spaces
 from .properties import KEYWORDS
 from .uneven import Links
 
@@ -148,11 +148,13 @@ class Making:
         if times.is_cut_short:
             self.problems.append(TOO_LONG)
         settle = motion.settling(settings.settle, step, 1 + len(times.cuts), share)
-        world = motion.world_of({"settle": settle, **self._world(times)})
+        world = motion.world_of({"settle": settle, **self._world(times)}, self._space(ready[0][0], times))
         for source, bones, index, rows in ready:
             poses = source.kept(("places", times.frames.tobytes()), lambda source=source: source.places(times.frames))
             try:
-                moved = self._motion(bones, np.stack(poses, axis=1), settings.entries[index], world, times)
+                moved = self._motion(
+                    bones, world.inside({"poses": np.stack(poses, axis=1)})["poses"], settings.entries[index], world, times
+                )
             except ValueError:
                 self.problems.append(BAD_NUMBERS)
                 continue
@@ -169,6 +171,14 @@ class Making:
         places = _places(bones)
         held = pins.at([pin for pin in self._held if pin.bone in places], places, times.frames)
         return motion.motion_of(_parents(bones), poses, entry, world, held, times, is_loop)
+
+    def _space(self, source, times):
+        """Return the spaces.Space in which chains feel a part of their rig's motion alone; None if they feel all of it.
+
+        source: Tails of one of the chains.
+        """
+        inherit = self._settings.inherit
+        return None if inherit >= 1.0 else spaces.following(source.tracks[0], times.frames, times.seconds, 1.0 - max(inherit, 0.0))
 
     def _world(self, times):
         """Return the keywords of the native StrandMotion that all chains share: the air, gravity, what they touch."""

@@ -103,11 +103,11 @@ class Motion:
     """Motion of one chain. Threads share it: each solves on as far as it asks, while the others wait.
 
     solver: native StrandMotion. last: time at which a loop begins again, s; None if the motion is no loop. first: its first time, s.
-    length: of the chain, m.
+    length: of the chain, m. space: spaces.Space in which it is solved; None for the world.
     """
 
-    def __init__(self, solver, first, last, length):
-        self._solver, self._lock, self._first, self._last = solver, threading.Lock(), first, last
+    def __init__(self, solver, first, last, length, space):
+        self._solver, self._lock, self._first, self._last, self._space = solver, threading.Lock(), first, last, space
         self._most_gap = CLOSED * length
         self._at_once = max(AT_ONCE // len(solver), 1)
         self.size = solver.nbytes
@@ -128,7 +128,8 @@ class Motion:
                 if time.perf_counter() >= end:
                     return None
                 self._solver.solve(self._at_once)
-            return self._solver.places(seconds)
+            found = self._solver.places(seconds)
+        return found if self._space is None else self._space.outside(found, seconds)
 
     def _is_known(self, seconds):
         # Before its first step a solver has the first pose, not yet settled, at the first time.
@@ -147,24 +148,33 @@ class Motion:
 
 
 class World(NamedTuple):
-    """What chains share. keywords: of the native StrandMotion, with a solids.Surface for each surface. stamp: hash of them."""
+    """What chains share. keywords: of the native StrandMotion, with a solids.Surface for each surface. stamp: hash of all.
+
+    space: spaces.Space in which they are solved; None for the world.
+    """
 
     keywords: dict
     stamp: bytes
+    space: Any
+
+    def inside(self, keywords):
+        """Return keywords of the native StrandMotion, given in the world, as they are in the space."""
+        return keywords if self.space is None else self.space.inside(keywords)
 
 
-def world_of(keywords):
-    """Return the World of keywords of the native StrandMotion."""
+def world_of(keywords, space):
+    """Return the World of keywords of the native StrandMotion, which are given in the world. space: spaces.Space, or None."""
     told = keywords | {"surfaces": [one.stamp for one in keywords.get("surfaces", ())]}
-    return World(keywords, _hash(told.items()))
+    stamp = _hash([*told.items(), *(space or ())])
+    return World(keywords if space is None else space.inside(keywords), stamp, space)
 
 
 def motion_of(parents, poses, numbers, world, held, times, is_loop):
     """Return the Motion of a chain. Raises ValueError if a number is outside of what can be computed.
 
-    parents: index of the parent of each particle, -1 first. poses: (m, n, 3), where the animation has the particles at the Times. numbers:
-    the entry, or what has its settings. world: World, with the settle time and the scene's gravity. held: keywords of the native
-    StrandMotion for pins.
+    parents: index of the parent of each particle, -1 first. poses: (m, n, 3), where the animation has the particles at the Times, in the
+    space of `world`. numbers: the entry, or what has its settings. world: World, with the settle time and the scene's gravity. held:
+    keywords of the native StrandMotion for pins, in the world.
     """
     depths = [0]
     for parent in parents[1:]:
@@ -181,7 +191,7 @@ def motion_of(parents, poses, numbers, world, held, times, is_loop):
         "stretch": numbers.stretch,
         "bend": min(numbers.bend_limit, math.pi),
         "thickness": numbers.thickness,
-        **held,
+        **world.inside(held),
     }
     seconds = times.seconds
 
@@ -194,7 +204,7 @@ def motion_of(parents, poses, numbers, world, held, times, is_loop):
         resets = None if is_loop else times.cuts
         solver = native.module.StrandMotion(parents, seconds, poses, **keywords, resets=resets, rate=STEPS, loop=is_loop, cycles=CYCLES)
         length = np.linalg.norm(poses[0, 1:] - poses[0, parents[1:]], axis=1).sum()
-        return Motion(solver, float(seconds[0]), float(seconds[-1]) if is_loop else None, float(length))
+        return Motion(solver, float(seconds[0]), float(seconds[-1]) if is_loop else None, float(length), world.space)
 
     return _MOTIONS.made(_hash((parents, seconds, poses, times.cuts, is_loop, numbers.gravity, world.stamp, *own.items())), make)
 

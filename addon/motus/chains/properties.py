@@ -112,6 +112,14 @@ class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
     influence: factor("Influence", "How much all chains of the rig act; 0 leaves the rig to its animation", 1.0, options=ANIMATED)
     wind: vector("Wind", "Velocity of the air, which chains with Air Drag feel", options=ANIMATED, subtype='VELOCITY', unit='VELOCITY')
     gusts: _number("Gusts", "How much the wind rises and falls: 1 lets it fall to a calm at times", 0.0, min=0.0, max=2.0, subtype='FACTOR')
+    inherit: _number(
+        "Inherit Motion",
+        "How much of the motion of the object itself the chains feel: at 0 they come along as if it stood still, such as in a car",
+        1.0,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+    )
     settle: _number(
         "Settle",
         "Time, at most, in which chains come to rest in their first pose before the scene begins",

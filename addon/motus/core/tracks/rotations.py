@@ -101,6 +101,22 @@ def rigid(matrices):
     return found
 
 
+@by_rows
+def of_rigid(matrices):
+    """Unit quaternions (n, 4) of the turns in matrices (n, 4, 4) that turn and move alone, in double precision."""
+    m = matrices
+    w, x, y, z = (
+        1.0 + sign * (m[:, 0, 0] + other * m[:, 1, 1] + third * m[:, 2, 2])
+        for sign, other, third in ((1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, -1.0, 1.0), (-1.0, 1.0, -1.0))
+    )
+    a, b, c = m[:, 2, 1] - m[:, 1, 2], m[:, 0, 2] - m[:, 2, 0], m[:, 1, 0] - m[:, 0, 1]
+    d, e, f = m[:, 1, 0] + m[:, 0, 1], m[:, 0, 2] + m[:, 2, 0], m[:, 2, 1] + m[:, 1, 2]
+    # Each row is the quaternion times another one of its parts: the largest part divides best.
+    found = np.stack([np.stack(row, axis=1) for row in ((w, a, b, c), (a, x, d, e), (b, d, y, f), (c, e, f, z))], axis=1)
+    largest = np.argmax(np.stack([w, x, y, z], axis=1), axis=1)
+    return unit(found[np.arange(len(m)), largest])
+
+
 def _directions(vectors, others):
     """Vectors (n, 3) scaled to length 1; `others` in the place of those that have no length."""
     lengths = np.sqrt((vectors**2).sum(axis=1, keepdims=True))

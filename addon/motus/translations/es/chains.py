@@ -76,6 +76,10 @@ INTERFACE = {
     "Draw the bend limits of the shown chain as cones": "Dibuja como conos los límites de flexión de la cadena mostrada",
     "Draw the balls, capsules and planes that the chains touch, and where they touch": "Dibuja las bolas, cápsulas y planos que tocan las cadenas, y dónde los tocan",
     "Draw what holds the pinned bones": "Dibuja lo que sujeta los huesos anclados",
+    "Inherit Motion": "Heredar movimiento",
+    "How much of the motion of the object itself the chains feel: at 0 they come along as if it stood still, such as in a car"
+    + NO_KEYS: "Cuánto notan las cadenas del movimiento del propio objeto: con 0 van con él como si estuviera quieto, por ejemplo en un coche"
+    + _NO_KEYS_ES,
     "Surroundings": "Entorno",
     "A chain does not come back to where its loop began": "Una cadena no vuelve adonde empezó su bucle",
     "Constraints on bones of a chain are no part of what it follows, and may undo it": "Las restricciones de los huesos de una cadena no forman parte de lo que sigue y pueden anularla",
