@@ -9,6 +9,8 @@ from ..lazy import numpy as np
 
 MODES = ('QUATERNION', 'XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX', 'AXIS_ANGLE')
 """Rotation modes by their numbers in the native module."""
+ALONG = 1e-9
+"""Part of an axis by which it may lean away from another one, and it still counts as along it."""
 
 
 def by_rows(make):
@@ -82,6 +84,47 @@ def chained(left, right):
     # What stands for all rows is the same memory in each of them.
     pair = (np.ascontiguousarray(one[:1] if one.strides[0] == 0 else one, float) for one in (left, right))
     return native.module.matrix_products(*pair)
+
+
+@by_rows
+def rigid(matrices):
+    """Turns and moves, (n, 4, 4), of affine matrices (n, 4, 4), which may also scale, shear and mirror.
+
+    X keeps its direction, and Y its plane with X. An axis without length counts as any that fits.
+    """
+    found = np.zeros_like(matrices)
+    x = _directions(matrices[:, :3, 0], np.array([(1.0, 0.0, 0.0)]))
+    beneath = matrices[:, :3, 1]
+    y = beneath - x * (x * beneath).sum(axis=1, keepdims=True)
+    y[np.abs(y).max(axis=1) <= ALONG * np.abs(beneath).max(axis=1)] = 0.0
+    beside = np.where(np.abs(x[:, 2:]) < 0.5, np.cross((0.0, 0.0, 1.0), x), np.cross((1.0, 0.0, 0.0), x))
+    found[:, :3, 0] = x
+    found[:, :3, 1] = y = _directions(y, _directions(beside, x))
+    found[:, :3, 2] = np.cross(x, y)
+    found[:, :, 3] = matrices[:, :, 3]
+    return found
+
+
+@by_rows
+def of_rigid(matrices):
+    """Unit quaternions (n, 4) of the turns in matrices (n, 4, 4) that turn and move alone, in double precision."""
+    m = matrices
+    w, x, y, z = (
+        1.0 + sign * (m[:, 0, 0] + other * m[:, 1, 1] + third * m[:, 2, 2])
+        for sign, other, third in ((1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, -1.0, 1.0), (-1.0, 1.0, -1.0))
+    )
+    a, b, c = m[:, 2, 1] - m[:, 1, 2], m[:, 0, 2] - m[:, 2, 0], m[:, 1, 0] - m[:, 0, 1]
+    d, e, f = m[:, 1, 0] + m[:, 0, 1], m[:, 0, 2] + m[:, 2, 0], m[:, 2, 1] + m[:, 1, 2]
+    # Each row is the quaternion times another one of its parts: the largest part divides best.
+    found = np.stack([np.stack(row, axis=1) for row in ((w, a, b, c), (a, x, d, e), (b, d, y, f), (c, e, f, z))], axis=1)
+    largest = np.argmax(np.stack([w, x, y, z], axis=1), axis=1)
+    return unit(found[np.arange(len(m)), largest])
+
+
+def _directions(vectors, others):
+    """Vectors (n, 3) scaled to length 1; `others` in the place of those that have no length."""
+    lengths = np.sqrt((vectors**2).sum(axis=1, keepdims=True))
+    return np.where(lengths > 0.0, vectors / np.where(lengths > 0.0, lengths, 1.0), others)
 
 
 @by_rows
