@@ -1,4 +1,4 @@
-"""Chains: bones that hang, swing and touch, solved once for the whole scene."""
+"""Chains: bones, and objects in a row, that hang, swing and touch, solved once for the whole scene."""
 
 from ..core.declare import System
 from . import groups, operators, over_time, overlay, panel, presets, properties, solve
@@ -9,7 +9,6 @@ SYSTEM = System(
     hand_over='KEYS',
     settings=properties.MOTUS_PG_chains,
     classes=(*properties.classes, *operators.classes, *presets.classes, *panel.classes),
-    owner_types=frozenset({'ARMATURE'}),
     inputs=solve.INPUTS,
     solve=solve.solve,
     problems=solve.PROBLEMS,

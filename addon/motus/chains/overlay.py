@@ -1,4 +1,4 @@
-"""Viewport overlay of chains: lines along the bones of each chain that is not muted."""
+"""Viewport overlay of chains: lines along the links of each chain that is not muted."""
 
 from ..core.interface.overlay import Batch, Overlay
 from ..core.lazy import numpy as np
@@ -9,16 +9,12 @@ LINK_WIDTH = 2.0  # pixels
 
 
 def _batches_of(context, owner):
-    """List of Batches to draw for an armature object with chains; empty for any different object."""
-    if owner.type != 'ARMATURE' or not owner.motus.chains.is_active:
+    """List of Batches to draw for an object with chains; empty for any different object."""
+    if not owner.motus.chains.is_active:
         return []
-    rig = owner.evaluated_get(context.evaluated_depsgraph_get())
-    found = []
-    for chain in groups.chains(rig):
-        if not chain.entry.is_muted:
-            ends = [rig.matrix_world @ end for bone in chain.bones for end in (bone.head, bone.tail)]
-            found.append(Batch('LINES', np.array(ends, np.float32), LINK_COLOR, LINK_WIDTH))
-    return found
+    shown = owner.evaluated_get(context.evaluated_depsgraph_get())
+    ends = (chain.ends for chain in groups.chains(shown) if not chain.entry.is_muted)
+    return [Batch('LINES', np.array(one, np.float32), LINK_COLOR, LINK_WIDTH) for one in ends]
 
 
 overlay = Overlay(_batches_of)
