@@ -1,7 +1,7 @@
-"""Chains: bones, and objects in a row, that hang, swing and touch, solved once for the whole scene."""
+"""Chains: bones, objects in a row and points of curves that hang, swing and touch, solved once for the whole scene."""
 
 from ..core.declare import System
-from . import groups, operators, over_time, overlay, panel, presets, properties, solve
+from . import curves, groups, operators, over_time, overlay, panel, presets, properties, solve
 
 SYSTEM = System(
     name="chains",
@@ -16,6 +16,7 @@ SYSTEM = System(
     entry_settings=properties.KEYWORDS,
     groups=groups.groups,
     entries=groups.entries,
+    prepare=curves.prepare,
     bone_renamed=groups.bone_renamed,
     over_time=over_time.over_time,
     load=lambda settings: len(settings.entries),

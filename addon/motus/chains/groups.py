@@ -1,7 +1,7 @@
 """Declare what chains drive: bones of a rig, or objects in a row, in groups that are solved together.
 
-Each entry in the owner's list of chains is a chain. Its links name objects: a row, whose root is the owner. Without links it is the bone of
-the entry's name, with all bones below it.
+Each entry in the owner's list of chains is a chain. Its links name objects: a row, whose root is the owner, or the anchors of a spline's
+points, the root's first. Without links it is the bone of the entry's name, with all bones below it.
 """
 
 import json
@@ -12,7 +12,7 @@ from ..core.evaluated.question import answered
 from ..core.file import libraries
 from ..core.file.pointers import pointed
 from ..core.settings.entries import unwired
-from . import colliders
+from . import colliders, curves
 from .of_bones import Bones
 from .of_objects import Row
 
@@ -40,12 +40,20 @@ def objects_of(owner, entry):
     return [obj for obj in found if obj is not None and libraries.is_free_or_of(obj, pointed(obj.motus.chains, "leader"), owner)]
 
 
+def is_bone(entry):
+    """Whether the chain of an entry is one of bones."""
+    return not entry.links and entry.spline < 0
+
+
 def chain_of(owner, entry):
     """Return the chain of an entry, a Bones or Row; None if something of it does not exist. owner: original or evaluated, as the chain is then."""
     if is_missing(owner, entry):
         return None
-    if not entry.links:
+    if is_bone(entry):
         return Bones(entry, tuple(bones_of(owner, entry.name)))
+    if entry.spline >= 0:
+        root, *things = curves.anchors(owner, entry)
+        return Row(entry, root, tuple(things))
     return Row(entry, owner, tuple(objects_of(owner, entry)))
 
 
@@ -61,6 +69,8 @@ def _chains(owner):
 
 def is_missing(owner, entry):
     """Whether an entry names a bone that does not exist in the rig, or objects that are gone."""
+    if entry.spline >= 0:
+        return not curves.anchors(owner, entry)
     if entry.links:
         return len(objects_of(owner, entry)) < len(entry.links)
     return owner.pose is None or entry.name not in owner.pose.bones
@@ -68,11 +78,11 @@ def is_missing(owner, entry):
 
 def is_below(owner, entry):
     """Whether the bone of an entry belongs to the chain of a different entry."""
-    if entry.links or is_missing(owner, entry):
+    if not is_bone(entry) or is_missing(owner, entry):
         return False
     entries = owner.motus.chains.entries
     above = [entries[bone.name] for bone in owner.data.bones[entry.name].parent_recursive if bone.name in entries]
-    return any(not other.links for other in above)
+    return any(map(is_bone, above))
 
 
 def entries(owner):
@@ -125,5 +135,5 @@ def bone_renamed(owner, rig, old, new):
         return
     with unwired(owner.motus.chains) as settings:
         for entry in settings.entries:
-            if entry.name == old and not entry.links:
+            if entry.name == old and is_bone(entry):
                 entry.name = new

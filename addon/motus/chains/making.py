@@ -149,7 +149,7 @@ class Making:
             is_loop = False
         if is_loop:
             poses[-1] = poses[0]
-        found = motion.motion_of(parents, poses, chain.entry, world, times, is_loop)
+        found = motion.motion_of(parents, poses, chain.entry, world | _held(parents, poses, chain.entry), times, is_loop)
         if is_loop and found.gap > motion.CLOSED * size:
             self.problems.append(LOOP_IS_OPEN)
         return found
@@ -179,3 +179,9 @@ class Making:
             self.problems.append(problem)
             return None
         return np.stack([track.values(times.frames) for track in along], axis=1)
+
+
+def _held(parents, poses, entry):
+    """Return the keywords of the native StrandMotion that hold the ends of a chain, as its entry says. poses: (m, n, 3), of its particles."""
+    ends = [index for index in range(1, len(parents)) if index not in parents] if entry.hold_end else []
+    return {"pinned": ends, "pin_places": poses[:, ends]} if ends else {}

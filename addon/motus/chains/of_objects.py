@@ -15,6 +15,7 @@ from ..core.measures import scene_time
 from ..core.tracks import in_world, own_track, rotations, world_track
 from ..core.tracks.inputs import Input, stamp_of_known
 from ..core.tracks.track import kept_by
+from . import curves
 
 MOVE = frozenset({"location", "rotation"})
 _LEAST = 1e-12  # part of a length, below which the sum of two opposite directions counts as none
@@ -31,6 +32,11 @@ class Row(NamedTuple):
     things: tuple
 
     @property
+    def _is_spline(self):
+        """Whether the objects are anchors of a spline's points, children of the curve."""
+        return self.entry.spline >= 0
+
+    @property
     def drives(self):
         """The objects."""
         return self.things
@@ -39,12 +45,13 @@ class Row(NamedTuple):
     def reads(self):
         """((object, name of a bone or ""), ...) of each transform that the chain needs: of the root, and of what the objects hang on."""
         parents = [(obj.parent, obj.parent_bone if obj.parent_type == 'BONE' else "") for obj in self.things if obj.parent]
-        return tuple(dict.fromkeys([(self.root, "") if not helpers.is_helper(self.root) else (self.root.parent, ""), *parents]))
+        return tuple(dict.fromkeys([(self.root.parent if self._is_spline else self.root, ""), *parents]))
 
     @property
     def inputs(self):
         """Inputs of the Group for which the solver waits."""
-        return (*(Transform(*pair) for pair in self.reads), *(CopyOf(obj) for obj in self.things))
+        read = [self.root, self.root.parent.data] if self._is_spline else []
+        return (*(Transform(*pair) for pair in self.reads), *map(CopyOf, (*self.things, *read)))
 
     @property
     def members(self):
@@ -63,12 +70,13 @@ class Row(NamedTuple):
     @property
     def kept(self):
         """The Kept."""
-        return Kept(self.root, self.things)
+        return Kept(self.root, self.things, self.entry.spline)
 
     @property
     def ends(self):
         """Both ends of each link, as they stand now, in the world. For evaluated objects."""
-        places = [obj.matrix_world.translation for obj in (self.root, *self.things)]
+        start = self.root.parent.matrix_world @ self.root.location if self._is_spline else self.root.matrix_world.translation
+        places = [start, *(obj.matrix_world.translation for obj in self.things)]
         return [end for link in itertools.pairwise(places) for end in link]
 
     def read_by(self, _source):
@@ -193,14 +201,15 @@ class Origins(Input):
 
 
 class Kept(NamedTuple):
-    """What is kept of a row between evaluations: its evaluated root and objects."""
+    """What is kept of a row between evaluations: its evaluated root and objects, and the index of the spline that they anchor, or -1."""
 
     root: Any
     things: tuple
+    spline: int
 
-    def stamp(self, _owner, scene):
+    def stamp(self, owner, scene):
         """Hashable value that changes whenever the animation of the row may; None if changes cannot be detected."""
-        return Origins(self.root, self.things, scene).stamp
+        return strips.together((len(curves.points(owner, self.spline)), Origins(self.root, self.things, scene).stamp))
 
     @staticmethod
     def fill(context, _text, parts):

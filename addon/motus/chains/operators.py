@@ -1,4 +1,4 @@
-"""Operators that add chains to bones of a rig, or to objects in a row, and remove them."""
+"""Operators that add chains to bones of a rig, objects in a row and points of curves, and remove them."""
 
 import bpy
 
@@ -24,7 +24,7 @@ def _bones():
 class MOTUS_OT_chains_add(FindsValues, properties.ChainsKeywords, bpy.types.Operator):
     bl_idname = "motus.chains_add"
     bl_label = "Add Chains"
-    bl_description = "Let the selected bones and all bones below them hang and swing as chains, or objects in a row on the active one"
+    bl_description = "Let the selected bones and all bones below them hang and swing as chains, or points of a curve, or objects in a row on the active one"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs_native = True
     redo = rows.ADDING
@@ -37,17 +37,20 @@ class MOTUS_OT_chains_add(FindsValues, properties.ChainsKeywords, bpy.types.Oper
         description="Names of objects in a row, with commas between, in place of bones: the one that stays, then those that hang on it",
         options={'SKIP_SAVE'},
     )
+    spline: bpy.props.IntProperty(
+        name="Spline", description="Index of the spline of a curve whose points hang; -1 for all", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
 
     @classmethod
     def check_offer(cls, context):
-        targets.wanted(context, "", "", "").check_free()
+        targets.wanted(context, "", "", "", -1).check_free()
 
     def run(self, context):
-        found = targets.wanted(context, self.object, self.bones, self.objects)
+        found = targets.wanted(context, self.object, self.bones, self.objects, self.spline)
         found.check_free()
         check_finite(self, KEYWORDS)
         owner, names = found.owner, found.names
-        setup.add(owner, names, self.given(KEYWORDS), found.rows)
+        setup.add(owner, names, self.given(KEYWORDS), found.rows, found.splines)
         self.show_used(owner.motus.chains.entries[names[0]], KEYWORDS)
         self.report({'INFO'}, counted(len(names), tr("Chain added from {bone}").format(bone=names[0]), tr("{count} chains added")))
         context.view_layer.update()

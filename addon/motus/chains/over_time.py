@@ -141,6 +141,6 @@ class _Object(_Hanging):
     def stamp(self):
         """Hashable value that changes whenever the object's motion may."""
         entry, settings = self._chain.entry, self._owner.motus.chains
-        numbers = (getattr(entry, name) for name in (*KEYWORDS, "weight", "is_muted"))
+        numbers = (getattr(entry, name) for name in (*KEYWORDS, "weight", "is_muted", "hold_end"))
         shared = settings.influence, settings.gusts, settings.settle, settings.use_loop
         return together((self._row, *numbers, *shared, self._input.stamp, self._around.stamp))

@@ -31,7 +31,7 @@ def draw_main(layout, context):
 
 
 def _icon_of(entry):
-    return 'OBJECT_DATA' if entry.links else 'BONE_DATA'
+    return 'CURVE_DATA' if entry.spline >= 0 else 'OBJECT_DATA' if entry.links else 'BONE_DATA'
 
 
 def _draw_of_entry(group):
@@ -77,9 +77,11 @@ def draw_add(layout, context):
 
 
 def _words(context):
-    """Return the label of the button that adds chains; "" if no bones, and not several objects, are selected."""
+    """Return the label of the button that adds chains; "" if no bones, no curve, and not several objects are selected."""
     if context.mode != 'POSE':
         count = len(context.selected_objects)
+        if count == 1 and context.object and context.object.type == 'CURVE':
+            return tr("Chain along {name}").format(name=context.object.name)
         return tr("Chain of {count} Objects").format(count=count) if count > 1 else ""
     names = bone_entries.posed(context)
     return counted(len(names), tr("Chain from {name}").format(name=names[0]), tr("Chains from {count} Bones")) if names else ""

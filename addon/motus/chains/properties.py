@@ -68,10 +68,11 @@ class ChainsKeywords:
         subtype='ANGLE',
     )
     thickness: _number("Thickness", "Radius of the chain where it touches colliders", 0.0, min=0.0, max=1e5, soft_max=1.0, unit='LENGTH')
+    hold_end: switch("Hold End", "Keep the end of the chain where the animation has it, as its beginning", tells_no_keys=True)
     weight: factor("Weight", "Blend from the animation (0) to the hanging chain (1)", 1.0, options=ANIMATED)
 
 
-KEYWORDS = tuple(name for name in ChainsKeywords.__annotations__ if name != "weight")
+KEYWORDS = tuple(name for name in ChainsKeywords.__annotations__ if name not in ("weight", "hold_end"))
 """Settings of an entry that presets and To All Selected copy."""
 
 
@@ -84,6 +85,13 @@ class MOTUS_PG_chains_entry(ChainsKeywords, bpy.types.PropertyGroup):
         name="Bone", description="Topmost bone of the chain, which has all bones below it", update=rewire, override=OVERRIDABLE
     )
     links: bpy.props.CollectionProperty(type=MOTUS_PG_chains_link, name="Objects", override=EXTENDABLE)
+    spline: bpy.props.IntProperty(
+        name="Spline",
+        description="Index of the spline of a curve whose points hang; -1 for bones and objects",
+        default=-1,
+        min=-1,
+        options=set(),
+    )
     is_muted: switch("Mute", "Switch this chain off", options=ANIMATED)
 
 

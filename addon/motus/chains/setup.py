@@ -2,6 +2,7 @@
 
 from ..core.declare import registered
 from ..core.settings import entries
+from . import curves
 
 
 def system():
@@ -9,10 +10,11 @@ def system():
     return registered["chains"]
 
 
-def add(owner, names, changes, rows=None):
+def add(owner, names, changes, rows, splines):
     """Add entries for chains, or change those that exist. names: of the entries: for bones the topmost ones. changes: {setting: value}.
 
-    rows: {name of an entry: its objects, in the order in which they hang}, for objects.
+    rows: {name of an entry: its objects, in the order in which they hang}, for objects. splines: {name of an entry: index of its spline}, for
+    points of a curve.
     """
     with entries.at_once(system(), owner) as settings:
         for name in names:
@@ -22,7 +24,10 @@ def add(owner, names, changes, rows=None):
                 entry.name = name
             for key, value in changes.items():
                 setattr(entry, key, value)
-            _link(entry, (rows or {}).get(name, ()))
+            if name in splines:
+                entry.spline = splines[name]
+            elif name in rows:
+                _link(entry, rows[name])
             settings.chosen_entry = settings.entries.find(name)
 
 
@@ -36,3 +41,5 @@ def _link(entry, objects):
 def remove(owner, indices):
     """Remove entries of an owner by their indices."""
     entries.remove(system(), owner, indices, "chosen_entry")
+    if owner.type == 'CURVE':
+        curves.tidy(owner)

@@ -9,42 +9,51 @@ from ..core.interface import bone_entries
 from ..core.interface.operators import named_or_active
 from ..core.refusals import Refused, check_local, check_unbaked, named
 from ..core.translations import tr
-from . import groups, setup
+from . import curves, groups, setup
 
 
 class Wanted(NamedTuple):
-    """Chains to be added. owner: Object that has their settings. names: of the entries. rows: {name of an entry: objects of its row}."""
+    """Chains to be added. owner: Object that has their settings. names: of the entries. rows: {name of an entry: objects of its row}.
+
+    splines: {name of an entry: index of its spline}.
+    """
 
     owner: Any
     names: list
     rows: dict
+    splines: dict
 
     def check_free(self):
         """Raise Refused if what shall hang cannot be edited, is driven already, or moves what it hangs on."""
         check_editable(self.owner)
-        if not self.rows:
+        if not self.rows and not self.splines:
             _check_bones(self.owner, self.names)
         for objects in self.rows.values():
             _check_row(self.owner, objects)
 
 
-def wanted(context, name, bones, objects):
-    """Return the Wanted of keywords; of the selection if they are empty: of bones in Pose Mode, else of the selected objects as a row."""
+def wanted(context, name, bones, objects, spline):
+    """Return the Wanted of keywords. Of the selection if they are empty: bones in Pose Mode, a curve, or else the selected objects as a row."""
     if objects:
         return _row([named(one.strip()) for one in objects.split(",") if one.strip()])
     if not (name or bones or context.mode == 'POSE') and len(context.selected_objects) > 1:
         return _row(_in_order(context))
     rig = named_or_active(context, name)
+    if rig.type == 'CURVE' and not bones:
+        found = {f"Spline {one + 1}": one for one in curves.splines_of(rig, spline)}
+        return Wanted(rig, list(found), {}, found)
     if rig.type != 'ARMATURE' and (name or bones):
         raise Refused(tr("{object} is not an armature").format(object=rig.name))
     if rig.type != 'ARMATURE':
-        raise Refused(tr("Select the objects of a row, first those that hang and last the one that they hang on, or bones in Pose Mode"))
+        raise Refused(
+            tr("Select a curve, or objects of a row, first those that hang and last the one that they hang on, or bones in Pose Mode")
+        )
     names = bone_entries.names_in(rig, bones) if bones else bone_entries.posed(context) if not name else []
     if not names:
         raise Refused(tr("Select the topmost bones of the chains"))
     chosen = set(names)
     tops = [one for one in names if chosen.isdisjoint(bone.name for bone in rig.data.bones[one].parent_recursive)]
-    return Wanted(rig, tops, {})
+    return Wanted(rig, tops, {}, {})
 
 
 def owner_with(context, name):
@@ -66,7 +75,7 @@ def _row(objects):
     owner, *things = objects
     if not things or len({*objects}) < len(objects):
         raise Refused(tr("Name at least two different objects: the one that stays, then those that hang on it, in their order"))
-    return Wanted(owner, [_name_for(owner, things)], {_name_for(owner, things): things})
+    return Wanted(owner, [_name_for(owner, things)], {_name_for(owner, things): things}, {})
 
 
 def _name_for(owner, things):
@@ -82,7 +91,9 @@ def _in_order(context):
     """List the selected objects: the active one, then each time the one that is nearest to the one before."""
     left = sorted(context.selected_objects, key=lambda obj: obj.name)
     if context.object not in left:
-        raise Refused(tr("Select the objects of a row, first those that hang and last the one that they hang on, or bones in Pose Mode"))
+        raise Refused(
+            tr("Select a curve, or objects of a row, first those that hang and last the one that they hang on, or bones in Pose Mode")
+        )
     found = [context.object]
     left.remove(context.object)
     while left:
@@ -94,7 +105,7 @@ def _in_order(context):
 
 def _check_bones(rig, tops):
     entries = rig.motus.chains.entries if rig.is_property_set("motus") else ()
-    present = [entry.name for entry in entries if not entry.links and not groups.is_missing(rig, entry)]
+    present = [entry.name for entry in entries if groups.is_bone(entry) and not groups.is_missing(rig, entry)]
     bones = {top: [bone.name for bone in groups.bones_of(rig, top)] for top in dict.fromkeys((*present, *tops))}
     bone_entries.check_apart(bones)
     for top in tops:

@@ -8,7 +8,7 @@ property of the owner that repeats outputs of the solver.
 
 import bpy
 
-from ...blender import drivers
+from ...blender import datablocks, drivers
 from ...declare import BonesOwn, CopyOf, Transform, Variable, input_variables, laid_beneath, of_owner
 from ...evaluated import copies
 from ..hubs import hub_lookup, outbox, outputs, traits
@@ -129,7 +129,9 @@ def _call(system, owner, group, part):
         awaited = [one for one in awaited if not isinstance(one, (Transform, CopyOf))]
         variables["waits"] = waiting.wait_for(part.hub, group.reads)
         # A custom property is evaluated after the copy is made, and before the transform.
-        variables |= {f"{_OF_COPY}{index}": Variable('OBJECT', one, f'["{copies.KEY}"][0]') for index, one in enumerate(copied)}
+        variables |= {
+            f"{_OF_COPY}{index}": Variable(datablocks.id_type(one), one, f'["{copies.KEY}"][0]') for index, one in enumerate(copied)
+        }
     for index, one in enumerate(awaited):
         variables[f"w{index}"] = one.variable()
     for index, one in enumerate(property_sink.waits(group)):
