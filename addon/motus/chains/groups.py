@@ -7,12 +7,12 @@ points, the root's first. Without links it is the bone of the entry's name, with
 import json
 
 from ..core import rigs, wiring
-from ..core.declare import Entry, Group
+from ..core.declare import Entry, Group, Transform
 from ..core.evaluated.question import answered
 from ..core.file import libraries
 from ..core.file.pointers import pointed
 from ..core.settings.entries import unwired
-from . import colliders, curves
+from . import colliders, curves, pins
 from .of_bones import Bones
 from .of_objects import Row
 
@@ -24,6 +24,8 @@ MISSING = "missing"
 """Key of a group's data: number of entries whose bones or objects do not exist."""
 BELOW = "below"
 """Key of a group's data: number of entries whose bones belong to a different entry's chain."""
+DEFORMED = "deformed"
+"""Key of a group's data: number of meshes among the colliders that armatures deform."""
 
 
 def bones_of(rig, top):
@@ -87,8 +89,13 @@ def is_below(owner, entry):
 
 def entries(owner):
     """List an Entry with what it reads and drives for each chain; the order of evaluation is found from them."""
-    touched = tuple((obj, "") for obj in colliders.objects(owner.motus.chains))
-    return [Entry(chain.entry.name, (*chain.reads, *touched), chain.drives) for chain in chains(owner)]
+    touched = colliders.reads(owner.motus.chains)
+    return [Entry(chain.entry.name, (*chain.reads, *touched, *held_by(owner, chain)), chain.drives) for chain in chains(owner)]
+
+
+def held_by(owner, chain):
+    """List the (object, bone or "") that bones of an owner's chain are pinned to."""
+    return pins.goals(owner.motus.chains, chain.names)
 
 
 def groups(owner):
@@ -107,6 +114,7 @@ def _groups(owner):
         LOOPED: sum(level is None for level, _ in placed),
         MISSING: sum(is_missing(owner, entry) for entry in owner.motus.chains.entries),
         BELOW: sum(is_below(owner, entry) for entry in owner.motus.chains.entries),
+        DEFORMED: sum(obj.type == 'MESH' and colliders.is_skinned(obj) for obj in colliders.members(owner.motus.chains)),
     }
     parts = [by_level[level] for level in sorted(by_level)] or [[]]  # an empty group still reports problems
     return tuple(_group(owner, str(index) if index else "", found, wrong) for index, found in enumerate(parts))
@@ -116,24 +124,27 @@ def _group(owner, key, found, wrong):
     has_bones = any(isinstance(chain, Bones) for chain in found)
     plan = {
         "fingerprint": rigs.fingerprint(owner) if has_bones else 0,
-        "chains": [[chain.entry.name, [thing.name for thing in chain.things]] for chain in found],
+        "chains": [[chain.entry.name, chain.names] for chain in found],
     }
+    read = [pair for pair in colliders.reads(owner.motus.chains) if pair[1]] if found else []
+    read += [pair for chain in found for pair in held_by(owner, chain)]
     return Group(
         key=key,
         members=tuple(member for chain in found for member in chain.members),
-        inputs=tuple(dict.fromkeys(one for chain in found for one in chain.inputs)),
+        inputs=tuple(dict.fromkeys([*(Transform(*pair) for pair in read), *(one for chain in found for one in chain.inputs)])),
         data={PLAN: json.dumps(plan), **wrong},
     )
 
 
 def bone_renamed(owner, rig, old, new):
-    """Rename a bone in the owner's entries after the user has renamed the bone. The wiring is renewed separately.
+    """Rename a bone in the owner's entries and pins after the user has renamed the bone. The wiring is renewed separately.
 
     rig: armature object of the bone. old, new: names of the bone.
     """
-    if rig != owner:
-        return
     with unwired(owner.motus.chains) as settings:
-        for entry in settings.entries:
-            if entry.name == old and is_bone(entry):
-                entry.name = new
+        for one in (*filter(is_bone, settings.entries), *settings.pins):
+            if rig == owner and one.name == old:
+                one.name = new
+        for pin in settings.pins:
+            if pointed(pin, "target") == rig and pin.target_bone == old:
+                pin.target_bone = new

@@ -1,5 +1,6 @@
 """Make the motions of chains, from what their animation and their surroundings are over the scene."""
 
+import functools
 import math
 from typing import Any, NamedTuple
 
@@ -10,7 +11,7 @@ from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.tracks import solved
 from ..core.tracks.inputs import BAD_NUMBERS, of_unknown, stamp_of_known
-from . import colliders, groups, motion
+from . import colliders, groups, motion, pins, spaces
 from .properties import KEYWORDS
 
 LOOP_IS_OPEN = Problem("A chain does not come back to where its loop began", blocking=False)
@@ -22,6 +23,14 @@ WIND_NOT_KNOWN = Problem("The wind is not known on other frames: chains move wit
 LOOPED_CHAINS = Problem("Some chains move with what they follow, and are left out", blocking=False)
 THINGS_MISSING = Problem("Some bones or objects of chains are not there any more: remove these from the list", blocking=False)
 THINGS_CHANGED = Problem("What hangs has changed: press Refresh")
+DEFORMED_COLLIDER = Problem(
+    "A mesh that changes its shape is no collider: name its armature, whose bones are capsules, or empties instead", blocking=False
+)
+LARGE_COLLIDER = Problem(
+    "A mesh has too many triangles to be a collider: give it a modifier Decimate, or take a simpler one", blocking=False
+)
+PIN_NOT_KNOWN = Problem("The motion of what holds a pin is not known on other frames: the pin does not hold", blocking=False)
+PIN_WEIGHT_NOT_KNOWN = Problem("The weight of a pin is not known on other frames: the pin does not hold", blocking=False)
 TOO_LONG = Problem("The scene is too long for so many chains, which come to a stop before its end: split it, or mute some", blocking=False)
 CUT = "cut"
 """Beginning of the names of the markers at which chains start anew."""
@@ -39,7 +48,8 @@ class Surroundings(NamedTuple):
     """What acts on the chains of a rig beside its own animation.
 
     rig: whose settings have the wind. scene: whose frames count. pulling: scene whose gravity is read. cuts: frames at which chains start
-    anew. touched: the empties that are colliders. In a solver, all but `scene` are evaluated.
+    anew. touched: the objects that are colliders. bones: names of what hangs, whose pins count. In a solver, all but `scene`
+    are evaluated.
     """
 
     rig: Any
@@ -47,6 +57,7 @@ class Surroundings(NamedTuple):
     pulling: Any
     cuts: list
     touched: tuple
+    bones: Any
 
     @property
     def gravity(self):
@@ -60,15 +71,21 @@ class Surroundings(NamedTuple):
 
     @property
     def colliders(self):
-        """[(empty, track of its world matrix)]."""
-        return colliders.over_time(self.touched, self.scene)
+        """List of what chains touch (solids.py)."""
+        return colliders.over_time(self.rig.motus.chains, self.touched, self.scene)
+
+    @property
+    def pins(self):
+        """List of pins.Held of the chains."""
+        return pins.over_time(self.rig, self.bones, self.scene)
 
     @property
     def stamp(self):
         """Hashable value that changes whenever the surroundings may change at any time; None if changes cannot be detected."""
         found = [*scene_time.stamp(self.scene), scene_time.last(self.scene), self.pulling.use_gravity, tuple(self.cuts)]
         found += [track.reason.kind if track.reason else track.stamp for track in (*self.gravity, *self.wind)]
-        found += [(colliders.form(obj), stamp_of_known(track)) for obj, track in self.colliders]
+        found += [solid.stamp for solid in self.colliders]
+        found += [(pin.bone, stamp_of_known(pin.place), stamp_of_known(pin.weight)) for pin in self.pins]
         return together(found)
 
 
@@ -124,14 +141,16 @@ class Making:
 
     def _solve(self, ready):
         settings, around = self._settings, self._surroundings
-        price = sum(source.price for source, *_ in ready) + sum(track.price for _, track in around.colliders)
-        step = motion.step_price([(len(chain.things), chain.entry) for _, chain, *_ in ready], len(around.touched))
+        solids = self._solids
+        price = sum(source.price for source, *_ in ready) + sum(solid.price for solid in solids)
+        price += sum(pin.place.price + pin.weight.price for pin in around.pins)
+        step = motion.step_price([(len(chain.things), chain.entry) for _, chain, *_ in ready], solids)
         share = self._share * len(ready) / max(len(settings.entries), len(ready))
         times = motion.times_of(around.scene, around.cuts, motion.most_seconds(price, step, settings.use_loop, share))
         if times.is_cut_short:
             self.problems.append(TOO_LONG)
-        world = self._world(times)
-        world["settle"] = motion.settling(settings.settle, step, 1 + len(times.cuts), share)
+        settle = motion.settling(settings.settle, step, 1 + len(times.cuts), share)
+        world = motion.world_of({"settle": settle, **self._world(times)}, self._space(times))
         for source, chain, index, rows in ready:
             poses = source.kept(("places", times.frames.tobytes()), lambda source=source: source.places(times.frames))
             try:
@@ -141,18 +160,27 @@ class Making:
                 continue
             self.parts.append(Part(moved, index, rows, chain.kept))
 
-    def _motion(self, chain, poses, world, times):
-        parents, is_loop = list(chain.parents), self._settings.use_loop
+    def _motion(self, chain, places, world, times):
+        """Return the motion.Motion of a chain. places: (m, n, 3), of its particles in the animation, in the world."""
+        poses, parents, is_loop = world.inside({"poses": places})["poses"], list(chain.parents), self._settings.use_loop
         size = np.linalg.norm(poses[0, 1:] - poses[0, parents[1:]], axis=1).sum()
         if is_loop and np.abs(poses[-1] - poses[0]).max() > motion.CLOSED * size:
             self.problems.append(LOOP_IS_OPEN)
             is_loop = False
         if is_loop:
             poses[-1] = poses[0]
-        found = motion.motion_of(parents, poses, chain.entry, world | _held(parents, poses, chain.entry), times, is_loop)
-        if is_loop and found.gap > motion.CLOSED * size:
-            self.problems.append(LOOP_IS_OPEN)
-        return found
+        rows = {name: row for row, name in enumerate(chain.names, 1)}
+        ends = [row for row in range(1, len(parents)) if row not in parents] if chain.entry.hold_end else []
+        held = pins.at([pin for pin in self._held if pin.bone in rows], rows, times.frames, ends, places)
+        return motion.motion_of(parents, poses, chain.entry, world, held, times, is_loop)
+
+    def _space(self, times):
+        """Return the spaces.Space in which chains feel a part of their owner's motion alone; None if they feel all of it."""
+        inherit, around = self._settings.inherit, self._surroundings
+        if inherit >= 1.0:
+            return None
+        track = tracks.world_track(self._owner, around.scene)
+        return spaces.following(track, times.frames, times.seconds, 1.0 - max(inherit, 0.0))
 
     def _world(self, times):
         """Return the keywords of the native StrandMotion that all chains share: the air, gravity, what they touch."""
@@ -164,14 +192,32 @@ class Making:
         pull = self._over_time(around.gravity, times, GRAVITY_NOT_KNOWN) if around.pulling.use_gravity else None
         if pull is not None:
             found["gravity"] = pull
-        touched = around.colliders
-        known = [(obj, track) for obj, track in touched if track.is_known]
-        if len(known) < len(touched):
-            self.problems.append(COLLIDER_NOT_KNOWN)
-        obstacles = colliders.at(known, times.frames)
-        if obstacles:
-            found |= {"obstacles": obstacles.shapes, "obstacle_places": obstacles.places, "radii": obstacles.radii}
+        return found | colliders.at(self._solids, times.frames, settings.friction)
+
+    @functools.cached_property
+    def _solids(self):
+        """List of what can be touched (solids.py); the problems say what cannot."""
+        around, found = self._surroundings, []
+        for solid in around.colliders:
+            if not solid.is_known:
+                self.problems.append(COLLIDER_NOT_KNOWN)
+            elif colliders.deforms(solid, around.scene):
+                self.problems.append(DEFORMED_COLLIDER)
+            elif colliders.is_too_large(solid):
+                self.problems.append(LARGE_COLLIDER)
+            else:
+                found.append(solid)
         return found
+
+    @functools.cached_property
+    def _held(self):
+        """List of pins.Held that are known; the problems say what is not."""
+        found = self._surroundings.pins
+        if not all(pin.place.is_known for pin in found):
+            self.problems.append(PIN_NOT_KNOWN)
+        if not all(pin.weight.is_known for pin in found):
+            self.problems.append(PIN_WEIGHT_NOT_KNOWN)
+        return [pin for pin in found if pin.is_known]
 
     def _over_time(self, along, times, problem):
         """Return the vectors (m, 3) of three tracks at the Times; None if one is not known, which `problem` says."""
@@ -179,9 +225,3 @@ class Making:
             self.problems.append(problem)
             return None
         return np.stack([track.values(times.frames) for track in along], axis=1)
-
-
-def _held(parents, poses, entry):
-    """Return the keywords of the native StrandMotion that hold the ends of a chain, as its entry says. poses: (m, n, 3), of its particles."""
-    ends = [index for index in range(1, len(parents)) if index not in parents] if entry.hold_end else []
-    return {"pinned": ends, "pin_places": poses[:, ends]} if ends else {}

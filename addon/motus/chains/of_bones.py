@@ -7,6 +7,7 @@ from ..core.declare import BonesOwn, Member, Transform, registered
 from ..core.lazy import numpy as np
 from ..core.tracks import own_track
 from ..core.tracks.inputs import Tails, stamp_of_carrier, stamp_of_known
+from . import uneven
 
 TURN = frozenset({"rotation"})
 
@@ -21,9 +22,14 @@ class Bones(NamedTuple):
     things: tuple
 
     @property
-    def drives(self):
-        """Names of the bones."""
+    def names(self):
+        """Names of the bones, as a tuple."""
         return tuple(bone.name for bone in self.things)
+
+    @property
+    def drives(self):
+        """The names, which the order of evaluation is found from."""
+        return self.names
 
     @property
     def hangs_on(self):
@@ -55,12 +61,12 @@ class Bones(NamedTuple):
 
     def is_as_wired(self, names):
         """Whether the chain has the things that had these names when the owner was wired."""
-        return self.drives == tuple(names)
+        return self.names == tuple(names)
 
     @property
     def kept(self):
         """The Kept."""
-        return Kept(self.drives)
+        return Kept(self.names, uneven.Links(self.parents, [bone.bone.length for bone in self.things]))
 
     @property
     def ends(self):
@@ -99,9 +105,10 @@ class Laid(NamedTuple):
 
 
 class Kept(NamedTuple):
-    """What is kept of a chain between evaluations. names: of its bones."""
+    """What is kept of a chain between evaluations. names: of its bones. links: the bones as links."""
 
     names: tuple
+    links: uneven.Links
 
     @staticmethod
     def fill(context, text, parts):
@@ -110,6 +117,6 @@ class Kept(NamedTuple):
         parts: [(Kept, rows of its bones in the group, places (n + 1, 3) of its particles, weight)].
         """
         members = tuple(pair for chain, rows, *_ in parts for pair in zip(chain.names, rows))
-        places = np.concatenate([particles[1:] for _, _, particles, _ in parts])
+        places = np.concatenate([uneven.tails(particles, chain.links, context.owner.matrix_world) for chain, _, particles, _ in parts])
         influences = np.concatenate([np.full(len(rows), weight) for _, rows, _, weight in parts])
         rigs.turn(context, text, members, places, influences)

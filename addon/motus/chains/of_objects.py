@@ -37,6 +37,11 @@ class Row(NamedTuple):
         return self.entry.spline >= 0
 
     @property
+    def names(self):
+        """Names of the objects, as a tuple."""
+        return tuple(obj.name for obj in self.things)
+
+    @property
     def drives(self):
         """The objects."""
         return self.things

@@ -12,7 +12,7 @@ from ..core.measures import scene_time
 from ..core.settings import entry_keys
 from ..core.tracks import in_world, rotations
 from ..core.tracks.rig_inputs import RigInputs, once
-from . import colliders, groups, making, setup
+from . import colliders, groups, making, setup, uneven
 from .of_bones import Bones
 from .properties import KEYWORDS
 
@@ -41,9 +41,8 @@ class _Hanging:
     @functools.cached_property
     def _around(self):
         settings = self._owner.motus.chains
-        return making.Surroundings(
-            self._owner, self._scene, self._scene, making.cuts(settings, self._scene), tuple(colliders.objects(settings))
-        )
+        touched = tuple(colliders.objects(settings))
+        return making.Surroundings(self._owner, self._scene, self._scene, making.cuts(settings, self._scene), touched, self._chain.names)
 
     @property
     def reason(self):
@@ -63,7 +62,9 @@ class _Hanging:
 
     @property
     def _read(self):
-        return [*self._input.tracks, *(track for _, track in self._around.colliders), *self._around.gravity, *self._around.wind]
+        around = self._around
+        held = [track for pin in around.pins for track in (pin.place, pin.weight)]
+        return [*self._input.tracks, *(track for solid in around.colliders for track in solid.tracks), *around.gravity, *around.wind, *held]
 
     def bounds(self, first, last):
         """Return rising frames from first to last; the motion is smooth between neighbours."""
@@ -84,7 +85,7 @@ class _Hanging:
         if self._weight <= 0.0 or len(times) == 0:
             return None
         found = making.Making(self._owner, self._owner.motus.chains, self._around, 1.0)
-        found.make([(self._chain.entry.name, [thing.name for thing in self._chain.things])])
+        found.make([(self._chain.entry.name, self._chain.names)])
         if not found.parts:
             return None
         moved = found.parts[0].moved
@@ -96,7 +97,7 @@ class _Bone(_Hanging):
 
     def __init__(self, owner, chain, bone, scene):
         super().__init__(owner, chain, bone, scene)
-        self._rig = RigInputs(owner, scene, self._name, chain.drives, chain.hangs_on, (), dict)
+        self._rig = RigInputs(owner, scene, self._name, chain.names, chain.hangs_on, (), dict)
 
     @property
     def reason(self):
@@ -110,8 +111,13 @@ class _Bone(_Hanging):
 
     def _turns(self, times):
         """Quaternions (n, bones, 4) that the chain adds to its bones at times (n,) of the scene; None if it has no motion."""
-        particles, names = self._particles(times), self._chain.drives
-        return None if particles is None else self._rig.turns(times, names, particles[:, 1:], np.full(len(names), self._weight))
+        particles, names = self._particles(times), self._chain.names
+        if particles is None:
+            return None
+        worlds = self._rig.worlds(times).reshape(-1, 4, 4).swapaxes(1, 2)
+        links = self._chain.kept.links
+        places = np.stack([uneven.tails(found, links, world) for found, world in zip(particles, worlds)])
+        return self._rig.turns(times, names, places, np.full(len(names), self._weight))
 
     @property
     def stamp(self):
@@ -142,5 +148,5 @@ class _Object(_Hanging):
         """Hashable value that changes whenever the object's motion may."""
         entry, settings = self._chain.entry, self._owner.motus.chains
         numbers = (getattr(entry, name) for name in (*KEYWORDS, "weight", "is_muted", "hold_end"))
-        shared = settings.influence, settings.gusts, settings.settle, settings.use_loop
+        shared = settings.influence, settings.gusts, settings.settle, settings.use_loop, settings.friction, settings.inherit
         return together((self._row, *numbers, *shared, self._input.stamp, self._around.stamp))

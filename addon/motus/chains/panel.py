@@ -6,7 +6,10 @@ from ..core.interface import bone_entries, panels, ui
 from ..core.interface.tracks import panel as track_panel
 from ..core.settings.entries import active
 from ..core.translations import OWN_SENSE, counted, tr
-from . import colliders, presets, rows, setup, told
+from . import colliders, pins, presets, rows, setup, steps, told
+
+MOST_SHOWN = 3
+"""Largest number of colliders that have buttons to record them at a time."""
 
 
 def draw_main(layout, context):
@@ -22,6 +25,9 @@ def draw_main(layout, context):
     )
     remove.object, remove.only_active = rig.name, True
     ui.draw_problem(layout, context, setup.system(), rig, lambda problem: told.sentence(rig, problem, context.scene))
+    done = steps.done(rig)
+    if done is not None:
+        ui.draw_readouts(layout, [ui.Readout(text="Motion Solved", value=f"{100.0 * done:.0f} %")])
     entry = active(rig, "chains")
     if entry:
         bone_entries.draw_shown(layout, setup.system(), entry.name, _icon_of(entry))
@@ -49,9 +55,9 @@ def draw_world(layout, context):
     """Draw the wind and the colliders, with buttons that record colliders whose motion is not known."""
     settings = context.object.motus.chains
     rows.WORLD.draw(ui.split(layout), settings)
-    for obj, track in colliders.over_time(colliders.objects(settings), context.scene):
-        if track.reason is not None:
-            track_panel.draw(layout, track, datablock=obj.name, transform='WORLD')
+    touched = colliders.over_time(settings, colliders.objects(settings), context.scene)
+    for track, keywords in [found for solid in touched for found in solid.unknown][:MOST_SHOWN]:
+        track_panel.draw(layout, track, **keywords)
 
 
 def draw_time(layout, context):
@@ -62,6 +68,27 @@ def draw_time(layout, context):
     source = entry and told.input_of(rig, entry.name, context.scene)
     for track, keywords in source.unknown if source else ():
         track_panel.draw(layout, track, **keywords)
+
+
+def draw_pins(layout, context):
+    """Draw the list of pins, what the active one holds to, and buttons that record targets whose motion is not known."""
+    rig = context.object
+    settings = rig.motus.chains
+    _, remove, _ = ui.draw_list(
+        layout, "MOTUS_UL_chains_pins", settings, "pins", "active_pin", "motus.chains_pin", "motus.chains_unpin", rows=2
+    )
+    remove.object, remove.index = rig.name, settings.active_pin
+    if not 0 <= settings.active_pin < len(settings.pins):
+        return
+    pin = settings.pins[settings.active_pin]
+    column = layout.column()
+    column.prop_search(pin, "name", rig.data, "bones", text="")
+    ui.draw_goal(column, pin, "target", "target_bone")
+    rows.PINNING.draw(ui.split(layout), pin)
+    for held in pins.over_time(rig, (pin.name,), context.scene):
+        if held.place.reason is not None:
+            target, bone = held.goal
+            track_panel.draw(layout, held.place, datablock=target.name, transform='WORLD', **({"bone": bone} if bone else {}))
 
 
 def draw_actions(layout, context):
@@ -97,6 +124,16 @@ class MOTUS_UL_chains_entries(bpy.types.UIList):
         row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
 
 
+class MOTUS_UL_chains_pins(bpy.types.UIList):
+    def draw_item(self, _context, layout, _settings, pin, _icon, _active, _name, _index):
+        row = layout.row(align=True)
+        row.active = not pin.is_muted
+        columns = row.split(factor=0.65, align=True)
+        columns.label(text=pin.name, icon='PINNED', translate=False)
+        columns.prop(pin, "weight", text="", slider=True, emboss=False, text_ctxt=OWN_SENSE)
+        row.prop(pin, "is_muted", text="", icon='HIDE_ON' if pin.is_muted else 'HIDE_OFF', emboss=False)
+
+
 PANEL = panels.SystemPanel(
     name="chains",
     prefix="MOTUS_PT_chains",
@@ -108,6 +145,7 @@ PANEL = panels.SystemPanel(
     parts=(
         panels.Part("forces", "Forces", _draw_of_entry(rows.FORCES), is_open=True),
         panels.Part("limits", "Limits", _draw_of_entry(rows.LIMITS)),
+        panels.Part("pins", "Pins", draw_pins, is_shown=lambda context: context.object.type == 'ARMATURE'),
         panels.Part("world", "Surroundings", draw_world),
         panels.Part("time", "Time", draw_time),
     ),
@@ -117,4 +155,4 @@ PANEL = panels.SystemPanel(
     draw_add=draw_add,
 )
 
-classes = (MOTUS_UL_chains_entries, *panels.classes(PANEL))
+classes = (MOTUS_UL_chains_entries, MOTUS_UL_chains_pins, *panels.classes(PANEL))

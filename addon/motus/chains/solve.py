@@ -11,15 +11,19 @@ from ..core.evaluated.question import answered
 from ..core.file import stored
 from ..core.settings import entries
 from ..core.tracks import inputs
-from . import colliders, making
-from .groups import BELOW, LOOPED, MISSING, PLAN
+from . import colliders, making, steps
+from .groups import BELOW, DEFORMED, LOOPED, MISSING, PLAN
 from .making import (
     BELOW_ANOTHER,
     COLLIDER_NOT_KNOWN,
     CONSTRAINED,
+    DEFORMED_COLLIDER,
     GRAVITY_NOT_KNOWN,
+    LARGE_COLLIDER,
     LOOP_IS_OPEN,
     LOOPED_CHAINS,
+    PIN_NOT_KNOWN,
+    PIN_WEIGHT_NOT_KNOWN,
     THINGS_CHANGED,
     THINGS_MISSING,
     TOO_LONG,
@@ -34,8 +38,12 @@ PROBLEMS = (
     CONSTRAINED,
     BELOW_ANOTHER,
     COLLIDER_NOT_KNOWN,
+    DEFORMED_COLLIDER,
+    LARGE_COLLIDER,
     GRAVITY_NOT_KNOWN,
     WIND_NOT_KNOWN,
+    PIN_NOT_KNOWN,
+    PIN_WEIGHT_NOT_KNOWN,
     TOO_LONG,
     LOOPED_CHAINS,
     THINGS_MISSING,
@@ -84,20 +92,19 @@ def solve(context, obstacles):
     acting = {}
     for part in made.parts:
         weight = context.settings.influence * weights[part.entry]
-        if weight > 0.0:
-            particles = part.moved.places(context.frame / context.fps)
+        particles = steps.places(context, part.entry, part.moved, context.frame / context.fps) if weight > 0.0 else None
+        if particles is not None:
             acting.setdefault(type(part.kept), []).append((part.kept, part.rows, particles, weight))
     for kind, parts in acting.items():
         answered(object(), functools.partial(kind.fill, context, context.data[PLAN], parts))
-    return made.problem or _wrong(context.data)
+    is_open = any(part.moved.is_open for part in made.parts)
+    return made.problem or (LOOP_IS_OPEN if is_open else None) or _wrong(context.data)
 
 
 def _wrong(data):
-    """Return the Problem with the list of chains of a group's data; None if there is none."""
-    return next(
-        (problem for key, problem in ((LOOPED, LOOPED_CHAINS), (MISSING, THINGS_MISSING), (BELOW, BELOW_ANOTHER)) if data.get(key)),
-        None,
-    )
+    """Return the Problem with the list of chains, or with the colliders, of a group's data; None if there is none."""
+    told = ((LOOPED, LOOPED_CHAINS), (MISSING, THINGS_MISSING), (BELOW, BELOW_ANOTHER), (DEFORMED, DEFORMED_COLLIDER))
+    return next((problem for key, problem in told if data.get(key)), None)
 
 
 def _made(context):
@@ -136,8 +143,14 @@ def _surroundings(context):
         depsgraph.scene,
         depsgraph.scene_eval,
         making.cuts(context.settings, marked),
-        tuple(colliders.empties(waited.values())),
+        tuple(colliders.touching(waited.values())),
+        _names(context) if context.settings.pins else (),
     )
+
+
+def _names(context):
+    """Return the names of all that hangs in the context's group, as a set."""
+    return {one for _, names in stored.parse(context.data.get(PLAN), _FORM)["chains"] for one in names}
 
 
 def _make(context, share):
