@@ -158,7 +158,7 @@ class Making:
             except ValueError:
                 self.problems.append(BAD_NUMBERS)
                 continue
-            self.parts.append(Part(moved, index, rows, chain.kept))
+            self.parts.append(Part(moved, index, rows, chain.kept(source)))
 
     def _motion(self, chain, places, world, times):
         """Return the motion.Motion of a chain. places: (m, n, 3), of its particles in the animation, in the world."""

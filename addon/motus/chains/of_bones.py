@@ -64,9 +64,13 @@ class Bones(NamedTuple):
         return self.names == tuple(names)
 
     @property
-    def kept(self):
+    def links(self):
+        """The bones as links."""
+        return uneven.Links(self.parents, [bone.bone.length for bone in self.things])
+
+    def kept(self, _source):
         """The Kept."""
-        return Kept(self.names, uneven.Links(self.parents, [bone.bone.length for bone in self.things]))
+        return Kept(self.names, self.links)
 
     @property
     def ends(self):

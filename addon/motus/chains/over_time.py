@@ -115,7 +115,7 @@ class _Bone(_Hanging):
         if particles is None:
             return None
         worlds = self._rig.worlds(times).reshape(-1, 4, 4).swapaxes(1, 2)
-        links = self._chain.kept.links
+        links = self._chain.links
         places = np.stack([uneven.tails(found, links, world) for found, world in zip(particles, worlds)])
         return self._rig.turns(times, names, places, np.full(len(names), self._weight))
 
@@ -135,8 +135,8 @@ class _Object(_Hanging):
         if moved is None:
             return matrices
         found = np.broadcast_to(matrices, (len(times), 4, 4)).copy()
-        found[:, :3, :3] = rotations.chained(rotations.matrices(moved.turns[:, self._row]), found[:, :3, :3])
-        found[:, :3, 3] += moved.moves[:, self._row]
+        found[:, :3, :3] = rotations.chained(rotations.matrices(moved.turns[self._row]), found[:, :3, :3])
+        found[:, :3, 3] += moved.moves[self._row]
         return found
 
     def _moved(self, times):
