@@ -110,6 +110,21 @@ class ChainsCurvesTest(support.SceneTestCase):
         self.assertEqual(len(add(curve, **LIMP)), 3)
         self.assertLess(shown(curve, 60)[[4, 9, 14], 2].max(), 1.5)
 
+    def test_a_curve_touches(self):
+        curve = rope('BEZIER')
+        ball = support.link("Ball", location=(0.0, 0.05, 1.2))
+        ball.empty_display_type, ball.empty_display_size = 'SPHERE', 0.3
+        solid = bpy.data.collections.new("Solid")
+        bpy.context.scene.collection.children.link(solid)
+        solid.objects.link(ball)
+        curve.animation_data_clear()
+        curve.location.z = 2.0
+        (entry,) = add(curve, **LIMP, thickness=0.05, settle=10.0, colliders=solid)
+        for frame in (1, 40):
+            cases.go_to(frame)
+            anchors = np.array([support.evaluated(link.object).matrix_world.translation for link in entry.links][1:])
+            self.assertGreater(np.linalg.norm(anchors - ball.location, axis=1).min(), 0.34)
+
     def test_any_frame_in_any_order(self):
         curve = rope('BEZIER')
         add(curve, frequency=1.0)

@@ -6,6 +6,7 @@ from mathutils import Matrix
 
 import support
 from chains import chain_cases as cases
+from core import test_habits
 
 FRAMES = (1, 8, 13.5, 20, 26, 31.25, 90)
 LIMP = {"frequency": 0.0, "drag": 0.5}
@@ -66,6 +67,68 @@ class ChainsObjectsTest(support.SceneTestCase):
         plain = matrices(beads, 1)
         found = matrices(beads, 120)
         np.testing.assert_allclose(found, found[0] @ np.linalg.inv(plain[0]) @ plain, atol=2e-3)
+
+    def test_a_row_touches_and_feels_wind(self):
+        beads = row()
+        beads[0].animation_data_clear()
+        beads[0].location.z = 2.0
+        ground = support.link("Ground", location=(0.0, 0.0, 1.0))
+        solid = bpy.data.collections.new("Solid")
+        bpy.context.scene.collection.children.link(solid)
+        solid.objects.link(ground)
+        add(beads, frequency=0.0, drag=4.0, thickness=0.05, settle=20.0, colliders=solid)
+        found = places(beads, 30)
+        self.assertGreater(found[:, 2].min(), 1.045)
+        self.assertLess(found[-1, 2], 1.06)
+        beads[0].motus.chains.colliders = None
+        beads[0].motus.chains.wind = (2.0, 0.0, 0.0)
+        way = places(beads, 30)[1] - places(beads, 30)[0]
+        self.assertAlmostEqual(way[0] / -way[2], 4.0 * 2.0 / 9.81, delta=0.03)
+        self.assertIsNone(cases.problem(beads[0]))
+
+    def test_the_root_in_a_car(self):
+        """With Inherit Motion at 0 a row comes along as if its root stood still."""
+        still = row()
+        still[0].animation_data_clear()
+        still[0].location = (0.0, 0.0, 2.0)
+        add(still, **LIMP, settle=1.0)
+        wanted = places(still, 30) - places(still, 30)[0]
+        support.empty_scene()
+        beads = row()
+        add(beads, **LIMP, settle=1.0, inherit=0.0)
+        found = places(beads, 30)
+        np.testing.assert_allclose(found - found[0], wanted, atol=1e-3)
+
+    def test_both_ends_are_held(self):
+        beads = row(8)
+        for index, bead in enumerate(beads[1:], 1):  # a gable
+            bead.location = (0.0, 0.3 * index, 2.0 + 0.2 * min(index, 8 - index))
+        end = np.array(beads[8].location)
+        add(beads, **LIMP | {"drag": 2.0}, hold_end=True, settle=30.0)
+        found = places(beads, 1)
+        np.testing.assert_allclose(found[8], end, atol=2e-3)
+        self.assertLess(found[4, 2], 1.9)
+        # The root takes along where the end is held, too.
+        np.testing.assert_allclose(places(beads, 60)[8] - places(beads, 60)[0], end - (0.0, 0.0, 2.0), atol=5e-3)
+
+    def test_panel_and_overlay(self):
+        beads = row()
+        (entry,) = add(beads)
+        bpy.context.view_layer.objects.active = beads[0]
+        panel, layout = support.addon("chains.panel"), test_habits.Layout()
+        for draw in (
+            panel.draw_main,
+            panel.draw_world,
+            panel.draw_time,
+            panel.draw_actions,
+            *(part.draw for part in panel.PANEL.parts[:2]),
+        ):
+            draw(layout, bpy.context)
+        (lines, *_) = support.addon("chains.overlay").overlay.draw(bpy.context, beads[0])
+        self.assertEqual(len(lines.points), 8)
+        np.testing.assert_allclose(lines.points[0::2][1:], lines.points[1::2][:-1])
+        entry.is_muted = True
+        self.assertFalse(support.addon("chains.overlay").overlay.draw(bpy.context, beads[0]))
 
     def test_any_frame_in_any_order(self):
         beads = row()
