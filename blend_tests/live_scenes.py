@@ -99,6 +99,8 @@ def _dynamics():
 def _chains():
     braid = chain_cases.rope(3, name="Braid")
     bpy.ops.motus.chains_add(object=braid.name, bones="Tail 0 0", frequency=1.0)
+    braid.motus.chains.inherit = 0.5
+    bpy.ops.motus.chains_pin(object=braid.name, weight=0.3)
     beads = [support.link(f"Bead {index}", location=(0.3 * index, 5.0, 1.0)) for index in range(3)]
     bpy.ops.motus.chains_add(objects=", ".join(bead.name for bead in beads), frequency=1.0)
     cord = bpy.data.curves.new("Cord", 'CURVE')

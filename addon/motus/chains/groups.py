@@ -24,8 +24,6 @@ MISSING = "missing"
 """Key of a group's data: number of entries whose bones or objects do not exist."""
 BELOW = "below"
 """Key of a group's data: number of entries whose bones belong to a different entry's chain."""
-DEFORMED = "deformed"
-"""Key of a group's data: number of meshes among the colliders that armatures deform."""
 
 
 def bones_of(rig, top):
@@ -114,7 +112,6 @@ def _groups(owner):
         LOOPED: sum(level is None for level, _ in placed),
         MISSING: sum(is_missing(owner, entry) for entry in owner.motus.chains.entries),
         BELOW: sum(is_below(owner, entry) for entry in owner.motus.chains.entries),
-        DEFORMED: sum(obj.type == 'MESH' and colliders.is_skinned(obj) for obj in colliders.members(owner.motus.chains)),
     }
     parts = [by_level[level] for level in sorted(by_level)] or [[]]  # an empty group still reports problems
     return tuple(_group(owner, str(index) if index else "", found, wrong) for index, found in enumerate(parts))

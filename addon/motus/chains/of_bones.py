@@ -121,6 +121,7 @@ class Kept(NamedTuple):
         parts: [(Kept, rows of its bones in the group, places (n + 1, 3) of its particles, weight)].
         """
         members = tuple(pair for chain, rows, *_ in parts for pair in zip(chain.names, rows))
-        places = np.concatenate([uneven.tails(particles, chain.links, context.owner.matrix_world) for chain, _, particles, _ in parts])
+        axes = uneven.axes_of(context.owner.matrix_world)
+        places = np.concatenate([uneven.tails(particles, chain.links, axes) for chain, _, particles, _ in parts])
         influences = np.concatenate([np.full(len(rows), weight) for _, rows, _, weight in parts])
         rigs.turn(context, text, members, places, influences)

@@ -116,7 +116,7 @@ class _Bone(_Hanging):
             return None
         worlds = self._rig.worlds(times).reshape(-1, 4, 4).swapaxes(1, 2)
         links = self._chain.links
-        places = np.stack([uneven.tails(found, links, world) for found, world in zip(particles, worlds)])
+        places = np.stack([uneven.tails(found, links, uneven.axes_of(world)) for found, world in zip(particles, worlds)])
         return self._rig.turns(times, names, places, np.full(len(names), self._weight))
 
     @property

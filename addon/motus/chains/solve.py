@@ -12,7 +12,7 @@ from ..core.file import stored
 from ..core.settings import entries
 from ..core.tracks import inputs
 from . import colliders, making, steps
-from .groups import BELOW, DEFORMED, LOOPED, MISSING, PLAN
+from .groups import BELOW, LOOPED, MISSING, PLAN
 from .making import (
     BELOW_ANOTHER,
     COLLIDER_NOT_KNOWN,
@@ -102,8 +102,8 @@ def solve(context, obstacles):
 
 
 def _wrong(data):
-    """Return the Problem with the list of chains, or with the colliders, of a group's data; None if there is none."""
-    told = ((LOOPED, LOOPED_CHAINS), (MISSING, THINGS_MISSING), (BELOW, BELOW_ANOTHER), (DEFORMED, DEFORMED_COLLIDER))
+    """Return the Problem with the list of chains of a group's data; None if there is none."""
+    told = ((LOOPED, LOOPED_CHAINS), (MISSING, THINGS_MISSING), (BELOW, BELOW_ANOTHER))
     return next((problem for key, problem in told if data.get(key)), None)
 
 
