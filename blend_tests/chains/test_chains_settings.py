@@ -19,6 +19,7 @@ KEYWORDS = {
     "tip_mass": 2.5,
     "stretch": 0.02,
     "bend_limit": 0.8,
+    "side_limit": 0.3,
     "thickness": 0.03,
 }
 
@@ -62,9 +63,11 @@ class ChainsSettingsTest(support.SceneTestCase):
         np.testing.assert_allclose(found.poses[0], plain, atol=1e-6)
         np.testing.assert_allclose(found.frequency, 3.0 * np.array([1.0, 1.0, 0.75, 0.5]), rtol=1e-6)
         np.testing.assert_allclose(found.mass, [1.0, 1.0, 1.75, 2.5], rtol=1e-6)
-        np.testing.assert_allclose(found.gravity, np.broadcast_to((0.0, 0.0, -9.81 * 0.4), (481, 3)), rtol=1e-6)
-        for name, given in (("damping", 0.7), ("response", 0.9), ("drag", 1.7), ("stretch", 0.02), ("bend", 0.8), ("thickness", 0.03)):
-            self.assertAlmostEqual(getattr(found, name), given, places=6, msg=name)
+        np.testing.assert_allclose(found.gravity, np.broadcast_to((0.0, 0.0, -9.81), (481, 3)), rtol=1e-6)
+        given = {"damping": 0.7, "response": 0.9, "drag": 1.7, "stretch": 0.02, "bend": 0.8, "side_bend": 0.3, "thickness": 0.03}
+        for name, number in {**given, "gravity_factor": 0.4}.items():
+            np.testing.assert_allclose(getattr(found, name), np.full(4, number), rtol=1e-6, err_msg=name)
+        np.testing.assert_allclose(found.sides[0, 1:], np.broadcast_to((1.0, 0.0, 0.0), (3, 3)), atol=1e-6)
         self.assertEqual((found.rate, found.settle, found.loop, found.resets), (480.0, 2.0, False, []))
 
     def test_settings_of_the_rig(self):
@@ -80,6 +83,9 @@ class ChainsSettingsTest(support.SceneTestCase):
         self.assertEqual(found.settle, 0.25)
         (found,) = self.made(lambda: setattr(settings, "use_cuts", True))
         np.testing.assert_allclose(found.times[found.resets], [0.5])
+        self.assertFalse(hasattr(found, "touching"))
+        (found,) = self.made(lambda: setattr(settings, "use_touch", True))
+        self.assertEqual((found.touching, found.touching_friction), (True, 0.5))
         rig.animation_data_clear()
         (found,) = self.made(lambda: setattr(settings, "use_loop", True))
         self.assertEqual((found.loop, found.resets, found.cycles), (True, None, 40))

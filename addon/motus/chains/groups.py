@@ -117,6 +117,15 @@ def _groups(owner):
     return tuple(_group(owner, str(index) if index else "", found, wrong) for index, found in enumerate(parts))
 
 
+def beside(owner, chain):
+    """List the chains of an owner that are solved in the same group as a chain, and it itself. owner, chain: evaluated or original."""
+    levels = answered((hash(owner), "chains", "levels"), lambda: wiring.levels(owner.original))
+    level = levels.get(("chains", chain.entry.name))
+    return [
+        chain if one.entry.name == chain.entry.name else one for one in chains(owner) if levels.get(("chains", one.entry.name)) == level
+    ]
+
+
 def _group(owner, key, found, wrong):
     has_bones = any(isinstance(chain, Bones) for chain in found)
     plan = {

@@ -90,15 +90,25 @@ class Surroundings(NamedTuple):
 
 
 class Part(NamedTuple):
-    """A chain of a group with its motion. moved: motion.Motion. entry: index of its entry. rows: of its members in the group.
+    """A chain of a group with its motion. entry: index of its entry. rows: of its members in the group.
 
-    kept: what can be kept of the chain between evaluations, its of_bones.Kept or of_objects.Kept.
+    moved: motion.Motion, of which the slice `particles` are the chain's. kept: what can be kept of the chain between evaluations, its of_bones.Kept or of_objects.Kept.
     """
 
     moved: Any
+    particles: slice
     entry: int
     rows: range
     kept: Any
+
+
+class Ready(NamedTuple):
+    """A chain of which all is known. source: its input (core/tracks/inputs.py). chain: of_bones.Bones or of_objects.Row. entry, rows: of the Part."""
+
+    source: Any
+    chain: Any
+    entry: int
+    rows: range
 
 
 class Making:
@@ -123,7 +133,7 @@ class Making:
             source = chain.source(self._surroundings.scene)
             self.read += chain.read_by(source)
             if self._is_ready(source, chain):
-                ready.append((source, chain, index, range(self.count, self.count + len(names))))
+                ready.append(Ready(source, chain, index, range(self.count, self.count + len(names))))
             self.count += len(names)
         if ready:
             self._solve(ready)
@@ -142,37 +152,61 @@ class Making:
     def _solve(self, ready):
         settings, around = self._settings, self._surroundings
         solids = self._solids
-        price = sum(source.price for source, *_ in ready) + sum(solid.price for solid in solids)
+        price = sum(one.source.price for one in ready) + sum(solid.price for solid in solids)
         price += sum(pin.place.price + pin.weight.price for pin in around.pins)
-        step = motion.step_price([(len(chain.things), chain.entry) for _, chain, *_ in ready], solids)
+        step = motion.step_price([(len(one.chain.things), one.chain.entry) for one in ready], solids, settings.use_touch)
         share = self._share * len(ready) / max(len(settings.entries), len(ready))
         times = motion.times_of(around.scene, around.cuts, motion.most_seconds(price, step, settings.use_loop, share))
         if times.is_cut_short:
             self.problems.append(TOO_LONG)
         settle = motion.settling(settings.settle, step, 1 + len(times.cuts), share)
         world = motion.world_of({"settle": settle, **self._world(times)}, self._space(times))
-        for source, chain, index, rows in ready:
-            poses = source.kept(("places", times.frames.tobytes()), lambda source=source: source.places(times.frames))
-            try:
-                moved = self._motion(chain, np.stack(poses, axis=1), world, times)
-            except ValueError:
-                self.problems.append(BAD_NUMBERS)
-                continue
-            self.parts.append(Part(moved, index, rows, chain.kept(source)))
+        strands = [(one, *self._strand(one, world, times)) for one in ready]
+        for is_loop in (False, True):
+            together = [(one, strand) for one, strand, closes in strands if closes == is_loop]
+            for some in [together] if settings.use_touch and together else [[one] for one in together]:
+                self._add(some, world, times, is_loop)
 
-    def _motion(self, chain, places, world, times):
-        """Return the motion.Motion of a chain. places: (m, n, 3), of its particles in the animation, in the world."""
+    def _strand(self, one, world, times):
+        """Return (motion.Strand, whether it is solved as a loop) of a Ready chain."""
+        source, chain = one.source, one.chain
+        name = times.frames.tobytes()
+
+        def placed():
+            places = np.stack(source.places(times.frames), axis=1)
+            return places, motion.hashed((places,))
+
+        places, stamp = source.kept(("places", name), placed)
         poses, parents, is_loop = world.inside({"poses": places})["poses"], list(chain.parents), self._settings.use_loop
-        size = np.linalg.norm(poses[0, 1:] - poses[0, parents[1:]], axis=1).sum()
-        if is_loop and np.abs(poses[-1] - poses[0]).max() > motion.CLOSED * size:
+        strand = motion.Strand(parents, poses, stamp, None, chain.entry, {})
+        if is_loop and np.abs(poses[-1] - poses[0]).max() > motion.CLOSED * strand.length:
             self.problems.append(LOOP_IS_OPEN)
             is_loop = False
         if is_loop:
-            poses[-1] = poses[0]
+            poses = np.concatenate([poses[:-1], poses[:1]])
         rows = {name: row for row, name in enumerate(chain.names, 1)}
         ends = [row for row in range(1, len(parents)) if row not in parents] if chain.entry.hold_end else []
         held = pins.at([pin for pin in self._held if pin.bone in rows], rows, times.frames, ends, places)
-        return motion.motion_of(parents, poses, chain.entry, world, held, times, is_loop)
+        sides = None
+        if strand._replace(sides=()).is_limited_sideways and hasattr(source, "sides"):
+            sides = source.kept(("sides", name), lambda: np.stack(source.sides(times.frames), axis=1))
+        return strand._replace(poses=poses, sides=sides, held=held), is_loop
+
+    def _add(self, some, world, times, is_loop):
+        """Add the Parts of chains that are solved together: [(Ready, motion.Strand)]. If that cannot be, those that can be alone."""
+        try:
+            moved = motion.motion_of([strand for _, strand in some], world, times, is_loop)
+        except ValueError:
+            if len(some) == 1:
+                self.problems.append(BAD_NUMBERS)
+            for one in some if len(some) > 1 else ():
+                self._add([one], world, times, is_loop)
+            return
+        start = 0
+        for one, strand in some:
+            particles = slice(start, start + len(strand.parents))
+            self.parts.append(Part(moved, particles, one.entry, one.rows, one.chain.kept(one.source)))
+            start = particles.stop
 
     def _space(self, times):
         """Return the spaces.Space in which chains feel a part of their owner's motion alone; None if they feel all of it."""
@@ -192,6 +226,8 @@ class Making:
         pull = self._over_time(around.gravity, times, GRAVITY_NOT_KNOWN) if around.pulling.use_gravity else None
         if pull is not None:
             found["gravity"] = pull
+        if settings.use_touch:
+            found |= {"touching": True, "touching_friction": settings.friction}
         return found | colliders.at(self._solids, times.frames, settings.friction)
 
     @functools.cached_property

@@ -16,6 +16,8 @@ STEPS = 480.0
 """Steps of the solver a second."""
 STEP_PRICE, BEND_PRICE, OBSTACLE_PRICE, SURFACE_PRICE = 1.0, 2.0, 0.2, 20.0
 """Prices of a step of a link, of its bend limit, and of each collider and mesh, in units of core/measures/bounds.MANY_AT_ONCE (0.1 microseconds)."""
+TOUCHING_PRICE, NEAR_PRICE = 2.0, 0.01
+"""Prices of a step of a link that may touch links of other chains: of itself, and of each of those, which must be compared if they are near."""
 LINED_UP = 4.0
 """How much faster than towards the pose a bone swings back into line with its parent: a looser end would fold else, where it holds up the rest."""
 SETTLING = 0.25
@@ -67,9 +69,14 @@ def times_of(scene, cuts, most):
     return Times(frames, scene_time.seconds(scene, frames), np.searchsorted(frames, inside).tolist(), (last - first) / fps > most)
 
 
-def step_price(chains, solids):
-    """Return the price of a step. chains: [(number of bones, settings)]. solids: what they touch (solids.py)."""
+def step_price(chains, solids, are_touching):
+    """Return the price of a step. chains: [(number of bones, settings)]. solids: what they touch (solids.py).
+
+    are_touching: whether chains touch each other.
+    """
     touching = sum(SURFACE_PRICE if solid.is_mesh else OBSTACLE_PRICE * solid.count for solid in solids)
+    if are_touching:
+        touching += TOUCHING_PRICE + NEAR_PRICE * sum(count for count, _ in chains)
     return sum(count * (STEP_PRICE + touching + (BEND_PRICE if numbers.bend_limit < math.pi else 0.0)) for count, numbers in chains)
 
 
@@ -100,10 +107,10 @@ def with_gusts(wind, seconds, gusts, is_loop):
 
 
 class Motion:
-    """Motion of one chain. Threads share it: each solves on as far as it asks, while the others wait.
+    """Motion of chains that are solved together. Threads share it: each solves on as far as it asks, while the others wait.
 
     solver: native StrandMotion. last: time at which a loop begins again, s; None if the motion is no loop. first: its first time, s.
-    length: of the chain, m. space: spaces.Space in which it is solved; None for the world.
+    length: of the shortest chain, m. space: spaces.Space in which it is solved; None for the world.
     """
 
     def __init__(self, solver, first, last, length, space):
@@ -116,7 +123,7 @@ class Motion:
         return len(self._solver)
 
     def places(self, seconds, patience=math.inf):
-        """Return where the particles are at a time, s: (n, 3), the head of the topmost bone first.
+        """Return where the particles are at a time, s: (n, 3), of each chain its root first.
 
         patience: for how long, s, the motion may be solved up to there; None is returned if that was not enough, and the next call goes on.
         """
@@ -165,53 +172,99 @@ class World(NamedTuple):
 def world_of(keywords, space):
     """Return the World of keywords of the native StrandMotion, which are given in the world. space: spaces.Space, or None."""
     told = keywords | {"surfaces": [one.stamp for one in keywords.get("surfaces", ())]}
-    stamp = _hash([*told.items(), *(space or ())])
+    stamp = hashed([*told.items(), *(space or ())])
     return World(keywords if space is None else space.inside(keywords), stamp, space)
 
 
-def motion_of(parents, poses, numbers, world, held, times, is_loop):
-    """Return the Motion of a chain. Raises ValueError if a number is outside of what can be computed.
+class Strand(NamedTuple):
+    """A chain as it is solved.
 
     parents: index of the parent of each particle, -1 first. poses: (m, n, 3), where the animation has the particles at the Times, in the
-    space of `world`. numbers: the entry, or what has its settings. world: World, with the settle time and the scene's gravity. held:
-    keywords of the native StrandMotion for pins, in the world.
+    space of the World. stamp: hash of them. sides: (m, n, 3), where the sides of its links point in the world; None: it has no sides.
+    numbers: the entry, or what has its settings. held: keywords of the native StrandMotion for pins, in the world.
     """
-    depths = [0]
-    for parent in parents[1:]:
-        depths.append(depths[parent] + 1)
-    shares = np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1)
-    frequency = numbers.frequency * (1.0 + (numbers.tip_frequency - 1.0) * shares)
-    own = {
-        "frequency": np.minimum(frequency, STEPS / 8.0),
-        "bend_frequency": np.minimum(LINED_UP * frequency, STEPS / 8.0),
-        "mass": 1.0 + (numbers.tip_mass - 1.0) * shares,
-        "damping": numbers.damping,
-        "response": numbers.response,
-        "drag": numbers.drag,
-        "stretch": numbers.stretch,
-        "bend": min(numbers.bend_limit, math.pi),
-        "thickness": numbers.thickness,
-        **world.inside(held),
-    }
+
+    parents: list
+    poses: Any
+    stamp: bytes
+    sides: Any
+    numbers: Any
+    held: dict
+
+    @property
+    def length(self):
+        """Of all links, m."""
+        return float(np.linalg.norm(self.poses[0, 1:] - self.poses[0, self.parents[1:]], axis=1).sum())
+
+    @property
+    def is_limited_sideways(self):
+        """Whether its links have a limit towards their sides."""
+        return self.sides is not None and self.numbers.side_limit < min(self.numbers.bend_limit, math.pi)
+
+    def keywords(self):
+        """Return the keywords of the native StrandMotion that have a number for each particle."""
+        numbers, depths = self.numbers, [0]
+        for parent in self.parents[1:]:
+            depths.append(depths[parent] + 1)
+        shares = np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1)
+        frequency = numbers.frequency * (1.0 + (numbers.tip_frequency - 1.0) * shares)
+        found = {
+            "frequency": np.minimum(frequency, STEPS / 8.0),
+            "bend_frequency": np.minimum(LINED_UP * frequency, STEPS / 8.0),
+            "mass": 1.0 + (numbers.tip_mass - 1.0) * shares,
+            "bend": min(numbers.bend_limit, math.pi),
+            "side_bend": min(numbers.side_limit, math.pi),
+            "gravity_factor": numbers.gravity,
+        }
+        found |= {name: getattr(numbers, name) for name in ("damping", "response", "drag", "stretch", "thickness")}
+        return {name: np.broadcast_to(value, len(depths)) for name, value in found.items()}
+
+
+def motion_of(strands, world, times, is_loop):
+    """Return the Motion of Strands that are solved together: their particles in a row. Raises ValueError if a number cannot be computed with.
+
+    world: World, with the settle time and the scene's gravity.
+    """
+    own = _joined([strand.keywords() for strand in strands], 0)
+    starts = np.cumsum([0, *(len(strand.parents) for strand in strands)])
+    parents = [-1 if one < 0 else one + int(start) for strand, start in zip(strands, starts) for one in strand.parents]
+    held = [
+        strand.held | {"pinned": [int(start) + one for one in strand.held["pinned"]]}
+        for strand, start in zip(strands, starts)
+        if strand.held
+    ]
+    if held:
+        own |= world.inside(_joined(held, 1))
+    if any(strand.is_limited_sideways for strand in strands):
+        sides = [np.zeros_like(one.poses) if one.sides is None else one.sides for one in strands]
+        own |= world.inside({"sides": np.concatenate(sides, axis=1)})
     seconds = times.seconds
 
     def make():
         keywords = own | world.keywords
-        if "gravity" in keywords:
-            keywords["gravity"] = numbers.gravity * keywords["gravity"]
         if "surfaces" in keywords:
             keywords["surfaces"] = [one.native for one in keywords["surfaces"]]
         resets = None if is_loop else times.cuts
+        poses = strands[0].poses if len(strands) == 1 else np.concatenate([strand.poses for strand in strands], axis=1)
         solver = native.module.StrandMotion(parents, seconds, poses, **keywords, resets=resets, rate=STEPS, loop=is_loop, cycles=CYCLES)
-        length = np.linalg.norm(poses[0, 1:] - poses[0, parents[1:]], axis=1).sum()
-        return Motion(solver, float(seconds[0]), float(seconds[-1]) if is_loop else None, float(length), world.space)
+        length = min(strand.length for strand in strands)
+        return Motion(solver, float(seconds[0]), float(seconds[-1]) if is_loop else None, length, world.space)
 
-    return _MOTIONS.made(_hash((parents, seconds, poses, times.cuts, is_loop, numbers.gravity, world.stamp, *own.items())), make)
+    stamps = [strand.stamp for strand in strands]
+    return _MOTIONS.made(hashed((parents, seconds, *stamps, times.cuts, is_loop, world.stamp, *own.items())), make)
 
 
-def _hash(values):
+def _joined(keywords, axis):
+    """Return keywords that have what several have, one after the other: along an axis of arrays, and as lists."""
+    return {
+        name: sum((one[name] for one in keywords), []) if isinstance(value, list) else np.concatenate([one[name] for one in keywords], axis)
+        for name, value in keywords[0].items()
+    }
+
+
+def hashed(values):
     """Return a hash of numbers, texts, bytes, arrays, and lists and tuples of these."""
-    found = hashlib.blake2b(digest_size=16)
+    found = hashlib.sha256()
     for value in values:
         _note(found, value)
     return found.digest()
@@ -224,6 +277,7 @@ def _note(found, value):
         for one in value:
             _note(found, one)
     elif hasattr(value, "tobytes"):
-        found.update(f"{value.shape}".encode() + np.ascontiguousarray(value).tobytes())
+        found.update(f"{value.shape}".encode())
+        found.update(np.ascontiguousarray(value).data)
     else:
         found.update(repr(value).encode())

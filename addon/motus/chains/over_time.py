@@ -42,7 +42,18 @@ class _Hanging:
     def _around(self):
         settings = self._owner.motus.chains
         touched = tuple(colliders.objects(settings))
-        return making.Surroundings(self._owner, self._scene, self._scene, making.cuts(settings, self._scene), touched, self._chain.names)
+        names = {name for chain in self._together for name in chain.names}
+        return making.Surroundings(self._owner, self._scene, self._scene, making.cuts(settings, self._scene), touched, names)
+
+    @functools.cached_property
+    def _together(self):
+        """List of the chains that are solved with this one, and it itself: those that it touches."""
+        return groups.beside(self._owner, self._chain) if self._owner.motus.chains.use_touch else [self._chain]
+
+    @functools.cached_property
+    def _inputs(self):
+        """Inputs (core/tracks/inputs.py) of these chains."""
+        return [self._input if chain is self._chain else chain.source(self._scene) for chain in self._together]
 
     @property
     def reason(self):
@@ -57,14 +68,15 @@ class _Hanging:
         return (
             next(filter(None, acting), None)
             or next((track.reason for track in self._read if not track.is_known), None)
-            or self._input.reason
+            or next(filter(None, (one.reason for one in self._inputs)), None)
         )
 
     @property
     def _read(self):
         around = self._around
         held = [track for pin in around.pins for track in (pin.place, pin.weight)]
-        return [*self._input.tracks, *(track for solid in around.colliders for track in solid.tracks), *around.gravity, *around.wind, *held]
+        own = [track for one in self._inputs for track in one.tracks]
+        return [*own, *(track for solid in around.colliders for track in solid.tracks), *around.gravity, *around.wind, *held]
 
     def bounds(self, first, last):
         """Return rising frames from first to last; the motion is smooth between neighbours."""
@@ -85,11 +97,14 @@ class _Hanging:
         if self._weight <= 0.0 or len(times) == 0:
             return None
         found = making.Making(self._owner, self._owner.motus.chains, self._around, 1.0)
-        found.make([(self._chain.entry.name, self._chain.names)])
-        if not found.parts:
+        found.make([(chain.entry.name, chain.names) for chain in self._together])
+        own = self._owner.motus.chains.entries.find(self._chain.entry.name)
+        part = next((part for part in found.parts if part.entry == own), None)
+        if part is None:
             return None
-        moved = found.parts[0].moved
-        return np.stack([moved.places(seconds) for seconds in scene_time.seconds(self._scene, np.asarray(times, float))])
+        return np.stack(
+            [part.moved.places(seconds)[part.particles] for seconds in scene_time.seconds(self._scene, np.asarray(times, float))]
+        )
 
 
 class _Bone(_Hanging):
@@ -122,7 +137,7 @@ class _Bone(_Hanging):
     @property
     def stamp(self):
         """Hashable value that changes whenever the bone's motion may."""
-        above = [track.stamp for track, keywords in self._input.listed if keywords["transform"] == 'WORLD']
+        above = [track.stamp for one in self._inputs for track, keywords in one.listed if keywords["transform"] == 'WORLD']
         return together((self._row, self._rig.stamp, self._around.stamp, *above))
 
 
@@ -146,7 +161,15 @@ class _Object(_Hanging):
     @property
     def stamp(self):
         """Hashable value that changes whenever the object's motion may."""
-        entry, settings = self._chain.entry, self._owner.motus.chains
-        numbers = (getattr(entry, name) for name in (*KEYWORDS, "weight", "is_muted", "hold_end"))
-        shared = settings.influence, settings.gusts, settings.settle, settings.use_loop, settings.friction, settings.inherit
-        return together((self._row, *numbers, *shared, self._input.stamp, self._around.stamp))
+        settings = self._owner.motus.chains
+        numbers = [getattr(chain.entry, name) for chain in self._together for name in (*KEYWORDS, "weight", "is_muted", "hold_end")]
+        shared = (
+            settings.influence,
+            settings.gusts,
+            settings.settle,
+            settings.use_loop,
+            settings.friction,
+            settings.inherit,
+            settings.use_touch,
+        )
+        return together((self._row, *numbers, *shared, *(one.stamp for one in self._inputs), self._around.stamp))

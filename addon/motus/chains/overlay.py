@@ -62,16 +62,18 @@ def _points(points, color, size):
 
 def _limits(rig, chain):
     """Cones within which the bones of a chain may point; [] if they have no limit."""
-    if chain.entry.bend_limit >= math.pi:
+    angle = chain.entry.bend_limit
+    side_angle = min(angle, chain.entry.side_limit)
+    if side_angle >= math.pi:
         return []
     world = rig.matrix_world
     cones = []
     for bone in chain.things[1:]:
         # Where the bone would be if it followed its parent.
         rest = bone.parent.bone.matrix_local.inverted_safe() @ bone.bone.matrix_local
-        along = world.to_3x3() @ (bone.parent.matrix @ rest @ bone.matrix_basis).to_3x3().col[1]
+        side, along, _ = (world.to_3x3() @ (bone.parent.matrix @ rest @ bone.matrix_basis).to_3x3()).col
         size = CONE * (world @ bone.tail - world @ bone.head).length
-        cones.append(wires.cone(np.array(world @ bone.head), np.array(along), size, chain.entry.bend_limit))
+        cones.append(wires.cone(np.array(world @ bone.head), np.array(along), np.array(side), size, angle, side_angle))
     return _lines(np.concatenate(cones), LIMIT_COLOR) if cones else []
 
 

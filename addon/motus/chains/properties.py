@@ -67,7 +67,17 @@ class ChainsKeywords:
         max=math.pi,
         subtype='ANGLE',
     )
-    thickness: _number("Thickness", "Radius of the chain where it touches colliders", 0.0, min=0.0, max=1e5, soft_max=1.0, unit='LENGTH')
+    side_limit: _number(
+        "Side Limit",
+        "Largest angle sideways, along a bone's X axis, if that is less than the Bend Limit: such as for an ear, a strip or a finger",
+        math.pi,
+        min=0.0,
+        max=math.pi,
+        subtype='ANGLE',
+    )
+    thickness: _number(
+        "Thickness", "Radius of the chain where it touches colliders and other chains", 0.0, min=0.0, max=1e5, soft_max=1.0, unit='LENGTH'
+    )
     hold_end: switch("Hold End", "Keep the end of the chain where the animation has it, as its beginning", tells_no_keys=True)
     weight: factor("Weight", "Blend from the animation (0) to the hanging chain (1)", 1.0, options=ANIMATED)
 
@@ -160,7 +170,20 @@ class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
         update=rewire,
         override=OVERRIDABLE,
     )
-    friction: _number("Friction", "How much colliders hold back what slides along them", 0.5, min=0.0, max=100.0, soft_max=2.0, step=5)
+    use_touch: switch(
+        "Touch Each Other",
+        "Keep the chains of this object apart by the thickness of both, as far as they are apart on the scene's first frame",
+        tells_no_keys=True,
+    )
+    friction: _number(
+        "Friction",
+        "How much colliders, and chains that touch, hold back what slides along them",
+        0.5,
+        min=0.0,
+        max=100.0,
+        soft_max=2.0,
+        step=5,
+    )
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_chains_entry, name="Chains", override=EXTENDABLE)
     chosen_entry: bpy.props.IntProperty(name="Chosen Entry", options={'HIDDEN'})
     active_entry: bone_entries.active_property("Active Entry", index_of)

@@ -89,12 +89,15 @@ def solve(context, obstacles):
     except KeyError:  # bones, objects or entries that do not exist any more
         return THINGS_CHANGED
     weights = made.weights if made.weights is not None else entries.weights(context.settings)
-    acting = {}
+    acting, found = {}, {}
     for part in made.parts:
         weight = context.settings.influence * weights[part.entry]
-        particles = steps.places(context, part.entry, part.moved, context.frame / context.fps) if weight > 0.0 else None
-        if particles is not None:
-            acting.setdefault(type(part.kept), []).append((part.kept, part.rows, particles, weight))
+        if weight <= 0.0:
+            continue
+        if part.moved not in found:  # chains that touch each other have one motion
+            found[part.moved] = steps.places(context, part.entry, part.moved, context.frame / context.fps)
+        if found[part.moved] is not None:
+            acting.setdefault(type(part.kept), []).append((part.kept, part.rows, found[part.moved][part.particles], weight))
     for kind, parts in acting.items():
         answered(object(), functools.partial(kind.fill, context, context.data[PLAN], parts))
     is_open = any(part.moved.is_open for part in made.parts)

@@ -48,6 +48,7 @@ class Space(NamedTuple):
 _INSIDE = {
     "poses": Space.places,
     "gravity": Space.directions,
+    "sides": Space.directions,
     "air": Space.directions,
     "obstacle_places": Space.places,
     "surface_matrices": Space.matrices,

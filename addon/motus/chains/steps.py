@@ -27,13 +27,13 @@ MOST = 1024
 
 _unfinished = keeping.OfFile(
     "motions of chains that are being solved in steps (Unfinished)",
-    "name of the rig, and index of the chain's entry",
+    "name of the owner, and index of the entry of the first chain",
     most=MOST,
     until="they are solved, or a different file is opened",
 )
 _former = keeping.OfFile(
     "motions of chains that were shown last (Motion)",
-    "name of the rig, and index of the chain's entry",
+    "name of the owner, and index of the entry of the first chain",
     most_size=motion.LARGEST_MEMORY,
     size=lambda _, moved: moved.size,
     unit="bytes",
@@ -48,9 +48,9 @@ class Unfinished(NamedTuple):
 
 
 def places(context, entry, moved, seconds):
-    """Return where the particles of a chain are shown: (n, 3), or None for where the animation has them.
+    """Return where the particles of a motion are shown: (n, 3), or None for where the animation has them.
 
-    entry: index of the chain's entry. moved: its motion.Motion. seconds: the time.
+    entry: index of the entry of its first chain. moved: the motion.Motion. seconds: the time.
     """
     key = context.owner.name, entry
     found = moved.places(seconds, _patience(context))

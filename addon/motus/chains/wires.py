@@ -29,12 +29,18 @@ def planes(places, near, size):
     return turned.reshape(-1, 3)
 
 
-def cone(apex, along, size, angle):
-    """Lines of a cone: its side lines, and the circle at their ends. angle: between them and the axis, radians."""
-    axis = _directions(along[None])
-    first, second = (one[0] for one in _across(axis))
+def cone(apex, along, side, size, angle, side_angle):
+    """Lines of a cone: its side lines, and the ring at their ends.
+
+    angle, side_angle: between them and the axis, across a direction `side` and along it, radians; an ellipse between.
+    """
+    axis = _directions(along[None])[0]
+    first = _directions((side - axis * (side @ axis))[None])[0]
+    second = np.cross(axis, first)
     turns = np.linspace(0.0, 2.0 * np.pi, AROUND + 1)[:, None]
-    ring = apex + size * (np.cos(angle) * axis[0] + np.sin(angle) * (np.cos(turns) * first + np.sin(turns) * second))
+    across = np.hypot(np.sin(turns) * side_angle, np.cos(turns) * angle)
+    angles = angle * side_angle / np.where(across > 0.0, across, 1.0)
+    ring = apex + size * (np.cos(angles) * axis + np.sin(angles) * (np.cos(turns) * first + np.sin(turns) * second))
     sides = ring[: -1 : AROUND // CONE_LINES]
     return np.concatenate([_strip(ring), np.stack([np.broadcast_to(apex, sides.shape), sides], axis=1).reshape(-1, 3)])
 

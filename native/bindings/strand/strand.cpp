@@ -162,7 +162,8 @@ velocity, 1/s, 0 to 1000.  stretch: by how much of its length a link is lengthen
 spring that keeps the pose's angle to the parent's link.  bend: rad, 0 to pi, at most this angle from where the link would be if it followed its parent's link as in the pose.  side_bend: rad,
 0 to pi, the same for what goes towards the link's side or away from it, where that is less.  thickness: m, >= 0, radius in contacts.
 
-gravity, air: acceleration, and velocity of the air: (3,), or (m, 3), one for each time; None: 0.
+gravity, air: acceleration, and velocity of the air: (3,), or (m, 3), one for each time; None: 0.  gravity_factor: how many times gravity
+counts, -1000 to 1000: a number for all links, or (n,).
 obstacles: k names, "capsule" (around the segment between both places; a ball if they are one) or "plane" (through the first
 place; solid on the side away from the second).  obstacle_places: (m, k, 2, 3).  radii, friction: a number or (k,).
 surfaces: s StrandSurface, which particles and the middles of links keep away from, by the thickness and surface_distances: a
@@ -182,9 +183,9 @@ Everything in world space and metres, linear between times.  Raises ValueError o
                          const ArrayLike& response, const ArrayLike& drag, const ArrayLike& stretch,
                          const ArrayLike& bend_frequency, const ArrayLike& bend, const ArrayLike& side_bend,
                          const ArrayLike& thickness, const OptionalArrayLike& gravity,
-                         const OptionalArrayLike& air, const OptionalTexts& obstacles,
-                         const OptionalArrayLike& obstacle_places, const ArrayLike& radii,
-                         const ArrayLike& friction, const OptionalSurfaces& surfaces,
+                         const OptionalArrayLike& air, const ArrayLike& gravity_factor,
+                         const OptionalTexts& obstacles, const OptionalArrayLike& obstacle_places,
+                         const ArrayLike& radii, const ArrayLike& friction, const OptionalSurfaces& surfaces,
                          const OptionalArrayLike& surface_matrices, const ArrayLike& surface_distances,
                          const ArrayLike& surface_friction, const OptionalWholeNumbers& pinned,
                          const OptionalArrayLike& pin_places, const ArrayLike& pin_weights,
@@ -207,6 +208,7 @@ Everything in world space and metres, linear between times.  Raises ValueError o
                  give(links, &Link::bend, bend, "bend");
                  give(links, &Link::side_bend, side_bend, "side_bend");
                  give(links, &Link::thickness, thickness, "thickness");
+                 give(links, &Link::gravity_factor, gravity_factor, "gravity_factor");
                  const DoubleArray moments = doubles(times, "times");
                  if (moments.ndim() != 1)
                      value_error("times", "must have the shape (m,), not " + shape_of(moments));
@@ -245,13 +247,13 @@ Everything in world space and metres, linear between times.  Raises ValueError o
              "parents"_a, "times"_a, "poses"_a, py::kw_only(), "mass"_a = 1.0, "frequency"_a = 0.0,
              "damping"_a = 0.3, "response"_a = 0.0, "drag"_a = 0.0, "stretch"_a = 0.0,
              "bend_frequency"_a = 0.0, "bend"_a = std::numbers::pi, "side_bend"_a = std::numbers::pi,
-             "thickness"_a = 0.0, "gravity"_a = py::none(), "air"_a = py::none(), "obstacles"_a = py::none(),
-             "obstacle_places"_a = py::none(), "radii"_a = 0.0, "friction"_a = 0.5, "surfaces"_a = py::none(),
-             "surface_matrices"_a = py::none(), "surface_distances"_a = 0.0, "surface_friction"_a = 0.5,
-             "pinned"_a = py::none(), "pin_places"_a = py::none(), "pin_weights"_a = 1.0,
-             "resets"_a = py::none(), "sides"_a = py::none(), "touching"_a = false,
-             "touching_friction"_a = 0.5, "rate"_a = 480.0, "settle"_a = 0.0, "loop"_a = false,
-             "cycles"_a = 40)
+             "thickness"_a = 0.0, "gravity"_a = py::none(), "air"_a = py::none(), "gravity_factor"_a = 1.0,
+             "obstacles"_a = py::none(), "obstacle_places"_a = py::none(), "radii"_a = 0.0,
+             "friction"_a = 0.5, "surfaces"_a = py::none(), "surface_matrices"_a = py::none(),
+             "surface_distances"_a = 0.0, "surface_friction"_a = 0.5, "pinned"_a = py::none(),
+             "pin_places"_a = py::none(), "pin_weights"_a = 1.0, "resets"_a = py::none(),
+             "sides"_a = py::none(), "touching"_a = false, "touching_friction"_a = 0.5, "rate"_a = 480.0,
+             "settle"_a = 0.0, "loop"_a = false, "cycles"_a = 40)
         .def("__len__", &Motion::size)
         .def(
             "solve",

@@ -43,6 +43,8 @@ void require_links(std::span<const Link> links, double rate) {
         require(is_within(link.stretch, 0.0, 1e6), "stretch: must be between 0 and 1e6");
         require(is_within(link.bend, 0.0, std::numbers::pi), "bend: must be between 0 and pi");
         require(is_within(link.side_bend, 0.0, std::numbers::pi), "side_bend: must be between 0 and pi");
+        require(is_within(link.gravity_factor, -1000.0, 1000.0),
+                "gravity_factor: must be between -1000 and 1000");
         require(is_within(link.thickness, 0.0, 1e6), "thickness: must be between 0 and 1e6");
     }
 }

@@ -60,7 +60,7 @@ Stepper::Stepper(std::span<const Link> links, const Inputs& inputs, const Solvin
     for (const Link& link : links) {
         const double rate = turn * link.frequency;
         springs_.push_back({rate * rate, link.response * link.damping * rate,
-                            2.0 * link.damping * rate + link.drag, link.drag});
+                            2.0 * link.damping * rate + link.drag, link.drag, link.gravity_factor});
     }
     // A chain between much heavier particles is as good as without mass, but its swings across would take
     // steps that are a thousand times shorter.
@@ -187,8 +187,8 @@ void Stepper::flow(State& state, const Driven& before, const Driven& now, double
         }
         const Spring& spring = springs_[i];
         const glm::dvec3 pose_velocity = (now.pose[i] - before.pose[i]) * frequency;
-        glm::dvec3 force = spring.pull * (before.pose[i] - place) + spring.lead * pose_velocity + gravity +
-                           spring.drag * air;
+        glm::dvec3 force = spring.pull * (before.pose[i] - place) + spring.lead * pose_velocity +
+                           gravity * spring.gravity + spring.drag * air;
         glm::dvec3 ramp = spring.pull * pose_velocity;
         const Flow* by = &work.flows_[i];
         if (pins_[i] >= 0) {

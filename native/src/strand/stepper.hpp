@@ -66,6 +66,7 @@ class Stepper {
         double lead = 0.0;        ///< 1/s, times the velocity of the pose
         double resistance = 0.0;  ///< 1/s, with the drag
         double drag = 0.0;        ///< 1/s
+        double gravity = 1.0;     ///< how many times it counts
     };
     [[nodiscard]] std::optional<glm::dvec3> held_place(std::size_t particle, const Driven& driven) const;
     void flow(State& state, const Driven& before, const Driven& now, double duration, Work& work) const;

@@ -94,7 +94,8 @@ void add_making(Table& table) {
                 from(0.0, 60.0).in_words("0 to an eighth of the rate")),
            each("bend", &Link::bend, from(0.0, std::numbers::pi).in_words("0 to π")),
            each("thickness", &Link::thickness, from(0.0, 1e6)),
-           each("side_bend", &Link::side_bend, from(0.0, std::numbers::pi).in_words("0 to π"))))
+           each("side_bend", &Link::side_bend, from(0.0, std::numbers::pi).in_words("0 to π")),
+           each("gravity_factor", &Link::gravity_factor, up_to(1000.0))))
         .costs(cost)
         .allocates(Memory::scratch)
         .adds("4e10 links times steps, and 1 GB of what is kept, at most");

@@ -30,7 +30,8 @@ TEST_CASE("strands of arbitrary numbers are refused or stay finite", "[fuzz]") {
                         dice.chance(0.5) ? 0.0 : dice.number(0.0, 20.0),
                         dice.chance(0.5) ? std::numbers::pi : dice.number(0.0, 2.0),
                         dice.number(0.0, 0.1),
-                        dice.chance(0.5) ? std::numbers::pi : dice.number(0.0, 2.0)};
+                        dice.chance(0.5) ? std::numbers::pi : dice.number(0.0, 2.0),
+                        dice.number(-1.0, 2.0)};
         }
         std::vector<double> times = dice.numbers(samples, 0.0, 0.5);
         std::ranges::sort(times);

@@ -49,6 +49,7 @@ class StrandTest(unittest.TestCase):
             "bend": 1.0,
             "side_bend": 0.5,
             "thickness": 0.1,
+            "gravity_factor": 0.7,
         }
         one = native.StrandMotion(parents, times, poses, gravity=DOWN, **settings)
         each = native.StrandMotion(
@@ -145,6 +146,7 @@ class StrandTest(unittest.TestCase):
             ({"frequency": 100.0}, "frequency"),
             ({"bend": -1.0}, "bend"),
             ({"side_bend": 4.0}, "side_bend"),
+            ({"gravity_factor": float("inf")}, "gravity_factor"),
             ({"sides": np.zeros((3, 2, 3))}, "sides"),
             ({"touching_friction": -1.0}, "friction"),
             ({"gravity": (0.0, 1.0)}, "gravity"),

@@ -372,3 +372,13 @@ TEST_CASE("what is not solved yet is not shown", "[strand]") {
     CHECK(places(motion, -0.1) == places(motion, 0.0));
     CHECK(places(motion, 0.9) == places(motion, 0.0));
 }
+
+TEST_CASE("gravity counts for each link as often as it says", "[strand]") {
+    Shot shot(0.5, straight(2, 1.0, {1, 0, 0}));
+    std::vector<Link> links = chain(2);
+    for (Link& link : links) link.gravity_factor = 0.5;
+    Shot lighter = shot;
+    lighter.gravity = {0.5 * down};
+    const auto half = places(solved(links, shot), 0.5), same = places(solved(chain(2), lighter), 0.5);
+    for (std::size_t i = 0; i < half.size(); ++i) CHECK(half[i] == same[i]);
+}

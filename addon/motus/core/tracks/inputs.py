@@ -236,6 +236,10 @@ class Tails(Input):
             found.append(placed[:, :3, 3] + bone.bone.length * placed[:, :3, 1])
         return tuple(np.broadcast_to(one, (len(frames), 3)) for one in found)
 
+    def sides(self, frames):
+        """Return vectors (n, 3) along the X axes of the bones in the world at frames (n,): one of 0 for the head of the topmost bone first."""
+        return np.zeros((len(frames), 3)), *(placed[:, :3, 0] for placed in self.matrices(frames))
+
     def matrices(self, frames):
         """Return the world matrices (n, 4, 4) of each bone at frames (n,), as a list."""
         world = self.tracks[0].values(frames)

@@ -54,7 +54,16 @@ INTERFACE = {
     "Bend Limit": "Límite de flexión",
     "Largest angle to where a bone would be if it followed its parent; 180 degrees for no limit"
     + NO_KEYS: "Mayor ángulo respecto a donde estaría un hueso si siguiera a su padre; 180 grados para ningún límite" + _NO_KEYS_ES,
-    "Radius of the chain where it touches colliders" + NO_KEYS: "Radio de la cadena donde toca colisionadores" + _NO_KEYS_ES,
+    "Radius of the chain where it touches colliders and other chains"
+    + NO_KEYS: "Radio de la cadena donde toca colisionadores y otras cadenas" + _NO_KEYS_ES,
+    "Side Limit": "Límite lateral",
+    "Largest angle sideways, along a bone's X axis, if that is less than the Bend Limit: such as for an ear, a strip or a finger"
+    + NO_KEYS: "Mayor ángulo hacia los lados, a lo largo del eje X de un hueso, si es menor que el límite de flexión: como para una oreja, una tira o un dedo"
+    + _NO_KEYS_ES,
+    "Touch Each Other": "Tocarse entre sí",
+    "Keep the chains of this object apart by the thickness of both, as far as they are apart on the scene's first frame"
+    + NO_KEYS: "Mantiene separadas las cadenas de este objeto por el grosor de ambas, hasta donde lo están en el primer fotograma de la escena"
+    + _NO_KEYS_ES,
     "Velocity of the air, which chains with Air Drag feel": "Velocidad del aire, que notan las cadenas con resistencia del aire",
     "How much the wind rises and falls: 1 lets it fall to a calm at times" + NO_KEYS: "Cuánto sube y baja el viento: con 1 se calma a veces"
     + _NO_KEYS_ES,
@@ -68,8 +77,8 @@ INTERFACE = {
     'Start anew at rest at each marker of the scene whose name begins with "cut"'
     + NO_KEYS: 'Empezar de nuevo en reposo en cada marcador de la escena cuyo nombre empiece por "cut"' + _NO_KEYS_ES,
     "Collection with what chains do not enter. An empty displayed as a sphere is a ball, or a capsule if it is scaled unevenly; each other empty is a plane that is solid below its X and Y axes. Deforming bones of armatures are capsules as thick as their envelopes. Meshes that keep their shape are surfaces": "Colección con aquello en lo que las cadenas no entran. Un vacío que se muestra como esfera es una bola, o una cápsula si su escala no es uniforme; cualquier otro vacío es un plano macizo por debajo de sus ejes X e Y. Los huesos deformadores de los esqueletos son cápsulas tan gruesas como sus envolturas. Las mallas que conservan su forma son superficies",
-    "How much colliders hold back what slides along them" + NO_KEYS: "Cuánto frenan los colisionadores lo que se desliza por ellos"
-    + _NO_KEYS_ES,
+    "How much colliders, and chains that touch, hold back what slides along them"
+    + NO_KEYS: "Cuánto frenan los colisionadores, y las cadenas que se tocan, lo que se desliza por ellos" + _NO_KEYS_ES,
     "A mesh that changes its shape is no collider: name its armature, whose bones are capsules, or empties instead": "Una malla que cambia de forma no es un colisionador: usa su esqueleto, cuyos huesos son cápsulas, o vacíos",
     "A mesh has too many triangles to be a collider: give it a modifier Decimate, or take a simpler one": "Una malla tiene demasiados triángulos para ser un colisionador: dale un modificador Diezmar o usa una más simple",
     "Hold the tails of the selected bones of chains, or else the end of the shown chain, to an object": "Sujeta a un objeto las colas de los huesos seleccionados de cadenas y, si no, el extremo de la cadena mostrada",

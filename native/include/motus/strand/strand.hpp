@@ -39,6 +39,7 @@ struct Link {
     /// rad, [0, pi], largest angle towards the link's side or away from it, where that is less than `bend`;
     /// the limit between is an ellipse. Without Inputs::sides it does not count.
     double side_bend = std::numbers::pi;
+    double gravity_factor = 1.0;  ///< [-1000, 1000], how many times Inputs::gravity pulls the particle
 };
 
 /// A solid that strands cannot enter, given by two points at each time.
