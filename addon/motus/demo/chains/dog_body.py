@@ -1,0 +1,161 @@
+"""The mesh of the dog: a soft body with a coat in three colours, and eyes, nose, collar and ears."""
+
+import numpy as np
+
+from ..places import landscape
+from ..stage import materials, shapes
+from ..stage.soft_shapes import Cone, SoftBody
+from . import bones, dog_bones
+
+COAT, DARK, WHITE, COLLAR, BRASS, TONGUE, ROPE = range(7)
+SHARPNESS, SKIN_SHARPNESS = 55.0, 42.0  # 1/m
+STEP = 0.0105  # m
+TAIL_RADIUS = (0.034, 0.017)
+TAN, SADDLE, CREAM = (0.42, 0.17, 0.052), (0.035, 0.024, 0.020), (0.80, 0.72, 0.60)
+
+
+def _both(start, end, first, last, owner):
+    """Return a cone on the right, at +X, and the cone on the left. An owner that is a leg's bone gets the side as its ending."""
+    found = []
+    for side, ending in ((1.0, ".R"), (-1.0, ".L")):
+        mirrored = [(side * x, y, z) for x, y, z in (start, end)]
+        found.append(Cone(*mirrored, first, last, owner + ending if owner[-1].isdigit() else owner))
+    return found
+
+
+def _cones():
+    body, neck, head = dog_bones.BODY, dog_bones.NECK, dog_bones.HEAD
+    found = [
+        Cone((0.0, 0.135, 0.395), (0.0, 0.02, 0.395), 0.128, 0.118, body),
+        Cone((0.0, 0.02, 0.395), (0.0, -0.19, 0.415), 0.112, 0.108, body),
+        Cone((0.0, 0.185, 0.375), (0.0, 0.16, 0.41), 0.085, 0.10, body),
+        Cone((0.0, 0.17, 0.45), (0.0, 0.295, 0.60), 0.088, 0.078, neck),
+        Cone((0.0, 0.325, 0.665), (0.0, 0.345, 0.655), 0.108, 0.104, head),
+        Cone((0.0, 0.385, 0.675), (0.0, 0.40, 0.66), 0.062, 0.060, head),
+        Cone((0.0, 0.42, 0.612), (0.0, 0.515, 0.607), 0.062, 0.046, head),
+        Cone((0.0, 0.40, 0.575), (0.0, 0.480, 0.566), 0.048, 0.032, head),
+    ]
+    found += _both((0.048, 0.375, 0.610), (0.030, 0.480, 0.592), 0.062, 0.036, head)
+    found += _both((0.072, 0.145, 0.375), dog_bones.FORELEG[1], 0.075, 0.046, dog_bones.UPPER + " 1")
+    found += _both(dog_bones.FORELEG[1], dog_bones.FORELEG[2], 0.044, 0.036, dog_bones.LOWER + " 1")
+    found += _both((0.066, -0.195, 0.375), dog_bones.HIND_LEG[1], 0.088, 0.054, dog_bones.UPPER + " 2")
+    found += _both(dog_bones.HIND_LEG[1], dog_bones.HIND_LEG[2], 0.048, 0.032, dog_bones.LOWER + " 2")
+    for foot, places in ((" 1", dog_bones.FORELEG), (" 2", dog_bones.HIND_LEG)):
+        x, y, _ = places[2]
+        for toe in (-0.020, 0.0, 0.020):
+            found += _both((x + toe, y + 0.010, 0.040), (x + 1.25 * toe, y + 0.062 - abs(toe) * 0.5, 0.026), 0.034, 0.026, dog_bones.FOOT + foot)
+    tail = bones.along(dog_bones.TAIL_WAY, dog_bones.TAIL_BONES + 1)
+    radii = np.linspace(*TAIL_RADIUS, dog_bones.TAIL_BONES + 1)
+    found.append(Cone(dog_bones.WAG_BONE[0], dog_bones.WAG_BONE[1], 0.046, radii[0], dog_bones.WAG))
+    rows = zip(bones.names(dog_bones.TAIL, dog_bones.TAIL_BONES), tail, tail[1:], radii, radii[1:])
+    found += [Cone(tuple(start), tuple(end), first, last, name) for name, start, end, first, last in rows]
+    return found
+
+
+def build(collection, rig, leash):
+    """Make the dog's mesh object and its leash, deformed by the rig. leash: places of the leash's bones in rest pose, (count + 1, 3)."""
+    soft, skin = SoftBody(_cones(), SHARPNESS), bones.Skin()
+    vertices, quads = soft.surface(STEP)
+    skin.add((vertices, quads), COAT, soft.shares(vertices, SKIN_SHARPNESS))
+    places = [vertices]
+    for ear in dog_bones.EARS:
+        places.append(_add_ear(skin, ear))
+    count = sum(map(len, places))
+    _add_face(skin)
+    _add_collar(skin)
+    part, at = bones.tube(leash, 0.0085, sides=10, across=(1.0, 0.0, 0.0))
+    skin.add(part, ROPE, bones.shares_along(bones.names(dog_bones.LEASH, len(leash) - 1), at))
+    thing = skin.finish(collection, "Dog Skin", rig, _materials())
+    _paint(thing.data, np.concatenate(places), count)
+    return thing
+
+
+def _add_ear(skin, name):
+    """Add a floppy ear; returns its vertices."""
+    places = bones.along(dog_bones.ear_way(name), dog_bones.EAR_BONES + 1)
+    share = np.linspace(0.0, 1.0, 6 * dog_bones.EAR_BONES + 1)
+    width = np.interp(share, (0.0, 0.25, 0.7, 0.92, 1.0), (0.030, 0.052, 0.062, 0.042, 0.012))
+    outwards = (-1.0, 0.0, 0.3) if name == dog_bones.EARS[0] else (1.0, 0.0, 0.3)
+    part, at = bones.tube(places, width, sides=20, flat=0.20, across=outwards, rings=6)
+    row = bones.names(name, dog_bones.EAR_BONES)
+    skin.add(part, COAT, bones.shares_along(row, at))
+    return part[0]
+
+
+def _add_face(skin):
+    head = {dog_bones.HEAD: 1.0}
+    for side in (-1.0, 1.0):
+        skin.add(shapes.sphere(0.026, (side * 0.050, 0.428, 0.672), (0.9, 0.75, 1.05), 24, 18), WHITE, head)
+        skin.add(shapes.sphere(0.0225, (side * 0.052, 0.4365, 0.672), (0.92, 0.72, 1.05), 24, 18), DARK, head)
+        skin.add(shapes.sphere(0.0058, (side * 0.052 - 0.008, 0.4515, 0.681), (1.0, 0.6, 1.0), 12, 8), WHITE, head)
+    skin.add(shapes.sphere(0.030, (0.0, 0.552, 0.628), (1.10, 0.72, 0.82), 28, 20), DARK, head)
+    skin.add(shapes.sphere(0.030, (0.0, 0.478, 0.548), (0.85, 1.35, 0.34), 24, 16), TONGUE, head)
+    skin.add(shapes.sphere(0.024, (0.0, 0.512, 0.528), (0.95, 0.45, 1.15), 24, 16), TONGUE, head)
+
+
+def _add_collar(skin):
+    """Add a collar around the neck, with a tag below."""
+    ring = shapes.torus(0.094, 0.0135, 48, 12)
+    ahead = np.subtract(dog_bones.NECK_BONE[1], dog_bones.NECK_BONE[0])
+    ahead /= np.linalg.norm(ahead)
+    down = np.cross((1.0, 0.0, 0.0), ahead)
+    axes = np.stack(((1.0, 0.0, 0.0), ahead, down))
+    centre = np.array((0.0, 0.225, 0.505))
+    skin.add((ring[0] * (1.0, 1.5, 1.0) @ axes + centre, ring[1]), COLLAR, {dog_bones.NECK: 1.0})
+    tag = shapes.lathe(((0.001, 0.004), (0.020, 0.004), (0.020, -0.004), (0.001, -0.004)), 24)
+    skin.add((tag[0] + (0.0, 0.318, 0.415), tag[1]), BRASS, {dog_bones.NECK: 1.0})
+
+
+def _paint(mesh, places, count):
+    """Set the colours of the coat as a vertex attribute: a dark saddle on tan, with a cream muzzle, chest, belly, feet and tip of the tail."""
+    x, y, z = places.T
+    wave = 0.028 * (landscape.fractal_noise(9.0 * (y + 3.0), 9.0 * (z + 0.6 * np.abs(x)) + 5.0, 1.0, 3, 5) - 0.5)
+    smooth = landscape.smoothstep
+    is_ear = np.arange(len(places)) >= count
+    on_body = (y < 0.25) & (z < 0.62)
+    saddle = smooth(z + wave - 0.385 - 0.9 * np.maximum(y - 0.02, 0.0), -0.012, 0.012) * smooth(0.16 + wave - y, -0.012, 0.012)
+    saddle = np.where(on_body | (y < -0.2), saddle, 0.0)
+    saddle = np.maximum(saddle, np.where(y < -0.26, 1.0, 0.0))
+    muzzle = smooth(y + wave - 0.44 - 0.5 * (z - 0.60), -0.008, 0.008)
+    blaze = smooth(0.016 + 0.3 * wave - np.abs(x) + 0.05 * (y - 0.40), -0.006, 0.006) * smooth(y, 0.36, 0.38) * smooth(z, 0.60, 0.62)
+    chest = smooth(y - 0.17 + 0.45 * (0.42 - z) + wave, -0.012, 0.012) * smooth(0.56 - z, -0.02, 0.02) * smooth(0.075 - np.abs(x), -0.02, 0.02)
+    belly = smooth(0.315 + wave - z, -0.01, 0.01) * smooth(0.08 - np.abs(x), -0.01, 0.01)
+    socks = smooth(0.125 + wave - z, -0.008, 0.008)
+    tip = smooth(z - 0.735 + wave, -0.01, 0.01) * (y < -0.2)
+    cream = np.maximum.reduce([muzzle, blaze, chest, belly, socks, tip])
+    cream[is_ear] = 0.0
+    color = np.asarray(TAN) * np.ones((len(places), 1))
+    color = color + (np.asarray(SADDLE) - color) * saddle[:, None]
+    color = color + (np.asarray(CREAM) - color) * cream[:, None]
+    color[is_ear] = 0.62 * np.asarray(TAN)
+    layer = mesh.attributes.new("coat", "FLOAT_COLOR", "POINT")
+    all_colors = np.ones((len(mesh.vertices), 4), np.float32)
+    all_colors[: len(places), :3] = color
+    layer.data.foreach_set("color", all_colors.ravel())
+
+
+def _materials():
+    return [
+        _coat(),
+        materials.principled("Dog Pupils", color=(0.016, 0.009, 0.006), roughness=0.08),
+        materials.principled("Dog Eyes", color=(0.86, 0.83, 0.78), roughness=0.15),
+        materials.principled("Dog Collar", color=(0.62, 0.025, 0.02), roughness=0.4),
+        materials.principled("Dog Tag", color=(0.85, 0.58, 0.16), metallic=1.0, roughness=0.25),
+        materials.principled("Dog Tongue", color=(0.72, 0.16, 0.17), roughness=0.35),
+        materials.principled("Leash", color=(0.62, 0.025, 0.02), roughness=0.6),
+    ]
+
+
+def _coat():
+    """Make the material of the coat, whose colour is that of the vertices."""
+    material, shader, output = materials.new_material("Dog Coat")
+    coat = shader.add("ShaderNodeAttribute", attribute_name="coat")
+    place = shader.add("ShaderNodeTexCoord").outputs["Generated"]
+    grain = shader.noise(place, 60.0, detail=4.0)
+    color = shader.mix(1.0, coat.outputs["Color"], shader.ramp(grain, ((0.3, (0.80,) * 3), (0.7, (1.12,) * 3))), blend="MULTIPLY")
+    bump = shader.add("ShaderNodeBump", {"Height": shader.noise(place, 90.0, detail=3.0), "Strength": 0.12, "Distance": 0.004})
+    node = shader.add("ShaderNodeBsdfPrincipled")
+    materials.set_principled(shader, node, color=color, roughness=0.62, specular=0.25, normal=bump.outputs[0])
+    materials.finish(material, shader, output, node.outputs[0])
+    material.diffuse_color = (*TAN, 1.0)
+    return material
