@@ -9,8 +9,9 @@ from typing import NamedTuple
 from ..core import rigs, wiring
 from ..core.declare import BonesOwn, Entry, Group, Member, Transform
 from ..core.evaluated.question import answered
+from ..core.file.pointers import pointed
 from ..core.settings.entries import unwired
-from . import colliders
+from . import colliders, pins
 
 PLAN = "plan"
 """Key of a group's data: JSON text with the names of the bones of each of the group's chains."""
@@ -34,6 +35,11 @@ class Chain(NamedTuple):
         """Name of the bone on which the chain hangs; "" if there is none."""
         parent = self.bones[0].parent
         return parent.name if parent else ""
+
+    @property
+    def names(self):
+        """Names of the bones, as a tuple."""
+        return tuple(bone.name for bone in self.bones)
 
 
 def bones_of(rig, top):
@@ -68,8 +74,13 @@ def is_below(owner, entry):
 
 def entries(owner):
     """List an Entry with what it reads and drives for each chain; the order of evaluation is found from them."""
-    touched = tuple((obj, "") for obj in colliders.objects(owner.motus.chains))
-    return [Entry(chain.entry.name, ((owner, chain.parent), *touched), tuple(bone.name for bone in chain.bones)) for chain in chains(owner)]
+    touched = [(obj, "") for obj in colliders.objects(owner.motus.chains)]
+    return [Entry(chain.entry.name, ((owner, chain.parent), *touched, *held_by(owner, chain)), chain.names) for chain in chains(owner)]
+
+
+def held_by(owner, chain):
+    """List the (object, bone or "") that bones of an owner's chain are pinned to."""
+    return pins.goals(owner.motus.chains, chain.names)
 
 
 def groups(owner):
@@ -95,23 +106,25 @@ def _groups(owner):
 
 def _group(owner, key, found, wrong):
     bones = [bone for chain in found for bone in chain.bones]
-    plan = {"fingerprint": rigs.fingerprint(owner) if bones else 0, "chains": [[bone.name for bone in chain.bones] for chain in found]}
+    plan = {"fingerprint": rigs.fingerprint(owner) if bones else 0, "chains": [chain.names for chain in found]}
+    read = [(owner, chain.parent) for chain in found] + [pair for chain in found for pair in held_by(owner, chain)]
     return Group(
         key=key,
         members=tuple(Member(bone, TURN, 'LOCAL', is_relative=True) for bone in bones),
-        inputs=(*dict.fromkeys(Transform(owner, chain.parent) for chain in found), *(BonesOwn(owner, bone.name) for bone in bones)),
+        inputs=(*(Transform(*pair) for pair in dict.fromkeys(read)), *(BonesOwn(owner, bone.name) for bone in bones)),
         data={PLAN: json.dumps(plan), **wrong},
     )
 
 
 def bone_renamed(owner, rig, old, new):
-    """Rename a bone in the owner's entries after the user has renamed the bone. The wiring is renewed separately.
+    """Rename a bone in the owner's entries and pins after the user has renamed the bone. The wiring is renewed separately.
 
     rig: armature object of the bone. old, new: names of the bone.
     """
-    if rig != owner:
-        return
     with unwired(owner.motus.chains) as settings:
-        for entry in settings.entries:
-            if entry.name == old:
-                entry.name = new
+        for one in (*settings.entries, *settings.pins):
+            if rig == owner and one.name == old:
+                one.name = new
+        for pin in settings.pins:
+            if pointed(pin, "target") == rig and pin.target_bone == old:
+                pin.target_bone = new

@@ -1,5 +1,6 @@
 """Make the motions of chains, from what their animation and their surroundings are over the scene."""
 
+import functools
 import math
 from typing import Any, NamedTuple
 
@@ -10,7 +11,7 @@ from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.tracks import solved
 from ..core.tracks.inputs import BAD_NUMBERS, Tails, of_unknown, stamp_of_known
-from . import colliders, motion
+from . import colliders, motion, pins
 from .properties import KEYWORDS
 
 LOOP_IS_OPEN = Problem("A chain does not come back to where its loop began", blocking=False)
@@ -19,6 +20,8 @@ BELOW_ANOTHER = Problem("Some chains begin within another chain, which moves the
 COLLIDER_NOT_KNOWN = Problem("The motion of a collider is not known on other frames: chains pass through it", blocking=False)
 GRAVITY_NOT_KNOWN = Problem("The scene's gravity is not known on other frames: chains move without it", blocking=False)
 WIND_NOT_KNOWN = Problem("The wind is not known on other frames: chains move without it", blocking=False)
+PIN_NOT_KNOWN = Problem("The motion of what holds a pin is not known on other frames: the pin does not hold", blocking=False)
+PIN_WEIGHT_NOT_KNOWN = Problem("The weight of a pin is not known on other frames: the pin does not hold", blocking=False)
 TOO_LONG = Problem("The scene is too long for so many chains, which come to a stop before its end: split it, or mute some", blocking=False)
 CUT = "cut"
 """Beginning of the names of the markers at which chains start anew."""
@@ -36,7 +39,8 @@ class Surroundings(NamedTuple):
     """What acts on the chains of a rig beside its own animation.
 
     rig: whose settings have the wind. scene: whose frames count. pulling: scene whose gravity is read. cuts: frames at which chains start
-    anew. touched: the empties that are colliders. In a solver, all but `scene` are evaluated.
+    anew. touched: the empties that are colliders. bones: names of the bones of the chains, whose pins count. In a solver, all but `scene`
+    are evaluated.
     """
 
     rig: Any
@@ -44,6 +48,7 @@ class Surroundings(NamedTuple):
     pulling: Any
     cuts: list
     touched: tuple
+    bones: Any
 
     @property
     def gravity(self):
@@ -61,11 +66,17 @@ class Surroundings(NamedTuple):
         return colliders.over_time(self.touched, self.scene)
 
     @property
+    def pins(self):
+        """List of pins.Held of the chains."""
+        return pins.over_time(self.rig, self.bones, self.scene)
+
+    @property
     def stamp(self):
         """Hashable value that changes whenever the surroundings may change at any time; None if changes cannot be detected."""
         found = [*scene_time.stamp(self.scene), scene_time.last(self.scene), self.pulling.use_gravity, tuple(self.cuts)]
         found += [track.reason.kind if track.reason else track.stamp for track in (*self.gravity, *self.wind)]
         found += [(colliders.form(obj), stamp_of_known(track)) for obj, track in self.colliders]
+        found += [(pin.bone, stamp_of_known(pin.place), stamp_of_known(pin.weight)) for pin in self.pins]
         return together(found)
 
 
@@ -111,6 +122,7 @@ class Making:
     def _solve(self, ready):
         settings, around = self._settings, self._surroundings
         price = sum(source.price for source, *_ in ready) + sum(track.price for _, track in around.colliders)
+        price += sum(pin.place.price + pin.weight.price for pin in around.pins)
         step = motion.step_price([(len(bones), settings.entries[index]) for _, bones, index, _ in ready], len(around.touched))
         share = self._share * len(ready) / max(len(settings.entries), len(ready))
         times = motion.times_of(around.scene, around.cuts, motion.most_seconds(price, step, settings.use_loop, share))
@@ -137,7 +149,8 @@ class Making:
             is_loop = False
         if is_loop:
             poses[-1] = poses[0]
-        found = motion.motion_of(parents, poses, entry, world, times, is_loop)
+        held = pins.at([pin for pin in self._held if pin.bone in places], places, times.frames)
+        found = motion.motion_of(parents, poses, entry, world | held, times, is_loop)
         if is_loop and found.gap > motion.CLOSED * size:
             self.problems.append(LOOP_IS_OPEN)
         return found
@@ -160,6 +173,16 @@ class Making:
         if obstacles:
             found |= {"obstacles": obstacles.shapes, "obstacle_places": obstacles.places, "radii": obstacles.radii}
         return found
+
+    @functools.cached_property
+    def _held(self):
+        """List of pins.Held that are known; the problems say what is not."""
+        found = self._surroundings.pins
+        if not all(pin.place.is_known for pin in found):
+            self.problems.append(PIN_NOT_KNOWN)
+        if not all(pin.weight.is_known for pin in found):
+            self.problems.append(PIN_WEIGHT_NOT_KNOWN)
+        return [pin for pin in found if pin.is_known]
 
     def _over_time(self, along, times, problem):
         """Return the vectors (m, 3) of three tracks at the Times; None if one is not known, which `problem` says."""

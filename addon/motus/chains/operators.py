@@ -6,11 +6,24 @@ from ..core import wiring
 from ..core.file import libraries
 from ..core.interface import bone_entries
 from ..core.interface.operators import FindsValues, OfARig, named_or_active
-from ..core.refusals import Refused, check_finite, check_local, check_no_tweak_mode, check_unbaked
+from ..core.refusals import (
+    Refused,
+    check_bone,
+    check_evaluated,
+    check_finite,
+    check_local,
+    check_no_tweak_mode,
+    check_unbaked,
+    named,
+)
+from ..core.settings import entries, targets
+from ..core.settings.declared import factor
 from ..core.translations import counted, tr
-from . import groups, properties, rows, setup, told
+from . import groups, pins, properties, rows, setup, told
 
 KEYWORDS = tuple(properties.ChainsKeywords.__annotations__)
+TARGET_SIZE = 0.25
+"""Display size of the empty of a new pin, in lengths of the bone."""
 
 
 def rig_with(context, name):
@@ -24,6 +37,15 @@ def rig_with(context, name):
 def _check_editable(rig):
     check_local(rig)
     check_unbaked(rig, rig.motus.chains)
+
+
+def _warn(operator, context, rig):
+    """Report what is wrong with the chains of a rig after an edit, if anything is."""
+    context.view_layer.update()
+    depsgraph = context.view_layer.depsgraph
+    problem = wiring.problem(setup.system(), rig, depsgraph) if rig.evaluated_get(depsgraph).is_evaluated else None
+    if problem:
+        operator.report({'WARNING'}, told.sentence(rig, problem, context.scene))
 
 
 def _bones():
@@ -59,11 +81,7 @@ class MOTUS_OT_chains_add(FindsValues, OfARig, properties.ChainsKeywords, bpy.ty
         setup.add(rig, tops, self.given(KEYWORDS))
         self.show_used(rig.motus.chains.entries[tops[0]], KEYWORDS)
         self.report({'INFO'}, counted(len(tops), tr("Chain added from {bone}").format(bone=tops[0]), tr("{count} chains added")))
-        context.view_layer.update()
-        depsgraph = context.view_layer.depsgraph
-        problem = wiring.problem(setup.system(), rig, depsgraph) if rig.evaluated_get(depsgraph).is_evaluated else None
-        if problem:
-            self.report({'WARNING'}, told.sentence(rig, problem, context.scene))
+        _warn(self, context, rig)
 
     @staticmethod
     def _wanted(context, name, bones):
@@ -135,4 +153,157 @@ class MOTUS_OT_chains_remove(OfARig, bpy.types.Operator):
         return found
 
 
-classes = (MOTUS_OT_chains_add, MOTUS_OT_chains_remove)
+class MOTUS_OT_chains_pin(FindsValues, OfARig, bpy.types.Operator):
+    bl_idname = "motus.chains_pin"
+    bl_label = "Pin Chain"
+    bl_description = "Hold the tails of the selected bones of chains, or else the end of the shown chain, to an object"
+    needs_native = True
+    redo = (rows.PINNING,)
+    rig_with = staticmethod(rig_with)
+
+    bones: bpy.props.StringProperty(
+        name="Bones",
+        description="Names of the bones whose tails are held, with commas between; empty takes the selected bones, and without any the "
+        "last bone of the shown chain",
+        options={'SKIP_SAVE'},
+    )
+    target: bpy.props.StringProperty(
+        name="Target", description="Name of the object that holds; empty makes an empty at each bone's tail", options={'SKIP_SAVE'}
+    )
+    target_bone: bpy.props.StringProperty(
+        name="Target Bone", description="Name of a bone of the target, whose head holds", options={'SKIP_SAVE'}
+    )
+    weight: factor("Weight", "How fast the pins hold", 1.0)
+
+    @classmethod
+    def check_offer(cls, context):
+        rig = rig_with(context, "")
+        _check_editable(rig)
+        _pinned(context, rig, "", "")
+
+    def run(self, context):
+        rig = rig_with(context, self.object)
+        _check_editable(rig)
+        check_finite(self, ("weight",))
+        names = _pinned(context, rig, self.object, self.bones)
+        goal = self._goal()
+        for name in names if goal else ():
+            _check_holds(rig, name, *goal)
+        made = [] if goal else [name for name in names if not _has_target(rig, name)]
+        if made:
+            check_evaluated(rig, context.view_layer)
+        changes = {name: dict(zip(("target", "target_bone"), goal or ())) | self.given(("weight",)) for name in names}
+        for name in made:
+            changes[name] |= {"target": _new_target(context, rig, name), "target_bone": ""}
+        with entries.at_once(setup.system(), rig):
+            for name in names:
+                setup.pin(rig, name, changes[name])
+        pin = rig.motus.chains.pins[names[0]]
+        self.show_used(pin, ("weight",))
+        one = tr("{bone} is pinned to {target}").format(bone=names[0], target=pin.target.name)
+        self.report({'INFO'}, counted(len(names), one, tr("{count} bones are pinned")))
+        _warn(self, context, rig)
+
+    def _goal(self):
+        """Return (object, bone or "") that the keywords name; None if they name none."""
+        if not self.target:
+            if self.target_bone:
+                raise Refused(tr("Name the armature of the bone {bone}").format(bone=self.target_bone))
+            return None
+        found = named(self.target)
+        if self.target_bone:
+            check_bone(found, self.target_bone)
+        return found, self.target_bone
+
+
+def _pinned(context, rig, name, bones):
+    """List the names of the bones that are to be pinned. Raises Refused if one belongs to no chain.
+
+    name: of the rig; if it is given, the selection does not count.
+    """
+    settings = rig.motus.chains
+    chosen = bone_entries.names_in(rig, bones) if bones else bone_entries.posed(context) if not name else []
+    for one in chosen:
+        if properties.index_of_bone(settings, one) < 0:
+            raise Refused(tr("{bone} belongs to no chain").format(bone=one))
+    if chosen:
+        return chosen
+    entry = entries.active(rig, "chains")
+    shown = next((chain for chain in groups.chains(rig) if chain.entry == entry), None)
+    if shown is None:
+        raise Refused(tr("{object} has no chains").format(object=rig.name))
+    return [shown.names[-1]]
+
+
+def _has_target(rig, name):
+    pin = rig.motus.chains.pins.get(name)
+    return pin is not None and pins.goal(pin) is not None
+
+
+def _check_holds(rig, name, target, bone):
+    """Raise Refused if a target moves along with the chain of the bone that it shall hold. name: of the bone."""
+    chain = next((chain for chain in groups.chains(rig) if name in chain.names), None)
+    if chain and wiring.depends(target, bone, rig, chain.names):
+        label = f"{target.name}: {bone}" if bone else target.name
+        raise Refused(tr("{target} moves with the chain of {bone}: choose another one").format(target=label, bone=name))
+
+
+def _new_target(context, rig, name):
+    """Make an empty at the tail of a posed bone, which is to hold it. Returns the empty."""
+    evaluated = rig.evaluated_get(context.view_layer.depsgraph)
+    head, tail = (evaluated.matrix_world @ place for place in (evaluated.pose.bones[name].head, evaluated.pose.bones[name].tail))
+    empty = targets.new_empty(context, rig, f"{rig.name} {name} Pin", pins.MADE_KEY)
+    empty.empty_display_size = TARGET_SIZE * (tail - head).length
+    empty.location = tail
+    return empty
+
+
+class MOTUS_OT_chains_unpin(OfARig, bpy.types.Operator):
+    bl_idname = "motus.chains_unpin"
+    bl_label = "Unpin Chain"
+    bl_description = (
+        "Remove pins of chains: of the selected bones in Pose Mode, else all of the rig; an empty that was made for a pin goes along"
+    )
+    rig_with = staticmethod(rig_with)
+
+    bones: bpy.props.StringProperty(
+        name="Bones",
+        description="Names of the bones whose pins are removed, with commas between; empty takes the selected ones, and without any all",
+        options={'SKIP_SAVE'},
+    )
+    index: bpy.props.IntProperty(
+        name="Index", description="Index of the one pin that is removed", default=-1, min=-1, options={'SKIP_SAVE', 'HIDDEN'}
+    )
+
+    @classmethod
+    def check_offer(cls, context):
+        rig = rig_with(context, "")
+        _check_editable(rig)
+        cls._indices(context, rig, "", "", -1)
+
+    def run(self, context):
+        rig = rig_with(context, self.object)
+        _check_editable(rig)
+        check_no_tweak_mode(rig)
+        indices = self._indices(context, rig, self.object, self.bones, self.index)
+        if min(indices) < libraries.count_from_library(rig, pins.PATH):
+            raise Refused(
+                tr("{object} has these pins from its library, so that they cannot be removed here: mute them").format(object=rig.name)
+            )
+        setup.unpin(rig, indices)
+
+    @staticmethod
+    def _indices(context, rig, name, bones, index):
+        """Return the indices of the pins that are to be removed. Raises Refused if there are none."""
+        found = list(range(len(rig.motus.chains.pins)))
+        names = [one.strip() for one in bones.split(",")] if bones else bone_entries.posed(context) if not name else []
+        if index >= 0:
+            found = [one for one in found if one == index]
+        elif names:
+            found = [one for one in found if rig.motus.chains.pins[one].name in names]
+        if not found:
+            raise Refused(tr("There is no such pin"))
+        return found
+
+
+classes = (MOTUS_OT_chains_add, MOTUS_OT_chains_remove, MOTUS_OT_chains_pin, MOTUS_OT_chains_unpin)

@@ -32,14 +32,13 @@ class _Bone:
         self._row = chain.bones.index(bone)
         self._input = Tails(chain.bones, scene, setup.system())
         self._name = "chains", chain.entry.name
-        self._rig = RigInputs(owner, scene, self._name, [one.name for one in chain.bones], chain.parent, (), dict)
+        self._rig = RigInputs(owner, scene, self._name, list(chain.names), chain.parent, (), dict)
 
     @functools.cached_property
     def _around(self):
         settings = self._owner.motus.chains
-        return making.Surroundings(
-            self._owner, self._scene, self._scene, making.cuts(settings, self._scene), tuple(colliders.objects(settings))
-        )
+        touched = tuple(colliders.objects(settings))
+        return making.Surroundings(self._owner, self._scene, self._scene, making.cuts(settings, self._scene), touched, self._chain.names)
 
     @property
     def reason(self):
@@ -57,7 +56,9 @@ class _Bone:
 
     @property
     def _read(self):
-        return [*self._input.tracks, *(track for _, track in self._around.colliders), *self._around.gravity, *self._around.wind]
+        around = self._around
+        held = [track for pin in around.pins for track in (pin.place, pin.weight)]
+        return [*self._input.tracks, *(track for _, track in around.colliders), *around.gravity, *around.wind, *held]
 
     def bounds(self, first, last):
         """Return rising frames from first to last; the motion is smooth between neighbours."""
@@ -79,7 +80,7 @@ class _Bone:
         weight = 0.0 if entry.is_muted else settings.influence * entry.weight
         if weight <= 0.0 or len(times) == 0:
             return None
-        names = [bone.name for bone in self._chain.bones]
+        names = list(self._chain.names)
         found = making.Making(self._owner, settings, self._around, 1.0)
         found.make([names])
         if not found.chains:

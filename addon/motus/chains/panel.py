@@ -6,7 +6,7 @@ from ..core.interface import bone_entries, panels, ui
 from ..core.interface.tracks import panel as track_panel
 from ..core.settings.entries import active
 from ..core.translations import OWN_SENSE, counted, tr
-from . import colliders, presets, rows, setup, told
+from . import colliders, pins, presets, rows, setup, told
 
 
 def draw_main(layout, context):
@@ -57,6 +57,27 @@ def draw_time(layout, context):
         track_panel.draw(layout, track, **keywords)
 
 
+def draw_pins(layout, context):
+    """Draw the list of pins, what the active one holds to, and buttons that record targets whose motion is not known."""
+    rig = context.object
+    settings = rig.motus.chains
+    _, remove, _ = ui.draw_list(
+        layout, "MOTUS_UL_chains_pins", settings, "pins", "active_pin", "motus.chains_pin", "motus.chains_unpin", rows=2
+    )
+    remove.object, remove.index = rig.name, settings.active_pin
+    if not 0 <= settings.active_pin < len(settings.pins):
+        return
+    pin = settings.pins[settings.active_pin]
+    column = layout.column()
+    column.prop_search(pin, "name", rig.data, "bones", text="")
+    ui.draw_goal(column, pin, "target", "target_bone")
+    rows.PINNING.draw(ui.split(layout), pin)
+    for held in pins.over_time(rig, (pin.name,), context.scene):
+        if held.place.reason is not None:
+            target, bone = held.goal
+            track_panel.draw(layout, held.place, datablock=target.name, transform='WORLD', **({"bone": bone} if bone else {}))
+
+
 def draw_actions(layout, context):
     """Draw the buttons that bake and remove the chains."""
     column = layout.column(align=True)  # the buttons would be too narrow side by side in a narrow editor
@@ -85,6 +106,16 @@ class MOTUS_UL_chains_entries(bpy.types.UIList):
         row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
 
 
+class MOTUS_UL_chains_pins(bpy.types.UIList):
+    def draw_item(self, _context, layout, _settings, pin, _icon, _active, _name, _index):
+        row = layout.row(align=True)
+        row.active = not pin.is_muted
+        columns = row.split(factor=0.65, align=True)
+        columns.label(text=pin.name, icon='PINNED', translate=False)
+        columns.prop(pin, "weight", text="", slider=True, emboss=False, text_ctxt=OWN_SENSE)
+        row.prop(pin, "is_muted", text="", icon='HIDE_ON' if pin.is_muted else 'HIDE_OFF', emboss=False)
+
+
 PANEL = panels.SystemPanel(
     name="chains",
     prefix="MOTUS_PT_chains",
@@ -96,6 +127,7 @@ PANEL = panels.SystemPanel(
     parts=(
         panels.Part("forces", "Forces", _draw_of_entry(rows.FORCES), is_open=True),
         panels.Part("limits", "Limits", _draw_of_entry(rows.LIMITS)),
+        panels.Part("pins", "Pins", draw_pins),
         panels.Part("world", "Surroundings", draw_world),
         panels.Part("time", "Time", draw_time),
     ),
@@ -105,4 +137,4 @@ PANEL = panels.SystemPanel(
     draw_add=draw_add,
 )
 
-classes = (MOTUS_UL_chains_entries, *panels.classes(PANEL))
+classes = (MOTUS_UL_chains_entries, MOTUS_UL_chains_pins, *panels.classes(PANEL))

@@ -5,6 +5,7 @@ from functools import partial
 
 import bpy
 
+from ..core.file.pointers import to_object
 from ..core.interface import bone_entries
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire
 from ..core.settings.declared import factor, number, switch, vector
@@ -91,6 +92,22 @@ def index_of_bone(settings, bone):
     return index
 
 
+class MOTUS_PG_chains_pin(bpy.types.PropertyGroup):
+    name: bpy.props.StringProperty(name="Bone", description="Bone of a chain whose tail is held", update=rewire, override=OVERRIDABLE)
+    target: to_object(name="Target", description="Object that holds the bone's tail, at its origin", update=rewire, override=OVERRIDABLE)
+    target_bone: bpy.props.StringProperty(
+        name="Target Bone",
+        description="Bone of the target whose head holds; empty takes the target's origin",
+        update=rewire,
+        options=set(),
+        override=OVERRIDABLE,
+    )
+    weight: factor(
+        "Weight", "Holds fast at 1, by a spring that is the softer the smaller it is below, and not at all at 0", 1.0, options=ANIMATED
+    )
+    is_muted: switch("Mute", "Switch this pin off", tells_no_keys=True)
+
+
 class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
     influence: factor("Influence", "How much all chains of the rig act; 0 leaves the rig to its animation", 1.0, options=ANIMATED)
     wind: vector("Wind", "Velocity of the air, which chains with Air Drag feel", options=ANIMATED, subtype='VELOCITY', unit='VELOCITY')
@@ -117,6 +134,8 @@ class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_chains_entry, name="Chains", override=EXTENDABLE)
     chosen_entry: bpy.props.IntProperty(name="Chosen Entry", options={'HIDDEN'})
     active_entry: bone_entries.active_property("Active Entry", index_of_bone)
+    pins: bpy.props.CollectionProperty(type=MOTUS_PG_chains_pin, name="Pins", override=EXTENDABLE)
+    active_pin: bpy.props.IntProperty(name="Active Pin", options=set(), override=OVERRIDABLE)
 
 
-classes = (MOTUS_PG_chains_entry, MOTUS_PG_chains)
+classes = (MOTUS_PG_chains_entry, MOTUS_PG_chains_pin, MOTUS_PG_chains)

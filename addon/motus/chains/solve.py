@@ -19,6 +19,8 @@ from .making import (
     CONSTRAINED,
     GRAVITY_NOT_KNOWN,
     LOOP_IS_OPEN,
+    PIN_NOT_KNOWN,
+    PIN_WEIGHT_NOT_KNOWN,
     TOO_LONG,
     WIND_NOT_KNOWN,
 )
@@ -33,6 +35,8 @@ PROBLEMS = (
     COLLIDER_NOT_KNOWN,
     GRAVITY_NOT_KNOWN,
     WIND_NOT_KNOWN,
+    PIN_NOT_KNOWN,
+    PIN_WEIGHT_NOT_KNOWN,
     TOO_LONG,
     inputs.LOOPED_BONES,
     inputs.MISSING_BONES,
@@ -144,7 +148,13 @@ def _surroundings(context):
         depsgraph.scene_eval,
         making.cuts(context.settings, marked),
         tuple(colliders.empties(waited.values())),
+        _names(context) if context.settings.pins else (),
     )
+
+
+def _names(context):
+    """Return the names of all bones of the context's chains, as a set."""
+    return {name for names in stored.parse(context.data.get(PLAN), _FORM)["chains"] for name in names}
 
 
 def _make(context, share):

@@ -63,21 +63,10 @@ def _words(context, rig, active):
     return tr("IK on {bone}").format(bone=active.name)
 
 
-def draw_goal(column, owner, pointer, bone):
-    """Draw the choice of an object, and of its bone if the object is an armature.
-
-    owner: settings. pointer, bone: names of the settings that hold the object and the bone's name.
-    """
-    column.prop(owner, pointer, text="")  # a label would leave no room for the name in a narrow sidebar
-    goal = pointed(owner, pointer)
-    if goal and goal.type == 'ARMATURE':
-        column.prop_search(owner, bone, goal.data, "bones", text="")
-
-
 def draw_target(layout, context):
     """Draw the target of the shown chain, and the list of its further targets."""
     entry = shown_entry(context)
-    draw_goal(layout.column(), entry, "target", "target_bone")
+    ui.draw_goal(layout.column(), entry, "target", "target_bone")
     if pointed(entry, "target") != context.object:
         _of_chain(layout.operator("motus.ik_control_bone_add", icon='BONE_DATA'), context.object, entry)
     rows.OFFSET.draw(ui.split(layout), entry)
@@ -98,7 +87,7 @@ def draw_target(layout, context):
     if not entry.extra_targets:
         return
     extra = entry.extra_targets[min(entry.active_extra_target, len(entry.extra_targets) - 1)]
-    draw_goal(layout.column(), extra, "object", "bone")
+    ui.draw_goal(layout.column(), extra, "object", "bone")
     ui.split(layout).prop(entry, "target_blend")
 
 
@@ -111,7 +100,7 @@ def _of_chain(button, rig, entry):
 def draw_pole(layout, context):
     """Draw the pole towards which the shown chain bends, and the buttons that make a pole."""
     entry = shown_entry(context)
-    draw_goal(layout.column(), entry, "pole", "pole_bone")
+    ui.draw_goal(layout.column(), entry, "pole", "pole_bone")
     if pointed(entry, "pole") is None:
         row = layout.row(align=True)
         _of_chain(row.operator("motus.ik_pole_add", icon='EMPTY_AXIS'), context.object, entry)

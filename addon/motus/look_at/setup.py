@@ -1,13 +1,9 @@
 """Add, change and remove the entries of heads: functions that the operators of Look At call, and that need no window."""
 
-import bpy
-
-from ..core.blender import needed
 from ..core.declare import registered
-from ..core.file import libraries
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
-from ..core.settings import entries
+from ..core.settings import entries, targets
 from . import anatomy, facing
 
 DISTANCE = 6.0  # from the head to a new target, in lengths of the head bone
@@ -57,8 +53,7 @@ def remove(rig, index):
 
 def remove_unneeded(target):
     """Delete a target that Motus has made if nothing uses the object, and it has no animation data. target: an object or None."""
-    if target and MADE_KEY in target and target.animation_data is None and not needed.is_needed(target):
-        bpy.data.objects.remove(target)
+    targets.remove_unneeded(target, MADE_KEY)
 
 
 def turn(rig, entry):
@@ -85,10 +80,8 @@ def _in_front(rig, entry):
 def new_target(context, rig, entry):
     """Make an empty straight ahead of the posed head, so that nothing turns until the empty is moved. Returns the empty."""
     place, size = _in_front(rig, entry)
-    empty = bpy.data.objects.new(f"{rig.name} {entry.name} Target", None)
-    empty[MADE_KEY] = True
+    empty = targets.new_empty(context, rig, f"{rig.name} {entry.name} Target", MADE_KEY)
     empty.empty_display_type = 'SPHERE'
     empty.empty_display_size = TARGET_SIZE * size
     empty.location = place
-    libraries.collection_for(context, rig).objects.link(empty)
     return empty

@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import bpy
 
 from .. import native, wiring
+from ..file.pointers import pointed
 from .view import playback, widths
 
 TAB = "Motus"
@@ -157,6 +158,17 @@ def draw_rig_influence(layout, settings):
     text = bpy.app.translations.pgettext_iface("Rig Influence")
     row = layout.row()  # a row of its own, since split() changes a layout for good
     split(row, text).prop(settings, "influence", text=text, translate=False, slider=True)
+
+
+def draw_goal(column, settings, pointer, bone):
+    """Draw the choice of an object, and of its bone if the object is an armature.
+
+    pointer, bone: names of the settings that hold the object and the bone's name.
+    """
+    column.prop(settings, pointer, text="")  # a label would leave no room for the name in a narrow sidebar
+    goal = pointed(settings, pointer)
+    if goal and goal.type == 'ARMATURE':
+        column.prop_search(settings, bone, goal.data, "bones", text="")
 
 
 def draw_message(layout, sentence, icon, beside=0.0):

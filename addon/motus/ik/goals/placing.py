@@ -3,10 +3,9 @@
 import itertools
 import math
 
-import bpy
 from mathutils import Euler, Vector
 
-from ...core.file import libraries
+from ...core.settings import targets
 from .. import chains, forward
 from . import places as goal_places
 from .orientation import frame_of
@@ -191,8 +190,6 @@ def new_pole(context, rig, entry, turned):
 
 
 def _empty(context, evaluated, name, shape):
-    empty = bpy.data.objects.new(name, None)
+    empty = targets.new_empty(context, evaluated.original, name, CONTROL_KEY)
     empty.empty_display_type = shape
-    empty[CONTROL_KEY] = True
-    libraries.collection_for(context, evaluated.original).objects.link(empty)
     return empty

@@ -1,0 +1,80 @@
+"""Pins of chains: tails of bones that are held to an object, or to a bone of an object, by a weight over time."""
+
+from typing import Any, NamedTuple
+
+from ..core import tracks
+from ..core.file import deleted
+from ..core.file.pointers import pointed
+from ..core.lazy import numpy as np
+from ..core.settings import entry_keys
+
+MADE_KEY = "motus_chains_pin"
+"""Custom property that marks the empties that Motus has made for pins."""
+PATH = "motus.chains.pins"
+
+
+class Held(NamedTuple):
+    """A pin over time. bone: name of the bone whose tail is held. goal: (object, bone or ""). place, weight: Tracks of world matrix and number."""
+
+    bone: str
+    goal: tuple
+    place: Any
+    weight: Any
+
+    @property
+    def is_known(self):
+        """Whether place and weight can be read at any time."""
+        return self.place.is_known and self.weight.is_known
+
+
+def goal(pin):
+    """Return (object, name of its bone or "") that a pin holds to; None if there is no such object, or it was deleted."""
+    target = pointed(pin, "target")
+    if target is None or deleted.is_deleted(target):
+        return None
+    return target, pin.target_bone if target.pose and pin.target_bone in target.pose.bones else ""
+
+
+def acting(settings, bones):
+    """Return {name of a bone: (index of its pin, goal)} for the bones of these names that are pinned, by the first pin of each that acts.
+
+    settings: of the rig.
+    """
+    found = {}
+    for index, pin in enumerate(settings.pins):
+        where = goal(pin) if pin.name in bones and pin.name not in found and not pin.is_muted else None
+        if where:
+            found[pin.name] = index, where
+    return found
+
+
+def goals(settings, bones):
+    """List of the (object, bone or "") that bones of these names are pinned to, by pins that are muted too."""
+    return [where for where in (goal(pin) for pin in settings.pins if pin.name in bones) if where]
+
+
+def over_time(rig, bones, scene):
+    """List a Held for each of a rig's bones of these names that is pinned. rig: evaluated or original."""
+    settings = rig.motus.chains
+    return [_held(rig, scene, name, *found) for name, found in acting(settings, bones).items()]
+
+
+def _held(rig, scene, name, index, where):
+    target, bone = where
+    path = entry_keys.animated_prefix(rig, PATH, rig.motus.chains.pins, index)
+    thing = target.pose.bones[bone] if bone else target
+    return Held(name, where, tracks.world_track(thing, scene), tracks.property_track(rig, f"{path}weight"))
+
+
+def at(held, rows, frames):
+    """Return the keywords of the native StrandMotion for pins at frames (n,).
+
+    held: list of Held, which are known. rows: {name of a bone: index of the particle at its tail}.
+    """
+    if not held:
+        return {}
+    return {
+        "pinned": [rows[one.bone] for one in held],
+        "pin_places": np.stack([one.place.values(frames)[:, :3, 3] for one in held], axis=1),
+        "pin_weights": np.stack([one.weight.values(frames) for one in held], axis=1),
+    }
