@@ -69,9 +69,9 @@ class Skin:
         self._builder.add(part, slot, smooth)
         self._groups.append((count, {bone: np.broadcast_to(share, count) for bone, share in shares.items()}))
 
-    def finish(self, collection, name, rig, materials):
-        """Make the mesh object, which the rig deforms. Returns the object."""
-        thing = shapes.link_object(collection, name, self._builder.build(name, materials), rig)
+    def finish(self, collection, name, materials):
+        """Make the mesh object; carry() lets bones move it. Returns the object."""
+        thing = shapes.link_object(collection, name, self._builder.build(name, materials))
         first = 0
         for count, shares in self._groups:
             for bone, values in shares.items():
@@ -81,8 +81,14 @@ class Skin:
                 for value in np.unique(rounded[rounded > 0.0]):
                     group.add((first + np.flatnonzero(rounded == value)).tolist(), float(value), "REPLACE")
             first += count
-        thing.modifiers.new("Armature", "ARMATURE").object = rig
         return thing
+
+
+def carry(thing, *rigs):
+    """Let the bones of rigs move the vertices of a mesh object."""
+    thing.parent = rigs[0]
+    for rig in rigs:
+        thing.modifiers.new(rig.name, "ARMATURE").object = rig
 
 
 def shares_along(row, at):

@@ -9,11 +9,11 @@ from . import bones, gorge, pinning
 
 COUNT = 28  # bones of each rope, with a plank each
 SLACK = 1.022  # length of a rope, in distances between its ends
-DECK, RAILS = {"deck.L": (0.40, 0.0), "deck.R": (-0.40, 0.0)}, {"rail.L": (0.50, 0.92), "rail.R": (-0.50, 0.92)}
+DECK, RAILS = {"deck.L": (0.40, 0.0), "deck.R": (-0.40, 0.0)}, {"rail.L": (0.52, 0.92), "rail.R": (-0.52, 0.92)}
 """Ropes: {name: (y, height of its ends)}, m."""
 ROPE_RADIUS, PLANK = 0.019, (0.155, 1.02, 0.032)  # m
 LOAD_SIZE = 2.6  # radius in m of the balls that press the ropes down where somebody walks
-LOAD = 0.5  # how far down the ropes are pressed, from 0, where they would hang, to 1, where they would be taut
+LOAD = 0.45  # how far down the ropes are pressed amid the bridge, from 0, where they would hang, to 1, where they would be taut
 PLANK_TOP = 0.045  # height of the planks above the ropes, m
 
 
@@ -37,7 +37,8 @@ def way(count):
     # A weight on a rope that does not stretch moves on an ellipse whose foci are the rope's ends.
     taut = -math.sqrt(longest**2 - focus**2) * np.sqrt(1.0 - ((wanted + focus) / longest) ** 2)
     loose = np.interp(wanted, x, high)
-    return np.column_stack((wanted, loose + LOAD * (taut - loose) + PLANK_TOP))
+    load = LOAD * (1.0 - ((wanted + focus) / focus) ** 2)
+    return np.column_stack((wanted, loose + load * (taut - loose) + PLANK_TOP))
 
 
 def build(context, collection, ends, wind):
@@ -55,17 +56,19 @@ def build(context, collection, ends, wind):
     _add_deck(collection, deck, places, hemp)
     _add_rails(collection, rails, places, hemp)
     _add_hangers(collection, deck, rails, places, hemp)
-    for rig, ropes, settings in ((deck, DECK, {"drag": 0.10}), (rails, RAILS, {"drag": 0.30})):
+    for rig, ropes, settings in ((deck, DECK, {"drag": 0.22}), (rails, RAILS, {"drag": 0.45})):
         pinning.hang(rig, [bones.names(rope, COUNT) for rope in ropes], ends, wind, **settings)
     return rigs
 
 
 def press(spider, rigs, collections):
     """Let the ropes be pressed down where the spider is: each rig gets a ball above the spider. collections: one for each ball."""
-    for rig, high, collection in zip(rigs, (-PLANK_TOP, RAILS["rail.L"][1] - PLANK_TOP), collections):
+    for rig, ropes, collection in zip(rigs, (DECK, RAILS), collections):
+        side, high = next(iter(ropes.values()))
         ball = shapes.link_object(collection, f"{rig.name} Load", None, spider)
         ball.empty_display_type, ball.empty_display_size = "SPHERE", LOAD_SIZE
-        ball.location.z = LOAD_SIZE + high
+        # The ropes touch the ball at its sides, above its lowest place.
+        ball.location.z = math.sqrt(LOAD_SIZE**2 - side**2) + high - PLANK_TOP
         rig.motus.chains.colliders = collection
 
 
@@ -97,17 +100,29 @@ def _add_deck(collection, rig, places, hemp):
             (middle[0] + math.cos(turn) * x - math.sin(turn) * z, vertices[:, 1], middle[1] + math.sin(turn) * x + math.cos(turn) * z)
         )
         share = 0.5 + 0.5 * turned[:, 1] / wide
-        skin.add((turned, faces), 1 + index % 3, {left[index]: np.clip(share, 0.0, 1.0), right[index]: np.clip(1.0 - share, 0.0, 1.0)}, smooth=False)
-    timbers = (((0.36, 0.25, 0.155), (0.17, 0.115, 0.07)), ((0.30, 0.215, 0.145), (0.13, 0.09, 0.06)), ((0.42, 0.30, 0.19), (0.21, 0.145, 0.09)))
-    slots = [hemp, *(materials.wood(f"Plank {index}", *colors, (16.0, 1.3, 16.0), roughness=0.75) for index, colors in enumerate(timbers, 1))]
-    skin.finish(collection, "Bridge Planks", rig, slots)
+        skin.add(
+            (turned, faces),
+            1 + index % 3,
+            {left[index]: np.clip(share, 0.0, 1.0), right[index]: np.clip(1.0 - share, 0.0, 1.0)},
+            smooth=False,
+        )
+    timbers = (
+        ((0.36, 0.25, 0.155), (0.17, 0.115, 0.07)),
+        ((0.30, 0.215, 0.145), (0.13, 0.09, 0.06)),
+        ((0.42, 0.30, 0.19), (0.21, 0.145, 0.09)),
+    )
+    slots = [
+        hemp,
+        *(materials.wood(f"Plank {index}", *colors, (16.0, 1.3, 16.0), roughness=0.75) for index, colors in enumerate(timbers, 1)),
+    ]
+    bones.carry(skin.finish(collection, "Bridge Planks", slots), rig)
 
 
 def _add_rails(collection, rig, places, hemp):
     skin = bones.Skin()
     for rope, (y, high) in RAILS.items():
         _add_rope(skin, rope, _at(places, y, high))
-    skin.finish(collection, "Bridge Handrails", rig, [hemp])
+    bones.carry(skin.finish(collection, "Bridge Handrails", [hemp]), rig)
 
 
 def _add_hangers(collection, deck, rails, places, hemp):
@@ -119,6 +134,4 @@ def _add_hangers(collection, deck, rails, places, hemp):
             (vertices, faces), at = bones.tube(ends, 0.0085, sides=8, across=(1.0, 0.0, 0.0), rings=1)
             carrier = {bones.names(upper, COUNT)[index]: (at < 0.5) * 1.0, bones.names(lower, COUNT)[index]: (at > 0.5) * 1.0}
             skin.add((vertices, faces), 0, carrier)
-    thing = skin.finish(collection, "Bridge Hangers", deck, [hemp])
-    thing.modifiers.new("Armature of Rails", "ARMATURE").object = rails
-
+    bones.carry(skin.finish(collection, "Bridge Hangers", [hemp]), deck, rails)

@@ -10,22 +10,23 @@ from . import bones, dog_bones
 COAT, DARK, WHITE, COLLAR, BRASS, TONGUE, ROPE = range(7)
 SHARPNESS, SKIN_SHARPNESS = 55.0, 42.0  # 1/m
 STEP = 0.0105  # m
-TAIL_RADIUS = (0.034, 0.017)
-TAN, SADDLE, CREAM = (0.42, 0.17, 0.052), (0.035, 0.024, 0.020), (0.80, 0.72, 0.60)
+TAIL_RADII = (0.034, 0.017)  # m, at its root and at its tip
+TAN, SADDLE, CREAM, EAR = (0.42, 0.17, 0.052), (0.035, 0.024, 0.020), (0.80, 0.72, 0.60), (0.26, 0.105, 0.032)
 
 
-def _both(start, end, first, last, owner):
-    """Return a cone on the right, at +X, and the cone on the left. An owner that is a leg's bone gets the side as its ending."""
+def _both(start, end, radii, owner, endings=("", "")):
+    """Return a cone on the right, at +X, and one on the left. endings: what the owner's name ends with on the right and on the left."""
     found = []
-    for side, ending in ((1.0, ".R"), (-1.0, ".L")):
-        mirrored = [(side * x, y, z) for x, y, z in (start, end)]
-        found.append(Cone(*mirrored, first, last, owner + ending if owner[-1].isdigit() else owner))
+    for side, ending in zip((1.0, -1.0), endings):
+        (x, y, z), (ahead_x, ahead_y, ahead_z) = start, end
+        found.append(Cone((side * x, y, z), (side * ahead_x, ahead_y, ahead_z), radii[0], radii[1], owner + ending))
     return found
 
 
 def _cones():
+    """List the cones of the dog: trunk, neck and head, legs, and tail."""
     body, neck, head = dog_bones.BODY, dog_bones.NECK, dog_bones.HEAD
-    found = [
+    return [
         Cone((0.0, 0.135, 0.395), (0.0, 0.02, 0.395), 0.128, 0.118, body),
         Cone((0.0, 0.02, 0.395), (0.0, -0.19, 0.415), 0.112, 0.108, body),
         Cone((0.0, 0.185, 0.375), (0.0, 0.16, 0.41), 0.085, 0.10, body),
@@ -34,39 +35,45 @@ def _cones():
         Cone((0.0, 0.385, 0.675), (0.0, 0.40, 0.66), 0.062, 0.060, head),
         Cone((0.0, 0.42, 0.612), (0.0, 0.515, 0.607), 0.062, 0.046, head),
         Cone((0.0, 0.40, 0.575), (0.0, 0.480, 0.566), 0.048, 0.032, head),
+        *_both((0.048, 0.375, 0.610), (0.030, 0.480, 0.592), (0.062, 0.036), head),
+        *_leg(" 1", dog_bones.FORELEG, (0.072, 0.145, 0.375), (0.075, 0.046), (0.044, 0.036)),
+        *_leg(" 2", dog_bones.HIND_LEG, (0.066, -0.195, 0.375), (0.088, 0.054), (0.048, 0.032)),
+        *_tail(),
     ]
-    found += _both((0.048, 0.375, 0.610), (0.030, 0.480, 0.592), 0.062, 0.036, head)
-    found += _both((0.072, 0.145, 0.375), dog_bones.FORELEG[1], 0.075, 0.046, dog_bones.UPPER + " 1")
-    found += _both(dog_bones.FORELEG[1], dog_bones.FORELEG[2], 0.044, 0.036, dog_bones.LOWER + " 1")
-    found += _both((0.066, -0.195, 0.375), dog_bones.HIND_LEG[1], 0.088, 0.054, dog_bones.UPPER + " 2")
-    found += _both(dog_bones.HIND_LEG[1], dog_bones.HIND_LEG[2], 0.048, 0.032, dog_bones.LOWER + " 2")
-    for foot, places in ((" 1", dog_bones.FORELEG), (" 2", dog_bones.HIND_LEG)):
-        x, y, _ = places[2]
-        for toe in (-0.020, 0.0, 0.020):
-            found += _both((x + toe, y + 0.010, 0.040), (x + 1.25 * toe, y + 0.062 - abs(toe) * 0.5, 0.026), 0.034, 0.026, dog_bones.FOOT + foot)
-    tail = bones.along(dog_bones.TAIL_WAY, dog_bones.TAIL_BONES + 1)
-    radii = np.linspace(*TAIL_RADIUS, dog_bones.TAIL_BONES + 1)
-    found.append(Cone(dog_bones.WAG_BONE[0], dog_bones.WAG_BONE[1], 0.046, radii[0], dog_bones.WAG))
-    rows = zip(bones.names(dog_bones.TAIL, dog_bones.TAIL_BONES), tail, tail[1:], radii, radii[1:])
-    found += [Cone(tuple(start), tuple(end), first, last, name) for name, start, end, first, last in rows]
+
+
+def _leg(pair, places, top, upper, lower):
+    """List the cones of a pair of legs. top: place inside the trunk. upper, lower: radii of the two parts."""
+    sides = f"{pair}.R", f"{pair}.L"
+    _, knee, ankle = places
+    found = _both(top, knee, upper, dog_bones.UPPER, sides) + _both(knee, ankle, lower, dog_bones.LOWER, sides)
+    x, y, _ = ankle
+    for toe in (-0.020, 0.0, 0.020):
+        ahead = x + 1.25 * toe, y + 0.062 - 0.5 * abs(toe), 0.026
+        found += _both((x + toe, y + 0.010, 0.040), ahead, (0.034, 0.026), dog_bones.FOOT, sides)
     return found
 
 
+def _tail():
+    places = [tuple(place) for place in bones.along(dog_bones.TAIL_WAY, dog_bones.TAIL_BONES + 1)]
+    radii = np.linspace(*TAIL_RADII, dog_bones.TAIL_BONES + 1)
+    row = zip(places, places[1:], radii, radii[1:], bones.names(dog_bones.TAIL, dog_bones.TAIL_BONES))
+    return [Cone(*dog_bones.WAG_BONE, 0.046, radii[0], dog_bones.WAG), *(Cone(*values) for values in row)]
+
+
 def build(collection, rig, leash):
-    """Make the dog's mesh object and its leash, deformed by the rig. leash: places of the leash's bones in rest pose, (count + 1, 3)."""
+    """Make the dog's mesh object with its leash, moved by the rig. leash: places of the leash's bones in rest pose, (count + 1, 3)."""
     soft, skin = SoftBody(_cones(), SHARPNESS), bones.Skin()
     vertices, quads = soft.surface(STEP)
     skin.add((vertices, quads), COAT, soft.shares(vertices, SKIN_SHARPNESS))
-    places = [vertices]
-    for ear in dog_bones.EARS:
-        places.append(_add_ear(skin, ear))
-    count = sum(map(len, places))
+    coat = np.concatenate([vertices, *(_add_ear(skin, ear) for ear in dog_bones.EARS)])
     _add_face(skin)
     _add_collar(skin)
-    part, at = bones.tube(leash, 0.0085, sides=10, across=(1.0, 0.0, 0.0))
+    part, at = bones.tube(leash, 0.0105, sides=10, across=(1.0, 0.0, 0.0))
     skin.add(part, ROPE, bones.shares_along(bones.names(dog_bones.LEASH, len(leash) - 1), at))
-    thing = skin.finish(collection, "Dog Skin", rig, _materials())
-    _paint(thing.data, np.concatenate(places), count)
+    thing = skin.finish(collection, "Dog Skin", _materials())
+    bones.carry(thing, rig)
+    _paint(thing.data, coat, len(vertices))
     return thing
 
 
@@ -85,9 +92,9 @@ def _add_ear(skin, name):
 def _add_face(skin):
     head = {dog_bones.HEAD: 1.0}
     for side in (-1.0, 1.0):
-        skin.add(shapes.sphere(0.026, (side * 0.050, 0.428, 0.672), (0.9, 0.75, 1.05), 24, 18), WHITE, head)
-        skin.add(shapes.sphere(0.0225, (side * 0.052, 0.4365, 0.672), (0.92, 0.72, 1.05), 24, 18), DARK, head)
-        skin.add(shapes.sphere(0.0058, (side * 0.052 - 0.008, 0.4515, 0.681), (1.0, 0.6, 1.0), 12, 8), WHITE, head)
+        skin.add(shapes.sphere(0.0295, (side * 0.053, 0.426, 0.675), (0.9, 0.75, 1.05), 24, 18), WHITE, head)
+        skin.add(shapes.sphere(0.0255, (side * 0.0555, 0.4355, 0.675), (0.92, 0.72, 1.05), 24, 18), DARK, head)
+        skin.add(shapes.sphere(0.0064, (side * 0.0555 - 0.009, 0.4525, 0.686), (1.0, 0.6, 1.0), 12, 8), WHITE, head)
     skin.add(shapes.sphere(0.030, (0.0, 0.552, 0.628), (1.10, 0.72, 0.82), 28, 20), DARK, head)
     skin.add(shapes.sphere(0.030, (0.0, 0.478, 0.548), (0.85, 1.35, 0.34), 24, 16), TONGUE, head)
     skin.add(shapes.sphere(0.024, (0.0, 0.512, 0.528), (0.95, 0.45, 1.15), 24, 16), TONGUE, head)
@@ -106,32 +113,35 @@ def _add_collar(skin):
     skin.add((tag[0] + (0.0, 0.318, 0.415), tag[1]), BRASS, {dog_bones.NECK: 1.0})
 
 
-def _paint(mesh, places, count):
-    """Set the colours of the coat as a vertex attribute: a dark saddle on tan, with a cream muzzle, chest, belly, feet and tip of the tail."""
+def _paint(mesh, places, smooth_skin):
+    """Set the colours of the coat as a vertex attribute: a dark saddle on tan, with a cream muzzle, chest, belly, feet and tip of the tail.
+
+    places: (n, 3) of the first vertices; the rest have no coat. smooth_skin: how many of these are not of the ears, which are darker.
+    """
     x, y, z = places.T
+    step = landscape.smoothstep
     wave = 0.028 * (landscape.fractal_noise(9.0 * (y + 3.0), 9.0 * (z + 0.6 * np.abs(x)) + 5.0, 1.0, 3, 5) - 0.5)
-    smooth = landscape.smoothstep
-    is_ear = np.arange(len(places)) >= count
-    on_body = (y < 0.25) & (z < 0.62)
-    saddle = smooth(z + wave - 0.385 - 0.9 * np.maximum(y - 0.02, 0.0), -0.012, 0.012) * smooth(0.16 + wave - y, -0.012, 0.012)
-    saddle = np.where(on_body | (y < -0.2), saddle, 0.0)
-    saddle = np.maximum(saddle, np.where(y < -0.26, 1.0, 0.0))
-    muzzle = smooth(y + wave - 0.44 - 0.5 * (z - 0.60), -0.008, 0.008)
-    blaze = smooth(0.016 + 0.3 * wave - np.abs(x) + 0.05 * (y - 0.40), -0.006, 0.006) * smooth(y, 0.36, 0.38) * smooth(z, 0.60, 0.62)
-    chest = smooth(y - 0.17 + 0.45 * (0.42 - z) + wave, -0.012, 0.012) * smooth(0.56 - z, -0.02, 0.02) * smooth(0.075 - np.abs(x), -0.02, 0.02)
-    belly = smooth(0.315 + wave - z, -0.01, 0.01) * smooth(0.08 - np.abs(x), -0.01, 0.01)
-    socks = smooth(0.125 + wave - z, -0.008, 0.008)
-    tip = smooth(z - 0.735 + wave, -0.01, 0.01) * (y < -0.2)
-    cream = np.maximum.reduce([muzzle, blaze, chest, belly, socks, tip])
-    cream[is_ear] = 0.0
-    color = np.asarray(TAN) * np.ones((len(places), 1))
-    color = color + (np.asarray(SADDLE) - color) * saddle[:, None]
-    color = color + (np.asarray(CREAM) - color) * cream[:, None]
-    color[is_ear] = 0.62 * np.asarray(TAN)
+    narrow, across = np.abs(x), step(0.16 + wave - y, -0.012, 0.012)
+    back = np.where(
+        ((y < 0.25) & (z < 0.62)) | (y < -0.2), step(z + wave - 0.385 - 0.9 * np.maximum(y - 0.02, 0.0), -0.012, 0.012) * across, 0.0
+    )
+    saddle = np.where(y < -0.26, 1.0, back)
+    cream = np.maximum.reduce(
+        [
+            step(y + wave - 0.44 - 0.5 * (z - 0.60), -0.008, 0.008),
+            step(0.016 + 0.3 * wave - narrow + 0.05 * (y - 0.40), -0.006, 0.006) * step(y, 0.36, 0.38) * step(z, 0.60, 0.62),
+            step(y - 0.17 + 0.45 * (0.42 - z) + wave, -0.012, 0.012) * step(0.56 - z, -0.02, 0.02) * step(0.075 - narrow, -0.02, 0.02),
+            step(0.315 + wave - z, -0.01, 0.01) * step(0.08 - narrow, -0.01, 0.01),
+            step(0.125 + wave - z, -0.008, 0.008),
+            step(z - 0.735 + wave, -0.01, 0.01) * (y < -0.2),
+        ]
+    )
+    color = np.ones((len(mesh.vertices), 4), np.float32)
+    coat = np.asarray(TAN) + (np.asarray(SADDLE) - TAN) * saddle[:, None]
+    color[: len(places), :3] = coat + (np.asarray(CREAM) - coat) * cream[:, None]
+    color[smooth_skin : len(places), :3] = EAR
     layer = mesh.attributes.new("coat", "FLOAT_COLOR", "POINT")
-    all_colors = np.ones((len(mesh.vertices), 4), np.float32)
-    all_colors[: len(places), :3] = color
-    layer.data.foreach_set("color", all_colors.ravel())
+    layer.data.foreach_set("color", color.ravel())
 
 
 def _materials():

@@ -10,20 +10,19 @@ from ..stage import keying, shapes
 from . import bones, dog_bones, pinning
 
 # Keys of the dog: (frame, x, y, direction in which it looks, from +Y, counter-clockwise, in degrees).
-WAY = ((1, 2.35, -2.95, 74.0), (12, 2.18, -2.91, 76.0), (52, 1.22, -2.62, 78.0), (66, 1.05, -2.56, 66.0), (74, 1.04, -2.55, 62.0))
-COLLAR = (-0.085, 0.235, 0.530)  # where the leash begins, in the dog's space, m
-POST = (0.16, -0.62, 0.86)  # where the leash is tied to the bridge's post, m
-LEASH_LENGTH, LEASH_BONES = 3.05, 26
+WAY = ((1, 2.55, -2.86, 84.0), (12, 2.38, -2.84, 84.0), (52, 1.42, -2.67, 86.0), (66, 1.24, -2.65, 96.0), (74, 1.22, -2.65, 99.0))
+COLLAR = (-0.072, 0.200, 0.545)  # where the leash begins, in the dog's space, m
+POST = (0.04, -0.635, 0.98)  # where the leash is tied to the bridge's post, m
+LEASH_LENGTH, LEASH_BONES = 3.5, 28
 BOW, BOW_END, UP = 108, 142, 158  # frames at which the dog is down, rises, and stands again
 LAST = 192
 TAIL = {"frequency": 2.6, "tip_frequency": 0.45, "damping": 0.22, "gravity": 0.35, "drag": 0.5, "bend_limit": math.radians(45.0)}
-EARS = {"frequency": 1.0, "tip_frequency": 0.5, "damping": 0.35, "drag": 1.5, "bend_limit": math.radians(55.0), "thickness": 0.012}
+EARS = {"frequency": 0.8, "tip_frequency": 0.5, "damping": 0.3, "drag": 2.6, "bend_limit": math.radians(55.0), "thickness": 0.012}
 LEASH = {"frequency": 0.0, "drag": 0.35, "thickness": 0.012}
-# Balls that tail, ears and leash do not enter: (bone, place in rest pose, radius), m.
+# Balls that tail, ears and leash do not enter: (bone, place in rest pose, radius), m. The roots of the chains are outside of them.
 BALLS = (
-    (dog_bones.HEAD, (0.0, 0.335, 0.655), 0.110),
+    (dog_bones.HEAD, (0.0, 0.335, 0.655), 0.085),
     (dog_bones.HEAD, (0.0, 0.400, 0.600), 0.085),
-    (dog_bones.NECK, (0.0, 0.235, 0.515), 0.085),
     (dog_bones.BODY, (0.0, 0.120, 0.395), 0.130),
     (dog_bones.BODY, (0.0, -0.160, 0.410), 0.115),
 )
@@ -68,7 +67,12 @@ def _add_legs(rig, grounds):
     for name in dog_bones.LEGS:
         pinning.check(
             bpy.ops.motus.ik_add(
-                object=rig.name, bone=dog_bones.LOWER + name, target=rig.name, target_bone=dog_bones.FOOT + name, chain_length=2, softness=0.02
+                object=rig.name,
+                bone=dog_bones.LOWER + name,
+                target=rig.name,
+                target_bone=dog_bones.FOOT + name,
+                chain_length=2,
+                softness=0.02,
             )
         )
     pinning.check(
@@ -77,7 +81,7 @@ def _add_legs(rig, grounds):
             body=dog_bones.BODY,
             grounds=grounds.name,
             gait="TROT",
-            stride=0.24,
+            stride=0.19,
             cadence=1.6,
             clearance=0.06,
             frequency=3.0,
@@ -101,6 +105,8 @@ def _key_pose(rig):
     lifted = ((1, 0.0), (60, 0.0), (78, 0.10), (92, 0.04), (BOW, 0.22), (BOW_END, 0.24), (UP, 0.06), (LAST, 0.10))
     keying.key(neck, "rotation_euler", lifted, 0)
     keying.key(head, "rotation_euler", [(frame, 0.6 * value) for frame, value in lifted], 0)
+    turns = ((1, 0.0), (62, 0.0), (76, 0.42), (96, 0.36), (BOW, 0.20), (120, 0.05), (130, -0.05), (BOW_END, 0.05), (UP, 0.40), (LAST, 0.34))
+    keying.key(head, "rotation_euler", turns, 2)
     tilts = ((1, 0.0), (70, 0.0), (80, 0.16), (94, 0.16), (102, 0.0), (UP, 0.0), (UP + 9, -0.20), (LAST, -0.18))
     keying.key(head, "rotation_euler", tilts, 1)
     for frame in range(1, LAST + 13, 6):

@@ -1,6 +1,5 @@
 """The place of the scene: two cliffs high above a lake, with grass, stones and the posts of the bridge. The dog's cliff is at +X."""
 
-import math
 import random
 
 import numpy as np
@@ -12,14 +11,36 @@ SEED = 23
 OVER = (205.0, -300.0, 66.0)  # place of the scene's origin in the landscape, m
 SPAN = 6.4  # m between the posts of the two cliffs, which stand at x = 0 and x = -SPAN
 # Outlines of the cliffs' tops, x and y in m, counter-clockwise.
-NEAR_CLIFF = ((-0.10, -0.9), (0.25, -2.0), (-0.15, -3.2), (0.7, -4.6), (1.6, -8.5), (7.5, -9.0), (9.5, -3.0), (7.5, 1.2), (3.2, 2.4), (0.6, 1.5), (-0.22, 0.6))
+NEAR_CLIFF = (
+    (-0.10, -0.9),
+    (0.25, -2.0),
+    (-0.15, -3.2),
+    (0.7, -4.6),
+    (1.6, -8.5),
+    (7.5, -9.0),
+    (9.5, -3.0),
+    (7.5, 1.2),
+    (3.2, 2.4),
+    (0.6, 1.5),
+    (-0.22, 0.6),
+)
 FAR_CLIFF = ((-6.2, -0.9), (-6.05, 0.3), (-6.3, 1.4), (-8.2, 3.6), (-12.5, 4.0), (-14.5, 0.8), (-12.0, -2.4), (-8.6, -2.6))
 DEEP = 64.0  # m
 BUMPS = 0.05  # m
-POSTS = {(x, y): high for x in (0.16, -SPAN - 0.16) for y, high in ((-0.55, 1.15), (0.55, 2.15))}
+POSTS = {(x, y): high for x in (0.03, -SPAN - 0.03) for y, high in ((-0.55, 1.12), (0.55, 2.15))}
 """Posts of the bridge: {(x, y): height}, m."""
 # x, y, radius, height in m of the stones on the cliffs.
-STONES = ((2.9, -0.9, 0.42, 0.34), (3.6, -0.3, 0.66, 0.62), (0.75, 1.1, 0.30, 0.22), (0.35, -3.55, 0.26, 0.17), (4.6, -2.2, 0.4, 0.26), (-7.6, 1.5, 0.6, 0.55), (-7.2, -1.3, 0.4, 0.3), (-8.8, 0.9, 0.9, 1.0), (2.05, 0.95, 0.24, 0.16))
+STONES = (
+    (2.9, -0.9, 0.42, 0.34),
+    (3.6, -0.3, 0.66, 0.62),
+    (0.75, 1.1, 0.30, 0.22),
+    (0.35, -3.55, 0.26, 0.17),
+    (4.6, -2.2, 0.4, 0.26),
+    (-7.6, 1.5, 0.6, 0.55),
+    (-7.2, -1.3, 0.4, 0.3),
+    (-8.8, 0.9, 0.9, 1.0),
+    (2.05, 0.95, 0.24, 0.16),
+)
 TUFTS, BLADES = 900, 13
 
 
@@ -109,7 +130,9 @@ def _cliff_rock():
         ((0.36, (0.145, 0.105, 0.055)), (0.47, (0.085, 0.125, 0.022)), (0.62, (0.165, 0.205, 0.040))),
     )
     up = shader.add("ShaderNodeSeparateXYZ", {0: shader.add("ShaderNodeNewGeometry").outputs["Normal"]}).outputs[2]
-    share = shader.math("MULTIPLY", shader.math("SUBTRACT", shader.math("ADD", up, shader.math("MULTIPLY", patches, 0.5)), 0.98), 9.0, clamp=True)
+    share = shader.math(
+        "MULTIPLY", shader.math("SUBTRACT", shader.math("ADD", up, shader.math("MULTIPLY", patches, 0.5)), 0.98), 9.0, clamp=True
+    )
     node = shader.add("ShaderNodeBsdfPrincipled")
     bump = shader.add("ShaderNodeBump", {"Height": both, "Strength": 0.55, "Distance": 0.10})
     materials.set_principled(shader, node, color=shader.mix(share, stone, green), roughness=0.92, specular=0.15, normal=bump.outputs[0])
@@ -129,8 +152,14 @@ def _stones():
 def _posts():
     builder = shapes.MeshBuilder()
     for (x, y), high in POSTS.items():
-        builder.add(shapes.upright(shapes.lathe(((0.0, high), (0.055, high - 0.004), (0.072, high - 0.03), (0.075, 0.2), (0.088, -0.4)), 18), (x, y, 0.0)))
-    return builder.build("Bridge Posts", [materials.wood("Post Timber", (0.30, 0.185, 0.10), (0.115, 0.066, 0.035), (9.0, 9.0, 0.8), roughness=0.75)])
+        builder.add(
+            shapes.upright(
+                shapes.lathe(((0.0, high), (0.055, high - 0.004), (0.072, high - 0.03), (0.075, 0.2), (0.088, -0.4)), 18), (x, y, 0.0)
+            )
+        )
+    return builder.build(
+        "Bridge Posts", [materials.wood("Post Timber", (0.30, 0.185, 0.10), (0.115, 0.066, 0.035), (9.0, 9.0, 0.8), roughness=0.75)]
+    )
 
 
 def _grass():

@@ -11,7 +11,7 @@ def hang(rig, rows, ends, wind, **settings):
     rows: lists of bone names. ends: collection of the empties. wind: {setting: value} of the rig's surroundings. settings: keywords of
     motus.chains_add.
     """
-    add(rig, [row[0] for row in rows], wind, **{"frequency": 0.0, "settle": 20.0, **settings})
+    add(rig, [row[0] for row in rows], wind, **{"frequency": 0.0, **settings})
     for row in rows:
         end = shapes.link_object(ends, f"{row[-1]} End", None)
         end.location, end.empty_display_size = rig.data.bones[row[-1]].tail_local, 0.1
@@ -33,5 +33,6 @@ def pin(rig, bone, target):
 
 
 def check(result):
+    """Raise RuntimeError if an operator did not finish."""
     if result != {"FINISHED"}:
-        raise RuntimeError("The chains could not be added")
+        raise RuntimeError("The dog and the bridge could not be set up")

@@ -4,24 +4,26 @@ import bpy
 from mathutils import Vector
 
 from ..stage import lighting, shapes, staging
-from . import bridge, dog_body, dog_bones, dog_motion, flags, gorge
+from . import bridge, dog_body, dog_bones, dog_motion, flags, gorge, pinning
 
 SCENE_NAME = "Motus Chains"
 FRAMES_PER_SECOND, LAST_FRAME = 24, 192
-WIND = {"wind": (4.6, 1.4, 0.0), "gusts": 0.7}  # velocity in m/s, and its rise and fall
-SPAN, COLOR = 0.72, (0.78, 0.30, 0.02, 1.0)  # of the spider
+WIND = {"wind": (4.0, -2.2, 0.0), "gusts": 0.7}  # velocity in m/s, and its rise and fall
+SPAN, COLOR = 0.82, (0.78, 0.30, 0.02, 1.0)  # of the spider
 # x, y and z of the spider's way on both sides of the bridge, m.
-BEFORE, BEHIND = ((-9.6, 0.1, 0.03), (-8.2, 0.05, 0.0), (-7.3, 0.0, 0.0)), ((0.7, 0.0, 0.0), (1.6, -0.1, 0.0))
-SECONDS, ARRIVAL = 9.6, 0.83  # duration of the spider's way, and the part of it at which the scene ends
+BEFORE, BEHIND = ((-7.9, 0.05, 0.0), (-7.2, 0.0, 0.0)), ((0.7, 0.0, 0.0), (1.6, -0.1, 0.0))
+SECONDS = 11.5  # duration of the spider's way, of which the scene shows the most part
 VIEWS = (("AgX", "AgX - Punchy", 0.75), ("Filmic", "High Contrast", 0.15), ("Filmic", "Filmic - High Contrast", 0.15))
-CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (1.15, -6.6, 0.95), (-1.35, 0.0, 0.55), 33.0
-CAMERA_DRIFT = (-0.45, 0.55, -0.10)  # m by which the camera moves during the scene
+CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (1.05, -6.0, 0.9), (-1.15, 0.0, 0.52), 27.0
+CAMERA_DRIFT = (-0.15, 0.35, -0.05)  # m by which the camera moves during the scene
 
 
 def build(context):
     """Build the scene, show it in the window and return it."""
     scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND, LAST_FRAME)
-    cliffs, plants, hanging, beasts, views = (staging.new_collection(scene, name) for name in ("Cliffs", "Plants", "Bridge", "Beasts", "Views"))
+    cliffs, plants, hanging, beasts, views = (
+        staging.new_collection(scene, name) for name in ("Cliffs", "Plants", "Bridge", "Beasts", "Views")
+    )
     lighting.add_sun(views)
     lighting.set_color_management(scene, VIEWS)
     gorge.build(scene, cliffs, plants)
@@ -52,9 +54,16 @@ def _add_spider(scene, collection, cliffs):
     _add_strip(grounds, [(-gorge.SPAN - 0.4, 0.0, 0.0), *middle, (0.4, 0.0, 0.0)])
     for cliff in cliffs.objects:
         grounds.objects.link(cliff)
-    _check(
+    pinning.check(
         bpy.ops.motus.spider_add(
-            size=SPAN, color=COLOR, location=(0.0, 0.0, 0.0), grounds=grounds.name, stride=0.20, reach_down=0.3, reach_up=0.25, clearance=0.07
+            size=SPAN,
+            color=COLOR,
+            location=(0.0, 0.0, 0.0),
+            grounds=grounds.name,
+            stride=0.26,
+            reach_down=0.3,
+            reach_up=0.25,
+            clearance=0.07,
         )
     )
     spider = bpy.context.object
@@ -68,9 +77,15 @@ def _add_spider(scene, collection, cliffs):
         point.handle_left_type = point.handle_right_type = "AUTO"
     course = shapes.link_object(collection, "Spider Course", curve)
     course.hide_render = True
-    _check(
+    pinning.check(
         bpy.ops.motus.path_follow_add(
-            object=spider.name, curve=course.name, timing="DURATION", duration=SECONDS, orientation="WORLD_UP", forward_axis="POS_Y", up_axis="POS_Z"
+            object=spider.name,
+            curve=course.name,
+            timing="DURATION",
+            duration=SECONDS,
+            orientation="WORLD_UP",
+            forward_axis="POS_Y",
+            up_axis="POS_Z",
         )
     )
     return spider
@@ -82,11 +97,6 @@ def _add_strip(collection, middle):
     builder.add(shapes.loft([[(x, y + side, z) for side in (-0.6, 0.6)] for x, y, z in middle], closed=False))
     strip = shapes.link_object(collection, "Spider Strip", builder.build("Spider Strip", []))
     strip.hide_render, strip.display_type = True, "WIRE"
-
-
-def _check(result):
-    if result != {"FINISHED"}:
-        raise RuntimeError("The spider could not be set on its way")
 
 
 def _add_camera(scene, collection):

@@ -83,9 +83,9 @@ def _nets(grid, values):
         second, third = (axis + 1) % 3, (axis + 2) % 3
         for u in (0, 1):
             for v in (0, 1):
-                corner = [slice(None)] * 3
-                corner[second], corner[third] = slice(u, u + cells[second]), slice(v, v + cells[third])
-                corner = tuple(corner)
+                part = [slice(None)] * 3
+                part[second], part[third] = slice(u, u + cells[second]), slice(v, v + cells[third])
+                corner = tuple(part)
                 crossings += crossed[corner]
                 sums += np.where(crossed[corner][..., None], places[corner], 0.0)
         quads.append(_around(np.argwhere(crossed), axis, inside, cells))
