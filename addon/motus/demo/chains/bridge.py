@@ -56,6 +56,7 @@ def build(context, collection, ends, wind):
     _add_deck(collection, deck, places, hemp)
     _add_rails(collection, rails, places, hemp)
     _add_hangers(collection, deck, rails, places, hemp)
+    _add_windings(collection, hemp)
     for rig, ropes, settings in ((deck, DECK, {"drag": 0.22}), (rails, RAILS, {"drag": 0.45})):
         pinning.hang(rig, [bones.names(rope, COUNT) for rope in ropes], ends, wind, **settings)
     return rigs
@@ -123,6 +124,16 @@ def _add_rails(collection, rig, places, hemp):
     for rope, (y, high) in RAILS.items():
         _add_rope(skin, rope, _at(places, y, high))
     bones.carry(skin.finish(collection, "Bridge Handrails", [hemp]), rig)
+
+
+def _add_windings(collection, hemp):
+    """Add the windings by which the handrails hold on to the posts."""
+    builder = shapes.MeshBuilder()
+    for x, y in gorge.POSTS:
+        for turn in range(4):
+            place = x, y, RAILS["rail.L"][1] + 0.036 * (turn - 1.5)
+            builder.add(shapes.upright(shapes.torus(0.080, ROPE_RADIUS, 40, 10), place))
+    shapes.link_object(collection, "Bridge Windings", builder.build("Bridge Windings", [hemp]))
 
 
 def _add_hangers(collection, deck, rails, places, hemp):

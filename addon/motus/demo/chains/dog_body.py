@@ -11,6 +11,14 @@ COAT, DARK, WHITE, COLLAR, BRASS, TONGUE, ROPE = range(7)
 SHARPNESS, SKIN_SHARPNESS = 55.0, 42.0  # 1/m
 STEP = 0.0105  # m
 TAIL_RADII = (0.034, 0.017)  # m, at its root and at its tip
+MOUTH = (
+    (0.001, 0.565, 0.603),
+    (0.004, 0.553, 0.583),
+    (0.026, 0.535, 0.570),
+    (0.052, 0.490, 0.571),
+    (0.078, 0.432, 0.590),
+    (0.086, 0.412, 0.606),
+)
 TAN, SADDLE, CREAM, EAR = (0.42, 0.17, 0.052), (0.035, 0.024, 0.020), (0.80, 0.72, 0.60), (0.26, 0.105, 0.032)
 
 
@@ -68,6 +76,7 @@ def build(collection, rig, leash):
     skin.add((vertices, quads), COAT, soft.shares(vertices, SKIN_SHARPNESS))
     coat = np.concatenate([vertices, *(_add_ear(skin, ear) for ear in dog_bones.EARS)])
     _add_face(skin)
+    _add_mouth(skin, soft)
     _add_collar(skin)
     part, at = bones.tube(leash, 0.0105, sides=10, across=(1.0, 0.0, 0.0))
     skin.add(part, ROPE, bones.shares_along(bones.names(dog_bones.LEASH, len(leash) - 1), at))
@@ -100,6 +109,14 @@ def _add_face(skin):
     skin.add(shapes.sphere(0.024, (0.0, 0.512, 0.528), (0.95, 0.45, 1.15), 24, 16), TONGUE, head)
 
 
+def _add_mouth(skin, soft):
+    """Add a dark line below the nose and on to both cheeks."""
+    for side in (-1.0, 1.0):
+        line = bones.along([(side * x, y, z) for x, y, z in MOUTH], 20)
+        (vertices, faces), _ = bones.tube(soft.onto(line), 0.0032 * np.linspace(1.0, 0.6, 20), sides=8, across=(0.3, 0.1, 1.0), rings=1)
+        skin.add((vertices, faces), DARK, {dog_bones.HEAD: 1.0})
+
+
 def _add_collar(skin):
     """Add a collar around the neck, with a tag below."""
     ring = shapes.torus(0.094, 0.0135, 48, 12)
@@ -111,6 +128,14 @@ def _add_collar(skin):
     skin.add((ring[0] * (1.0, 1.5, 1.0) @ axes + centre, ring[1]), COLLAR, {dog_bones.NECK: 1.0})
     tag = shapes.lathe(((0.001, 0.004), (0.020, 0.004), (0.020, -0.004), (0.001, -0.004)), 24)
     skin.add((tag[0] + (0.0, 0.318, 0.415), tag[1]), BRASS, {dog_bones.NECK: 1.0})
+
+
+def add_knot(collection, thing, place):
+    """Add the windings of the leash around the bridge's post. thing: the dog's object. place: their middle, on the post's axis."""
+    builder, leather = shapes.MeshBuilder(), thing.data.materials[ROPE]
+    for turn in (-1, 0, 1):
+        builder.add(shapes.upright(shapes.torus(0.080, 0.0115, 40, 10), np.add(place, (0.0, 0.0, 0.019 * turn))))
+    shapes.link_object(collection, "Leash Windings", builder.build("Leash Windings", [leather]))
 
 
 def _paint(mesh, places, smooth_skin):

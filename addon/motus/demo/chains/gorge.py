@@ -1,11 +1,13 @@
 """The place of the scene: two cliffs high above a lake, with grass, stones and the posts of the bridge. The dog's cliff is at +X."""
 
+import math
 import random
 
 import numpy as np
 
 from ..places import landscape, rocks, woods
 from ..stage import lighting, materials, shapes, staging
+from . import bones
 
 SEED = 23
 OVER = (205.0, -300.0, 66.0)  # place of the scene's origin in the landscape, m
@@ -42,6 +44,19 @@ STONES = (
     (2.05, 0.95, 0.24, 0.16),
 )
 TUFTS, BLADES = 900, 13
+# x, y of groups of flowers, and how many there are in each.
+FLOWERS = (
+    (0.72, -3.05, 9),
+    (0.52, -1.55, 8),
+    (1.75, -3.35, 7),
+    (2.4, -1.6, 8),
+    (0.95, -4.1, 6),
+    (1.3, -1.2, 6),
+    (0.5, -2.55, 5),
+    (2.9, -2.7, 6),
+    (-7.0, -0.9, 6),
+)
+PETAL = 0.026  # length of a petal, m
 
 
 def height(x, y):
@@ -67,6 +82,7 @@ def build(scene, cliffs, plants):
     shapes.link_object(cliffs, "Gorge Stones", _stones())
     shapes.link_object(plants, "Bridge Posts", _posts())
     shapes.link_object(plants, "Gorge Grass", _grass())
+    shapes.link_object(plants, "Gorge Flowers", _flowers())
     return haze
 
 
@@ -123,6 +139,13 @@ def _cliff_rock():
     grain = shader.noise(place, 6.0, detail=7.0)
     both = shader.math("ADD", shader.math("MULTIPLY", layers, 0.7), shader.math("MULTIPLY", grain, 0.3))
     stone = shader.ramp(both, ((0.34, (0.085, 0.066, 0.055)), (0.52, (0.27, 0.215, 0.17)), (0.68, (0.44, 0.37, 0.30))))
+    cells = shader.add(
+        "ShaderNodeTexVoronoi",
+        {"Vector": shader.add("ShaderNodeVectorMath", {0: place, 1: (0.8, 0.8, 1.7)}, operation="MULTIPLY").outputs[0], "Scale": 1.15},
+        feature="DISTANCE_TO_EDGE",
+    ).outputs["Distance"]
+    cracks = shader.ramp(shader.math("ADD", cells, shader.math("MULTIPLY", grain, 0.22)), ((0.10, (0.55,) * 3), (0.16, (1.0,) * 3)))
+    stone = shader.mix(1.0, stone, cracks, blend="MULTIPLY")
     patches = shader.noise(place, 1.3, detail=6.0)
     tufts = shader.noise(place, 22.0, detail=5.0)
     green = shader.ramp(
@@ -160,6 +183,28 @@ def _posts():
     return builder.build(
         "Bridge Posts", [materials.wood("Post Timber", (0.30, 0.185, 0.10), (0.115, 0.066, 0.035), (9.0, 9.0, 0.8), roughness=0.75)]
     )
+
+
+def _flowers():
+    """Make groups of flowers: thin stalks with five petals around a yellow middle."""
+    builder, chance = shapes.MeshBuilder(), random.Random(SEED + 7)
+    for index, (x, y, count) in enumerate(FLOWERS):
+        for _ in range(count):
+            place = np.array((x + chance.gauss(0.0, 0.16), y + chance.gauss(0.0, 0.12), 0.0))
+            place[2] = float(height(place[0], place[1]))
+            top = place + (chance.uniform(-0.03, 0.03), chance.uniform(-0.03, 0.03), chance.uniform(0.09, 0.20))
+            line = np.linspace(place, top, 3)
+            builder.add(bones.tube(line, 0.0028, sides=5, rings=1)[0], 0)
+            builder.add(shapes.sphere(0.009, top, (1.0, 1.0, 0.7), 8, 6), 1)
+            turn = chance.uniform(0.0, math.tau)
+            for angle in turn + shapes.ring(5):
+                ahead = np.array((math.cos(angle), math.sin(angle), 0.35))
+                side = np.array((-math.sin(angle), math.cos(angle), 0.0))
+                outline = ((0.2, 0.0), (0.65, 0.32), (1.0, 0.0), (0.65, -0.32))
+                builder.add(([top + PETAL * (along * ahead + across * side) for along, across in outline], [(0, 1, 2, 3)]), 2 + index % 3)
+    colors = (("Flower Stalk", (0.07, 0.13, 0.02)), ("Flower Middle", (0.85, 0.50, 0.03)))
+    petals = (("White Petals", (0.85, 0.84, 0.80)), ("Blue Petals", (0.13, 0.11, 0.62)), ("Yellow Petals", (0.90, 0.62, 0.05)))
+    return builder.build("Gorge Flowers", [materials.principled(name, color=color, roughness=0.7) for name, color in (*colors, *petals)])
 
 
 def _grass():

@@ -14,8 +14,8 @@ SPAN, COLOR = 0.82, (0.78, 0.30, 0.02, 1.0)  # of the spider
 BEFORE, BEHIND = ((-7.9, 0.05, 0.0), (-7.2, 0.0, 0.0)), ((0.7, 0.0, 0.0), (1.6, -0.1, 0.0))
 SECONDS = 11.5  # duration of the spider's way, of which the scene shows the most part
 VIEWS = (("AgX", "AgX - Punchy", 0.75), ("Filmic", "High Contrast", 0.15), ("Filmic", "Filmic - High Contrast", 0.15))
-CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (1.05, -6.0, 0.9), (-1.15, 0.0, 0.52), 27.0
-CAMERA_DRIFT = (-0.15, 0.35, -0.05)  # m by which the camera moves during the scene
+CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (1.05, -6.0, 0.9), (-1.03, 0.0, 0.52), 27.0
+CAMERA_DRIFT = (0.10, 0.25, -0.03)  # m by which the camera moves during the scene
 
 
 def build(context):
@@ -32,7 +32,8 @@ def build(context):
     context.view_layer.active_layer_collection = context.view_layer.layer_collection.children[beasts.name]
     leash = dog_motion.leash()
     dog = dog_bones.build(context, beasts, leash)
-    dog_body.build(beasts, dog, leash)
+    body = dog_body.build(beasts, dog, leash)
+    dog_body.add_knot(beasts, body, dog_motion.KNOT)
     dog_motion.animate(beasts, dog, cliffs, WIND)
     spider = _add_spider(scene, beasts, cliffs)
     bridge.press(spider, ropes, [_child(beasts, f"Load {index + 1}") for index in range(len(ropes))])

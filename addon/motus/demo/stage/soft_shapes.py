@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-POLISHING = 4  # number of steps by which the quads are moved onto the surface
+POLISHING = 4  # number of steps by which places are moved onto the surface
 
 
 class Cone(NamedTuple):
@@ -35,10 +35,15 @@ class SoftBody:
         grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
         values = self._field(grid.reshape(-1, 3))[0].reshape(grid.shape[:3])
         vertices, quads = _nets(grid, values)
+        return self.onto(vertices), quads
+
+    def onto(self, places):
+        """Return places (n, 3) near the surface, moved onto it."""
+        places = np.asarray(places, dtype=float)
         for _ in range(POLISHING):
-            distance, slope = self._field(vertices)
-            vertices = vertices - (distance / (slope**2).sum(axis=1))[:, None] * slope
-        return vertices, quads
+            distance, slope = self._field(places)
+            places = places - (distance / (slope**2).sum(axis=1))[:, None] * slope
+        return places
 
     def shares(self, places, sharpness):
         """Return {owner: share of each place, (n,)}; the shares of a place sum to 1. sharpness: how sharply owners are told apart, in 1/m."""
