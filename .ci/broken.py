@@ -17,8 +17,13 @@ def _python_stacks(output):
     fatal = re.search(r"^Fatal Python error: (.*)\n((?:(?!Extension modules:).*\n)*)", output, re.MULTILINE)
     if not fatal:
         return []
-    threads = re.split(r"^(?:Current thread|Thread) .*\n", fatal[2], flags=re.MULTILINE)[1:]
-    return [fatal[1], *filter(None, map(_calls, threads))]
+    threads = re.findall(r"^(Current thread|Thread) .*\n((?:[ ]{2}.*\n)*)", fatal[2], re.MULTILINE)
+    is_elsewhere = any(name.startswith("Current") and not _calls(calls) for name, calls in threads)
+    return [
+        fatal[1],
+        *filter(None, (_calls(calls) for _, calls in threads)),
+        *(["in a thread that runs no Python"] if is_elsewhere else ()),
+    ]
 
 
 def _calls(thread):

@@ -41,7 +41,9 @@ def has_blender(name):
 def configure(groups, **lists):
     """Tells CMake which groups there are: inside Blenders, and by `lists` ELSEWHERE, PLATFORMS, RELEASED, FARM, FUZZED and PATTERNS."""
     options = (
-        {"BUILD": BUILD, "PYTHON": sys.executable} | {name.upper(): ";".join(values) for name, values in lists.items()} | groups.lists()
+        {"BUILD": BUILD, "PYTHON": sys.executable, "PASSED": os.environ["MOTUS_PASSED"]}
+        | {name.upper(): ";".join(values) for name, values in lists.items()}
+        | groups.lists()
     )
     subprocess.run(
         ["cmake", "-S", CI, "-B", FOLDER, *(f"-DMOTUS_{name}={value}" for name, value in options.items())],

@@ -2,7 +2,7 @@
 
 tidy.py BUILD_FOLDER CACHE_FOLDER
 A source that has passed passes again without clang-tidy, as long as nothing has changed that its findings depend on: its own text and that of
-all it includes, how it is compiled, .clang-tidy, and clang-tidy itself. CACHE_FOLDER has an empty file for each such state that has passed.
+all it includes, how it is compiled, .clang-tidy, and clang-tidy itself (passed.py).
 The bindings are compiled once for each Python; they are checked with this machine's alone, whose headers clang can read.
 """
 
@@ -15,14 +15,13 @@ import re
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
+import passed
 import tidy_groups
 
 FOLDERS = ("native/src", "native/bindings")
 CLONE = Path(__file__).resolve().parents[1]
-UNUSED = 60 * 24 * 3600  # seconds after which a state that nobody has come to is forgotten
 
 
 def output_of(*command):
@@ -56,20 +55,12 @@ def state(entry, sources, tool):
     command = re.sub(r" -o \S+", "", entry["command"].replace(str(CLONE), ""))
     parts = [tool, (CLONE / ".clang-tidy").read_text(encoding="utf-8"), command]
     parts += sorted(f"{name_of(path)} {text_digest(path)}" for path in sources)
-    return hashlib.sha256("\0".join(parts).encode()).hexdigest()
-
-
-def forget_unused(cache):
-    """Removes the states that have not been met for a long time."""
-    for stamp in cache.iterdir():
-        if time.time() - stamp.stat().st_mtime > UNUSED:
-            stamp.unlink(missing_ok=True)
+    return passed.number_of(parts)
 
 
 def main(build_folder, cache_folder):
     """Checks the sources whose states have not passed before; returns the exit status."""
-    build, cache = Path(build_folder, "release"), Path(cache_folder)
-    cache.mkdir(parents=True, exist_ok=True)
+    build, kept = Path(build_folder, "release"), passed.States(cache_folder)
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
     entries = [
         entry
@@ -77,17 +68,12 @@ def main(build_folder, cache_folder):
         if "motus_native_cp" not in entry["command"] and any(Path(entry["file"]).is_relative_to(CLONE / folder) for folder in FOLDERS)
     ]
     tool, compiled_from = output_of("clang-tidy", "--version"), included(build)
-    stamps = {}
+    states = {}
     for entry in entries:
         sources = compiled_from.get(re.search(r" -o (\S+)", entry["command"])[1])
-        stamps[entry["file"]] = cache / state(entry, sources, tool) if sources else None
-    waiting, failed = [], 0
-    for entry in entries:
-        stamp = stamps[entry["file"]]
-        if stamp and stamp.exists():
-            stamp.touch()
-        else:
-            waiting.append(tidy_groups.Source(entry))
+        states[entry["file"]] = state(entry, sources, tool) if sources else ""
+    is_new = [not states[entry["file"]] or kept.said(states[entry["file"]]) is None for entry in entries]
+    waiting, failed = [tidy_groups.Source(entry) for entry, new in zip(entries, is_new) if new], 0
     # The bindings take longest by far.
     waiting.sort(key=lambda source: "bindings" not in str(source.path))
     with tempfile.TemporaryDirectory(prefix="motus-tidy-") as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -95,9 +81,9 @@ def main(build_folder, cache_folder):
             if not is_clean:
                 failed += 1
                 print(f"FAILED {name_of(source.path)}\n{output}", flush=True)
-            elif stamp := stamps[str(source.path)]:
-                stamp.touch()
-    forget_unused(cache)
+            elif states[str(source.path)]:
+                kept.note(states[str(source.path)])
+    kept.forget_unused()
     print(f"{len(entries) - len(waiting)} of {len(entries)} sources have passed before, just as they are")
     print(f"summary: {len(entries) - failed} passed, {failed} failed, 0 skipped")
     return 1 if failed or not entries else 0

@@ -45,6 +45,12 @@ class WhatBroke(unittest.TestCase):
             ["FAILED core.test_one.One.test_that_fails", "Segmentation fault", "operators.py:92 _root < test_pull.py:98 test_a_stroke"],
         )
 
+    def test_a_thread_without_python(self):
+        """Blender's own threads evaluate a scene while Python waits for them."""
+        output = OUTPUT.replace("Current thread", "Thread").replace("Thread 0x00007f14240ff680", "Current thread 0x00007f14240ff680")
+        told = ["operators.py:92 _root < test_pull.py:98 test_a_stroke", "in a thread that runs no Python"]
+        self.assertEqual(what_broke(output)[2:], told)
+
     def test_where_blender_stood(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "blender.crash.txt")

@@ -18,6 +18,7 @@ NO_CACHE = {
     "core/declare/registry.py": ("registered", "the systems"),
     "core/evaluated/copies.py": ("_latest", "the number that was given last"),
     "core/evaluated/read_keys.py": ("readings _most _at_work", "who is to be called again when keys are edited"),
+    "core/blender/frames.py": ("_reading", "how many evaluations go on whose results are read"),
     "core/evaluated/shares.py": ("_edits _waits", "the number of edits, and whether all work is waited for"),
     "core/file/deleted.py": ("_stood _deleted _is_new _changes", "which objects have been deleted since the file was opened"),
     "core/interface/menus.py": ("_entries", "entries of menus"),

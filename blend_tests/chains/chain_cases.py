@@ -30,6 +30,14 @@ def rope(count=4, chains=1, name="Rope", tilt=2.5):
     return rig
 
 
+def still_rope(count=4, chains=1, name="Rope", tilt=2.5):
+    """A rope() that nothing moves."""
+    rig = rope(count, chains, name, tilt)
+    rig.animation_data_clear()
+    rig.pose.bones["Root"].location = (0.0, 0.0, 0.0)
+    return rig
+
+
 def add(rig, bones="Tail 0 0", **settings):
     """The entries that motus.chains_add makes; keywords of the operator, and settings of the rig."""
     keywords = {name: settings.pop(name) for name in list(settings) if name in support.addon("chains.operators").KEYWORDS}

@@ -30,13 +30,6 @@ def catenary(count, length, span):
     return np.concatenate([np.zeros((1, 2)), np.cumsum(links, axis=0)])
 
 
-def still_rope(count=4, chains=1):
-    """A rope whose root stands still."""
-    rig = cases.rope(count, chains)
-    rig.animation_data_clear()
-    return rig
-
-
 def pin(rig, **keywords):
     bpy.ops.motus.chains_pin(object=rig.name, **keywords)
     bpy.context.view_layer.update()
@@ -46,7 +39,7 @@ def pin(rig, **keywords):
 class ChainsPinsTest(support.SceneTestCase):
     def bridge(self, count=20, span=4.0):
         """A limp rope that hangs from its root to a post at the same height."""
-        rig = still_rope(count)
+        rig = cases.still_rope(count)
         post = support.link("Post", location=cases.place(rig, 1, "Tail 0 0") + (span, 0.0, 0.0))
         cases.add(rig, **LIMP, settle=60.0)
         return rig, post, pin(rig, target="Post")
@@ -170,7 +163,7 @@ class ChainsPinsTest(support.SceneTestCase):
         self.assertIn("move with what they follow", self.told(rig))
 
     def test_added_from_the_selection_with_empties_of_its_own(self):
-        rig = still_rope(3, chains=2)
+        rig = cases.still_rope(3, chains=2)
         cases.add(rig, "Tail 0 0, Tail 1 0", **LIMP)
         bpy.context.view_layer.objects.active = rig
         bpy.ops.object.mode_set(mode='POSE')
@@ -194,7 +187,7 @@ class ChainsPinsTest(support.SceneTestCase):
         self.assertEqual((len(held), len(bpy.context.scene.objects)), (0, 2), "an empty that is animated stays")
 
     def test_refusals(self):
-        rig = still_rope(3)
+        rig = cases.still_rope(3)
         with self.assertRaisesRegex(RuntimeError, "has no chains"):
             pin(rig)
         cases.add(rig)
@@ -231,7 +224,7 @@ class ChainsPinsTest(support.SceneTestCase):
 
     def test_a_bone_that_is_renamed(self):
         rig, _, held = self.bridge(3, 0.5)
-        other = still_rope(2, 1)
+        other = cases.still_rope(2, 1)
         other.name = "Other"
         held.target, held.target_bone = other, "Tail 0 1"
         found = cases.tail(rig, 4, "Tail 0 2")

@@ -9,7 +9,7 @@ import live_scenes
 import support
 
 FIRST, LAST = 2, 40
-WARM, COUNTED = (5, 6), range(7, 16)
+WARM, COUNTED = (5, 6), range(7, 11)
 ROUNDS = 4
 EXPENSIVE = frozenset(
     (

@@ -1,7 +1,7 @@
 """Chains: bones that hang, swing and touch, solved once for the whole scene."""
 
 from ..core.declare import System
-from . import groups, operators, over_time, overlay, panel, presets, properties, solve
+from . import groups, operators, over_time, overlay, panel, presets, properties, solve, steps
 
 SYSTEM = System(
     name="chains",
@@ -19,8 +19,10 @@ SYSTEM = System(
     entries=groups.entries,
     bone_renamed=groups.bone_renamed,
     over_time=over_time.over_time,
+    settle=steps.settle,
     load=lambda settings: len(settings.entries),
     overlay=overlay.overlay,
+    extras=(steps,),
     object_menu=("motus.chains_add", "motus.chains_remove"),
     pose_menu=("motus.chains_add", "motus.chains_remove"),
 )

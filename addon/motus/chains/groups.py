@@ -21,6 +21,8 @@ MISSING = "missing"
 """Key of a group's data: number of entries whose bones do not exist in the rig."""
 BELOW = "below"
 """Key of a group's data: number of entries whose bones belong to a different entry's chain."""
+DEFORMED = "deformed"
+"""Key of a group's data: number of meshes among the colliders that armatures deform."""
 TURN = frozenset({"rotation"})
 
 
@@ -74,7 +76,7 @@ def is_below(owner, entry):
 
 def entries(owner):
     """List an Entry with what it reads and drives for each chain; the order of evaluation is found from them."""
-    touched = [(obj, "") for obj in colliders.objects(owner.motus.chains)]
+    touched = colliders.reads(owner.motus.chains)
     return [Entry(chain.entry.name, ((owner, chain.parent), *touched, *held_by(owner, chain)), chain.names) for chain in chains(owner)]
 
 
@@ -99,6 +101,7 @@ def _groups(owner):
         LOOPED: sum(level is None for level, _ in placed),
         MISSING: sum(is_missing(owner, entry) for entry in owner.motus.chains.entries),
         BELOW: sum(is_below(owner, entry) for entry in owner.motus.chains.entries),
+        DEFORMED: sum(obj.type == 'MESH' and colliders.is_skinned(obj) for obj in colliders.members(owner.motus.chains)),
     }
     parts = [by_level[level] for level in sorted(by_level)] or [[]]  # an empty group still reports problems
     return tuple(_group(owner, str(index) if index else "", found, wrong) for index, found in enumerate(parts))
@@ -107,7 +110,8 @@ def _groups(owner):
 def _group(owner, key, found, wrong):
     bones = [bone for chain in found for bone in chain.bones]
     plan = {"fingerprint": rigs.fingerprint(owner) if bones else 0, "chains": [chain.names for chain in found]}
-    read = [(owner, chain.parent) for chain in found] + [pair for chain in found for pair in held_by(owner, chain)]
+    read = [pair for pair in colliders.reads(owner.motus.chains) if pair[1]] if found else []
+    read += [(owner, chain.parent) for chain in found] + [pair for chain in found for pair in held_by(owner, chain)]
     return Group(
         key=key,
         members=tuple(Member(bone, TURN, 'LOCAL', is_relative=True) for bone in bones),

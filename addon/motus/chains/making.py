@@ -11,8 +11,9 @@ from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.tracks import solved
 from ..core.tracks.inputs import BAD_NUMBERS, Tails, of_unknown, stamp_of_known
-from . import colliders, motion, pins
+from . import colliders, motion, pins, spaces
 from .properties import KEYWORDS
+from .uneven import Links
 
 LOOP_IS_OPEN = Problem("A chain does not come back to where its loop began", blocking=False)
 CONSTRAINED = Problem("Constraints on bones of a chain are no part of what it follows, and may undo it", blocking=False)
@@ -20,6 +21,12 @@ BELOW_ANOTHER = Problem("Some chains begin within another chain, which moves the
 COLLIDER_NOT_KNOWN = Problem("The motion of a collider is not known on other frames: chains pass through it", blocking=False)
 GRAVITY_NOT_KNOWN = Problem("The scene's gravity is not known on other frames: chains move without it", blocking=False)
 WIND_NOT_KNOWN = Problem("The wind is not known on other frames: chains move without it", blocking=False)
+DEFORMED_COLLIDER = Problem(
+    "A mesh that changes its shape is no collider: name its armature, whose bones are capsules, or empties instead", blocking=False
+)
+LARGE_COLLIDER = Problem(
+    "A mesh has too many triangles to be a collider: give it a modifier Decimate, or take a simpler one", blocking=False
+)
 PIN_NOT_KNOWN = Problem("The motion of what holds a pin is not known on other frames: the pin does not hold", blocking=False)
 PIN_WEIGHT_NOT_KNOWN = Problem("The weight of a pin is not known on other frames: the pin does not hold", blocking=False)
 TOO_LONG = Problem("The scene is too long for so many chains, which come to a stop before its end: split it, or mute some", blocking=False)
@@ -39,7 +46,7 @@ class Surroundings(NamedTuple):
     """What acts on the chains of a rig beside its own animation.
 
     rig: whose settings have the wind. scene: whose frames count. pulling: scene whose gravity is read. cuts: frames at which chains start
-    anew. touched: the empties that are colliders. bones: names of the bones of the chains, whose pins count. In a solver, all but `scene`
+    anew. touched: the objects that are colliders. bones: names of the bones of the chains, whose pins count. In a solver, all but `scene`
     are evaluated.
     """
 
@@ -62,8 +69,8 @@ class Surroundings(NamedTuple):
 
     @property
     def colliders(self):
-        """[(empty, track of its world matrix)]."""
-        return colliders.over_time(self.touched, self.scene)
+        """List of what chains touch (solids.py)."""
+        return colliders.over_time(self.rig.motus.chains, self.touched, self.scene)
 
     @property
     def pins(self):
@@ -75,15 +82,26 @@ class Surroundings(NamedTuple):
         """Hashable value that changes whenever the surroundings may change at any time; None if changes cannot be detected."""
         found = [*scene_time.stamp(self.scene), scene_time.last(self.scene), self.pulling.use_gravity, tuple(self.cuts)]
         found += [track.reason.kind if track.reason else track.stamp for track in (*self.gravity, *self.wind)]
-        found += [(colliders.form(obj), stamp_of_known(track)) for obj, track in self.colliders]
+        found += [solid.stamp for solid in self.colliders]
         found += [(pin.bone, stamp_of_known(pin.place), stamp_of_known(pin.weight)) for pin in self.pins]
         return together(found)
+
+
+def _places(bones):
+    """Return {name of a bone: index of the particle at its tail} of the bones of a chain."""
+    return {bone.name: place for place, bone in enumerate(bones, 1)}
+
+
+def _parents(bones):
+    """List the index of the parent of each particle of a chain: -1 for the head of its topmost bone, then for the tail of each bone."""
+    places = _places(bones)
+    return [-1, 0, *(places[bone.parent.name] for bone in bones[1:])]
 
 
 class Making:
     """Makes motions of chains of a rig, and lists their problems.
 
-    chains: [(motion.Motion, index of the chain's entry, number of bones)]. members: [(bone name, row)] of the bones of these chains.
+    chains: [(motion.Motion, index of the chain's entry, its Links)]. members: [(bone name, row)] of the bones of these chains.
     problems: Problems. carriers, laid: as those of core/tracks/inputs.Tails, of all chains. count: number of all bones, of chains without
     a motion too. share: of the limit of work, that the rig has.
     """
@@ -121,39 +139,46 @@ class Making:
 
     def _solve(self, ready):
         settings, around = self._settings, self._surroundings
-        price = sum(source.price for source, *_ in ready) + sum(track.price for _, track in around.colliders)
+        solids = self._solids
+        price = sum(source.price for source, *_ in ready) + sum(solid.price for solid in solids)
         price += sum(pin.place.price + pin.weight.price for pin in around.pins)
-        step = motion.step_price([(len(bones), settings.entries[index]) for _, bones, index, _ in ready], len(around.touched))
+        step = motion.step_price([(len(bones), settings.entries[index]) for _, bones, index, _ in ready], solids)
         share = self._share * len(ready) / max(len(settings.entries), len(ready))
         times = motion.times_of(around.scene, around.cuts, motion.most_seconds(price, step, settings.use_loop, share))
         if times.is_cut_short:
             self.problems.append(TOO_LONG)
-        world = self._world(times)
-        world["settle"] = motion.settling(settings.settle, step, 1 + len(times.cuts), share)
+        settle = motion.settling(settings.settle, step, 1 + len(times.cuts), share)
+        world = motion.world_of({"settle": settle, **self._world(times)}, self._space(ready[0][0], times))
         for source, bones, index, rows in ready:
             poses = source.kept(("places", times.frames.tobytes()), lambda source=source: source.places(times.frames))
             try:
-                moved = self._motion(bones, np.stack(poses, axis=1), settings.entries[index], world, times)
+                moved = self._motion(
+                    bones, world.inside({"poses": np.stack(poses, axis=1)})["poses"], settings.entries[index], world, times
+                )
             except ValueError:
                 self.problems.append(BAD_NUMBERS)
                 continue
-            self.chains.append((moved, index, len(bones)))
+            self.chains.append((moved, index, Links(_parents(bones), [bone.bone.length for bone in bones])))
             self.members += zip([bone.name for bone in bones], rows)
 
     def _motion(self, bones, poses, entry, world, times):
-        places = {bone.name: place for place, bone in enumerate(bones, 1)}
-        parents = [-1, 0, *(places[bone.parent.name] for bone in bones[1:])]
         is_loop, size = self._settings.use_loop, sum(bone.bone.length for bone in bones)
         if is_loop and np.abs(poses[-1] - poses[0]).max() > motion.CLOSED * size:
             self.problems.append(LOOP_IS_OPEN)
             is_loop = False
         if is_loop:
             poses[-1] = poses[0]
+        places = _places(bones)
         held = pins.at([pin for pin in self._held if pin.bone in places], places, times.frames)
-        found = motion.motion_of(parents, poses, entry, world | held, times, is_loop)
-        if is_loop and found.gap > motion.CLOSED * size:
-            self.problems.append(LOOP_IS_OPEN)
-        return found
+        return motion.motion_of(_parents(bones), poses, entry, world, held, times, is_loop)
+
+    def _space(self, source, times):
+        """Return the spaces.Space in which chains feel a part of their rig's motion alone; None if they feel all of it.
+
+        source: Tails of one of the chains.
+        """
+        inherit = self._settings.inherit
+        return None if inherit >= 1.0 else spaces.following(source.tracks[0], times.frames, times.seconds, 1.0 - max(inherit, 0.0))
 
     def _world(self, times):
         """Return the keywords of the native StrandMotion that all chains share: the air, gravity, what they touch."""
@@ -165,13 +190,21 @@ class Making:
         pull = self._over_time(around.gravity, times, GRAVITY_NOT_KNOWN) if around.pulling.use_gravity else None
         if pull is not None:
             found["gravity"] = pull
-        touched = around.colliders
-        known = [(obj, track) for obj, track in touched if track.is_known]
-        if len(known) < len(touched):
-            self.problems.append(COLLIDER_NOT_KNOWN)
-        obstacles = colliders.at(known, times.frames)
-        if obstacles:
-            found |= {"obstacles": obstacles.shapes, "obstacle_places": obstacles.places, "radii": obstacles.radii}
+        return found | colliders.at(self._solids, times.frames, settings.friction)
+
+    @functools.cached_property
+    def _solids(self):
+        """List of what can be touched (solids.py); the problems say what cannot."""
+        around, found = self._surroundings, []
+        for solid in around.colliders:
+            if not solid.is_known:
+                self.problems.append(COLLIDER_NOT_KNOWN)
+            elif colliders.deforms(solid, around.scene):
+                self.problems.append(DEFORMED_COLLIDER)
+            elif colliders.is_too_large(solid):
+                self.problems.append(LARGE_COLLIDER)
+            else:
+                found.append(solid)
         return found
 
     @functools.cached_property

@@ -3,6 +3,7 @@
 import hashlib
 import math
 import threading
+import time
 from typing import Any, NamedTuple
 
 from ..core import keeping, native
@@ -13,16 +14,16 @@ RATE = 240.0
 """Samples a second of what chains read: times that do not depend on the frame rate, every second one of the solver's steps."""
 STEPS = 480.0
 """Steps of the solver a second."""
-STEP_PRICE, BEND_PRICE, OBSTACLE_PRICE = 1.0, 2.0, 0.2
-"""Prices of a step of a link, of its bend limit, and of each collider, in units of core/measures/bounds.MANY_AT_ONCE (0.1 microseconds)."""
+STEP_PRICE, BEND_PRICE, OBSTACLE_PRICE, SURFACE_PRICE = 1.0, 2.0, 0.2, 50.0
+"""Prices of a step of a link, of its bend limit, and of each collider and mesh, in units of core/measures/bounds.MANY_AT_ONCE (0.1 microseconds)."""
 LINED_UP = 4.0
 """How much faster than towards the pose a bone swings back into line with its parent: a looser end would fold else, where it holds up the rest."""
 SETTLING = 0.25
 """Part of the limit of work that may go into settling before the scene begins, and after cuts."""
 CYCLES = 40
 """How often a loop is gone through at most, until it closes."""
-AT_ONCE = 4096
-"""Steps that are solved before it is looked whether the time that was asked for is reached."""
+AT_ONCE = 1 << 17
+"""Steps times links that are solved before it is looked whether the time that was asked for is reached: some milliseconds."""
 SUDDEN = 1.0 / 64.0
 """Time in frames, before a cut, at which what chains read is still that of the shot before."""
 CLOSED = 1e-3
@@ -66,12 +67,10 @@ def times_of(scene, cuts, most):
     return Times(frames, scene_time.seconds(scene, frames), np.searchsorted(frames, inside).tolist(), (last - first) / fps > most)
 
 
-def step_price(chains, obstacles):
-    """Return the price of a step. chains: [(number of bones, settings)]. obstacles: number of colliders."""
-    return sum(
-        count * (STEP_PRICE + OBSTACLE_PRICE * obstacles + (BEND_PRICE if numbers.bend_limit < math.pi else 0.0))
-        for count, numbers in chains
-    )
+def step_price(chains, solids):
+    """Return the price of a step. chains: [(number of bones, settings)]. solids: what they touch (solids.py)."""
+    touching = sum(SURFACE_PRICE if solid.is_mesh else OBSTACLE_PRICE * solid.count for solid in solids)
+    return sum(count * (STEP_PRICE + touching + (BEND_PRICE if numbers.bend_limit < math.pi else 0.0)) for count, numbers in chains)
 
 
 def most_seconds(price, step, is_loop, share):
@@ -104,43 +103,85 @@ class Motion:
     """Motion of one chain. Threads share it: each solves on as far as it asks, while the others wait.
 
     solver: native StrandMotion. last: time at which a loop begins again, s; None if the motion is no loop. first: its first time, s.
+    length: of the chain, m. space: spaces.Space in which it is solved; None for the world.
     """
 
-    def __init__(self, solver, first, last):
-        self._solver, self._lock, self._first, self._last = solver, threading.Lock(), first, last
+    def __init__(self, solver, first, last, length, space):
+        self._solver, self._lock, self._first, self._last, self._space = solver, threading.Lock(), first, last, space
+        self._most_gap = CLOSED * length
+        self._at_once = max(AT_ONCE // len(solver), 1)
         self.size = solver.nbytes
 
-    def places(self, seconds):
-        """Return where the particles are at a time, s: (n, 3), the head of the topmost bone first."""
+    def __len__(self):
+        return len(self._solver)
+
+    def places(self, seconds, patience=math.inf):
+        """Return where the particles are at a time, s: (n, 3), the head of the topmost bone first.
+
+        patience: for how long, s, the motion may be solved up to there; None is returned if that was not enough, and the next call goes on.
+        """
+        end = time.perf_counter() + patience
         if self._last is not None:
             seconds = self._first + (seconds - self._first) % (self._last - self._first)
         with self._lock:
-            # Before its first step a solver has the first pose, not yet settled, at the first time.
-            while not self._solver.is_solved and (self._last is not None or self._solver.solved_until <= seconds):
-                self._solver.solve(AT_ONCE)
-            return self._solver.places(seconds)
+            while not self._is_known(seconds):
+                if time.perf_counter() >= end:
+                    return None
+                self._solver.solve(self._at_once)
+            found = self._solver.places(seconds)
+        return found if self._space is None else self._space.outside(found, seconds)
+
+    def _is_known(self, seconds):
+        # Before its first step a solver has the first pose, not yet settled, at the first time.
+        return self._solver.is_solved or (self._last is None and self._solver.solved_until > seconds)
+
+    def done(self, seconds):
+        """Return which part of the motion up to a time, s, is solved, from 0 to 1. That of a loop is not known before all of it is."""
+        if self._is_known(seconds):
+            return 1.0
+        return 0.0 if self._last is not None else (self._solver.solved_until - self._first) / max(seconds - self._first, 1e-9)
 
     @property
-    def gap(self):
-        """By how much a loop does not close, m; 0 if the motion is no loop."""
-        if self._last is None:
-            return 0.0
-        self.places(self._first)
-        return self._solver.gap
+    def is_open(self):
+        """Whether the motion is a loop that is solved and does not close."""
+        return self._last is not None and self._solver.is_solved and self._solver.gap > self._most_gap
 
 
-def motion_of(parents, poses, numbers, world, times, is_loop):
+class World(NamedTuple):
+    """What chains share. keywords: of the native StrandMotion, with a solids.Surface for each surface. stamp: hash of all.
+
+    space: spaces.Space in which they are solved; None for the world.
+    """
+
+    keywords: dict
+    stamp: bytes
+    space: Any
+
+    def inside(self, keywords):
+        """Return keywords of the native StrandMotion, given in the world, as they are in the space."""
+        return keywords if self.space is None else self.space.inside(keywords)
+
+
+def world_of(keywords, space):
+    """Return the World of keywords of the native StrandMotion, which are given in the world. space: spaces.Space, or None."""
+    told = keywords | {"surfaces": [one.stamp for one in keywords.get("surfaces", ())]}
+    stamp = _hash([*told.items(), *(space or ())])
+    return World(keywords if space is None else space.inside(keywords), stamp, space)
+
+
+def motion_of(parents, poses, numbers, world, held, times, is_loop):
     """Return the Motion of a chain. Raises ValueError if a number is outside of what can be computed.
 
-    parents: index of the parent of each particle, -1 first. poses: (m, n, 3), where the animation has the particles at the Times. numbers:
-    the entry, or what has its settings. world: keywords of the native StrandMotion that all chains share.
+    parents: index of the parent of each particle, -1 first. poses: (m, n, 3), where the animation has the particles at the Times, in the
+    space of `world`. numbers: the entry, or what has its settings. world: World, with the settle time and the scene's gravity. held:
+    keywords of the native StrandMotion for pins, in the world.
     """
     depths = [0]
     for parent in parents[1:]:
         depths.append(depths[parent] + 1)
     shares = np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1)
     frequency = numbers.frequency * (1.0 + (numbers.tip_frequency - 1.0) * shares)
-    keywords = {
+    own = {
         "frequency": np.minimum(frequency, STEPS / 8.0),
         "bend_frequency": np.minimum(LINED_UP * frequency, STEPS / 8.0),
         "mass": 1.0 + (numbers.tip_mass - 1.0) * shares,
@@ -150,21 +191,30 @@ def motion_of(parents, poses, numbers, world, times, is_loop):
         "stretch": numbers.stretch,
         "bend": min(numbers.bend_limit, math.pi),
         "thickness": numbers.thickness,
-        **world,
+        **world.inside(held),
     }
-    if "gravity" in keywords:
-        keywords["gravity"] = numbers.gravity * keywords["gravity"]
-    found = hashlib.blake2b(digest_size=16)
-    for value in (parents, times.seconds, poses, times.cuts, is_loop, *keywords.items()):
-        _note(found, value)
     seconds = times.seconds
 
     def make():
+        keywords = own | world.keywords
+        if "gravity" in keywords:
+            keywords["gravity"] = numbers.gravity * keywords["gravity"]
+        if "surfaces" in keywords:
+            keywords["surfaces"] = [one.native for one in keywords["surfaces"]]
         resets = None if is_loop else times.cuts
         solver = native.module.StrandMotion(parents, seconds, poses, **keywords, resets=resets, rate=STEPS, loop=is_loop, cycles=CYCLES)
-        return Motion(solver, float(seconds[0]), float(seconds[-1]) if is_loop else None)
+        length = np.linalg.norm(poses[0, 1:] - poses[0, parents[1:]], axis=1).sum()
+        return Motion(solver, float(seconds[0]), float(seconds[-1]) if is_loop else None, float(length), world.space)
 
-    return _MOTIONS.made(found.digest(), make)
+    return _MOTIONS.made(_hash((parents, seconds, poses, times.cuts, is_loop, numbers.gravity, world.stamp, *own.items())), make)
+
+
+def _hash(values):
+    """Return a hash of numbers, texts, bytes, arrays, and lists and tuples of these."""
+    found = hashlib.blake2b(digest_size=16)
+    for value in values:
+        _note(found, value)
+    return found.digest()
 
 
 def _note(found, value):

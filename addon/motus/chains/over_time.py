@@ -12,7 +12,7 @@ from ..core.settings import entry_keys
 from ..core.tracks import in_world, rotations
 from ..core.tracks.inputs import Tails
 from ..core.tracks.rig_inputs import RigInputs, once
-from . import colliders, groups, making, setup
+from . import colliders, groups, making, setup, uneven
 
 
 def over_time(owner, thing, scene):
@@ -58,7 +58,7 @@ class _Bone:
     def _read(self):
         around = self._around
         held = [track for pin in around.pins for track in (pin.place, pin.weight)]
-        return [*self._input.tracks, *(track for _, track in around.colliders), *around.gravity, *around.wind, *held]
+        return [*self._input.tracks, *(track for solid in around.colliders for track in solid.tracks), *around.gravity, *around.wind, *held]
 
     def bounds(self, first, last):
         """Return rising frames from first to last; the motion is smooth between neighbours."""
@@ -85,8 +85,10 @@ class _Bone:
         found.make([names])
         if not found.chains:
             return None
-        moved = found.chains[0][0]
-        places = np.stack([moved.places(seconds)[1:] for seconds in scene_time.seconds(self._scene, np.asarray(times, float))])
+        moved, _, links = found.chains[0]
+        seconds = scene_time.seconds(self._scene, np.asarray(times, float))
+        worlds = self._rig.worlds(times).reshape(-1, 4, 4).swapaxes(1, 2)
+        places = np.stack([uneven.tails(moved.places(at), links, world) for at, world in zip(seconds, worlds)])
         return self._rig.turns(times, names, places, np.full(len(names), weight))
 
     @property

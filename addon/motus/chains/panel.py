@@ -6,7 +6,10 @@ from ..core.interface import bone_entries, panels, ui
 from ..core.interface.tracks import panel as track_panel
 from ..core.settings.entries import active
 from ..core.translations import OWN_SENSE, counted, tr
-from . import colliders, pins, presets, rows, setup, told
+from . import colliders, pins, presets, rows, setup, steps, told
+
+MOST_SHOWN = 3
+"""Largest number of colliders that have buttons to record them at a time."""
 
 
 def draw_main(layout, context):
@@ -19,6 +22,9 @@ def draw_main(layout, context):
     )
     remove.object, remove.only_active = rig.name, True
     ui.draw_problem(layout, context, setup.system(), rig, lambda problem: told.sentence(rig, problem, context.scene))
+    done = steps.done(rig)
+    if done is not None:
+        ui.draw_readouts(layout, [ui.Readout(text="Motion Solved", value=f"{100.0 * done:.0f} %")])
     entry = active(rig, "chains")
     if entry:
         bone_entries.draw_shown(layout, setup.system(), entry.name)
@@ -42,9 +48,9 @@ def draw_world(layout, context):
     """Draw the wind and the colliders, with buttons that record colliders whose motion is not known."""
     settings = context.object.motus.chains
     rows.WORLD.draw(ui.split(layout), settings)
-    for obj, track in colliders.over_time(colliders.objects(settings), context.scene):
-        if track.reason is not None:
-            track_panel.draw(layout, track, datablock=obj.name, transform='WORLD')
+    touched = colliders.over_time(settings, colliders.objects(settings), context.scene)
+    for track, keywords in [found for solid in touched for found in solid.unknown][:MOST_SHOWN]:
+        track_panel.draw(layout, track, **keywords)
 
 
 def draw_time(layout, context):

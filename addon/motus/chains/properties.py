@@ -112,6 +112,14 @@ class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
     influence: factor("Influence", "How much all chains of the rig act; 0 leaves the rig to its animation", 1.0, options=ANIMATED)
     wind: vector("Wind", "Velocity of the air, which chains with Air Drag feel", options=ANIMATED, subtype='VELOCITY', unit='VELOCITY')
     gusts: _number("Gusts", "How much the wind rises and falls: 1 lets it fall to a calm at times", 0.0, min=0.0, max=2.0, subtype='FACTOR')
+    inherit: _number(
+        "Inherit Motion",
+        "How much of the motion of the object itself the chains feel: at 0 they come along as if it stood still, such as in a car",
+        1.0,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+    )
     settle: _number(
         "Settle",
         "Time, at most, in which chains come to rest in their first pose before the scene begins",
@@ -126,11 +134,13 @@ class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
     colliders: bpy.props.PointerProperty(
         type=bpy.types.Collection,
         name="Colliders",
-        description="Collection whose empties chains do not enter: one displayed as a sphere is a ball, each other one a plane that is "
-        "solid below its X and Y axes",
+        description="Collection with what chains do not enter. An empty displayed as a sphere is a ball, or a capsule if it is scaled "
+        "unevenly; each other empty is a plane that is solid below its X and Y axes. Deforming bones of armatures are capsules as thick as "
+        "their envelopes. Meshes that keep their shape are surfaces",
         update=rewire,
         override=OVERRIDABLE,
     )
+    friction: _number("Friction", "How much colliders hold back what slides along them", 0.5, min=0.0, max=100.0, soft_max=2.0, step=5)
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_chains_entry, name="Chains", override=EXTENDABLE)
     chosen_entry: bpy.props.IntProperty(name="Chosen Entry", options={'HIDDEN'})
     active_entry: bone_entries.active_property("Active Entry", index_of_bone)

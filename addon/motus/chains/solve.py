@@ -11,13 +11,15 @@ from ..core.file import stored
 from ..core.lazy import numpy as np
 from ..core.settings import entries
 from ..core.tracks import inputs, own_track
-from . import colliders, making
-from .groups import BELOW, LOOPED, MISSING, PLAN
+from . import colliders, making, steps, uneven
+from .groups import BELOW, DEFORMED, LOOPED, MISSING, PLAN
 from .making import (
     BELOW_ANOTHER,
     COLLIDER_NOT_KNOWN,
     CONSTRAINED,
+    DEFORMED_COLLIDER,
     GRAVITY_NOT_KNOWN,
+    LARGE_COLLIDER,
     LOOP_IS_OPEN,
     PIN_NOT_KNOWN,
     PIN_WEIGHT_NOT_KNOWN,
@@ -33,6 +35,8 @@ PROBLEMS = (
     CONSTRAINED,
     BELOW_ANOTHER,
     COLLIDER_NOT_KNOWN,
+    DEFORMED_COLLIDER,
+    LARGE_COLLIDER,
     GRAVITY_NOT_KNOWN,
     WIND_NOT_KNOWN,
     PIN_NOT_KNOWN,
@@ -59,7 +63,7 @@ class Made(NamedTuple):
     """Motions of a group's chains, valid while their inputs do not change.
 
     stamp: hashable value that changes with the inputs, including the world tracks of `carriers` and the own tracks of `laid`, names as in
-    core/tracks/inputs.py. chains: [(motion.Motion, index of the chain's entry, number of bones)]. members: (bone name, row of the member) of
+    core/tracks/inputs.py. chains: [(motion.Motion, index of the chain's entry, its Links)]. members: (bone name, row of the member) of
     the bones of these chains. problem: the Problem to report, or None. weights: of all entries; None if they are animated.
     share: of the limit of work, that the owner had (core/evaluated/shares.py). edits: shares.edits() when that was looked up.
     """
@@ -87,16 +91,17 @@ def solve(context, obstacles):
     weights = made.weights if made.weights is not None else entries.weights(context.settings)
     places, influences = np.zeros((len(made.members), 3)), np.zeros(len(made.members))
     row = 0
-    for moved, entry, count in made.chains:
-        rows = slice(row, row + count)
-        row += count
+    for moved, entry, links in made.chains:
+        rows = slice(row, row + len(links.lengths))
+        row = rows.stop
         weight = context.settings.influence * weights[entry]
-        if weight > 0.0:
-            influences[rows] = weight
-            places[rows] = moved.places(context.frame / context.fps)[1:]
+        shown = steps.places(context, entry, moved, context.frame / context.fps) if weight > 0.0 else None
+        if shown is not None:
+            influences[rows], places[rows] = weight, uneven.tails(shown, links, context.owner.matrix_world)
     if influences.any():
         rigs.turn(context, context.data[PLAN], made.members, places, influences)
-    return made.problem or _wrong(context.data)
+    is_open = any(moved.is_open for moved, *_ in made.chains)
+    return made.problem or (LOOP_IS_OPEN if is_open else None) or _wrong(context.data)
 
 
 def _wrong(data):
@@ -104,7 +109,12 @@ def _wrong(data):
     return next(
         (
             problem
-            for key, problem in ((LOOPED, inputs.LOOPED_BONES), (MISSING, inputs.MISSING_BONES), (BELOW, BELOW_ANOTHER))
+            for key, problem in (
+                (LOOPED, inputs.LOOPED_BONES),
+                (MISSING, inputs.MISSING_BONES),
+                (BELOW, BELOW_ANOTHER),
+                (DEFORMED, DEFORMED_COLLIDER),
+            )
             if data.get(key)
         ),
         None,
@@ -147,7 +157,7 @@ def _surroundings(context):
         depsgraph.scene,
         depsgraph.scene_eval,
         making.cuts(context.settings, marked),
-        tuple(colliders.empties(waited.values())),
+        tuple(colliders.touching(waited.values())),
         _names(context) if context.settings.pins else (),
     )
 

@@ -1,6 +1,7 @@
 """Chains as an artist sees them: sidebar, the bone's constraint properties, and the overlay on a tail that swings."""
 
 import bpy
+import mathutils
 
 import support
 from chains import chain_cases as cases
@@ -40,3 +41,46 @@ def test_constraint_properties():
     build()
     yield from properties_editor.picture_of('BONE_CONSTRAINT', "chains_constraints")
     bpy.ops.object.mode_set(mode='OBJECT')
+
+
+def test_the_overlay_shows_limits_pins_and_what_is_touched():
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    rig = cases.still_rope(8)
+    bpy.context.view_layer.objects.active = rig
+    rig.select_set(True)
+    start = cases.place(rig, 1, "Tail 0 0")
+    solid = bpy.data.collections.new("Solid")
+    bpy.context.scene.collection.children.link(solid)
+    for name, place, scale in (
+        ("Ball", (0.6, 0.0, -0.9), (0.4, 0.4, 0.4)),
+        ("Capsule", (1.2, 0.0, -0.8), (0.15, 0.8, 0.15)),
+        ("Ground", (0.0, 0.0, -1.3), (1.0, 1.0, 1.0)),
+    ):
+        empty = support.link(name, location=start + place)
+        empty.empty_display_type, empty.scale = 'PLAIN_AXES' if name == "Ground" else 'SPHERE', scale
+        solid.objects.link(empty)
+    post = support.link("Post", location=start + (1.8, 0.0, 0.1))
+    cases.add(rig, frequency=0.0, drag=1.0, thickness=0.03, bend_limit=0.7, settle=20.0, colliders=solid)
+    bpy.ops.motus.chains_pin(object=rig.name, target=post.name)
+    bpy.context.scene.frame_set(30)
+    view = window_support.area().spaces.active.region_3d
+    view.view_perspective, view.view_location, view.view_distance = 'PERSP', start + (0.8, 0.0, -0.4), 4.0
+    view.view_rotation = mathutils.Euler((1.3, 0.0, 0.35)).to_quaternion()
+    yield
+    batches = support.addon("core.interface.overlay").batches(bpy.context)
+    overlay = support.addon("chains.overlay")
+    assert {tuple(batch.colors) for batch in batches} == {
+        overlay.LINK_COLOR,
+        overlay.LIMIT_COLOR,
+        overlay.COLLIDER_COLOR,
+        overlay.PIN_COLOR,
+        overlay.CONTACT_COLOR,
+    }, batches
+    yield from window_support.picture("chains_touching")
+    scene = bpy.context.scene.motus
+    for name in ("show_chains_limits", "show_chains_colliders", "show_chains_pins"):
+        setattr(scene, name, False)
+    assert len(support.addon("core.interface.overlay").batches(bpy.context)) == 1
+    for name in ("show_chains_limits", "show_chains_colliders", "show_chains_pins"):
+        setattr(scene, name, True)

@@ -88,10 +88,22 @@ def assign(obj: Any, path: str, value: Any) -> None:
         setattr(obj.path_resolve(holder) if holder else obj, name, value)
 
 
+_reading = [0]
+
+
+def is_read() -> bool:
+    """Whether the evaluation that goes on is one of go_to(): its results are read, and must not be those of an unfinished solver."""
+    return _reading[0] > 0
+
+
 def go_to(scene: bpy.types.Scene, frame: float) -> None:
-    """Set the scene to a frame, which may be a fraction, and evaluate the scene."""
+    """Set the scene to a frame, which may be a fraction, and evaluate the scene; returns when all is solved, however long that takes."""
     whole = math.floor(frame)
-    scene.frame_set(whole, subframe=frame - whole)
+    _reading[0] += 1
+    try:
+        scene.frame_set(whole, subframe=frame - whole)
+    finally:
+        _reading[0] -= 1
 
 
 def depsgraph_of(scene: bpy.types.Scene, layer: str) -> bpy.types.Depsgraph:

@@ -346,6 +346,14 @@ def drivers_on(datablock: Any) -> int:
     return len(animation.drivers) if animation else 0
 
 
+def has_driven_poses(evaluated: Any) -> bool:
+    """Whether a driver sets the own transform or the rotation mode of any bone of an evaluated rig, with or without a marker property."""
+    copy = of(evaluated)
+    if copy is not None:
+        return copy.has_driven_poses
+    return drivers_on(evaluated) > 0 and _reach(evaluated.animation_data.drivers).poses(None)
+
+
 def has_animation(evaluated: Any) -> bool:
     """Whether an evaluated object has an action, NLA tracks or drivers. Without them its properties are as Blender has copied them."""
     animation = evaluated.animation_data

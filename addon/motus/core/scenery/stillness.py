@@ -39,8 +39,17 @@ def moves(obj, scene, seen=None):
     if obj in seen:
         return False
     seen.add(obj)
+    return _goes(obj, scene) or _changes_shape(obj, scene, seen)
+
+
+def deforms(obj, scene):
+    """Whether an evaluated object may have a different shape on another frame; it may go from place to place as it is."""
+    return _changes_shape(obj, scene, {obj})
+
+
+def _changes_shape(obj, scene, seen):
     # The data of the original: Blender may have freed the evaluated data if nothing depends on the object's geometry.
-    return _goes(obj, scene) or _is_animated(obj.original.data) or _is_deformed(obj, scene, seen)
+    return _is_animated(obj.original.data) or _is_deformed(obj, scene, seen)
 
 
 def _goes(obj, scene):

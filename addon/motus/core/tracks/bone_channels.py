@@ -58,9 +58,9 @@ def stamp(rig, names):
 
 
 def _read(rig):
-    """The _Channels of an evaluated rig; None if edits cannot be detected, or NLA strips or drivers move bones."""
-    copy, animation = copies.of(rig), rig.animation_data
-    if copy is None or copy.has_driven_poses or (animation and animation.use_nla and len(animation.nla_tracks)):
+    """The _Channels of an evaluated rig; None if edits of its keys cannot be detected, or NLA strips or drivers move bones."""
+    animation = rig.animation_data
+    if copies.has_driven_poses(rig) or (animation and animation.use_nla and len(animation.nla_tracks)):
         return None
     acting = strips.stamp_of(animation)
     if acting is None:

@@ -189,7 +189,7 @@ class _Link:
         names = {bone.name for bone in self._bones}
         for bone in self._object.pose.bones:
             for constraint in bone.constraints:
-                if constraint.type in {'IK', 'SPLINE_IK'} and not names.isdisjoint(_turned_by(bone, constraint)):
+                if constraint.type in {'IK', 'SPLINE_IK'} and not names.isdisjoint(turned_by(bone, constraint)):
                     return Reason(Reason.SOLVED_BONE, thing=self._bone.name, bone=bone.name, name=constraint.name)
         return None
 
@@ -283,7 +283,7 @@ def _chain(bone):
     return [*reversed(bone.parent_recursive), bone]
 
 
-def _turned_by(bone, constraint):
+def turned_by(bone, constraint):
     """Names of the bones that an IK or Spline IK constraint on `bone` moves; none if the constraint is muted."""
     if constraint.mute:
         return []

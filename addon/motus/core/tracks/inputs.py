@@ -203,7 +203,7 @@ class Tails(Input):
     def kept(self, name, make):
         """Return make(), kept until the animation or the armature changes, so that an edit of the entries does not compute it again."""
         if name not in self._found:
-            self._found[name] = kept_by(self._stamp, (name, self._names), make)
+            self._found[name] = kept_by(self.stamp, (name, self._names), make)
         return self._found[name]
 
     @functools.cached_property
@@ -216,7 +216,8 @@ class Tails(Input):
         return found and (found, tuple([bones[name].parent.name if bones[name].parent else "" for name in names]))
 
     @functools.cached_property
-    def _stamp(self):
+    def stamp(self):
+        """Hashable value that changes whenever the input or the rest pose of its bones may change; None if changes cannot be detected."""
         if self._channels is not None:
             return strips.together((self._channels, *(track.stamp for track in self._worlds.values())))
         bones = self._rig.pose.bones
@@ -228,15 +229,19 @@ class Tails(Input):
 
     def places(self, frames):
         """Return world positions (n, 3) at frames (n,): of the head of the topmost bone, then of the tail of each bone."""
-        world = self.tracks[0].values(frames)
-        inverse = _inverse(world)
-        poses, found = {}, []
-        for bone in self._thing:
-            placed = rotations.chained(world, self._pose(bone, frames, inverse, poses))
+        found = []
+        for bone, placed in zip(self._thing, self.matrices(frames)):
             if not found:
-                found.append(np.broadcast_to(placed[:, :3, 3], (len(frames), 3)))
-            found.append(np.broadcast_to(placed[:, :3, 3] + bone.bone.length * placed[:, :3, 1], (len(frames), 3)))
-        return tuple(found)
+                found.append(placed[:, :3, 3])
+            found.append(placed[:, :3, 3] + bone.bone.length * placed[:, :3, 1])
+        return tuple(np.broadcast_to(one, (len(frames), 3)) for one in found)
+
+    def matrices(self, frames):
+        """Return the world matrices (n, 4, 4) of each bone at frames (n,), as a list."""
+        world = self.tracks[0].values(frames)
+        inverse, poses = _inverse(world), {}
+        placed = (rotations.chained(world, self._pose(bone, frames, inverse, poses)) for bone in self._thing)
+        return [np.broadcast_to(one, (len(frames), 4, 4)) for one in placed]
 
     def _pose(self, bone, frames, inverse, poses):
         """Return the pose matrices of a bone in the rig's space, (n, 4, 4).

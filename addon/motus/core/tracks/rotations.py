@@ -85,6 +85,45 @@ def chained(left, right):
 
 
 @by_rows
+def rigid(matrices):
+    """Turns and moves, (n, 4, 4), of affine matrices (n, 4, 4), which may also scale, shear and mirror.
+
+    X keeps its direction, and Y its plane with X. An axis without length counts as any that fits.
+    """
+    found = np.zeros_like(matrices)
+    x = _directions(matrices[:, :3, 0], np.array([(1.0, 0.0, 0.0)]))
+    y = matrices[:, :3, 1] - x * (x * matrices[:, :3, 1]).sum(axis=1, keepdims=True)
+    beside = np.where(np.abs(x[:, 2:]) < 0.5, np.cross((0.0, 0.0, 1.0), x), np.cross((1.0, 0.0, 0.0), x))
+    found[:, :3, 0] = x
+    found[:, :3, 1] = y = _directions(y, _directions(beside, x))
+    found[:, :3, 2] = np.cross(x, y)
+    found[:, :, 3] = matrices[:, :, 3]
+    return found
+
+
+@by_rows
+def of_rigid(matrices):
+    """Unit quaternions (n, 4) of the turns in matrices (n, 4, 4) that turn and move alone, in double precision."""
+    m = matrices
+    w, x, y, z = (
+        1.0 + sign * (m[:, 0, 0] + other * m[:, 1, 1] + third * m[:, 2, 2])
+        for sign, other, third in ((1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, -1.0, 1.0), (-1.0, 1.0, -1.0))
+    )
+    a, b, c = m[:, 2, 1] - m[:, 1, 2], m[:, 0, 2] - m[:, 2, 0], m[:, 1, 0] - m[:, 0, 1]
+    d, e, f = m[:, 1, 0] + m[:, 0, 1], m[:, 0, 2] + m[:, 2, 0], m[:, 2, 1] + m[:, 1, 2]
+    # Each row is the quaternion times another one of its parts: the largest part divides best.
+    found = np.stack([np.stack(row, axis=1) for row in ((w, a, b, c), (a, x, d, e), (b, d, y, f), (c, e, f, z))], axis=1)
+    largest = np.argmax(np.stack([w, x, y, z], axis=1), axis=1)
+    return unit(found[np.arange(len(m)), largest])
+
+
+def _directions(vectors, others):
+    """Vectors (n, 3) scaled to length 1; `others` in the place of those that have no length."""
+    lengths = np.sqrt((vectors**2).sum(axis=1, keepdims=True))
+    return np.where(lengths > 0.0, vectors / np.where(lengths > 0.0, lengths, 1.0), others)
+
+
+@by_rows
 def of_axes(rows):
     """Unit quaternions (n, 4) of the rotations in matrices (n, 3, 3), which may also scale and shear.
 

@@ -51,7 +51,11 @@ INTERFACE = {
     "Reset at Cuts": "Reiniciar en los cortes",
     'Start anew at rest at each marker of the scene whose name begins with "cut"'
     + NO_KEYS: 'Empezar de nuevo en reposo en cada marcador de la escena cuyo nombre empiece por "cut"' + _NO_KEYS_ES,
-    "Collection whose empties chains do not enter: one displayed as a sphere is a ball, each other one a plane that is solid below its X and Y axes": "Colección con vacíos en los que las cadenas no entran: el que se muestra como esfera es una bola, cualquier otro un plano macizo por debajo de sus ejes X e Y",
+    "Collection with what chains do not enter. An empty displayed as a sphere is a ball, or a capsule if it is scaled unevenly; each other empty is a plane that is solid below its X and Y axes. Deforming bones of armatures are capsules as thick as their envelopes. Meshes that keep their shape are surfaces": "Colección con aquello en lo que las cadenas no entran. Un vacío que se muestra como esfera es una bola, o una cápsula si su escala no es uniforme; cualquier otro vacío es un plano macizo por debajo de sus ejes X e Y. Los huesos deformadores de los esqueletos son cápsulas tan gruesas como sus envolturas. Las mallas que conservan su forma son superficies",
+    "How much colliders hold back what slides along them" + NO_KEYS: "Cuánto frenan los colisionadores lo que se desliza por ellos"
+    + _NO_KEYS_ES,
+    "A mesh that changes its shape is no collider: name its armature, whose bones are capsules, or empties instead": "Una malla que cambia de forma no es un colisionador: usa su esqueleto, cuyos huesos son cápsulas, o vacíos",
+    "A mesh has too many triangles to be a collider: give it a modifier Decimate, or take a simpler one": "Una malla tiene demasiados triángulos para ser un colisionador: dale un modificador Diezmar o usa una más simple",
     "Hold the tails of the selected bones of chains, or else the end of the shown chain, to an object": "Sujeta a un objeto las colas de los huesos seleccionados de cadenas y, si no, el extremo de la cadena mostrada",
     "Remove pins of chains: of the selected bones in Pose Mode, else all of the rig; an empty that was made for a pin goes along": "Quitar anclas de cadenas: las de los huesos seleccionados en modo Pose y, si no, todas las del rig; el vacío que se creó para un ancla desaparece con ella",
     "Names of the bones whose tails are held, with commas between; empty takes the selected bones, and without any the last bone of the shown chain": "Nombres de los huesos cuyas colas se sujetan, separados por comas; vacío toma los huesos seleccionados y, sin ninguno, el último hueso de la cadena mostrada",
@@ -71,6 +75,13 @@ INTERFACE = {
     "{count} bones are pinned": "{count} huesos están anclados",
     "{bone} belongs to no chain": "{bone} no pertenece a ninguna cadena",
     "{object} has these pins from its library, so that they cannot be removed here: mute them": "{object} tiene estas anclas de su biblioteca, así que no se pueden quitar aquí: siléncialas",
+    "Draw the bend limits of the shown chain as cones": "Dibuja como conos los límites de flexión de la cadena mostrada",
+    "Draw the balls, capsules and planes that the chains touch, and where they touch": "Dibuja las bolas, cápsulas y planos que tocan las cadenas, y dónde los tocan",
+    "Draw what holds the pinned bones": "Dibuja lo que sujeta los huesos anclados",
+    "Inherit Motion": "Heredar movimiento",
+    "How much of the motion of the object itself the chains feel: at 0 they come along as if it stood still, such as in a car"
+    + NO_KEYS: "Cuánto notan las cadenas del movimiento del propio objeto: con 0 van con él como si estuviera quieto, por ejemplo en un coche"
+    + _NO_KEYS_ES,
     "Surroundings": "Entorno",
     "A chain does not come back to where its loop began": "Una cadena no vuelve adonde empezó su bucle",
     "Constraints on bones of a chain are no part of what it follows, and may undo it": "Las restricciones de los huesos de una cadena no forman parte de lo que sigue y pueden anularla",
@@ -82,6 +93,7 @@ INTERFACE = {
     "The scene is too long for so many chains, which come to a stop before its end: split it, or mute some": "La escena es demasiado larga para tantas cadenas, que se detienen antes del final: divídela o silencia algunas",
     "Dog's Tail": "Cola de perro",
     "Stiff at its root, loose at its tip": "Rígida en la raíz, suelta en la punta",
+    "Motion Solved": "Movimiento resuelto",
     "Ponytail": "Coleta",
     "Hangs, with a little of its shape": "Cuelga y conserva un poco de su forma",
     "Rope": "Cuerda",

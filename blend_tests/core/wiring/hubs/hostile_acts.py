@@ -171,10 +171,14 @@ def _copy_drivers():
             copy.driver.use_self, copy.driver.expression = True, f"{call},{','.join('0' * 30)}{']' if '[' in call else ')'}"
 
 
-def _on_selected(operator, **keywords):
+def _on_each(operator, **keywords):
+    """The operator acts on one object of the scene after the other."""
+
     def act():
         for obj in list(bpy.context.scene.objects):
             with contextlib.suppress(RuntimeError, ReferenceError, AttributeError):
+                for other in bpy.context.selected_objects:
+                    other.select_set(False)
                 bpy.context.view_layer.objects.active = obj
                 obj.select_set(True)
                 operator(**keywords)
@@ -257,14 +261,14 @@ ACTS = {
     "parents cleared": _each(owners, lambda one: setattr(one, "parent", None)),
     "unlinked": _each(owners, lambda one: [collection.objects.unlink(one) for collection in one.users_collection]),
     "meshes exchanged": _exchange_meshes,
-    "converted": _on_selected(bpy.ops.object.convert, target='MESH'),
+    "converted": _on_each(bpy.ops.object.convert, target='MESH'),
     "joined": _join,
     "modifiers applied": _apply_modifiers,
-    "visual transforms applied": _on_selected(bpy.ops.object.visual_transform_apply),
-    "made local": _on_selected(bpy.ops.object.make_local, type='ALL'),
-    "made single user": _on_selected(bpy.ops.object.make_single_user, type='ALL', object=True, obdata=True, material=True, animation=True),
-    "duplicated": _on_selected(bpy.ops.object.duplicate),
-    "deleted": _on_selected(bpy.ops.object.delete),
+    "visual transforms applied": _on_each(bpy.ops.object.visual_transform_apply),
+    "made local": _on_each(bpy.ops.object.make_local, type='ALL'),
+    "made single user": _on_each(bpy.ops.object.make_single_user, type='ALL', object=True, obdata=True, material=True, animation=True),
+    "duplicated": _on_each(bpy.ops.object.duplicate),
+    "deleted": _on_each(bpy.ops.object.delete),
     "undone": _undo,
     "drivers changed": _say_all(EXPRESSIONS),
     "drivers changed again": _say_all(EXPRESSIONS[::-1]),

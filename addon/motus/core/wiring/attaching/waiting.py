@@ -16,7 +16,7 @@ from ...blender import helpers
 from ...declare import Deformed, Variable
 from ...file.pointers import pointed
 
-_WAITING = {'CURVE': 'FOLLOW_PATH', 'MESH': 'SHRINKWRAP', 'EMPTY': 'COPY_LOCATION'}
+_WAITING = {'CURVE': 'FOLLOW_PATH', 'MESH': 'SHRINKWRAP', 'EMPTY': 'COPY_LOCATION', 'ARMATURE': 'COPY_LOCATION'}
 """Type of an object -> type of the constraint that waits for the object's geometry, or for its transform if it has no geometry."""
 _WAIT = frozenset(_WAITING.values())
 

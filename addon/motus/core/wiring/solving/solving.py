@@ -178,8 +178,8 @@ class Solver:
             room.write(weight)
             if room.is_full and problem is None:
                 box[outbox.STATUS] = outbox.FULL
-            if context.wants_to_settle:
-                noticed.note_unsettled(system, owner)
+        if context.wants_to_settle:
+            noticed.note_unsettled(system, owner)
         if self._outlet is not None:
             self._outlet[:] = self._told
         self._tell_healing(moves)
