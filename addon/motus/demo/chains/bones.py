@@ -124,4 +124,4 @@ def tube(places, radius, sides=10, flat=1.0, across=(0.0, 1.0, 0.0), rings=4):
     # A ring without width closes each end.
     sections = np.concatenate((np.repeat(line[:1, None], sides, axis=1), sections, np.repeat(line[-1:, None], sides, axis=1)))
     at = np.concatenate((at[:1], at, at[-1:]))
-    return shapes.loft(sections), np.repeat(at, sides)
+    return shapes.loft(sections[:, ::-1]), np.repeat(at, sides)

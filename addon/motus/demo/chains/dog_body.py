@@ -9,7 +9,7 @@ from . import bones, dog_bones
 
 COAT, DARK, WHITE, COLLAR, BRASS, TONGUE, ROPE = range(7)
 SHARPNESS, SKIN_SHARPNESS = 55.0, 42.0  # 1/m
-STEP = 0.0105  # m
+STEP = 0.0115  # m
 TAIL_RADII = (0.034, 0.017)  # m, at its root and at its tip
 MOUTH = (
     (0.001, 0.565, 0.603),

@@ -69,6 +69,7 @@ def _key_way(rig):
         rig.location, rig.rotation_euler = (x, y, 0.0), (0.0, 0.0, math.radians(turn))
         rig.keyframe_insert("location", frame=frame)
         rig.keyframe_insert("rotation_euler", frame=frame)
+    bpy.context.scene.frame_set(1)  # so that the dog stands where its first keys have it, while its legs are added
 
 
 def _add_legs(rig, grounds):

@@ -106,28 +106,26 @@ def _cliff(name, points, rock):
     rows = []
     for share in (*np.linspace(0.02, 0.9, 34), *np.linspace(0.915, 1.0, 10)):
         x, y = (middle + share * (rim - middle)).T
-        fall = 0.20 * landscape.smoothstep(np.full(count, share), 0.955, 1.0) ** 2
-        rows.append(np.column_stack((x, y, height(x, y) - fall)))
-    bottom = rows[-1][:, 2]
-    depths = np.concatenate((np.linspace(0.06, 5.0, 64), np.geomspace(5.3, DEEP, 36)))
-    along = np.arange(count) * np.linalg.norm(np.diff(rim, axis=0), axis=1).mean()
-    turn = 2.0 * np.pi * np.arange(count) / count
-    for depth in depths:
-        # Noise on a cylinder has no seam.
-        u, v = 7.0 * np.cos(turn), 7.0 * np.sin(turn)
-        ledge = landscape.fractal_noise(u + 30.0, v + 30.0 + 0.9 * depth, 1.7, 4, SEED + 3) - 0.5
-        cleft = landscape.ridged_noise(u + 60.0 + 0.10 * depth, v + 60.0, 1.3, 3, SEED + 9) - 0.45
-        layer = landscape.fractal_noise(np.full(count, 7.3), 1.9 * depth + 0.35 * np.sin(3.0 * turn) + along * 0.0, 1.0, 3, SEED + 5) - 0.5
-        reach = landscape.smoothstep(np.full(count, depth), 0.0, 0.8) * (0.9 * ledge + 0.55 * cleft + 0.55 * layer) + 0.05 * depth - 0.12
-        reach = reach + 0.12 * (1.0 - landscape.smoothstep(np.full(count, depth), 0.0, 0.3))
-        place = rim + outwards * reach[:, None] * min(1.0 + depth / 12.0, 2.6)
-        rows.append(np.column_stack((place, bottom - depth)))
-    vertices, faces = shapes.loft(np.stack(rows)[:, ::-1])
+        rows.append(np.column_stack((x, y, height(x, y) - 0.20 * landscape.smoothstep(share, 0.955, 1.0) ** 2)))
+    edge, turn = rows[-1][:, 2], shapes.ring(count)
+    depths = *np.linspace(0.06, 5.0, 64), *np.geomspace(5.3, DEEP, 36)
+    rows += [np.column_stack((rim + outwards * _ledges(turn, depth)[:, None], edge - depth)) for depth in depths]
     builder = shapes.MeshBuilder()
-    builder.add((vertices, faces[:, ::-1]))
+    builder.add(shapes.loft(np.stack(rows)[:, ::-1]))
     x, y = middle
     builder.add((np.vstack((rows[0], [(x, y, float(height(x, y)))])), [(count, index, (index + 1) % count) for index in range(count)]))
     return builder.build(name, [rock])
+
+
+def _ledges(turn, depth):
+    """Return how far the side of a cliff stands out from its rim, m. turn: around the cliff, (n,), in radians. depth: below the rim, m."""
+    # Noise on a cylinder has no seam.
+    u, v = 7.0 * np.cos(turn), 7.0 * np.sin(turn)
+    ledge = landscape.fractal_noise(u + 30.0, v + 30.0 + 0.9 * depth, 1.7, 4, SEED + 3) - 0.5
+    cleft = landscape.ridged_noise(u + 60.0 + 0.10 * depth, v + 60.0, 1.3, 3, SEED + 9) - 0.45
+    layer = landscape.fractal_noise(np.full(len(turn), 7.3), 1.9 * depth + 0.35 * np.sin(3.0 * turn), 1.0, 3, SEED + 5) - 0.5
+    rough = landscape.smoothstep(depth, 0.0, 0.8) * (0.9 * ledge + 0.55 * cleft + 0.55 * layer)
+    return (rough + 0.05 * depth - 0.12 * landscape.smoothstep(depth, 0.0, 0.3)) * min(1.0 + depth / 12.0, 2.6)
 
 
 def _cliff_rock():

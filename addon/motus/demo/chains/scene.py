@@ -95,7 +95,7 @@ def _add_spider(scene, collection, cliffs):
 def _add_strip(collection, middle):
     """Add a mesh along the bridge on which the spider's feet stand."""
     builder = shapes.MeshBuilder()
-    builder.add(shapes.loft([[(x, y + side, z) for side in (-0.6, 0.6)] for x, y, z in middle], closed=False))
+    builder.add(shapes.loft([[(x, y + side, z) for side in (0.6, -0.6)] for x, y, z in middle], closed=False))
     strip = shapes.link_object(collection, "Spider Strip", builder.build("Spider Strip", []))
     strip.hide_render, strip.display_type = True, "WIRE"
 

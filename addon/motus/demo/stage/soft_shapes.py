@@ -33,7 +33,7 @@ class SoftBody:
         margin = max(max(cone.first, cone.last) for cone in self._cones) + 3.0 * step
         axes = [np.arange(low - margin, high + margin, step) for low, high in zip(ends.min(axis=0), ends.max(axis=0))]
         grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
-        values = self._field(grid.reshape(-1, 3))[0].reshape(grid.shape[:3])
+        values = self._distance(grid.reshape(-1, 3)).reshape(grid.shape[:3])
         vertices, quads = _nets(grid, values)
         return self.onto(vertices), quads
 
@@ -49,29 +49,39 @@ class SoftBody:
         """Return {owner: share of each place, (n,)}; the shares of a place sum to 1. sharpness: how sharply owners are told apart, in 1/m."""
         found = {}
         for cone in self._cones:
-            near = np.exp(-sharpness * _to_cone(cone, places)[0])
-            found[cone.owner] = found.get(cone.owner, 0.0) + near
+            distance, _ = _to_cone(cone, places)
+            found[cone.owner] = found.get(cone.owner, 0.0) + np.exp(-sharpness * distance)
         total = sum(found.values())
         return {owner: near / total for owner, near in found.items()}
+
+    def _distance(self, places):
+        """Return the smooth distance to all cones at places (n, 3)."""
+        return self._smooth(sum(self._nearness(_to_cone(cone, places)[0]) for cone in self._cones))
 
     def _field(self, places):
         """Return the smooth distance to all cones at places (n, 3), and its gradient (n, 3)."""
         total, slope = np.zeros(len(places)), np.zeros((len(places), 3))
         for cone in self._cones:
             distance, away = _to_cone(cone, places)
-            near = np.exp(np.clip(-self._sharpness * distance, -300.0, 300.0))
+            near = self._nearness(distance)
             total += near
-            slope += near[:, None] * away
-        return -np.log(np.maximum(total, 1e-300)) / self._sharpness, slope / np.maximum(total, 1e-300)[:, None]
+            slope += (near / np.maximum(np.linalg.norm(away, axis=1), 1e-9))[:, None] * away
+        return self._smooth(total), slope / total[:, None]
+
+    def _nearness(self, distance):
+        return np.exp(np.clip(-self._sharpness * distance, -300.0, 300.0))
+
+    def _smooth(self, total):
+        return -np.log(total) / self._sharpness
 
 
 def _to_cone(cone, places):
-    """Return the distance of places (n, 3) to the surface of a cone, and the directions away from it."""
+    """Return the distance of places (n, 3) to the surface of a cone, and the way to them from the cone's axis (n, 3)."""
     start, axis = np.array(cone.start), np.subtract(cone.end, cone.start)
-    along = np.clip((places - start) @ axis / max(axis @ axis, 1e-12), 0.0, 1.0)
-    away = places - start - along[:, None] * axis
-    length = np.maximum(np.linalg.norm(away, axis=1), 1e-9)
-    return length - cone.first - along * (cone.last - cone.first), away / length[:, None]
+    away = places - start
+    along = np.clip(away @ axis / max(axis @ axis, 1e-12), 0.0, 1.0)
+    away -= along[:, None] * axis
+    return np.sqrt(np.einsum("ij,ij->i", away, away)) - cone.first - along * (cone.last - cone.first), away
 
 
 def _nets(grid, values):
