@@ -1,4 +1,4 @@
-"""The motion of the dog: it trots up to the bridge on a walker's legs, and wags, pants and bows by keys; tail, ears and leash are chains."""
+"""The motion of the dog: it trots up to the bridge on a walker's legs, and looks up, bows and wags by keys; tail, ears and leash are chains."""
 
 import math
 
@@ -102,7 +102,7 @@ def _add_legs(rig, grounds):
 
 
 def _key_pose(rig):
-    """Key how the dog bobs, bows, looks up and wags."""
+    """Key how the dog bows, looks up and wags."""
     pose = rig.pose.bones
     for bone in pose:
         bone.rotation_mode = "XYZ"

@@ -13,7 +13,7 @@ SPAN, COLOR = 0.82, (0.78, 0.30, 0.02, 1.0)  # of the spider
 # x, y and z of the spider's way on both sides of the bridge, m.
 BEFORE, BEHIND = ((-7.9, 0.05, 0.0), (-7.2, 0.0, 0.0)), ((0.7, 0.0, 0.0), (1.6, -0.1, 0.0))
 SECONDS = 11.5  # duration of the spider's way, of which the scene shows the most part
-VIEWS = (("AgX", "AgX - Punchy", 0.75), ("Filmic", "High Contrast", 0.15), ("Filmic", "Filmic - High Contrast", 0.15))
+VIEWS = (("AgX", "AgX - Punchy", 1.1), ("Filmic", "High Contrast", 0.15), ("Filmic", "Filmic - High Contrast", 0.15))
 CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (1.05, -6.0, 0.9), (-1.03, 0.0, 0.52), 27.0
 CAMERA_DRIFT = (0.10, 0.25, -0.03)  # m by which the camera moves during the scene
 
