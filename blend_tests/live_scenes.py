@@ -99,6 +99,8 @@ def _dynamics():
 def _chains():
     braid = chain_cases.rope(3, name="Braid")
     bpy.ops.motus.chains_add(object=braid.name, bones="Tail 0 0", frequency=1.0)
+    braid.motus.chains.inherit = 0.5
+    bpy.ops.motus.chains_pin(object=braid.name, weight=0.3)
 
 
 def _rig(name, build_bones):

@@ -21,8 +21,6 @@ MISSING = "missing"
 """Key of a group's data: number of entries whose bones do not exist in the rig."""
 BELOW = "below"
 """Key of a group's data: number of entries whose bones belong to a different entry's chain."""
-DEFORMED = "deformed"
-"""Key of a group's data: number of meshes among the colliders that armatures deform."""
 TURN = frozenset({"rotation"})
 
 
@@ -101,7 +99,6 @@ def _groups(owner):
         LOOPED: sum(level is None for level, _ in placed),
         MISSING: sum(is_missing(owner, entry) for entry in owner.motus.chains.entries),
         BELOW: sum(is_below(owner, entry) for entry in owner.motus.chains.entries),
-        DEFORMED: sum(obj.type == 'MESH' and colliders.is_skinned(obj) for obj in colliders.members(owner.motus.chains)),
     }
     parts = [by_level[level] for level in sorted(by_level)] or [[]]  # an empty group still reports problems
     return tuple(_group(owner, str(index) if index else "", found, wrong) for index, found in enumerate(parts))

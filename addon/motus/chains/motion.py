@@ -14,7 +14,7 @@ RATE = 240.0
 """Samples a second of what chains read: times that do not depend on the frame rate, every second one of the solver's steps."""
 STEPS = 480.0
 """Steps of the solver a second."""
-STEP_PRICE, BEND_PRICE, OBSTACLE_PRICE, SURFACE_PRICE = 1.0, 2.0, 0.2, 50.0
+STEP_PRICE, BEND_PRICE, OBSTACLE_PRICE, SURFACE_PRICE = 1.0, 2.0, 0.2, 20.0
 """Prices of a step of a link, of its bend limit, and of each collider and mesh, in units of core/measures/bounds.MANY_AT_ONCE (0.1 microseconds)."""
 LINED_UP = 4.0
 """How much faster than towards the pose a bone swings back into line with its parent: a looser end would fold else, where it holds up the rest."""

@@ -88,7 +88,7 @@ class _Bone:
         moved, _, links = found.chains[0]
         seconds = scene_time.seconds(self._scene, np.asarray(times, float))
         worlds = self._rig.worlds(times).reshape(-1, 4, 4).swapaxes(1, 2)
-        places = np.stack([uneven.tails(moved.places(at), links, world) for at, world in zip(seconds, worlds)])
+        places = np.stack([uneven.tails(moved.places(at), links, uneven.axes_of(world)) for at, world in zip(seconds, worlds)])
         return self._rig.turns(times, names, places, np.full(len(names), weight))
 
     @property

@@ -6,7 +6,7 @@ from ..core.interface import bone_entries, panels, ui
 from ..core.interface.tracks import panel as track_panel
 from ..core.settings.entries import active
 from ..core.translations import OWN_SENSE, counted, tr
-from . import colliders, pins, presets, rows, setup, steps, told
+from . import colliders, making, pins, presets, rows, setup, steps, told
 
 MOST_SHOWN = 3
 """Largest number of colliders that have buttons to record them at a time."""
@@ -48,6 +48,8 @@ def draw_world(layout, context):
     """Draw the wind and the colliders, with buttons that record colliders whose motion is not known."""
     settings = context.object.motus.chains
     rows.WORLD.draw(ui.split(layout), settings)
+    if any(obj.type == 'MESH' and colliders.is_skinned(obj) for obj in colliders.members(settings)):
+        ui.draw_message(layout, making.DEFORMED_COLLIDER.sentence, 'INFO')
     touched = colliders.over_time(settings, colliders.objects(settings), context.scene)
     for track, keywords in [found for solid in touched for found in solid.unknown][:MOST_SHOWN]:
         track_panel.draw(layout, track, **keywords)

@@ -12,7 +12,7 @@ from ..core.lazy import numpy as np
 from ..core.settings import entries
 from ..core.tracks import inputs, own_track
 from . import colliders, making, steps, uneven
-from .groups import BELOW, DEFORMED, LOOPED, MISSING, PLAN
+from .groups import BELOW, LOOPED, MISSING, PLAN
 from .making import (
     BELOW_ANOTHER,
     COLLIDER_NOT_KNOWN,
@@ -90,14 +90,14 @@ def solve(context, obstacles):
         return inputs.BONES_CHANGED
     weights = made.weights if made.weights is not None else entries.weights(context.settings)
     places, influences = np.zeros((len(made.members), 3)), np.zeros(len(made.members))
-    row = 0
+    axes, row = uneven.axes_of(context.owner.matrix_world), 0
     for moved, entry, links in made.chains:
         rows = slice(row, row + len(links.lengths))
         row = rows.stop
         weight = context.settings.influence * weights[entry]
         shown = steps.places(context, entry, moved, context.frame / context.fps) if weight > 0.0 else None
         if shown is not None:
-            influences[rows], places[rows] = weight, uneven.tails(shown, links, context.owner.matrix_world)
+            influences[rows], places[rows] = weight, uneven.tails(shown, links, axes)
     if influences.any():
         rigs.turn(context, context.data[PLAN], made.members, places, influences)
     is_open = any(moved.is_open for moved, *_ in made.chains)
@@ -109,12 +109,7 @@ def _wrong(data):
     return next(
         (
             problem
-            for key, problem in (
-                (LOOPED, inputs.LOOPED_BONES),
-                (MISSING, inputs.MISSING_BONES),
-                (BELOW, BELOW_ANOTHER),
-                (DEFORMED, DEFORMED_COLLIDER),
-            )
+            for key, problem in ((LOOPED, inputs.LOOPED_BONES), (MISSING, inputs.MISSING_BONES), (BELOW, BELOW_ANOTHER))
             if data.get(key)
         ),
         None,

@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+from mathutils import Matrix
+
 from ..core.lazy import numpy as np
 
 EVEN = 1e-4
@@ -15,24 +17,26 @@ class Links(NamedTuple):
     lengths: list
 
 
-def tails(places, links, world):
+def axes_of(world):
+    """Return the axes of a rig with this world matrix (4, 4), as a mathutils matrix, if it is scaled unevenly; else None."""
+    axes = Matrix(world).to_3x3()
+    across = axes.transposed()
+    x, y, z = across[0], across[1], across[2]
+    square = x.dot(x)
+    parts = (y.dot(y) - square, z.dot(z) - square, x.dot(y), y.dot(z), z.dot(x))
+    return axes if max(map(abs, parts)) > EVEN * square else None
+
+
+def tails(places, links, axes):
     """Return where the tails of the bones of a chain come to, (n - 1, 3), for the places (n, 3) of its particles.
 
     In a rig that is scaled evenly, that is to the particles. In another one each bone points along its link, from where its head has come
-    to. world: world matrix (4, 4) of the rig.
+    to. axes: axes_of() the rig.
     """
-    axes = np.array(world, float)[:3, :3]
-    if is_even(axes):
+    if axes is None:
         return places[1:]
-    found = places.copy()
-    back = np.linalg.pinv(axes)
+    found, forth, back = places.copy(), np.array(axes), np.array(axes.inverted_safe())
     for index, (parent, length) in enumerate(zip(links.parents[1:], links.lengths), 1):
         inside = back @ (places[index] - places[parent])
-        found[index] = found[parent] + axes @ inside * (length / max(np.sqrt(inside @ inside), np.finfo(float).tiny))
+        found[index] = found[parent] + forth @ inside * (length / max(np.sqrt(inside @ inside), np.finfo(float).tiny))
     return found[1:]
-
-
-def is_even(axes):
-    """Whether a matrix (3, 3) turns, mirrors and scales evenly alone."""
-    products = axes.T @ axes
-    return bool(np.abs(products - products[0, 0] * np.eye(3)).max() <= EVEN * products[0, 0])

@@ -9,6 +9,8 @@ from ..lazy import numpy as np
 
 MODES = ('QUATERNION', 'XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX', 'AXIS_ANGLE')
 """Rotation modes by their numbers in the native module."""
+ALONG = 1e-9
+"""Part of an axis by which it may lean away from another one, and it still counts as along it."""
 
 
 def by_rows(make):
@@ -92,7 +94,9 @@ def rigid(matrices):
     """
     found = np.zeros_like(matrices)
     x = _directions(matrices[:, :3, 0], np.array([(1.0, 0.0, 0.0)]))
-    y = matrices[:, :3, 1] - x * (x * matrices[:, :3, 1]).sum(axis=1, keepdims=True)
+    beneath = matrices[:, :3, 1]
+    y = beneath - x * (x * beneath).sum(axis=1, keepdims=True)
+    y[np.abs(y).max(axis=1) <= ALONG * np.abs(beneath).max(axis=1)] = 0.0
     beside = np.where(np.abs(x[:, 2:]) < 0.5, np.cross((0.0, 0.0, 1.0), x), np.cross((1.0, 0.0, 0.0), x))
     found[:, :3, 0] = x
     found[:, :3, 1] = y = _directions(y, _directions(beside, x))
