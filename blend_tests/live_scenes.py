@@ -101,6 +101,14 @@ def _chains():
     bpy.ops.motus.chains_add(object=braid.name, bones="Tail 0 0", frequency=1.0)
     braid.motus.chains.inherit = 0.5
     bpy.ops.motus.chains_pin(object=braid.name, weight=0.3)
+    beads = [support.link(f"Bead {index}", location=(0.3 * index, 5.0, 1.0)) for index in range(3)]
+    bpy.ops.motus.chains_add(objects=", ".join(bead.name for bead in beads), frequency=1.0)
+    cord = bpy.data.curves.new("Cord", 'CURVE')
+    cord.splines.new('BEZIER').bezier_points.add(2)
+    for index, point in enumerate(cord.splines[0].bezier_points):
+        point.co = point.handle_left = point.handle_right = (0.3 * index, 6.0, 1.0)
+    support.link("Cord", cord)
+    bpy.ops.motus.chains_add(object="Cord", frequency=1.0)
 
 
 def _rig(name, build_bones):

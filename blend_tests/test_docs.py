@@ -49,7 +49,7 @@ class ExamplesTest(support.SceneTestCase):
         seen = []
         scope = {"print": seen.append}
         exec(compile(scripted, "chains.md", "exec"), scope)
-        self.assertEqual(len(seen), 2)
+        self.assertEqual(len(seen), 4)
         for height in seen:
             self.assertAlmostEqual(height, 0.8, places=2)
         self.assertFalse(scope["rig"].pose.bones["Tail 1"].constraints)

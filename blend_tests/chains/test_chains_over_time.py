@@ -5,7 +5,7 @@ import numpy as np
 
 import solved_cases
 import support
-from chains import chain_cases as cases
+from chains import chain_cases as cases, test_chains_objects
 from dynamics import dynamics_cases
 
 
@@ -18,6 +18,17 @@ class ChainsOverTime(solved_cases.Solved, support.SceneTestCase):
         flag = support.link("Flag", parent=rig)
         flag.parent_type, flag.parent_bone = 'BONE', "Tail 0 3"
         for thing in (rig.pose.bones["Tail 0 0"], rig.pose.bones["Tail 0 3"], flag):
+            self.assertSolved(thing, 1e-4)
+        entry.weight = 0.3
+        self.assertSolved(flag, 1e-4)
+        entry.keyframe_insert("weight", frame=1)
+        self.assertUnknown(flag, "by a part alone")
+
+    def test_objects_of_a_row(self):
+        beads = test_chains_objects.row(3)
+        (entry,) = test_chains_objects.add(beads, frequency=1.0)
+        flag = support.link("Flag", location=(0.0, 0.3, 0.0), parent=beads[3])
+        for thing in (beads[1], beads[3], flag):
             self.assertSolved(thing, 1e-4)
         entry.weight = 0.3
         self.assertSolved(flag, 1e-4)

@@ -242,5 +242,5 @@ class ChainsSettingsTest(support.SceneTestCase):
         cases.add(rig, "Root")
         (group,) = support.addon("chains.groups").groups(rig)
         names = ["Root", "Tail 0 0", "Tail 1 0", "Tail 0 1", "Tail 1 1"]
-        self.assertEqual(json.loads(group.data["plan"])["chains"], [names])
+        self.assertEqual(json.loads(group.data["plan"])["chains"], [["Root", names]])
         self.assertEqual([member.thing.name for member in group.members], names)

@@ -33,14 +33,14 @@ def _state(depsgraph):
         if obj.type == 'CAMERA':
             camera = evaluated.data
             yield f"camera|{obj.name}|", (camera.lens, camera.stereo.interocular_distance, camera.stereo.convergence_distance)
-        if obj.type == 'MESH':
+        if obj.type in {'MESH', 'CURVE'}:
             yield f"mesh|{obj.name}|", _vertices(evaluated)
     for name, rows in _instanced(depsgraph).items():
         yield f"points|{name}|", rows
 
 
 def _vertices(evaluated):
-    """Places of the vertices of an evaluated mesh object, in the world."""
+    """Places of the vertices of an evaluated mesh object, or of the line or surface of a curve, in the world."""
     mesh = evaluated.to_mesh()
     places = np.empty(3 * len(mesh.vertices), np.float32)
     mesh.vertices.foreach_get("co", places)

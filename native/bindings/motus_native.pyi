@@ -1110,8 +1110,8 @@ class StrandMotion:
     A number for all links, or (n,): mass: kg, > 0.  frequency: Hz, of a spring towards the pose, at most rate / 8; 0: none.  damping:
     its damping ratio, 0 to 100.  response: of that spring, as SecondOrder's, -100 to 100.  drag: deceleration relative to the air a
     velocity, 1/s, 0 to 1000.  stretch: by how much of its length a link is lengthened by its particle's weight, 0 to 1e6.  bend_frequency: Hz, of a
-    spring that keeps the pose's angle to the parent's link.  bend: rad, 0 to pi, at most this angle from where the link would be if it followed its parent's link as in the pose.  thickness: m, >= 0,
-    radius in contacts.
+    spring that keeps the pose's angle to the parent's link.  bend: rad, 0 to pi, at most this angle from where the link would be if it followed its parent's link as in the pose.  side_bend: rad,
+    0 to pi, the same for what goes towards the link's side or away from it, where that is less.  thickness: m, >= 0, radius in contacts.
     
     gravity, air: acceleration, and velocity of the air: (3,), or (m, 3), one for each time; None: 0.
     obstacles: k names, "capsule" (around the segment between both places; a ball if they are one) or "plane" (through the first
@@ -1121,12 +1121,15 @@ class StrandMotion:
     pinned: p indices of particles that are held.  pin_places: (m, p, 3).  pin_weights: a number or (m, p), 0 to 1: 1 holds fast, below
     that a spring that is the softer the less.
     resets: rising indices of times at which all starts anew in the pose.
+    sides: (m, n, 3), where the sides of links point in the pose; None: side_bend does not count.
+    touching: whether links keep away from each other, by the thicknesses of both, or as far as in the first pose if that is less.
+    touching_friction: of them.
     rate: steps a second, 60 to 1e5.  settle: s, 0 to 1000: for at most so long strands come to rest before the motion begins.
     loop: the times are one cycle of an endless motion, gone through up to `cycles` times until it closes.
     
     Everything in world space and metres, linear between times.  Raises ValueError or TypeError that names the argument.
     """
-    def __init__(self, parents: numpy.typing.ArrayLike, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, *, mass: numpy.typing.ArrayLike = 1.0, frequency: numpy.typing.ArrayLike = 0.0, damping: numpy.typing.ArrayLike = 0.3, response: numpy.typing.ArrayLike = 0.0, drag: numpy.typing.ArrayLike = 0.0, stretch: numpy.typing.ArrayLike = 0.0, bend_frequency: numpy.typing.ArrayLike = 0.0, bend: numpy.typing.ArrayLike = 3.141592653589793, thickness: numpy.typing.ArrayLike = 0.0, gravity: numpy.typing.ArrayLike | None = None, air: numpy.typing.ArrayLike | None = None, obstacles: typing.Sequence[str] | None = None, obstacle_places: numpy.typing.ArrayLike | None = None, radii: numpy.typing.ArrayLike = 0.0, friction: numpy.typing.ArrayLike = 0.5, surfaces: typing.Sequence[StrandSurface] | None = None, surface_matrices: numpy.typing.ArrayLike | None = None, surface_distances: numpy.typing.ArrayLike = 0.0, surface_friction: numpy.typing.ArrayLike = 0.5, pinned: typing.Sequence[int] | None = None, pin_places: numpy.typing.ArrayLike | None = None, pin_weights: numpy.typing.ArrayLike = 1.0, resets: typing.Sequence[int] | None = None, rate: float = 480.0, settle: float = 0.0, loop: bool = False, cycles: int = 40) -> None:
+    def __init__(self, parents: numpy.typing.ArrayLike, times: numpy.typing.ArrayLike, poses: numpy.typing.ArrayLike, *, mass: numpy.typing.ArrayLike = 1.0, frequency: numpy.typing.ArrayLike = 0.0, damping: numpy.typing.ArrayLike = 0.3, response: numpy.typing.ArrayLike = 0.0, drag: numpy.typing.ArrayLike = 0.0, stretch: numpy.typing.ArrayLike = 0.0, bend_frequency: numpy.typing.ArrayLike = 0.0, bend: numpy.typing.ArrayLike = 3.141592653589793, side_bend: numpy.typing.ArrayLike = 3.141592653589793, thickness: numpy.typing.ArrayLike = 0.0, gravity: numpy.typing.ArrayLike | None = None, air: numpy.typing.ArrayLike | None = None, obstacles: typing.Sequence[str] | None = None, obstacle_places: numpy.typing.ArrayLike | None = None, radii: numpy.typing.ArrayLike = 0.0, friction: numpy.typing.ArrayLike = 0.5, surfaces: typing.Sequence[StrandSurface] | None = None, surface_matrices: numpy.typing.ArrayLike | None = None, surface_distances: numpy.typing.ArrayLike = 0.0, surface_friction: numpy.typing.ArrayLike = 0.5, pinned: typing.Sequence[int] | None = None, pin_places: numpy.typing.ArrayLike | None = None, pin_weights: numpy.typing.ArrayLike = 1.0, resets: typing.Sequence[int] | None = None, sides: numpy.typing.ArrayLike | None = None, touching: bool = False, touching_friction: float = 0.5, rate: float = 480.0, settle: float = 0.0, loop: bool = False, cycles: int = 40) -> None:
         ...
     def __len__(self) -> int:
         ...

@@ -1,7 +1,7 @@
-"""Chains: bones that hang, swing and touch, solved once for the whole scene."""
+"""Chains: bones, objects in a row and points of curves that hang, swing and touch, solved once for the whole scene."""
 
 from ..core.declare import System
-from . import groups, operators, over_time, overlay, panel, presets, properties, solve, steps
+from . import curves, groups, operators, over_time, overlay, panel, presets, properties, solve, steps
 
 SYSTEM = System(
     name="chains",
@@ -9,7 +9,6 @@ SYSTEM = System(
     hand_over='KEYS',
     settings=properties.MOTUS_PG_chains,
     classes=(*properties.classes, *operators.classes, *presets.classes, *panel.classes),
-    owner_types=frozenset({'ARMATURE'}),
     inputs=solve.INPUTS,
     solve=solve.solve,
     problems=solve.PROBLEMS,
@@ -17,6 +16,7 @@ SYSTEM = System(
     entry_settings=properties.KEYWORDS,
     groups=groups.groups,
     entries=groups.entries,
+    prepare=curves.prepare,
     bone_renamed=groups.bone_renamed,
     over_time=over_time.over_time,
     settle=steps.settle,

@@ -1,45 +1,29 @@
-"""Declare what chains drive on a rig: bones, in groups that are solved together.
+"""Declare what chains drive: bones of a rig, or objects in a row, in groups that are solved together.
 
-A chain is a bone with all bones below it. Each entry in the rig's list of chains names the topmost bone.
+Each entry in the owner's list of chains is a chain. Its links name objects: a row, whose root is the owner, or the anchors of a spline's
+points, the root's first. Without links it is the bone of the entry's name, with all bones below it.
 """
 
 import json
-from typing import NamedTuple
 
 from ..core import rigs, wiring
-from ..core.declare import BonesOwn, Entry, Group, Member, Transform
+from ..core.declare import Entry, Group, Transform
 from ..core.evaluated.question import answered
+from ..core.file import libraries
 from ..core.file.pointers import pointed
 from ..core.settings.entries import unwired
-from . import colliders, pins
+from . import colliders, curves, pins
+from .of_bones import Bones
+from .of_objects import Row
 
 PLAN = "plan"
-"""Key of a group's data: JSON text with the names of the bones of each of the group's chains."""
+"""Key of a group's data: JSON text with the name of the entry and the names of the things of each of the group's chains."""
 LOOPED = "looped"
 """Key of a group's data: number of chains that are left out, because what they hang on or touch depends on them."""
 MISSING = "missing"
-"""Key of a group's data: number of entries whose bones do not exist in the rig."""
+"""Key of a group's data: number of entries whose bones or objects do not exist."""
 BELOW = "below"
 """Key of a group's data: number of entries whose bones belong to a different entry's chain."""
-TURN = frozenset({"rotation"})
-
-
-class Chain(NamedTuple):
-    """A chain of bones. entry: its settings. bones: its PoseBones, each after its parent, the topmost one first."""
-
-    entry: object
-    bones: tuple
-
-    @property
-    def parent(self):
-        """Name of the bone on which the chain hangs; "" if there is none."""
-        parent = self.bones[0].parent
-        return parent.name if parent else ""
-
-    @property
-    def names(self):
-        """Names of the bones, as a tuple."""
-        return tuple(bone.name for bone in self.bones)
 
 
 def bones_of(rig, top):
@@ -50,32 +34,61 @@ def bones_of(rig, top):
     return found
 
 
+def objects_of(owner, entry):
+    """List the objects of an entry's row that are there, behind its root: without those that a different owner drives, as of a copied owner."""
+    found = [pointed(link, "object") for link in entry.links]
+    return [obj for obj in found if obj is not None and libraries.is_free_or_of(obj, pointed(obj.motus.chains, "leader"), owner)]
+
+
+def is_bone(entry):
+    """Whether the chain of an entry is one of bones."""
+    return not entry.links and entry.spline < 0
+
+
+def chain_of(owner, entry):
+    """Return the chain of an entry, a Bones or Row; None if something of it does not exist. owner: original or evaluated, as the chain is then."""
+    if is_missing(owner, entry):
+        return None
+    if is_bone(entry):
+        return Bones(entry, tuple(bones_of(owner, entry.name)))
+    if entry.spline >= 0:
+        root, *things = curves.anchors(owner, entry)
+        return Row(entry, root, tuple(things))
+    return Row(entry, owner, tuple(objects_of(owner, entry)))
+
+
 def chains(owner):
-    """List the Chains of an owner. Entries of missing bones, and of bones that belong to a different chain, are skipped."""
+    """List the chains of an owner. Entries of missing things, and of bones that belong to a different chain, are skipped."""
     return answered((hash(owner), "chains"), lambda: _chains(owner))
 
 
 def _chains(owner):
-    settings = owner.motus.chains
-    present = {entry.name: entry for entry in settings.entries if not is_missing(owner, entry) and not is_below(owner, entry)}
-    return [Chain(entry, tuple(bones_of(owner, name))) for name, entry in present.items()]
+    present = {entry.name: entry for entry in owner.motus.chains.entries if not is_below(owner, entry)}
+    return [chain for chain in (chain_of(owner, entry) for entry in present.values()) if chain is not None]
 
 
 def is_missing(owner, entry):
-    """Whether an entry names a bone that does not exist in the rig."""
+    """Whether an entry names a bone that does not exist in the rig, or objects that are gone."""
+    if entry.spline >= 0:
+        return not curves.anchors(owner, entry)
+    if entry.links:
+        return len(objects_of(owner, entry)) < len(entry.links)
     return owner.pose is None or entry.name not in owner.pose.bones
 
 
 def is_below(owner, entry):
     """Whether the bone of an entry belongs to the chain of a different entry."""
+    if not is_bone(entry) or is_missing(owner, entry):
+        return False
     entries = owner.motus.chains.entries
-    return not is_missing(owner, entry) and any(bone.name in entries for bone in owner.data.bones[entry.name].parent_recursive)
+    above = [entries[bone.name] for bone in owner.data.bones[entry.name].parent_recursive if bone.name in entries]
+    return any(map(is_bone, above))
 
 
 def entries(owner):
     """List an Entry with what it reads and drives for each chain; the order of evaluation is found from them."""
     touched = colliders.reads(owner.motus.chains)
-    return [Entry(chain.entry.name, ((owner, chain.parent), *touched, *held_by(owner, chain)), chain.names) for chain in chains(owner)]
+    return [Entry(chain.entry.name, (*chain.reads, *touched, *held_by(owner, chain)), chain.drives) for chain in chains(owner)]
 
 
 def held_by(owner, chain):
@@ -105,14 +118,17 @@ def _groups(owner):
 
 
 def _group(owner, key, found, wrong):
-    bones = [bone for chain in found for bone in chain.bones]
-    plan = {"fingerprint": rigs.fingerprint(owner) if bones else 0, "chains": [chain.names for chain in found]}
+    has_bones = any(isinstance(chain, Bones) for chain in found)
+    plan = {
+        "fingerprint": rigs.fingerprint(owner) if has_bones else 0,
+        "chains": [[chain.entry.name, chain.names] for chain in found],
+    }
     read = [pair for pair in colliders.reads(owner.motus.chains) if pair[1]] if found else []
-    read += [(owner, chain.parent) for chain in found] + [pair for chain in found for pair in held_by(owner, chain)]
+    read += [pair for chain in found for pair in held_by(owner, chain)]
     return Group(
         key=key,
-        members=tuple(Member(bone, TURN, 'LOCAL', is_relative=True) for bone in bones),
-        inputs=(*(Transform(*pair) for pair in dict.fromkeys(read)), *(BonesOwn(owner, bone.name) for bone in bones)),
+        members=tuple(member for chain in found for member in chain.members),
+        inputs=tuple(dict.fromkeys([*(Transform(*pair) for pair in read), *(one for chain in found for one in chain.inputs)])),
         data={PLAN: json.dumps(plan), **wrong},
     )
 
@@ -123,7 +139,7 @@ def bone_renamed(owner, rig, old, new):
     rig: armature object of the bone. old, new: names of the bone.
     """
     with unwired(owner.motus.chains) as settings:
-        for one in (*settings.entries, *settings.pins):
+        for one in (*filter(is_bone, settings.entries), *settings.pins):
             if rig == owner and one.name == old:
                 one.name = new
         for pin in settings.pins:

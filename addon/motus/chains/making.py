@@ -10,17 +10,19 @@ from ..core.declare import Problem, registered
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.tracks import solved
-from ..core.tracks.inputs import BAD_NUMBERS, Tails, of_unknown, stamp_of_known
-from . import colliders, motion, pins, spaces
+from ..core.tracks.inputs import BAD_NUMBERS, of_unknown, stamp_of_known
+from . import colliders, groups, motion, pins, spaces
 from .properties import KEYWORDS
-from .uneven import Links
 
 LOOP_IS_OPEN = Problem("A chain does not come back to where its loop began", blocking=False)
-CONSTRAINED = Problem("Constraints on bones of a chain are no part of what it follows, and may undo it", blocking=False)
+CONSTRAINED = Problem("Constraints on what hangs are no part of what a chain follows, and may undo it", blocking=False)
 BELOW_ANOTHER = Problem("Some chains begin within another chain, which moves them: remove them from the list", blocking=False)
 COLLIDER_NOT_KNOWN = Problem("The motion of a collider is not known on other frames: chains pass through it", blocking=False)
 GRAVITY_NOT_KNOWN = Problem("The scene's gravity is not known on other frames: chains move without it", blocking=False)
 WIND_NOT_KNOWN = Problem("The wind is not known on other frames: chains move without it", blocking=False)
+LOOPED_CHAINS = Problem("Some chains move with what they follow, and are left out", blocking=False)
+THINGS_MISSING = Problem("Some bones or objects of chains are not there any more: remove these from the list", blocking=False)
+THINGS_CHANGED = Problem("What hangs has changed: press Refresh")
 DEFORMED_COLLIDER = Problem(
     "A mesh that changes its shape is no collider: name its armature, whose bones are capsules, or empties instead", blocking=False
 )
@@ -46,7 +48,7 @@ class Surroundings(NamedTuple):
     """What acts on the chains of a rig beside its own animation.
 
     rig: whose settings have the wind. scene: whose frames count. pulling: scene whose gravity is read. cuts: frames at which chains start
-    anew. touched: the objects that are colliders. bones: names of the bones of the chains, whose pins count. In a solver, all but `scene`
+    anew. touched: the objects that are colliders. bones: names of what hangs, whose pins count. In a solver, all but `scene`
     are evaluated.
     """
 
@@ -87,48 +89,48 @@ class Surroundings(NamedTuple):
         return together(found)
 
 
-def _places(bones):
-    """Return {name of a bone: index of the particle at its tail} of the bones of a chain."""
-    return {bone.name: place for place, bone in enumerate(bones, 1)}
+class Part(NamedTuple):
+    """A chain of a group with its motion. moved: motion.Motion. entry: index of its entry. rows: of its members in the group.
 
+    kept: what can be kept of the chain between evaluations, its of_bones.Kept or of_objects.Kept.
+    """
 
-def _parents(bones):
-    """List the index of the parent of each particle of a chain: -1 for the head of its topmost bone, then for the tail of each bone."""
-    places = _places(bones)
-    return [-1, 0, *(places[bone.parent.name] for bone in bones[1:])]
+    moved: Any
+    entry: int
+    rows: range
+    kept: Any
 
 
 class Making:
-    """Makes motions of chains of a rig, and lists their problems.
+    """Makes motions of chains of an owner, and lists their problems.
 
-    chains: [(motion.Motion, index of the chain's entry, its Links)]. members: [(bone name, row)] of the bones of these chains.
-    problems: Problems. carriers, laid: as those of core/tracks/inputs.Tails, of all chains. count: number of all bones, of chains without
-    a motion too. share: of the limit of work, that the rig has.
+    parts: [Part]. problems: Problems. read: what all chains read, that may change although the owner is not edited: hashable, with
+    stamp(owner, scene). count: number of all members, of chains without a motion too. share: of the limit of work, that the owner has.
     """
 
     def __init__(self, owner, settings, surroundings, share):
         self._owner, self._settings, self._surroundings, self._share = owner, settings, surroundings, share
-        self.chains, self.members, self.problems, self.carriers, self.laid, self.count = [], [], [], [], [], 0
+        self.parts, self.problems, self.read, self.count = [], [], [], 0
 
     def make(self, plan):
-        """Make the motions of the chains of a plan: lists of the names of their bones."""
+        """Make the motions of the chains of a plan: for each the name of its entry, and the names of its bones or objects."""
         ready = []
-        for names in plan:
-            index = self._settings.entries.find(names[0])
-            if index < 0:
-                raise KeyError(names[0])
-            bones = [self._owner.pose.bones[name] for name in names]
-            source = Tails(bones, self._surroundings.scene, registered["chains"])
-            self.carriers += source.carriers
-            self.laid += source.laid
-            if self._is_ready(source, bones, self._settings.entries[index]):
-                ready.append((source, bones, index, range(self.count, self.count + len(bones))))
-            self.count += len(bones)
+        for name, names in plan:
+            index = self._settings.entries.find(name)
+            chain = None if index < 0 else groups.chain_of(self._owner, self._settings.entries[index])
+            if chain is None or not chain.is_as_wired(names):
+                raise KeyError(name)
+            source = chain.source(self._surroundings.scene)
+            self.read += chain.read_by(source)
+            if self._is_ready(source, chain):
+                ready.append((source, chain, index, range(self.count, self.count + len(names))))
+            self.count += len(names)
         if ready:
             self._solve(ready)
 
-    def _is_ready(self, source, bones, entry):
-        if any(one.influence > 0.0 for bone in bones for one in solved.acting_on(bone, registered["chains"])):
+    def _is_ready(self, source, chain):
+        entry = chain.entry
+        if any(one.influence > 0.0 for thing in chain.things for one in solved.acting_on(thing, registered["chains"])):
             self.problems.append(CONSTRAINED)
         if not source.is_known and not entry.is_muted:
             self.problems.append(of_unknown(source))
@@ -142,43 +144,43 @@ class Making:
         solids = self._solids
         price = sum(source.price for source, *_ in ready) + sum(solid.price for solid in solids)
         price += sum(pin.place.price + pin.weight.price for pin in around.pins)
-        step = motion.step_price([(len(bones), settings.entries[index]) for _, bones, index, _ in ready], solids)
+        step = motion.step_price([(len(chain.things), chain.entry) for _, chain, *_ in ready], solids)
         share = self._share * len(ready) / max(len(settings.entries), len(ready))
         times = motion.times_of(around.scene, around.cuts, motion.most_seconds(price, step, settings.use_loop, share))
         if times.is_cut_short:
             self.problems.append(TOO_LONG)
         settle = motion.settling(settings.settle, step, 1 + len(times.cuts), share)
-        world = motion.world_of({"settle": settle, **self._world(times)}, self._space(ready[0][0], times))
-        for source, bones, index, rows in ready:
+        world = motion.world_of({"settle": settle, **self._world(times)}, self._space(times))
+        for source, chain, index, rows in ready:
             poses = source.kept(("places", times.frames.tobytes()), lambda source=source: source.places(times.frames))
             try:
-                moved = self._motion(
-                    bones, world.inside({"poses": np.stack(poses, axis=1)})["poses"], settings.entries[index], world, times
-                )
+                moved = self._motion(chain, np.stack(poses, axis=1), world, times)
             except ValueError:
                 self.problems.append(BAD_NUMBERS)
                 continue
-            self.chains.append((moved, index, Links(_parents(bones), [bone.bone.length for bone in bones])))
-            self.members += zip([bone.name for bone in bones], rows)
+            self.parts.append(Part(moved, index, rows, chain.kept(source)))
 
-    def _motion(self, bones, poses, entry, world, times):
-        is_loop, size = self._settings.use_loop, sum(bone.bone.length for bone in bones)
+    def _motion(self, chain, places, world, times):
+        """Return the motion.Motion of a chain. places: (m, n, 3), of its particles in the animation, in the world."""
+        poses, parents, is_loop = world.inside({"poses": places})["poses"], list(chain.parents), self._settings.use_loop
+        size = np.linalg.norm(poses[0, 1:] - poses[0, parents[1:]], axis=1).sum()
         if is_loop and np.abs(poses[-1] - poses[0]).max() > motion.CLOSED * size:
             self.problems.append(LOOP_IS_OPEN)
             is_loop = False
         if is_loop:
             poses[-1] = poses[0]
-        places = _places(bones)
-        held = pins.at([pin for pin in self._held if pin.bone in places], places, times.frames)
-        return motion.motion_of(_parents(bones), poses, entry, world, held, times, is_loop)
+        rows = {name: row for row, name in enumerate(chain.names, 1)}
+        ends = [row for row in range(1, len(parents)) if row not in parents] if chain.entry.hold_end else []
+        held = pins.at([pin for pin in self._held if pin.bone in rows], rows, times.frames, ends, places)
+        return motion.motion_of(parents, poses, chain.entry, world, held, times, is_loop)
 
-    def _space(self, source, times):
-        """Return the spaces.Space in which chains feel a part of their rig's motion alone; None if they feel all of it.
-
-        source: Tails of one of the chains.
-        """
-        inherit = self._settings.inherit
-        return None if inherit >= 1.0 else spaces.following(source.tracks[0], times.frames, times.seconds, 1.0 - max(inherit, 0.0))
+    def _space(self, times):
+        """Return the spaces.Space in which chains feel a part of their owner's motion alone; None if they feel all of it."""
+        inherit, around = self._settings.inherit, self._surroundings
+        if inherit >= 1.0:
+            return None
+        track = tracks.world_track(self._owner, around.scene)
+        return spaces.following(track, times.frames, times.seconds, 1.0 - max(inherit, 0.0))
 
     def _world(self, times):
         """Return the keywords of the native StrandMotion that all chains share: the air, gravity, what they touch."""

@@ -1,25 +1,23 @@
-"""Operators that add chains to bones of a rig, and remove them."""
+"""Operators that add chains to bones of a rig, objects in a row and points of curves, pin them, and remove them."""
 
 import bpy
 
 from ..core import wiring
 from ..core.file import libraries
 from ..core.interface import bone_entries
-from ..core.interface.operators import FindsValues, OfARig, named_or_active
+from ..core.interface.operators import OBJECT_OR_POSE_MODE, FindsValues, OfARig, named_or_active, object_keyword
 from ..core.refusals import (
     Refused,
     check_bone,
     check_evaluated,
     check_finite,
-    check_local,
     check_no_tweak_mode,
-    check_unbaked,
     named,
 )
 from ..core.settings import entries, targets
 from ..core.settings.declared import factor
 from ..core.translations import counted, tr
-from . import groups, pins, properties, rows, setup, told
+from . import chosen, groups, pins, properties, rows, setup, told
 
 KEYWORDS = tuple(properties.ChainsKeywords.__annotations__)
 TARGET_SIZE = 0.25
@@ -32,11 +30,6 @@ def rig_with(context, name):
     if rig.type != 'ARMATURE' or not rig.motus.chains.entries:
         raise Refused(tr("{object} has no chains").format(object=rig.name))
     return rig
-
-
-def _check_editable(rig):
-    check_local(rig)
-    check_unbaked(rig, rig.motus.chains)
 
 
 def _warn(operator, context, rig):
@@ -56,101 +49,86 @@ def _bones():
     )
 
 
-class MOTUS_OT_chains_add(FindsValues, OfARig, properties.ChainsKeywords, bpy.types.Operator):
+class MOTUS_OT_chains_add(FindsValues, properties.ChainsKeywords, bpy.types.Operator):
     bl_idname = "motus.chains_add"
     bl_label = "Add Chains"
-    bl_description = "Let the selected bones, and all bones below them, hang and swing as chains"
+    bl_description = "Let the selected bones and all bones below them hang and swing as chains, or points of a curve, or objects in a row on the active one"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs_native = True
     redo = rows.ADDING
-    rig_with = staticmethod(named_or_active)
+    modes = OBJECT_OR_POSE_MODE
 
+    object: object_keyword("Name of the object; empty takes the active one")
     bones: _bones()
+    objects: bpy.props.StringProperty(
+        name="Objects",
+        description="Names of objects in a row, with commas between, in place of bones: the one that stays, then those that hang on it",
+        options={'SKIP_SAVE'},
+    )
+    spline: bpy.props.IntProperty(
+        name="Spline", description="Index of the spline of a curve whose points hang; -1 for all", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
 
     @classmethod
     def check_offer(cls, context):
-        rig, tops = cls._wanted(context, "", "")
-        _check_editable(rig)
-        cls._check_free(rig, tops)
+        chosen.wanted(context, "", "", "", -1).check_free()
 
     def run(self, context):
-        rig, tops = self._wanted(context, self.object, self.bones)
-        _check_editable(rig)
+        found = chosen.wanted(context, self.object, self.bones, self.objects, self.spline)
+        found.check_free()
         check_finite(self, KEYWORDS)
-        self._check_free(rig, tops)
-        setup.add(rig, tops, self.given(KEYWORDS))
-        self.show_used(rig.motus.chains.entries[tops[0]], KEYWORDS)
-        self.report({'INFO'}, counted(len(tops), tr("Chain added from {bone}").format(bone=tops[0]), tr("{count} chains added")))
-        _warn(self, context, rig)
-
-    @staticmethod
-    def _wanted(context, name, bones):
-        """Return (rig, names of the topmost bones of its chains). Raises Refused if there is no rig, or no bone is named or selected."""
-        rig = named_or_active(context, name)
-        if rig.type != 'ARMATURE':
-            raise Refused(tr("{object} is not an armature").format(object=rig.name))
-        names = bone_entries.names_in(rig, bones) if bones else bone_entries.posed(context) if not name else []
-        if not names:
-            raise Refused(tr("Select the topmost bones of the chains"))
-        chosen = set(names)
-        return rig, [one for one in names if chosen.isdisjoint(bone.name for bone in rig.data.bones[one].parent_recursive)]
-
-    @staticmethod
-    def _check_free(rig, tops):
-        """Raise Refused if bones of the chains are driven by a different system or chain, or move with what they hang on."""
-        present = (
-            {entry.name for entry in rig.motus.chains.entries if not groups.is_missing(rig, entry)} if rig.is_property_set("motus") else ()
-        )
-        bones = {top: [bone.name for bone in groups.bones_of(rig, top)] for top in dict.fromkeys((*present, *tops))}
-        bone_entries.check_apart(bones)
-        for top in tops:
-            bone_entries.check_free(rig, bones[top], setup.system())
-            parent = rig.pose.bones[top].parent
-            if wiring.depends(rig, parent.name if parent else "", rig, bones[top]):
-                raise Refused(tr("What {bone} hangs on moves with it").format(bone=top))
+        owner, names = found.owner, found.names
+        setup.add(owner, names, self.given(KEYWORDS), found.rows, found.splines)
+        self.show_used(owner.motus.chains.entries[names[0]], KEYWORDS)
+        self.report({'INFO'}, counted(len(names), tr("Chain added from {bone}").format(bone=names[0]), tr("{count} chains added")))
+        _warn(self, context, owner)
 
 
 class MOTUS_OT_chains_remove(OfARig, bpy.types.Operator):
     bl_idname = "motus.chains_remove"
     bl_label = "Remove Chains"
-    bl_description = "Remove chains from bones: from the selected ones in Pose Mode, else all of the rig"
-    rig_with = staticmethod(rig_with)
+    bl_description = "Remove chains: in Pose Mode those of the selected bones, else all of the object, or that on which the object hangs"
+    rig_with = staticmethod(chosen.owner_with)
 
+    object: object_keyword("Name of the object; empty takes the active one")
     bones: _bones()
     only_active: bpy.props.BoolProperty(
         name="Only Active", description="Act on the active entry of the list alone", default=False, options={'SKIP_SAVE', 'HIDDEN'}
     )
 
     def run(self, context):
-        rig = rig_with(context, self.object)
-        _check_editable(rig)
-        check_no_tweak_mode(rig)
-        indices = self._indices(context, rig)
-        count = libraries.count_from_library(rig, "motus.chains.entries")
+        owner = chosen.owner_with(context, self.object)
+        chosen.check_editable(owner)
+        check_no_tweak_mode(owner)
+        indices = self._indices(context, owner)
+        count = libraries.count_from_library(owner, "motus.chains.entries")
         if any(index < count for index in indices):
             raise Refused(
-                tr("{object} has these chains from its library, so that they cannot be removed here: mute them").format(object=rig.name)
+                tr("{object} has these chains from its library, so that they cannot be removed here: mute them").format(object=owner.name)
             )
-        setup.remove(rig, indices)
-        self.report({'INFO'}, tr("Removed from {objects}").format(objects=rig.name))
+        setup.remove(owner, indices)
+        self.report({'INFO'}, tr("Removed from {objects}").format(objects=owner.name))
 
-    def _indices(self, context, rig):
-        settings = rig.motus.chains
+    def _indices(self, context, owner):
+        settings = owner.motus.chains
         if self.only_active:
             return [settings.active_entry] if settings.active_entry >= 0 else []
-        names = (
-            [name.strip() for name in self.bones.split(",") if name.strip()]
-            if self.bones
-            else []
-            if self.object
-            else bone_entries.posed(context)
-        )
+        names = self._names(context, owner)
         if not names:
             return range(len(settings.entries))
-        found = sorted({properties.index_of_bone(settings, name) for name in names} - {-1})
+        found = sorted({properties.index_of(settings, name) for name in names} - {-1})
         if not found:
-            raise Refused(tr("{object} has no chains").format(object=rig.name))
+            raise Refused(tr("{object} has no chains").format(object=owner.name))
         return found
+
+    def _names(self, context, owner):
+        """Return names of bones or objects whose chains are meant; [] for all of the owner's."""
+        if self.bones:
+            return [name.strip() for name in self.bones.split(",") if name.strip()]
+        obj = named_or_active(context, self.object)
+        if obj != owner:
+            return [obj.name]
+        return [] if self.object else bone_entries.posed(context)
 
 
 class MOTUS_OT_chains_pin(FindsValues, OfARig, bpy.types.Operator):
@@ -178,12 +156,12 @@ class MOTUS_OT_chains_pin(FindsValues, OfARig, bpy.types.Operator):
     @classmethod
     def check_offer(cls, context):
         rig = rig_with(context, "")
-        _check_editable(rig)
+        chosen.check_editable(rig)
         _pinned(context, rig, "", "")
 
     def run(self, context):
         rig = rig_with(context, self.object)
-        _check_editable(rig)
+        chosen.check_editable(rig)
         check_finite(self, ("weight",))
         names = _pinned(context, rig, self.object, self.bones)
         goal = self._goal()
@@ -224,7 +202,7 @@ def _pinned(context, rig, name, bones):
     settings = rig.motus.chains
     chosen = bone_entries.names_in(rig, bones) if bones else bone_entries.posed(context) if not name else []
     for one in chosen:
-        if properties.index_of_bone(settings, one) < 0:
+        if properties.index_of(settings, one) < 0:
             raise Refused(tr("{bone} belongs to no chain").format(bone=one))
     if chosen:
         return chosen
@@ -278,12 +256,12 @@ class MOTUS_OT_chains_unpin(OfARig, bpy.types.Operator):
     @classmethod
     def check_offer(cls, context):
         rig = rig_with(context, "")
-        _check_editable(rig)
+        chosen.check_editable(rig)
         cls._indices(context, rig, "", "", -1)
 
     def run(self, context):
         rig = rig_with(context, self.object)
-        _check_editable(rig)
+        chosen.check_editable(rig)
         check_no_tweak_mode(rig)
         indices = self._indices(context, rig, self.object, self.bones, self.index)
         if min(indices) < libraries.count_from_library(rig, pins.PATH):

@@ -1,4 +1,4 @@
-"""Motion of a bone of a chain at any times, for systems of Motus that need its past."""
+"""Motion of a bone or object of a chain at any times, for systems of Motus that need its past."""
 
 import functools
 
@@ -6,33 +6,37 @@ from ..core.animation import keys
 from ..core.animation.channel import Channel
 from ..core.animation.reason import Reason
 from ..core.animation.strips import together
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.settings import entry_keys
 from ..core.tracks import in_world, rotations
-from ..core.tracks.inputs import Tails
 from ..core.tracks.rig_inputs import RigInputs, once
 from . import colliders, groups, making, setup, uneven
+from .of_bones import Bones
+from .properties import KEYWORDS
 
 
 def over_time(owner, thing, scene):
-    """Return the motion over time of a bone with its chain; None if it belongs to none. This is the function System.over_time.
+    """Return the motion over time of a bone or object with its chain; None if it belongs to none. This is the function System.over_time.
 
-    owner, thing: both original or both evaluated.
+    owner, thing: both original or both evaluated. An object that has chains of its own may hang on a chain of a different owner.
     """
-    chain = next((chain for chain in groups.chains(owner) if thing in chain.bones), None)
-    return chain and _Bone(owner, chain, thing, scene)
+    for one in (owner, pointed(thing.motus.chains, "leader") if thing == owner else None):
+        chain = one and next((chain for chain in groups.chains(one) if thing in chain.things), None)
+        if chain:
+            return (_Bone if isinstance(chain, Bones) else _Object)(one, chain, thing, scene)
+    return None
 
 
-class _Bone:
-    """Motion over time of a bone of a chain. Its members are listed in core/tracks/solved.py."""
+class _Hanging:
+    """Base class of the motion over time of a bone or object of a chain. Its members are listed in core/tracks/solved.py."""
 
-    def __init__(self, owner, chain, bone, scene):
+    def __init__(self, owner, chain, thing, scene):
         self._owner, self._chain, self._scene = owner, chain, scene
-        self._row = chain.bones.index(bone)
-        self._input = Tails(chain.bones, scene, setup.system())
+        self._row = chain.things.index(thing)
+        self._input = chain.source(scene)
         self._name = "chains", chain.entry.name
-        self._rig = RigInputs(owner, scene, self._name, list(chain.names), chain.parent, (), dict)
 
     @functools.cached_property
     def _around(self):
@@ -49,9 +53,11 @@ class _Bone:
         paths = "motus.chains.influence", f"{prefix}weight", f"{prefix}is_muted"
         if not all(Channel(self._owner, path, -1).is_constant for path in paths):
             return Reason(Reason.INFLUENCE, thing=self._owner.name, name=self._owner.name)
-        acting = (in_world.constrained(bone, setup.system()) for bone in self._chain.bones)
+        acting = (in_world.constrained(thing, setup.system()) for thing in self._chain.things)
         return (
-            next(filter(None, acting), None) or next((track.reason for track in self._read if not track.is_known), None) or self._rig.reason
+            next(filter(None, acting), None)
+            or next((track.reason for track in self._read if not track.is_known), None)
+            or self._input.reason
         )
 
     @property
@@ -69,6 +75,35 @@ class _Bone:
         """First and last frame between which the motion changes: infinite, for a chain swings on after what moved it."""
         return -np.inf, np.inf
 
+    @property
+    def _weight(self):
+        entry = self._chain.entry
+        return 0.0 if entry.is_muted else self._owner.motus.chains.influence * entry.weight
+
+    def _particles(self, times):
+        """Places (n, particles, 3) in the world at times (n,) of the scene; None if the chain has no motion."""
+        if self._weight <= 0.0 or len(times) == 0:
+            return None
+        found = making.Making(self._owner, self._owner.motus.chains, self._around, 1.0)
+        found.make([(self._chain.entry.name, self._chain.names)])
+        if not found.parts:
+            return None
+        moved = found.parts[0].moved
+        return np.stack([moved.places(seconds) for seconds in scene_time.seconds(self._scene, np.asarray(times, float))])
+
+
+class _Bone(_Hanging):
+    """Motion over time of a bone of a chain."""
+
+    def __init__(self, owner, chain, bone, scene):
+        super().__init__(owner, chain, bone, scene)
+        self._rig = RigInputs(owner, scene, self._name, chain.names, chain.hangs_on, (), dict)
+
+    @property
+    def reason(self):
+        """The Reason why the motion at other frames cannot be computed; None if it can."""
+        return super().reason or self._rig.reason
+
     def applied(self, times, transforms):
         """Transforms of the bone in its chain, from `transforms` of its own channels, at times (n,) of the scene."""
         turns = once(self._owner, self._name, times, lambda: self._turns(times))
@@ -76,23 +111,42 @@ class _Bone:
 
     def _turns(self, times):
         """Quaternions (n, bones, 4) that the chain adds to its bones at times (n,) of the scene; None if it has no motion."""
-        entry, settings = self._chain.entry, self._owner.motus.chains
-        weight = 0.0 if entry.is_muted else settings.influence * entry.weight
-        if weight <= 0.0 or len(times) == 0:
+        particles, names = self._particles(times), self._chain.names
+        if particles is None:
             return None
-        names = list(self._chain.names)
-        found = making.Making(self._owner, settings, self._around, 1.0)
-        found.make([names])
-        if not found.chains:
-            return None
-        moved, _, links = found.chains[0]
-        seconds = scene_time.seconds(self._scene, np.asarray(times, float))
         worlds = self._rig.worlds(times).reshape(-1, 4, 4).swapaxes(1, 2)
-        places = np.stack([uneven.tails(moved.places(at), links, uneven.axes_of(world)) for at, world in zip(seconds, worlds)])
-        return self._rig.turns(times, names, places, np.full(len(names), weight))
+        links = self._chain.links
+        places = np.stack([uneven.tails(found, links, uneven.axes_of(world)) for found, world in zip(particles, worlds)])
+        return self._rig.turns(times, names, places, np.full(len(names), self._weight))
 
     @property
     def stamp(self):
         """Hashable value that changes whenever the bone's motion may."""
         above = [track.stamp for track, keywords in self._input.listed if keywords["transform"] == 'WORLD']
         return together((self._row, self._rig.stamp, self._around.stamp, *above))
+
+
+class _Object(_Hanging):
+    """Motion over time of an object of a row."""
+
+    def applied(self, times, matrices):
+        """World matrices (n, 4, 4) of the object in its row, from `matrices` without it, at times (n,) of the scene."""
+        moved = once(self._owner, self._name, times, lambda: self._moved(times))
+        if moved is None:
+            return matrices
+        found = np.broadcast_to(matrices, (len(times), 4, 4)).copy()
+        found[:, :3, :3] = rotations.chained(rotations.matrices(moved.turns[self._row]), found[:, :3, :3])
+        found[:, :3, 3] += moved.moves[self._row]
+        return found
+
+    def _moved(self, times):
+        particles = self._particles(times)
+        return None if particles is None else self._input.moved(np.asarray(times, float), particles, self._weight)
+
+    @property
+    def stamp(self):
+        """Hashable value that changes whenever the object's motion may."""
+        entry, settings = self._chain.entry, self._owner.motus.chains
+        numbers = (getattr(entry, name) for name in (*KEYWORDS, "weight", "is_muted", "hold_end"))
+        shared = settings.influence, settings.gusts, settings.settle, settings.use_loop, settings.friction, settings.inherit
+        return together((self._row, *numbers, *shared, self._input.stamp, self._around.stamp))

@@ -10,6 +10,7 @@ from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.settings import entries
 from . import colliders, groups, pins, steps, wires
+from .of_bones import Bones
 
 LINK_COLOR = (0.35, 0.80, 0.75, 0.9)
 UNFINISHED_COLOR = (0.5, 0.5, 0.5, 0.6)
@@ -33,18 +34,19 @@ PINS = Switch("show_chains_pins", "Pins", "Draw what holds the pinned bones")
 
 def _batches_of(context, owner):
     """List of Batches to draw for an armature object with chains; empty for any different object."""
-    if owner.type != 'ARMATURE' or not owner.motus.chains.is_active:
+    if not owner.motus.chains.is_active:
         return []
     rig = owner.evaluated_get(context.evaluated_depsgraph_get())
     chains = [chain for chain in groups.chains(rig) if not chain.entry.is_muted]
     color, found = LINK_COLOR if steps.done(owner) is None else UNFINISHED_COLOR, []
     for chain in chains:
-        found += _lines([rig.matrix_world @ end for bone in chain.bones for end in (bone.head, bone.tail)], color, LINK_WIDTH)
+        found += _lines(chain.ends, color, LINK_WIDTH)
+    of_bones = [chain for chain in chains if isinstance(chain, Bones)]
     if context.scene.motus.show_chains_limits:
         shown = entries.active(owner, "chains")
-        found += [batch for chain in chains if shown and chain.entry.name == shown.name for batch in _limits(rig, chain)]
+        found += [batch for chain in of_bones if shown and chain.entry.name == shown.name for batch in _limits(rig, chain)]
     if context.scene.motus.show_chains_pins:
-        found += _pins(rig, chains)
+        found += _pins(rig, of_bones)
     if context.scene.motus.show_chains_colliders:
         found += _colliders(context, rig, chains)
     return found
@@ -64,7 +66,7 @@ def _limits(rig, chain):
         return []
     world = rig.matrix_world
     cones = []
-    for bone in chain.bones[1:]:
+    for bone in chain.things[1:]:
         # Where the bone would be if it followed its parent.
         rest = bone.parent.bone.matrix_local.inverted_safe() @ bone.bone.matrix_local
         along = world.to_3x3() @ (bone.parent.matrix @ rest @ bone.matrix_basis).to_3x3().col[1]
@@ -85,7 +87,7 @@ def _pins(rig, chains):
 
 def _colliders(context, rig, chains):
     """Wires of what chains touch, and points where bones touch it."""
-    along, reach, size = _along(rig, chains)
+    along, reach, size = _along(chains)
     if not len(along):
         return []
     settings, scene = rig.motus.chains, context.scene
@@ -108,13 +110,13 @@ def _colliders(context, rig, chains):
     return (_lines(np.concatenate(lines), COLLIDER_COLOR) if lines else []) + _points(near, CONTACT_COLOR, CONTACT_SIZE)
 
 
-def _along(rig, chains):
-    """(places along the bones of chains (n, 3), how near to them something touches (n,), length of all bones), in the world."""
-    bones = [(bone, chain.entry.thickness) for chain in chains for bone in chain.bones]
-    ends = np.array([[rig.matrix_world @ bone.head, rig.matrix_world @ bone.tail] for bone, _ in bones], float).reshape(-1, 1, 2, 3)
+def _along(chains):
+    """(places along the links of chains (n, 3), how near to them something touches (n,), length of all links), in the world."""
+    ends = np.array([end for chain in chains for end in chain.ends], float).reshape(-1, 1, 2, 3)
+    thicknesses = [chain.entry.thickness for chain in chains for _ in chain.things]
     shares = np.arange(1, PARTS + 1)[:, None] / PARTS
     sizes = np.linalg.norm(ends[:, 0, 1] - ends[:, 0, 0], axis=1)
-    reach = NEAR * np.array([thickness for _, thickness in bones]) + TOUCHING * sizes
+    reach = NEAR * np.array(thicknesses) + TOUCHING * sizes
     return ((1.0 - shares) * ends[:, :, 0] + shares * ends[:, :, 1]).reshape(-1, 3), np.repeat(reach, PARTS), sizes.sum()
 
 

@@ -1,4 +1,4 @@
-"""The panel of chains in the sidebar and in the constraint properties of bones."""
+"""The panel of chains in the sidebar and in the constraint properties of bones and objects."""
 
 import bpy
 
@@ -16,7 +16,10 @@ def draw_main(layout, context):
     """Draw the list of chains, the problem if there is one, and how much and how stiffly the shown chain acts."""
     rig = context.object
     settings = rig.motus.chains
-    ui.draw_rig_influence(layout, settings)
+    if rig.type == 'ARMATURE':
+        ui.draw_rig_influence(layout, settings)
+    else:
+        ui.split(layout).prop(settings, "influence", slider=True)
     _, remove, _ = ui.draw_list(
         layout, "MOTUS_UL_chains_entries", settings, "entries", "active_entry", "motus.chains_add", "motus.chains_remove", rows=2
     )
@@ -27,10 +30,14 @@ def draw_main(layout, context):
         ui.draw_readouts(layout, [ui.Readout(text="Motion Solved", value=f"{100.0 * done:.0f} %")])
     entry = active(rig, "chains")
     if entry:
-        bone_entries.draw_shown(layout, setup.system(), entry.name)
+        bone_entries.draw_shown(layout, setup.system(), entry.name, _icon_of(entry))
         column = ui.split(layout)
         rows.AMOUNT.draw(column, entry)
         rows.SPRING.draw(column, entry)
+
+
+def _icon_of(entry):
+    return 'CURVE_DATA' if entry.spline >= 0 else 'OBJECT_DATA' if entry.links else 'BONE_DATA'
 
 
 def _draw_of_entry(group):
@@ -94,12 +101,17 @@ def draw_actions(layout, context):
 
 
 def draw_add(layout, context):
-    """Draw the button that adds chains from the selected bones."""
+    """Draw the button that adds chains from the selected bones, or of the selected objects."""
     bone_entries.draw_add(layout, "motus.chains_add", 'LINKED', _words(context))
 
 
 def _words(context):
-    """Return the label of the button that adds chains; "" if no bones are selected."""
+    """Return the label of the button that adds chains; "" if no bones, no curve, and not several objects are selected."""
+    if context.mode != 'POSE':
+        count = len(context.selected_objects)
+        if count == 1 and context.object and context.object.type == 'CURVE':
+            return tr("Chain along {name}").format(name=context.object.name)
+        return tr("Chain of {count} Objects").format(count=count) if count > 1 else ""
     names = bone_entries.posed(context)
     return counted(len(names), tr("Chain from {name}").format(name=names[0]), tr("Chains from {count} Bones")) if names else ""
 
@@ -109,7 +121,7 @@ class MOTUS_UL_chains_entries(bpy.types.UIList):
         row = layout.row(align=True)
         row.active = not entry.is_muted
         columns = row.split(factor=0.65, align=True)  # the factor leaves room for the name even in a narrow sidebar
-        columns.label(text=entry.name, icon='BONE_DATA', translate=False)
+        columns.label(text=entry.name, icon=_icon_of(entry), translate=False)
         columns.prop(entry, "weight", text="", slider=True, emboss=False, text_ctxt=OWN_SENSE)
         row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
 
@@ -128,14 +140,14 @@ PANEL = panels.SystemPanel(
     name="chains",
     prefix="MOTUS_PT_chains",
     label="Chains",
-    editors={"": ui.Sidebar, "_constraint": ui.BoneConstraints},
-    suits=lambda obj: obj.type == 'ARMATURE',
+    editors={"": ui.Sidebar, "_constraint": ui.BoneConstraints, "_object_constraint": ui.ObjectConstraints},
+    suits=lambda _obj: True,
     is_used=lambda obj: len(obj.motus.chains.entries) > 0,
     draw=draw_main,
     parts=(
         panels.Part("forces", "Forces", _draw_of_entry(rows.FORCES), is_open=True),
         panels.Part("limits", "Limits", _draw_of_entry(rows.LIMITS)),
-        panels.Part("pins", "Pins", draw_pins),
+        panels.Part("pins", "Pins", draw_pins, is_shown=lambda context: context.object.type == 'ARMATURE'),
         panels.Part("world", "Surroundings", draw_world),
         panels.Part("time", "Time", draw_time),
     ),

@@ -66,15 +66,19 @@ def _held(rig, scene, name, index, where):
     return Held(name, where, tracks.world_track(thing, scene), tracks.property_track(rig, f"{path}weight"))
 
 
-def at(held, rows, frames):
+def at(held, rows, frames, ends, poses):
     """Return the keywords of the native StrandMotion for pins at frames (n,).
 
-    held: list of Held, which are known. rows: {name of a bone: index of the particle at its tail}.
+    held: list of Held, which are known. rows: {name of a bone: index of the particle at its tail}. ends: indices of particles that are held
+    where the animation has them; a pin of such a one is left out. poses: (n, particles, 3), where it has all of them.
     """
-    if not held:
+    acting = [one for one in held if rows[one.bone] not in ends]
+    if not acting and not ends:
         return {}
+    places = [one.place.values(frames)[:, :3, 3] for one in acting] + [poses[:, end] for end in ends]
+    weights = [one.weight.values(frames) for one in acting] + [np.ones(len(frames)) for _ in ends]
     return {
-        "pinned": [rows[one.bone] for one in held],
-        "pin_places": np.stack([one.place.values(frames)[:, :3, 3] for one in held], axis=1),
-        "pin_weights": np.stack([one.weight.values(frames) for one in held], axis=1),
+        "pinned": [*(rows[one.bone] for one in acting), *ends],
+        "pin_places": np.stack(places, axis=1),
+        "pin_weights": np.stack(weights, axis=1),
     }

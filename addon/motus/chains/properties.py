@@ -5,7 +5,7 @@ from functools import partial
 
 import bpy
 
-from ..core.file.pointers import to_object
+from ..core.file.pointers import pointed, to_object
 from ..core.interface import bone_entries
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire
 from ..core.settings.declared import factor, number, switch, vector
@@ -68,28 +68,48 @@ class ChainsKeywords:
         subtype='ANGLE',
     )
     thickness: _number("Thickness", "Radius of the chain where it touches colliders", 0.0, min=0.0, max=1e5, soft_max=1.0, unit='LENGTH')
+    hold_end: switch("Hold End", "Keep the end of the chain where the animation has it, as its beginning", tells_no_keys=True)
     weight: factor("Weight", "Blend from the animation (0) to the hanging chain (1)", 1.0, options=ANIMATED)
 
 
-KEYWORDS = tuple(name for name in ChainsKeywords.__annotations__ if name != "weight")
+KEYWORDS = tuple(name for name in ChainsKeywords.__annotations__ if name not in ("weight", "hold_end"))
 """Settings of an entry that presets and To All Selected copy."""
+
+
+class MOTUS_PG_chains_link(bpy.types.PropertyGroup):
+    object: to_object(name="Object", description="Object of a row, which hangs on the one before it", update=rewire, override=OVERRIDABLE)
 
 
 class MOTUS_PG_chains_entry(ChainsKeywords, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(
         name="Bone", description="Topmost bone of the chain, which has all bones below it", update=rewire, override=OVERRIDABLE
     )
+    links: bpy.props.CollectionProperty(type=MOTUS_PG_chains_link, name="Objects", override=EXTENDABLE)
+    spline: bpy.props.IntProperty(
+        name="Spline",
+        description="Index of the spline of a curve whose points hang; -1 for bones and objects",
+        default=-1,
+        min=-1,
+        options=set(),
+    )
     is_muted: switch("Mute", "Switch this chain off", options=ANIMATED)
 
 
-def index_of_bone(settings, bone):
-    """Return the index of the entry whose chain has a bone; -1 if there is none. bone: name of the bone."""
-    index = settings.entries.find(bone)
+def index_of(settings, name):
+    """Return the index of the entry whose chain has a bone or object of this name; -1 if there is none."""
+    index = settings.entries.find(name)
+    if index < 0:
+        index = next((place for place, entry in enumerate(settings.entries) if _links_to(entry, name)), -1)
     rig = settings.id_data
-    if index < 0 and rig.pose and bone in rig.pose.bones:
-        above = (one.name for one in rig.data.bones[bone].parent_recursive)
+    if index < 0 and rig.pose and name in rig.pose.bones:
+        above = (one.name for one in rig.data.bones[name].parent_recursive)
         index = next((found for found in map(settings.entries.find, above) if found >= 0), -1)
     return index
+
+
+def _links_to(entry, name):
+    objects = (pointed(link, "object") for link in entry.links)
+    return any(obj is not None and obj.name == name for obj in objects)
 
 
 class MOTUS_PG_chains_pin(bpy.types.PropertyGroup):
@@ -109,7 +129,7 @@ class MOTUS_PG_chains_pin(bpy.types.PropertyGroup):
 
 
 class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
-    influence: factor("Influence", "How much all chains of the rig act; 0 leaves the rig to its animation", 1.0, options=ANIMATED)
+    influence: factor("Influence", "How much all chains of the object act; 0 leaves all to its animation", 1.0, options=ANIMATED)
     wind: vector("Wind", "Velocity of the air, which chains with Air Drag feel", options=ANIMATED, subtype='VELOCITY', unit='VELOCITY')
     gusts: _number("Gusts", "How much the wind rises and falls: 1 lets it fall to a calm at times", 0.0, min=0.0, max=2.0, subtype='FACTOR')
     inherit: _number(
@@ -143,9 +163,9 @@ class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
     friction: _number("Friction", "How much colliders hold back what slides along them", 0.5, min=0.0, max=100.0, soft_max=2.0, step=5)
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_chains_entry, name="Chains", override=EXTENDABLE)
     chosen_entry: bpy.props.IntProperty(name="Chosen Entry", options={'HIDDEN'})
-    active_entry: bone_entries.active_property("Active Entry", index_of_bone)
+    active_entry: bone_entries.active_property("Active Entry", index_of)
     pins: bpy.props.CollectionProperty(type=MOTUS_PG_chains_pin, name="Pins", override=EXTENDABLE)
     active_pin: bpy.props.IntProperty(name="Active Pin", options=set(), override=OVERRIDABLE)
 
 
-classes = (MOTUS_PG_chains_entry, MOTUS_PG_chains_pin, MOTUS_PG_chains)
+classes = (MOTUS_PG_chains_link, MOTUS_PG_chains_entry, MOTUS_PG_chains_pin, MOTUS_PG_chains)

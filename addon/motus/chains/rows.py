@@ -14,7 +14,7 @@ SPRING = Rows(
     title="Spring",
 )
 FORCES = Rows(("gravity", "drag", "tip_mass"), title="Forces")
-LIMITS = Rows(("stretch", "bend_limit", "thickness"), title="Limits")
+LIMITS = Rows(("stretch", "bend_limit", "thickness", "hold_end"), title="Limits")
 WORLD = Rows(("wind", "gusts", "colliders", "friction", "inherit"), title="Surroundings")
 TIME = Rows(("settle", "use_loop", Row("use_cuts", active=lambda settings: not settings.use_loop)), title="Time")
 PINNING = Rows((Row("weight", text="Weight", text_ctxt=OWN_SENSE),))

@@ -4,7 +4,7 @@ from ..core.declare import registered
 from ..core.file import libraries
 from ..core.file.pointers import pointed
 from ..core.settings import entries, entry_keys, targets
-from . import groups, pins
+from . import curves, groups, pins
 
 
 def system():
@@ -12,8 +12,12 @@ def system():
     return registered["chains"]
 
 
-def add(owner, names, changes):
-    """Add entries for chains, or change those that exist. names: of the topmost bones. changes: {setting: value}."""
+def add(owner, names, changes, rows, splines):
+    """Add entries for chains, or change those that exist. names: of the entries: for bones the topmost ones. changes: {setting: value}.
+
+    rows: {name of an entry: its objects, in the order in which they hang}, for objects. splines: {name of an entry: index of its spline}, for
+    points of a curve.
+    """
     with entries.at_once(system(), owner) as settings:
         for name in names:
             entry = settings.entries.get(name)
@@ -22,7 +26,18 @@ def add(owner, names, changes):
                 entry.name = name
             for key, value in changes.items():
                 setattr(entry, key, value)
+            if name in splines:
+                entry.spline = splines[name]
+            elif name in rows:
+                _link(entry, rows[name])
             settings.chosen_entry = settings.entries.find(name)
+
+
+def _link(entry, objects):
+    entry.links.clear()
+    for obj in objects:
+        link = entry.links.add()
+        link.name, link.object = obj.name, obj
 
 
 def remove(owner, indices):
@@ -34,6 +49,8 @@ def remove(owner, indices):
     kept = libraries.count_from_library(owner, pins.PATH)
     unpin(owner, [index for index, one in enumerate(settings.pins) if index >= kept and (is_last or one.name in bones)])
     entries.remove(system(), owner, indices, "chosen_entry")
+    if owner.type == 'CURVE':
+        curves.tidy(owner)
 
 
 def pin(owner, bone, changes):

@@ -1,17 +1,17 @@
-"""Solve the chains of a group: turn bones to where their motion has them."""
+"""Solve the chains of a group: bring bones and objects to where their motion has them."""
 
+import functools
 from typing import Any, NamedTuple
 
-from ..core import keeping, rigs, wiring
+from ..core import keeping, wiring
 from ..core.animation import strips
 from ..core.declare import Geometries, registered
 from ..core.evaluated import copies, shares
 from ..core.evaluated.question import answered
 from ..core.file import stored
-from ..core.lazy import numpy as np
 from ..core.settings import entries
-from ..core.tracks import inputs, own_track
-from . import colliders, making, steps, uneven
+from ..core.tracks import inputs
+from . import colliders, making, steps
 from .groups import BELOW, LOOPED, MISSING, PLAN
 from .making import (
     BELOW_ANOTHER,
@@ -21,8 +21,11 @@ from .making import (
     GRAVITY_NOT_KNOWN,
     LARGE_COLLIDER,
     LOOP_IS_OPEN,
+    LOOPED_CHAINS,
     PIN_NOT_KNOWN,
     PIN_WEIGHT_NOT_KNOWN,
+    THINGS_CHANGED,
+    THINGS_MISSING,
     TOO_LONG,
     WIND_NOT_KNOWN,
 )
@@ -42,14 +45,14 @@ PROBLEMS = (
     PIN_NOT_KNOWN,
     PIN_WEIGHT_NOT_KNOWN,
     TOO_LONG,
-    inputs.LOOPED_BONES,
-    inputs.MISSING_BONES,
-    inputs.BONES_CHANGED,
+    LOOPED_CHAINS,
+    THINGS_MISSING,
+    THINGS_CHANGED,
 )
 
 INPUTS = (Geometries("obstacles", of=colliders.objects),)
 
-_FORM = {"fingerprint": int, "chains": [[str]]}
+_FORM = {"fingerprint": int, "chains": [(str, [str])]}
 """Structure of the JSON text that groups.py stores in a group's data under PLAN."""
 
 _MADE = keeping.OfEvaluation(
@@ -62,17 +65,14 @@ _MADE = keeping.OfEvaluation(
 class Made(NamedTuple):
     """Motions of a group's chains, valid while their inputs do not change.
 
-    stamp: hashable value that changes with the inputs, including the world tracks of `carriers` and the own tracks of `laid`, names as in
-    core/tracks/inputs.py. chains: [(motion.Motion, index of the chain's entry, its Links)]. members: (bone name, row of the member) of
-    the bones of these chains. problem: the Problem to report, or None. weights: of all entries; None if they are animated.
+    stamp: hashable value that changes with the inputs, including all of `read`, which Making.read describes. parts: [making.Part].
+    problem: the Problem to report, or None. weights: of all entries; None if they are animated.
     share: of the limit of work, that the owner had (core/evaluated/shares.py). edits: shares.edits() when that was looked up.
     """
 
     stamp: Any
-    carriers: tuple
-    laid: tuple
-    chains: list
-    members: tuple
+    read: tuple
+    parts: list
     problem: Any
     weights: Any
     share: float
@@ -80,40 +80,31 @@ class Made(NamedTuple):
 
 
 def solve(context, obstacles):
-    """Turn the group's bones to where the motion has them at the context's frame. Returns a Problem or None.
+    """Bring the group's bones and objects to where the motion has them at the context's frame. Returns a Problem or None.
 
     obstacles: what the wiring waits by for the colliders.
     """
     try:
         made = _made(context)
-    except KeyError:  # bones or entries that do not exist any more
-        return inputs.BONES_CHANGED
+    except KeyError:  # bones, objects or entries that do not exist any more
+        return THINGS_CHANGED
     weights = made.weights if made.weights is not None else entries.weights(context.settings)
-    places, influences = np.zeros((len(made.members), 3)), np.zeros(len(made.members))
-    axes, row = uneven.axes_of(context.owner.matrix_world), 0
-    for moved, entry, links in made.chains:
-        rows = slice(row, row + len(links.lengths))
-        row = rows.stop
-        weight = context.settings.influence * weights[entry]
-        shown = steps.places(context, entry, moved, context.frame / context.fps) if weight > 0.0 else None
-        if shown is not None:
-            influences[rows], places[rows] = weight, uneven.tails(shown, links, axes)
-    if influences.any():
-        rigs.turn(context, context.data[PLAN], made.members, places, influences)
-    is_open = any(moved.is_open for moved, *_ in made.chains)
+    acting = {}
+    for part in made.parts:
+        weight = context.settings.influence * weights[part.entry]
+        particles = steps.places(context, part.entry, part.moved, context.frame / context.fps) if weight > 0.0 else None
+        if particles is not None:
+            acting.setdefault(type(part.kept), []).append((part.kept, part.rows, particles, weight))
+    for kind, parts in acting.items():
+        answered(object(), functools.partial(kind.fill, context, context.data[PLAN], parts))
+    is_open = any(part.moved.is_open for part in made.parts)
     return made.problem or (LOOP_IS_OPEN if is_open else None) or _wrong(context.data)
 
 
 def _wrong(data):
     """Return the Problem with the list of chains of a group's data; None if there is none."""
-    return next(
-        (
-            problem
-            for key, problem in ((LOOPED, inputs.LOOPED_BONES), (MISSING, inputs.MISSING_BONES), (BELOW, BELOW_ANOTHER))
-            if data.get(key)
-        ),
-        None,
-    )
+    told = ((LOOPED, LOOPED_CHAINS), (MISSING, THINGS_MISSING), (BELOW, BELOW_ANOTHER))
+    return next((problem for key, problem in told if data.get(key)), None)
 
 
 def _made(context):
@@ -123,7 +114,7 @@ def _made(context):
     found = kept.get(context.group)
     edits = shares.edits()
     share = found.share if found and found.edits == edits else shares.share_of(registered["chains"], owner, depsgraph)
-    if found is None or found.stamp is None or found.share != share or found.stamp != _stamp(context, found.carriers, found.laid):
+    if found is None or found.stamp is None or found.share != share or found.stamp != _stamp(context, found.read):
         # One question, so that what many bones depend on, such as the motion of their rig, is found once.
         found = kept[context.group] = answered(object(), lambda: _make(context, share))
     elif found.edits != edits:
@@ -131,15 +122,15 @@ def _made(context):
     return found
 
 
-def _stamp(context, carriers, laid):
+def _stamp(context, read):
     """Hashable value that changes whenever the inputs of an owner's chains may change; None if changes cannot be detected."""
     owner, scene = context.owner, context.depsgraph.scene
     if context.copy is None:
         return None
-    found = [context.copy.number, strips.stamp_of(owner.animation_data), copies.stamp_of_data(owner), _surroundings(context).stamp]
-    found += [inputs.stamp_of_carrier(owner, name, scene, registered["chains"]) for name in carriers]
-    found += [inputs.stamp_of_known(own_track(owner.pose.bones[name])) for name in laid]
-    return strips.together(found)
+    found = [context.copy.number, strips.stamp_of(owner.animation_data), _surroundings(context).stamp]
+    if owner.type == 'ARMATURE':
+        found.append(copies.stamp_of_data(owner))
+    return strips.together((*found, *(one.stamp(owner, scene) for one in read)))
 
 
 def _surroundings(context):
@@ -158,8 +149,8 @@ def _surroundings(context):
 
 
 def _names(context):
-    """Return the names of all bones of the context's chains, as a set."""
-    return {name for names in stored.parse(context.data.get(PLAN), _FORM)["chains"] for name in names}
+    """Return the names of all that hangs in the context's group, as a set."""
+    return {one for _, names in stored.parse(context.data.get(PLAN), _FORM)["chains"] for one in names}
 
 
 def _make(context, share):
@@ -168,14 +159,12 @@ def _make(context, share):
     found.make(plan["chains"])
     if found.count != len(context.locations):
         raise stored.Damaged("another number of members")
-    carriers, laid = tuple(dict.fromkeys(found.carriers)), tuple(dict.fromkeys(found.laid))
+    read = tuple(dict.fromkeys(found.read))
     is_still = context.copy is not None and not context.copy.has_animated_settings
     return Made(
-        _stamp(context, carriers, laid),
-        carriers,
-        laid,
-        found.chains,
-        tuple(found.members),
+        _stamp(context, read),
+        read,
+        found.parts,
         next(iter(found.problems), None),
         entries.weights(context.settings) if is_still else None,
         share,

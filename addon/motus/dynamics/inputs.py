@@ -104,7 +104,7 @@ class OwnInput(_Filtered):
     def samples(self, frames):
         """Return the Samples of the input at frames (n,): locations, rotations and scales of the thing's own transform."""
         found = self.tracks[0].values(frames)
-        turns = rotations.product(found.rotations, _mirrored(found.scales))
+        turns = rotations.product(found.rotations, rotations.mirrored(found.scales))
         return Samples(
             seconds_of(frames, self._scene),
             found.locations,
@@ -112,23 +112,6 @@ class OwnInput(_Filtered):
             found.scales,
             sampling.resets(frames, found.locations, self._entry.jump),
         )
-
-
-@rotations.by_rows
-def _mirrored(scales):
-    """Return quaternions (n, 4) by which Blender's decomposition of a matrix turns further than the keyed rotation.
-
-    scales: (n, 3) keyed scales. Blender decomposes a mirroring matrix into three negative scales, and any other matrix into three
-    positive ones. The remaining signs become half a turn.
-    """
-    signs = np.where(scales < 0.0, -1.0, 1.0)
-    signs *= np.prod(signs, axis=1, keepdims=True)
-    # Two negative signs are left, which are half a turn about the third axis; or no sign is left, which is no turn.
-    turned = (signs < 0.0).any(axis=1)
-    found = np.zeros((len(scales), 4))
-    found[~turned, 0] = 1.0
-    found[:, 1:] = np.where(turned[:, None] & (signs > 0.0), 1.0, 0.0)  # type: ignore[index]
-    return found
 
 
 class WorldInput(_Filtered):

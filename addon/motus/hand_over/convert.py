@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import wiring
-from ..core.blender import actions, datablocks
+from ..core.blender import actions, datablocks, helpers
 from ..core.blender.frames import Kept, depsgraph_of, go_to
 from ..core.measures import scene_time
 from ..core.refusals import Refused
@@ -90,6 +90,8 @@ def _write(recorded, time_of):
         if _is_there(track.id_data):  # hidden objects of the wiring, which have drivers too, are gone with it
             by_datablock.setdefault(track.id_data, []).append(track)
     for id_data, own in by_datablock.items():
+        if isinstance(id_data, bpy.types.Object) and helpers.is_helper(id_data):
+            id_data.use_fake_user = True  # what it moves, such as a curve with hooks, does not count as its user
         tracks.write(id_data, own, time_of)
         id_data.update_tag()
 

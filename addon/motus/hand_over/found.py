@@ -6,7 +6,7 @@ import bpy
 
 from ..core import wiring
 from ..core.bake import keys
-from ..core.blender import datablocks
+from ..core.blender import datablocks, helpers
 from ..core.declare import groups_of, has_settings, is_owner, registered, systems, title
 from ..core.declare.forgetting import says_anything
 from ..core.file.deleted import is_deleted
@@ -107,7 +107,7 @@ def _check_object(obj, view_layer):
     check_local(obj)
     if obj.override_library:
         _refuse_override(obj)
-    if obj.name not in view_layer.objects:
+    if obj.name not in view_layer.objects and not helpers.is_helper(obj):
         raise Refused(
             tr("{object} is not in the view layer {layer}, so its motion cannot be read: put it into a collection that is").format(
                 object=obj.name, layer=view_layer.name

@@ -27,8 +27,10 @@ struct Shot {
     std::vector<glm::dvec3> poses, obstacle_places;
     std::vector<glm::dvec3> gravity{{0.0, 0.0, -9.81}};
     std::vector<Obstacle> obstacles;
+    bool are_touching = false;
 
-    Shot(std::size_t chains, int frames, const Link& like) {
+    /// apart: m, from one to the next.
+    Shot(std::size_t chains, int frames, const Link& like, double apart = 1.0) {
         for (std::size_t chain = 0; chain < chains; ++chain)
             for (std::size_t i = 0; i <= links; ++i) {
                 Link link = like;
@@ -42,8 +44,8 @@ struct Shot {
             const glm::dvec3 body(0.3 * std::sin(2.0 * time), 0.0, 1.0 + 0.2 * std::sin(3.0 * time));
             for (std::size_t chain = 0; chain < chains; ++chain)
                 for (std::size_t i = 0; i <= links; ++i)
-                    poses.push_back(
-                        body + glm::dvec3(0.1 * static_cast<double>(i), static_cast<double>(chain), 0.0));
+                    poses.push_back(body + glm::dvec3(0.1 * static_cast<double>(i),
+                                                      apart * static_cast<double>(chain), 0.0));
         }
     }
     /// Three balls and a floor.
@@ -65,7 +67,8 @@ struct Shot {
                  .poses = poses,
                  .gravity = gravity,
                  .obstacles = obstacles,
-                 .obstacle_places = obstacle_places}};
+                 .obstacle_places = obstacle_places,
+                 .are_touching = are_touching}};
     }
     [[nodiscard]] double work() const {  // links times steps
         return static_cast<double>(all.size()) * times.back() * Solving{}.rate;
@@ -110,5 +113,8 @@ int main() {
     row(table, "10 tails with limits", Shot(10, 250, limited));
     row(table, "10 tails, 3 balls and a floor", obstructed);
     row(table, "100 tails, 1020 frames", Shot(100, 1020, tail));
+    Shot hair(100, 250, thick, 0.05);
+    hair.are_touching = true;
+    row(table, "100 tails that touch, 250 frames", hair);
     return 0;
 }

@@ -159,8 +159,8 @@ strictly rising.  poses: (m, n, 3), where the animation has the particles; links
 A number for all links, or (n,): mass: kg, > 0.  frequency: Hz, of a spring towards the pose, at most rate / 8; 0: none.  damping:
 its damping ratio, 0 to 100.  response: of that spring, as SecondOrder's, -100 to 100.  drag: deceleration relative to the air a
 velocity, 1/s, 0 to 1000.  stretch: by how much of its length a link is lengthened by its particle's weight, 0 to 1e6.  bend_frequency: Hz, of a
-spring that keeps the pose's angle to the parent's link.  bend: rad, 0 to pi, at most this angle from where the link would be if it followed its parent's link as in the pose.  thickness: m, >= 0,
-radius in contacts.
+spring that keeps the pose's angle to the parent's link.  bend: rad, 0 to pi, at most this angle from where the link would be if it followed its parent's link as in the pose.  side_bend: rad,
+0 to pi, the same for what goes towards the link's side or away from it, where that is less.  thickness: m, >= 0, radius in contacts.
 
 gravity, air: acceleration, and velocity of the air: (3,), or (m, 3), one for each time; None: 0.
 obstacles: k names, "capsule" (around the segment between both places; a ball if they are one) or "plane" (through the first
@@ -170,6 +170,9 @@ number or (s,), m.  surface_matrices: (m, s, 4, 4), to world space, scaled evenl
 pinned: p indices of particles that are held.  pin_places: (m, p, 3).  pin_weights: a number or (m, p), 0 to 1: 1 holds fast, below
 that a spring that is the softer the less.
 resets: rising indices of times at which all starts anew in the pose.
+sides: (m, n, 3), where the sides of links point in the pose; None: side_bend does not count.
+touching: whether links keep away from each other, by the thicknesses of both, or as far as in the first pose if that is less.
+touching_friction: of them.
 rate: steps a second, 60 to 1e5.  settle: s, 0 to 1000: for at most so long strands come to rest before the motion begins.
 loop: the times are one cycle of an endless motion, gone through up to `cycles` times until it closes.
 
@@ -177,15 +180,17 @@ Everything in world space and metres, linear between times.  Raises ValueError o
         .def(py::init([](const ArrayLike& parents, const ArrayLike& times, const ArrayLike& poses,
                          const ArrayLike& mass, const ArrayLike& frequency, const ArrayLike& damping,
                          const ArrayLike& response, const ArrayLike& drag, const ArrayLike& stretch,
-                         const ArrayLike& bend_frequency, const ArrayLike& bend, const ArrayLike& thickness,
-                         const OptionalArrayLike& gravity, const OptionalArrayLike& air,
-                         const OptionalTexts& obstacles, const OptionalArrayLike& obstacle_places,
-                         const ArrayLike& radii, const ArrayLike& friction, const OptionalSurfaces& surfaces,
+                         const ArrayLike& bend_frequency, const ArrayLike& bend, const ArrayLike& side_bend,
+                         const ArrayLike& thickness, const OptionalArrayLike& gravity,
+                         const OptionalArrayLike& air, const OptionalTexts& obstacles,
+                         const OptionalArrayLike& obstacle_places, const ArrayLike& radii,
+                         const ArrayLike& friction, const OptionalSurfaces& surfaces,
                          const OptionalArrayLike& surface_matrices, const ArrayLike& surface_distances,
                          const ArrayLike& surface_friction, const OptionalWholeNumbers& pinned,
                          const OptionalArrayLike& pin_places, const ArrayLike& pin_weights,
-                         const OptionalWholeNumbers& resets, const Number& rate, const Number& settle,
-                         const Flag& loop, const WholeNumber& cycles) {
+                         const OptionalWholeNumbers& resets, const OptionalArrayLike& sides,
+                         const Flag& touching, const Number& touching_friction, const Number& rate,
+                         const Number& settle, const Flag& loop, const WholeNumber& cycles) {
                  std::vector<Link> links;
                  for (const int parent : whole_numbers(parents, "parents")) {
                      Link link;
@@ -200,6 +205,7 @@ Everything in world space and metres, linear between times.  Raises ValueError o
                  give(links, &Link::stretch, stretch, "stretch");
                  give(links, &Link::bend_frequency, bend_frequency, "bend_frequency");
                  give(links, &Link::bend, bend, "bend");
+                 give(links, &Link::side_bend, side_bend, "side_bend");
                  give(links, &Link::thickness, thickness, "thickness");
                  const DoubleArray moments = doubles(times, "times");
                  if (moments.ndim() != 1)
@@ -212,6 +218,9 @@ Everything in world space and metres, linear between times.  Raises ValueError o
                      surfaces_of(surfaces, surface_matrices, surface_distances, surface_friction, count);
                  const Pins pins = pins_of(pinned, pin_places, pin_weights, count);
                  const std::vector<std::size_t> jumps = indices(resets, "resets");
+                 const auto across = sides.is_none()
+                                         ? std::vector<glm::dvec3>()
+                                         : vectors(sides, "sides", {count, links.size()}, "(m, n, 3)");
                  const Solving solving{.rate = number(rate, "rate"),
                                        .settle = number(settle, "settle"),
                                        .is_loop = flag(loop, "loop"),
@@ -227,17 +236,22 @@ Everything in world space and metres, linear between times.  Raises ValueError o
                                      .pinned = pins.pinned,
                                      .pin_places = pins.places,
                                      .pin_weights = pins.weights,
-                                     .resets = jumps};
+                                     .resets = jumps,
+                                     .sides = across,
+                                     .are_touching = flag(touching, "touching"),
+                                     .friction = number(touching_friction, "touching_friction")};
                  return Motion(links, inputs, solving);
              }),
              "parents"_a, "times"_a, "poses"_a, py::kw_only(), "mass"_a = 1.0, "frequency"_a = 0.0,
              "damping"_a = 0.3, "response"_a = 0.0, "drag"_a = 0.0, "stretch"_a = 0.0,
-             "bend_frequency"_a = 0.0, "bend"_a = std::numbers::pi, "thickness"_a = 0.0,
-             "gravity"_a = py::none(), "air"_a = py::none(), "obstacles"_a = py::none(),
+             "bend_frequency"_a = 0.0, "bend"_a = std::numbers::pi, "side_bend"_a = std::numbers::pi,
+             "thickness"_a = 0.0, "gravity"_a = py::none(), "air"_a = py::none(), "obstacles"_a = py::none(),
              "obstacle_places"_a = py::none(), "radii"_a = 0.0, "friction"_a = 0.5, "surfaces"_a = py::none(),
              "surface_matrices"_a = py::none(), "surface_distances"_a = 0.0, "surface_friction"_a = 0.5,
              "pinned"_a = py::none(), "pin_places"_a = py::none(), "pin_weights"_a = 1.0,
-             "resets"_a = py::none(), "rate"_a = 480.0, "settle"_a = 0.0, "loop"_a = false, "cycles"_a = 40)
+             "resets"_a = py::none(), "sides"_a = py::none(), "touching"_a = false,
+             "touching_friction"_a = 0.5, "rate"_a = 480.0, "settle"_a = 0.0, "loop"_a = false,
+             "cycles"_a = 40)
         .def("__len__", &Motion::size)
         .def(
             "solve",

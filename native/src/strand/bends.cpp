@@ -28,12 +28,15 @@ Bends::Bends(std::span<const Link> links)
     for (std::size_t i = 0; i < links.size(); ++i) {
         parents_.push_back(links[i].parent);
         most_.push_back(links[i].bend);
-        if (links[i].parent >= 0 && links[i].bend < std::numbers::pi) limited_ = i + 1;
+        most_sideways_.push_back(links[i].side_bend);
+        if (links[i].parent >= 0 && std::min(links[i].bend, links[i].side_bend) < std::numbers::pi)
+            limited_ = i + 1;
     }
 }
 
-void Bends::hold(const Stepped& step, std::span<const glm::dvec3> pose) {
+void Bends::hold(const Stepped& step, std::span<const glm::dvec3> pose, std::span<const glm::dvec3> sides) {
     if (limited_ == 0) return;
+    sides_ = sides;
     constexpr int rounds = 2;
     std::fill(is_moved_.begin(), is_moved_.end(), 0);
     for (std::size_t i = 0; i < parents_.size(); ++i)
@@ -59,15 +62,16 @@ void Bends::lay(const Stepped& step, std::span<const glm::dvec3> pose) {
         const auto parent = static_cast<std::size_t>(parents_[i]);
         const glm::dvec3 root = step.state.places[parent], link = step.state.places[i] - root;
         const double angle = bones::angle_between(straight, link);
-        const bool is_beyond = angle > most_[i];
+        const glm::dvec3 axis = axis_of(straight, link);
+        const double limit = most(i, straight, axis);
+        const bool is_beyond = angle > limit;
         if ((!is_beyond && is_moved_[i] == 0 && is_moved_[parent] == 0) ||
             !(step.mobilities[i].displacement > 0.0))
             return;
         const glm::dvec3 along = direction_or(link, direction_or(straight, glm::dvec3(0.0)));
-        const double back = is_beyond ? most_[i] - angle : 0.0;
+        const double back = is_beyond ? limit - angle : 0.0;
         step.state.places[i] =
-            root + lengths_[i] *
-                       (std::cos(back) * along + std::sin(back) * glm::cross(axis_of(straight, link), along));
+            root + lengths_[i] * (std::cos(back) * along + std::sin(back) * glm::cross(axis, along));
         is_moved_[i] = 1;
     });
 }
@@ -89,6 +93,22 @@ void Bends::visit(const Stepped& step, std::span<const glm::dvec3> pose, std::si
     }
 }
 
+/// How far a link may be turned about an axis across the direction in which it is straight: the radius of an
+/// ellipse.
+double Bends::most(std::size_t particle, const glm::dvec3& straight, const glm::dvec3& axis) const {
+    const double most = most_[particle], sideways = most_sideways_[particle];
+    if (sides_.empty() || !(sideways < most)) return most;
+    const auto parent = static_cast<std::size_t>(parents_[particle]);
+    const glm::dvec3 along = direction_or(straight, glm::dvec3(0.0));
+    const glm::dvec3 side = turns_[parent] * sides_[particle];
+    const glm::dvec3 across = direction_or(side - along * glm::dot(side, along), glm::dvec3(0.0));
+    if (across == glm::dvec3(0.0)) return most;
+    // What is turned about its side does not go towards it.
+    const double about = glm::dot(axis, across), towards = glm::dot(axis, glm::cross(along, across));
+    const double size = std::sqrt(about * about * sideways * sideways + towards * towards * most * most);
+    return size > 0.0 ? most * sideways / size : sideways;
+}
+
 /// Returns whether it was bent too far.
 bool Bends::straighten(const Stepped& step, std::size_t particle, const glm::dvec3& straight) {
     const auto parent = static_cast<std::size_t>(parents_[particle]);
@@ -97,9 +117,11 @@ bool Bends::straighten(const Stepped& step, std::size_t particle, const glm::dve
     const glm::dvec3 link = places[particle] - places[parent];
     const double length = glm::length(link);
     const double angle = bones::angle_between(straight, link);
-    if (!(angle > most_[particle]) || !(length > 0.0)) return false;
+    if (!(angle > std::min(most_[particle], most_sideways_[particle])) || !(length > 0.0)) return false;
     const glm::dvec3 along = link / length;
     const glm::dvec3 axis = axis_of(straight, link);
+    const double limit = most(particle, straight, axis);
+    if (!(angle > limit)) return false;
     // How the angle grows with each place: of the link's ends, and of the parent's link, along which it is
     // straight.
     const glm::dvec3 out = glm::cross(axis, along) / length;
@@ -120,7 +142,7 @@ bool Bends::straighten(const Stepped& step, std::size_t particle, const glm::dve
     if (!(mobility > 0.0)) return false;
     const double speed = glm::dot(out, velocities[particle]) + glm::dot(middle, velocities[parent]) +
                          glm::dot(back, velocities[above]);
-    const double turn = (most_[particle] - angle) / mobility;
+    const double turn = (limit - angle) / mobility;
     const double brake = std::min(-speed, 0.0) / mobility;
     const auto move = [&](std::size_t which, const glm::dvec3& direction) {
         const double way = step.mobilities[which].displacement;

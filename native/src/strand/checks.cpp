@@ -42,6 +42,7 @@ void require_links(std::span<const Link> links, double rate) {
         require(is_within(link.drag, 0.0, 1000.0), "drag: must be between 0 and 1000");
         require(is_within(link.stretch, 0.0, 1e6), "stretch: must be between 0 and 1e6");
         require(is_within(link.bend, 0.0, std::numbers::pi), "bend: must be between 0 and pi");
+        require(is_within(link.side_bend, 0.0, std::numbers::pi), "side_bend: must be between 0 and pi");
         require(is_within(link.thickness, 0.0, 1e6), "thickness: must be between 0 and 1e6");
     }
 }
@@ -60,6 +61,10 @@ void require_over_time(std::span<const Link> links, const Inputs& inputs) {
     require(inputs.air.size() <= 1 || inputs.air.size() == count,
             "air: must be none, one, or one for each time");
     require(are_near(inputs.air), "air: must be finite, and at most 1e9 in size");
+    require(inputs.sides.empty() || inputs.sides.size() == inputs.poses.size(),
+            "sides: must be none, or have a row of all links for each time");
+    require(are_near(inputs.sides), "sides: must be finite, and at most 1e9 in size");
+    require(is_within(inputs.friction, 0.0, 100.0), "friction: must be between 0 and 100");
     require(std::ranges::adjacent_find(inputs.resets, std::ranges::greater_equal{}) == inputs.resets.end() &&
                 (inputs.resets.empty() || (inputs.resets.front() > 0 && inputs.resets.back() < count)),
             "resets: must rise, and be indices of times but the first");

@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 #include <optional>
 
+#include "contact.hpp"
 #include "motus/core/numeric.hpp"
 
 namespace motus::strand {
@@ -12,83 +13,6 @@ namespace {
 
 /// m; what lies nearer to a surface may be behind it by rounding.
 constexpr double least_reach = 1e-5;
-
-/// A place on a link that has entered an obstacle.
-struct Contact {
-    std::size_t first = 0, second = 0;  ///< the link's ends
-    double share = 0.0;                 ///< from the first to the second
-    glm::dvec3 normal{0.0};             ///< outwards
-    double depth = 0.0;                 ///< m; below 0 it has left the obstacle within the step
-    glm::dvec3 carried{0.0};            ///< how the obstacle moves there within the step
-};
-
-/// What is left of a way or velocity along a surface that friction may take away.
-[[nodiscard]] glm::dvec3 held(const glm::dvec3& sliding, double most, double& used) {
-    const double size = glm::length(sliding), left = std::max(most - used, 0.0);
-    if (size <= left) {
-        used += size;
-        return sliding;
-    }
-    used += left;
-    return sliding * (left / size);
-}
-
-/// Moves the contact out of the obstacle. The move adds no velocity, so that strands that begin inside are
-/// not thrown out.
-void resolve(const Contact& contact, double coefficient, double duration, const Stepped& step,
-             Contacts::Friction& friction) {
-    const double share1 = 1.0 - contact.share, share2 = contact.share;
-    const double way1 = step.mobilities[contact.first].displacement,
-                 way2 = step.mobilities[contact.second].displacement;
-    const double mobility = way1 * share1 * share1 + way2 * share2 * share2;
-    if (!(mobility > 0.0)) return;
-    auto& places = step.state.places;
-    auto& velocities = step.state.velocities;
-    const auto mixed = [&](const auto& of) {
-        return share1 * of[contact.first] + share2 * of[contact.second];
-    };
-    const auto along_surface = [&](const glm::dvec3& v) {
-        return v - contact.normal * glm::dot(v, contact.normal);
-    };
-    const glm::dvec3 way = mixed(places) - mixed(step.before) - contact.carried;
-    const glm::dvec3 velocity = mixed(velocities) - contact.carried / duration;
-    const double out = std::max(contact.depth, 0.0);
-    const double entering = std::max(-glm::dot(velocity, contact.normal), 0.0);
-    friction.pushed += out;
-    friction.stopped += entering;
-    const glm::dvec3 still = held(along_surface(way), coefficient * friction.pushed, friction.held);
-    const glm::dvec3 slower = held(along_surface(velocity), coefficient * friction.stopped, friction.braked);
-    const glm::dvec3 push = (contact.normal * out - still) / mobility;
-    const glm::dvec3 brake = (contact.normal * entering - slower) / mobility;
-    places[contact.first] += way1 * share1 * push;
-    places[contact.second] += way2 * share2 * push;
-    velocities[contact.first] += way1 * share1 * brake;
-    velocities[contact.second] += way2 * share2 * brake;
-}
-
-struct Shares {
-    double first = 0.0, second = 0.0;
-};
-
-/// Where two segments are nearest, as shares of both: Ericson, "Real-Time Collision Detection" (2005), 5.1.9.
-[[nodiscard]] Shares nearest(const glm::dvec3& start1, const glm::dvec3& way1, const glm::dvec3& start2,
-                             const glm::dvec3& way2) {
-    const glm::dvec3 between = start1 - start2;
-    const double square1 = glm::dot(way1, way1), square2 = glm::dot(way2, way2);
-    const double f = glm::dot(way2, between);
-    if (!(square1 > 0.0)) return {1.0, square2 > 0.0 ? std::clamp(f / square2, 0.0, 1.0) : 0.0};
-    const double c = glm::dot(way1, between);
-    if (!(square2 > 0.0)) return {std::clamp(-c / square1, 0.0, 1.0), 0.0};
-    const double b = glm::dot(way1, way2);
-    const double divisor = square1 * square2 - b * b;
-    double s = divisor > 0.0 ? std::clamp((b * f - c * square2) / divisor, 0.0, 1.0) : 1.0;
-    double t = (b * s + f) / square2;
-    if (t < 0.0 || t > 1.0) {
-        t = std::clamp(t, 0.0, 1.0);
-        s = std::clamp((b * t - c) / square1, 0.0, 1.0);
-    }
-    return {s, t};
-}
 
 /// A space that is turned, moved and scaled evenly.
 class Space {
@@ -175,7 +99,7 @@ void Contacts::resolve_obstacles(const Stepped& step, std::span<const glm::dvec3
                     obstacle.radius + bodies_[i].thickness - glm::dot(step.state.places[i] - start, normal);
                 Friction& friction = frictions_[k * bodies_.size() + i];
                 if (depth > -friction.pushed)
-                    resolve({i, i, 0.0, normal, depth, carried1}, obstacle.friction, duration, step,
+                    resolve({{{{i, 1.0}}}, 1, normal, depth, carried1}, obstacle.friction, duration, step,
                             friction);
             }
             continue;
@@ -195,9 +119,11 @@ void Contacts::resolve_obstacles(const Stepped& step, std::span<const glm::dvec3
             const double distance = std::sqrt(square);
             // From the very middle the way out is any.
             const glm::dvec3 normal = direction_or(apart, glm::dvec3(0.0, 0.0, 1.0));
-            resolve({parent, i, shares.first, normal, reach - distance,
-                     carried1 + shares.second * (carried2 - carried1)},
-                    obstacle.friction, duration, step, friction);
+            Contact contact = contact_on_link(parent, i, shares.first);
+            contact.normal = normal;
+            contact.depth = reach - distance;
+            contact.carried = carried1 + shares.second * (carried2 - carried1);
+            resolve(contact, obstacle.friction, duration, step, friction);
         }
     }
 }
@@ -221,10 +147,11 @@ void Contacts::resolve_surfaces(const Stepped& step, std::span<const glm::dmat4>
                     *surfaces_[k].surface, space_before.inside(mixed(step.before)),
                     space.inside(mixed(step.state.places)), reach, friction.pushed / space.scale());
                 if (!found) continue;
-                const glm::dvec3 carried = space.outside(found->point) - space_before.outside(found->point);
-                resolve({parent, i, share, space.direction_outside(found->normal),
-                         found->depth * space.scale(), carried},
-                        surfaces_[k].friction, duration, step, friction);
+                Contact contact = contact_on_link(parent, i, share);
+                contact.normal = space.direction_outside(found->normal);
+                contact.depth = found->depth * space.scale();
+                contact.carried = space.outside(found->point) - space_before.outside(found->point);
+                resolve(contact, surfaces_[k].friction, duration, step, friction);
             }
         }
     }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "contact.hpp"
 #include "motus/strand/strand.hpp"
 #include "state.hpp"
 
@@ -28,13 +29,6 @@ class Contacts {
     /// The same for surfaces. before, now: their matrices at the step's beginning and end.
     void resolve_surfaces(const Stepped& step, std::span<const glm::dmat4> before,
                           std::span<const glm::dmat4> now, double duration);
-
-    /// Coulomb friction of a contact during one step. Bounds: the coefficient times `pushed` (m) for
-    /// displacements and times `stopped` (m/s) for velocities. `held` and `braked`: the parts used so far.
-    struct Friction {
-        double pushed = 0.0, held = 0.0;
-        double stopped = 0.0, braked = 0.0;
-    };
 
   private:
     struct Body {

@@ -19,7 +19,8 @@ constexpr double least_length = 1e-9;  // m, by which errors of links without a 
 }  // namespace
 
 Lengths::Lengths(std::span<const Link> links, std::span<const double> masses)
-    : roots_(roots_of(links)),
+    : order_(interleaved(links)),
+      roots_(roots_of(links)),
       branches_(links.size()),
       rows_(links.size()),
       displacements_(links.size()),
@@ -207,7 +208,8 @@ void Lengths::eliminate(const Stepped& step, std::span<const double> lengths, do
         if (branch.matrix >= 0)
             matrices_[static_cast<std::size_t>(branch.matrix)] = glm::dmat3(mobilities_[i]);
     }
-    for (std::size_t i = branches_.size(); i-- > 0;) {
+    for (std::size_t k = order_.size(); k-- > 0;) {
+        const std::size_t i = order_[k];
         if (parents_[i] < 0 || is_open_[roots_[i]] == 0) continue;
         const auto parent = static_cast<std::size_t>(parents_[i]);
         Row& row = rows_[i];
@@ -227,7 +229,7 @@ void Lengths::eliminate(const Stepped& step, std::span<const double> lengths, do
 }
 
 void Lengths::substitute() {
-    for (std::size_t i = 0; i < parents_.size(); ++i) {
+    for (const std::size_t i : order_) {
         if (is_open_[roots_[i]] == 0) continue;
         const Row& row = rows_[i];
         corrections_[i] = 0.0;

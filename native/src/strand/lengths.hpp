@@ -61,6 +61,7 @@ class Lengths {
     [[nodiscard]] bool add_geometric_stiffness(std::span<const double> lengths);
 
     std::vector<int> parents_;
+    std::vector<std::size_t> order_;  ///< of links, parents first
     std::vector<std::size_t> roots_;
     std::vector<char> is_rigid_;
     std::vector<double> compliances_;  ///< of links a metre long, m/N

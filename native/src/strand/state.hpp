@@ -19,6 +19,10 @@ namespace motus::strand {
     return roots;
 }
 
+/// Links in an order in which parents come first and neighbours are of different strands, some at a time:
+/// while a link waits for its parent's result, the processor goes on with others.
+[[nodiscard]] std::vector<std::size_t> interleaved(std::span<const Link> links);
+
 /// Of each particle.
 struct State {
     std::vector<glm::dvec3> places;

@@ -46,12 +46,15 @@ Stepper::Stepper(std::span<const Link> links, const Inputs& inputs, const Solvin
       pins_(links.size(), -1),
       times_(inputs.times),
       poses_(inputs.poses, links.size()),
+      sides_(inputs.sides, inputs.sides.empty() ? 0 : links.size()),
       gravity_(inputs.gravity, 1),
       air_(inputs.air, 1),
       obstacle_places_(inputs.obstacle_places, 2 * inputs.obstacles.size()),
       pin_places_(inputs.pin_places, inputs.pinned.size()),
       surface_matrices_(inputs.surface_matrices, inputs.surfaces.size()),
       pin_weights_(inputs.pin_weights, inputs.pinned.size()),
+      are_touching_(inputs.are_touching),
+      friction_(inputs.friction),
       stiffest_(turn * solving.rate / 8.0) {
     springs_.reserve(links.size());
     for (const Link& link : links) {
@@ -74,6 +77,7 @@ Stepper::Work::Work(const Stepper& stepper)
       straightening_(stepper.links_, stepper.masses_),
       bends_(stepper.links_),
       contacts_(stepper.links_, stepper.obstacles_, stepper.surfaces_),
+      touching_(stepper.links_, stepper.poses_.row(0), stepper.are_touching_, stepper.friction_),
       flows_(stepper.size()),
       pin_flows_(stepper.pinned_.size()),
       mobilities_(stepper.size()),
@@ -82,18 +86,20 @@ Stepper::Work::Work(const Stepper& stepper)
 
 std::size_t Stepper::bytes() const noexcept {
     return links_.size() * (sizeof(Link) + sizeof(Spring) + sizeof(double)) + times_.size() * sizeof(double) +
-           poses_.bytes() + gravity_.bytes() + air_.bytes() + obstacle_places_.bytes() +
+           poses_.bytes() + sides_.bytes() + gravity_.bytes() + air_.bytes() + obstacle_places_.bytes() +
            surface_matrices_.bytes() + pin_places_.bytes() + pin_weights_.bytes();
 }
 
 void Stepper::read(double time, std::size_t first, std::size_t last, Driven& out) const {
     const Between place = times_.at(time, first, last);
     out.pose.resize(links_.size());
+    out.sides.resize(sides_.width());
     out.obstacles.resize(obstacle_places_.width());
     out.surfaces.resize(surfaces_.size());
     out.pins.resize(pinned_.size());
     out.pin_weights.resize(pinned_.size());
     poses_.at(place, out.pose);
+    sides_.at(place, out.sides);
     obstacle_places_.at(place, out.obstacles);
     surface_matrices_.at(place, out.surfaces);
     if (place.share > 0.0 && !surface_matrices_.is_still())
@@ -219,12 +225,14 @@ void Stepper::hold(State& state, const Driven& before, const Driven& now, double
     const auto keep_away = [&] {
         work.contacts_.resolve_obstacles(stepped, before.obstacles, now.obstacles, duration);
         work.contacts_.resolve_surfaces(stepped, before.surfaces, now.surfaces, duration);
+        work.touching_.resolve_pairs(stepped, duration);
     };
     work.contacts_.begin();
+    work.touching_.begin(stepped);
     keep_away();
     work.straightening_.hold(stepped, now.pose, work.wanted_lengths_, duration);
     work.lengths_.hold(stepped, work.wanted_lengths_, duration);
-    work.bends_.hold(stepped, now.pose);
+    work.bends_.hold(stepped, now.pose, now.sides);
     keep_away();
 }
 

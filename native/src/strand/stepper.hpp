@@ -15,12 +15,14 @@
 #include "samples.hpp"
 #include "state.hpp"
 #include "straightening.hpp"
+#include "touching.hpp"
 
 namespace motus::strand {
 
 /// What moves strands at one time.
 struct Driven {
     std::vector<glm::dvec3> pose;
+    std::vector<glm::dvec3> sides;  ///< none, if nothing is limited by them
     std::vector<glm::dvec3> obstacles;
     std::vector<glm::dmat4> surfaces;
     std::vector<glm::dvec3> pins;
@@ -78,9 +80,11 @@ class Stepper {
     std::vector<std::size_t> pinned_;
     std::vector<int> pins_;  ///< of each particle: its row in pinned_, or -1
     Times times_;
-    Rows<glm::dvec3> poses_, gravity_, air_, obstacle_places_, pin_places_;
+    Rows<glm::dvec3> poses_, sides_, gravity_, air_, obstacle_places_, pin_places_;
     Rows<glm::dmat4> surface_matrices_;
     Rows<double> pin_weights_;
+    bool are_touching_;
+    double friction_;
     double stiffest_;  ///< rad/s, of a spring that a step resolves
 };
 
@@ -101,6 +105,7 @@ class Stepper::Work {
     Straightening straightening_;
     Bends bends_;
     Contacts contacts_;
+    Touching touching_;
     double duration_ = 0.0;  ///< that flows_ are made for
     std::vector<Flow> flows_;
     std::vector<PinFlow> pin_flows_;

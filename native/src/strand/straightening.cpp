@@ -23,7 +23,7 @@ namespace {
 }  // namespace
 
 Straightening::Straightening(std::span<const Link> links, std::span<const double> masses) {
-    for (std::size_t i = 0; i < links.size(); ++i) {
+    for (const std::size_t i : interleaved(links)) {
         if (!(links[i].bend_frequency > 0.0) || links[i].parent < 0) continue;
         const auto parent = static_cast<std::size_t>(links[i].parent);
         if (links[parent].parent < 0) continue;

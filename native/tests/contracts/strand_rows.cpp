@@ -22,6 +22,8 @@ struct Shot {
     std::vector<glm::dmat4> surface_matrices{3, glm::dmat4(1.0)};
     std::vector<std::size_t> pinned{2}, resets{2};
     std::vector<double> pin_weights{0.5, 0.7, 1.0};
+    std::vector<glm::dvec3> sides{9, glm::dvec3(0.0, 1.0, 0.0)};
+    double friction = 0.5;
 
     Shot() {
         for (int k = 0; k < 3; ++k) {
@@ -31,14 +33,24 @@ struct Shot {
         }
     }
     [[nodiscard]] Inputs inputs() const {
-        return {times,     poses,           gravity,     air,
-                obstacles, obstacle_places, surfaces,    surface_matrices,
-                pinned,    pin_places,      pin_weights, resets};
+        return {times,       poses,
+                gravity,     air,
+                obstacles,   obstacle_places,
+                surfaces,    surface_matrices,
+                pinned,      pin_places,
+                pin_weights, resets,
+                sides,       true,
+                friction};
     }
 };
 
 [[nodiscard]] std::vector<Link> sample_links() {
-    Link link{.frequency = 2.0, .drag = 1.0, .bend_frequency = 3.0, .bend = 1.0, .thickness = 0.02};
+    Link link{.frequency = 2.0,
+              .drag = 1.0,
+              .bend_frequency = 3.0,
+              .bend = 1.0,
+              .thickness = 0.02,
+              .side_bend = 0.5};
     std::vector<Link> links(3, link);
     for (int i = 0; i < 3; ++i) links[static_cast<std::size_t>(i)].parent = i - 1;
     return links;
@@ -65,6 +77,7 @@ void add_making(Table& table) {
             given.pin_places.clear();
             given.pin_weights.clear();
             given.poses.clear();
+            given.sides.clear();
             for (std::size_t i = 0; i < 3 * links.size(); ++i)
                 given.poses.emplace_back(0.3 * static_cast<double>(i), 0.0, 1.0);
             return solved(Motion(links, given.inputs()));
@@ -80,7 +93,8 @@ void add_making(Table& table) {
            each("bend_frequency", &Link::bend_frequency,
                 from(0.0, 60.0).in_words("0 to an eighth of the rate")),
            each("bend", &Link::bend, from(0.0, std::numbers::pi).in_words("0 to π")),
-           each("thickness", &Link::thickness, from(0.0, 1e6))))
+           each("thickness", &Link::thickness, from(0.0, 1e6)),
+           each("side_bend", &Link::side_bend, from(0.0, std::numbers::pi).in_words("0 to π"))))
         .costs(cost)
         .allocates(Memory::scratch)
         .adds("4e10 links times steps, and 1 GB of what is kept, at most");
@@ -93,6 +107,7 @@ void add_making(Table& table) {
             given.gravity = gravity;
             given.air = air;
             given.resets = resets;
+            if (times.size() != 3) given.sides.clear();
             return solved(Motion(sample_links(), given.inputs()));
         },
         arg("times", shot.times, rising().open(), at_least_many(1)),
@@ -125,6 +140,19 @@ void add_making(Table& table) {
         arg("pin_places", shot.pin_places, near.in_words("at most 1e9 in size"), rows),
         arg("pin_weights", shot.pin_weights, from(0.0, 1.0), rows))
         .costs(cost)
+        .allocates(Memory::scratch);
+    add(
+        table, "strand::Motion::Motion(links, inputs, solving)",
+        [](const auto& sides, double friction) {
+            Shot given;
+            given.sides = sides;
+            given.friction = friction;
+            return solved(Motion(sample_links(), given.inputs()));
+        },
+        arg("sides", shot.sides, near.in_words("at most 1e9 in size"),
+            {Size::Rule::any, 0, "none, or as many as the poses"}),
+        arg("friction", shot.friction, from(0.0, 100.0)))
+        .costs("O(links log links times), with those that are near each other; squared where all are")
         .allocates(Memory::scratch);
     add(
         table, "strand::Surface::Surface(positions, triangles, executor)",

@@ -29,7 +29,8 @@ TEST_CASE("strands of arbitrary numbers are refused or stay finite", "[fuzz]") {
                         dice.chance(0.5) ? 0.0 : dice.number(0.0, 1.0),
                         dice.chance(0.5) ? 0.0 : dice.number(0.0, 20.0),
                         dice.chance(0.5) ? std::numbers::pi : dice.number(0.0, 2.0),
-                        dice.number(0.0, 0.1)};
+                        dice.number(0.0, 0.1),
+                        dice.chance(0.5) ? std::numbers::pi : dice.number(0.0, 2.0)};
         }
         std::vector<double> times = dice.numbers(samples, 0.0, 0.5);
         std::ranges::sort(times);
@@ -50,8 +51,19 @@ TEST_CASE("strands of arbitrary numbers are refused or stay finite", "[fuzz]") {
                                       pin_places = vectors(samples, 1.0);
         const std::vector<std::size_t> pinned{dice.below(count)};
         const std::vector<double> pin_weights = dice.numbers(samples, 0.0, 1.0);
-        const Inputs inputs{times, poses, gravity, air,        obstacles,  obstacle_places,
-                            {},    {},    pinned,  pin_places, pin_weights};
+        const std::vector<glm::dvec3> sides = vectors(dice.chance(0.5) ? 0 : samples * count, 1.0);
+        const Inputs inputs{.times = times,
+                            .poses = poses,
+                            .gravity = gravity,
+                            .air = air,
+                            .obstacles = obstacles,
+                            .obstacle_places = obstacle_places,
+                            .pinned = pinned,
+                            .pin_places = pin_places,
+                            .pin_weights = pin_weights,
+                            .sides = sides,
+                            .are_touching = dice.chance(0.5),
+                            .friction = dice.number(0.0, 1.0)};
         returns([&] {
             Motion motion(links, inputs,
                           {.rate = dice.chance(0.1) ? dice.number(60.0, 1000.0) : 480.0,

@@ -47,6 +47,7 @@ class StrandTest(unittest.TestCase):
             "stretch": 0.1,
             "bend_frequency": 2.0,
             "bend": 1.0,
+            "side_bend": 0.5,
             "thickness": 0.1,
         }
         one = native.StrandMotion(parents, times, poses, gravity=DOWN, **settings)
@@ -77,6 +78,29 @@ class StrandTest(unittest.TestCase):
         anew = native.StrandMotion(parents, times, poses, gravity=DOWN, resets=[1])
         anew.solve()
         np.testing.assert_array_equal(anew.places(0.5), poses[0])
+
+    def test_sides_and_links_that_touch(self):
+        _, times, poses = shot(samples=49, links=6)
+        poses[:, 3:] = poses[:, :3] + (0.0, 0.0, 0.5)  # a limp chain falls onto a stiff one
+        parents = [-1, 0, 1, -1, 3, 4]
+        stiff = np.array([5.0, 5.0, 5.0, 0.0, 0.0, 0.0])
+        settings = {"gravity": DOWN, "frequency": stiff, "thickness": 0.1, "bend": 1.0, "side_bend": 0.1, "touching_friction": 0.2}
+        moved = {}
+        for name, changes in (
+            ("alone", {}),
+            ("touching", {"touching": True}),
+            ("sides", {"sides": np.tile((0.0, 0.0, 1.0), (49, 6, 1))}),
+        ):
+            motion = native.StrandMotion(parents, times, poses, **settings | changes)
+            motion.solve()
+            moved[name] = motion.places(0.6)
+        self.assertGreater(np.abs(moved["touching"] - moved["alone"]).max(), 1e-3)
+        # It bends by a tenth of a radian alone towards its side, which is up in the pose.
+        first, second = np.diff(moved["sides"][3:], axis=0)
+        angle = np.arccos(first @ second / np.linalg.norm(first) / np.linalg.norm(second))
+        self.assertLess(angle, 0.102)
+        first, second = np.diff(moved["alone"][3:], axis=0)
+        self.assertGreater(np.arccos(first @ second / np.linalg.norm(first) / np.linalg.norm(second)), 0.2)
 
     def test_a_surface(self):
         parents, times, poses = shot(samples=33)
@@ -120,6 +144,9 @@ class StrandTest(unittest.TestCase):
             ({"mass": [1.0, 2.0]}, "mass"),
             ({"frequency": 100.0}, "frequency"),
             ({"bend": -1.0}, "bend"),
+            ({"side_bend": 4.0}, "side_bend"),
+            ({"sides": np.zeros((3, 2, 3))}, "sides"),
+            ({"touching_friction": -1.0}, "friction"),
             ({"gravity": (0.0, 1.0)}, "gravity"),
             ({"gravity": np.zeros((2, 3))}, "gravity"),
             ({"obstacles": ["cube"]}, "obstacles"),

@@ -1,7 +1,7 @@
 """What a system declares: its settings, inputs, members, problems and solve function; and which systems are registered."""
 
 from .context import Context
-from .inputs import BonesOwn, Deformed, Geometries, Geometry, Matrix, OwnMatrix, Setting, Splines, Transform, Variable, Vertices
+from .inputs import BonesOwn, CopyOf, Deformed, Geometries, Geometry, Matrix, OwnMatrix, Setting, Splines, Transform, Variable, Vertices
 from .members import Entry, Group, Member, Points, Property
 from .problem import OK, Problem
 from .registry import (
@@ -28,6 +28,7 @@ __all__ = (
     "OK",
     "BonesOwn",
     "Context",
+    "CopyOf",
     "Deformed",
     "Entry",
     "Feature",

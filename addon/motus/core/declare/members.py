@@ -53,8 +53,8 @@ class Property:
 class Group:
     """Declaration of what one call of a solver computes: its members, inputs and outputs. An owner may have several groups of a system.
 
-    key: letters and digits that name the group; "" for the first. members: objects and bones that are driven. inputs: Transforms and
-    BonesOwn that the solver waits for. outputs: names of the numbers that solve() sets. properties: driven by these numbers; the wiring
+    key: letters and digits that name the group; "" for the first. members: objects and bones that are driven. inputs: Transforms,
+    BonesOwn and CopyOfs that the solver waits for. outputs: names of the numbers that solve() sets. properties: driven by these numbers; the wiring
     blends them by the influence, and a number that solve() does not set leaves the property at its own value.
     data: {name: string, number or list of numbers} that is known when the owner is wired, and that solve() reads as Context.data.
     """

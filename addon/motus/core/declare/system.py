@@ -65,6 +65,7 @@ class System(Feature):
     moves_points: whether solve() moves the points of the owner's mesh, by a modifier; there are no members then.
     makes_points: Points that solve() makes, by a modifier; None if it makes none. dress: called with the owner if Blender has lost what
     the modifier was given, such as by wiring.set_points_material().
+    prepare: called with the owner before it is wired, to make what its groups need, such as objects that are members of it alone.
     settle: called with the owner after an evaluation in which solve() has set Context.wants_to_settle. rebuild: called with the owner by
     the operator *Refresh*, in place of wiring.refresh(). over_time: called with the owner, a driven object and the scene; returns the
     object's motion at any times, for core/tracks/solved.py, or None. unbakeable: sentence that says why there is nothing to bake, or "".
@@ -100,6 +101,7 @@ class System(Feature):
     dress: Callable[..., Any] | None = None
     settle: Callable[..., Any] | None = None
     rebuild: Callable[..., Any] | None = None
+    prepare: Callable[..., Any] | None = None
     over_time: Callable[..., Any] | None = None
     unbakeable: str = ""
     load: Callable[[Any], float] | None = None

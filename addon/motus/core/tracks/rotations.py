@@ -136,6 +136,23 @@ def of_axes(rows):
     return np.array([Matrix(row).to_quaternion() for row in rows])
 
 
+@by_rows
+def mirrored(scales):
+    """Return quaternions (n, 4) by which Blender's decomposition of a matrix turns further than the keyed rotation.
+
+    scales: (n, 3) keyed scales. Blender decomposes a mirroring matrix into three negative scales, and any other matrix into three
+    positive ones. The remaining signs become half a turn.
+    """
+    signs = np.where(scales < 0.0, -1.0, 1.0)
+    signs *= np.prod(signs, axis=1, keepdims=True)
+    # Two negative signs are left, which are half a turn about the third axis; or no sign is left, which is no turn.
+    turned = (signs < 0.0).any(axis=1)
+    found = np.zeros((len(scales), 4))
+    found[~turned, 0] = 1.0
+    found[:, 1:] = np.where(turned[:, None] & (signs > 0.0), 1.0, 0.0)  # type: ignore[index]
+    return found
+
+
 def mixed(lower, upper, parts):
     """Unit quaternions (n, 4) between `lower` and `upper`, (n, 4), along the shorter way, by normalized linear interpolation.
 

@@ -36,6 +36,9 @@ struct Link {
     double bend = std::numbers::pi;  ///< rad, [0, pi], largest angle between the link and the direction that
                                      ///< it would have if it kept the pose's angle to its parent's link
     double thickness = 0.0;          ///< m, [0, 1e6], radius of the link and its particle in contacts
+    /// rad, [0, pi], largest angle towards the link's side or away from it, where that is less than `bend`;
+    /// the limit between is an ellipse. Without Inputs::sides it does not count.
+    double side_bend = std::numbers::pi;
 };
 
 /// A solid that strands cannot enter, given by two points at each time.
@@ -97,6 +100,13 @@ struct Inputs {
     std::span<const double> pin_weights{};
     std::span<const std::size_t> resets{};  ///< rising indices of times, not the first, at which all starts
                                             ///< anew, such as cuts
+    /// Where the sides of links point in the pose, with any length: a row for each time. What of a side is
+    /// along its link does not count; a link without a side has none of `side_bend`.
+    std::span<const glm::dvec3> sides{};
+    /// Whether links keep away from each other, by the thicknesses of both, or as far as they are apart in
+    /// the first pose if that is less. Links that hang on each other do not.
+    bool are_touching = false;
+    double friction = 0.5;  ///< Coulomb's coefficient of links with each other, [0, 100]
 };
 
 }  // namespace motus::strand

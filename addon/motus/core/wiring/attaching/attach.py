@@ -37,6 +37,8 @@ def _wire(system, owner, before):
     if settings.is_released:
         settings.is_released = False
     waiting.set_proxy(system, settings)
+    if system.prepare is not None:
+        system.prepare(owner)
     groups = groups_of(system, owner)  # only now, since groups may depend on is_active: a walker's ground, for example
     parts = sharing.provide(system, owner, groups)
     for group, part in zip(groups, parts):

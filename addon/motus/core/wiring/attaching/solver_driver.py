@@ -8,8 +8,8 @@ property of the owner that repeats outputs of the solver.
 
 import bpy
 
-from ...blender import drivers
-from ...declare import BonesOwn, Transform, Variable, input_variables, laid_beneath, of_owner
+from ...blender import datablocks, drivers
+from ...declare import BonesOwn, CopyOf, Transform, Variable, input_variables, laid_beneath, of_owner
 from ...evaluated import copies
 from ..hubs import hub_lookup, outbox, outputs, traits
 from ..sinks import property_sink
@@ -17,13 +17,15 @@ from . import waiting
 
 _OF_PROPERTY = "p"
 """Prefix of the names of variables that wait for the datablocks of driven properties."""
+_OF_COPY = "c"
+"""Prefix of the names of variables that wait for the copies of objects."""
 
 
 def add(system, owner, group, part):
     """Add the driver that calls the solver of a group to the outbox on a hub's mesh.
 
     Nothing happens if a different owner that shares the hub has added the driver. part: Part of the owner. Each curve that the solver reads
-    gets a custom property by which its evaluated copies are told apart.
+    gets a custom property by which its evaluated copies are told apart, and so does each object whose copy it waits for.
     """
     path, animation = outbox.out_path(system, group=group.key), part.mesh.animation_data
     if animation and animation.drivers.find(path, index=outbox.STATUS):
@@ -33,13 +35,13 @@ def add(system, owner, group, part):
     if traits.is_read_by_subscript(system):
         call = f'motus_points[self,"{_name(system, group)}"{expression}]'
     drivers.add(part.mesh, path, call, variables, index=outbox.STATUS, use_self=True)
-    copies.mark(*(variable.id for variable in variables.values() if variable.id_type == 'CURVE'))
+    copies.mark(*(one.id for name, one in variables.items() if one.id_type == 'CURVE' or name.startswith(_OF_COPY)))
 
 
 def marked_by(mesh):
     """Return the datablocks to which the solver of a hub's mesh has given a custom property that tells their evaluated copies apart.
 
-    These are the data of the curve objects that the solver reads, and the datablocks of driven properties.
+    These are the data of the curve objects that the solver reads, objects whose copies it waits for, and the datablocks of driven properties.
     """
     animation = mesh.animation_data
     targets = [
@@ -51,6 +53,8 @@ def marked_by(mesh):
     ]
     found = {target.id for _, target in targets if target.id_type == 'CURVE'}
     for name, target in targets:
+        if name.startswith(_OF_COPY):
+            found.add(target.id)
         if name.startswith(_OF_PROPERTY):
             found.add(target.id.node_tree if target.data_path.startswith("node_tree[") else target.id)
     return found - {None}
@@ -121,8 +125,13 @@ def _call(system, owner, group, part):
         variables[f"v{index}"] = variable
     awaited = list(dict.fromkeys(_awaited(group)))
     if group.inputs:
-        awaited = [one for one in awaited if not isinstance(one, Transform)]
+        copied = [one.object for one in awaited if isinstance(one, CopyOf)]
+        awaited = [one for one in awaited if not isinstance(one, (Transform, CopyOf))]
         variables["waits"] = waiting.wait_for(part.hub, group.reads)
+        # A custom property is evaluated after the copy is made, and before the transform.
+        variables |= {
+            f"{_OF_COPY}{index}": Variable(datablocks.id_type(one), one, f'["{copies.KEY}"][0]') for index, one in enumerate(copied)
+        }
     for index, one in enumerate(awaited):
         variables[f"w{index}"] = one.variable()
     for index, one in enumerate(property_sink.waits(group)):

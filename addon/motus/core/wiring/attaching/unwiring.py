@@ -59,7 +59,7 @@ def release(system, owner):
     Markers are the custom properties by which evaluated copies are told apart and by which lost wiring of overrides is detected.
     """
     overrides.unmark(system, owner)
-    if not _is_wired(owner):
+    if not _is_wired(owner) and not _is_read(owner):
         copies.release(owner)
     override_drivers.align(owner)
 
@@ -67,9 +67,13 @@ def release(system, owner):
 def _unmark(datablocks):
     """Remove the custom property that tells a datablock's evaluated copies apart, from each datablock that no solver reads any more."""
     for datablock in datablocks:
-        is_read = any(datablock in solver_driver.marked_by(mesh) for mesh in bpy.data.meshes if outbox.is_hub(mesh))
-        if not is_read and not _is_wired(datablock):
+        if not _is_read(datablock) and not _is_wired(datablock):
             copies.unmark(datablock)
+
+
+def _is_read(datablock):
+    """Whether a solver reads a datablock by the custom property that tells its evaluated copies apart."""
+    return any(datablock in solver_driver.marked_by(mesh) for mesh in bpy.data.meshes if outbox.is_hub(mesh))
 
 
 def _is_wired(datablock):

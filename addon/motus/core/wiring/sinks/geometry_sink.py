@@ -9,7 +9,7 @@ The owner is the object whose settings are solved, and whose geometry the modifi
 
 import bpy
 
-from ...blender import capabilities, node_groups
+from ...blender import modifiers, node_groups
 from ..hubs import hub_lookup, traits
 from . import made_points, moved_points
 
@@ -40,7 +40,7 @@ def add(system, owner, hub):
     # The input is set before the modifier is moved: if an operator moves it, Blender evaluates at once and later ignores a new hub.
     node_groups.set_input(found, HUB, hub)
     if _kind(system).IS_FIRST:
-        _move_first(owner, found)
+        modifiers.move(owner, found, 0)
     if active:
         owner.modifiers.active = active  # the modifier that the user has made active stays active
 
@@ -152,16 +152,6 @@ def _kind(system):
 
 def _is_sink(system, one):
     return one.type == 'NODES' and one.node_group is not None and one.node_group.get(KEY) == system.name
-
-
-def _move_first(owner, found):
-    if len(owner.modifiers) == 1:
-        return  # nothing to move; in Blender 3.4 the operator refuses overrides
-    if capabilities.has_modifier_order():
-        owner.modifiers.move(len(owner.modifiers) - 1, 0)
-        return
-    with bpy.context.temp_override(object=owner, active_object=owner):
-        bpy.ops.object.modifier_move_to_index(modifier=found.name, index=0)
 
 
 def _form_of(system, group):

@@ -1,0 +1,127 @@
+"""Chains of bones: a bone with all bones below it, which turn so that their tails lie where the particles are."""
+
+from typing import Any, NamedTuple
+
+from ..core import rigs
+from ..core.declare import BonesOwn, Member, Transform, registered
+from ..core.lazy import numpy as np
+from ..core.tracks import own_track
+from ..core.tracks.inputs import Tails, stamp_of_carrier, stamp_of_known
+from . import uneven
+
+TURN = frozenset({"rotation"})
+
+
+class Bones(NamedTuple):
+    """A chain of bones. entry: its settings. things: its PoseBones, each after its parent, the topmost one first.
+
+    of_objects.Row has the same attributes, for objects.
+    """
+
+    entry: Any
+    things: tuple
+
+    @property
+    def names(self):
+        """Names of the bones, as a tuple."""
+        return tuple(bone.name for bone in self.things)
+
+    @property
+    def drives(self):
+        """The names, which the order of evaluation is found from."""
+        return self.names
+
+    @property
+    def hangs_on(self):
+        """Name of the bone on which the chain hangs; "" if there is none."""
+        parent = self.things[0].parent
+        return parent.name if parent else ""
+
+    @property
+    def reads(self):
+        """((object, name of a bone or ""), ...) of each transform that the chain needs."""
+        return ((self.things[0].id_data, self.hangs_on),)
+
+    @property
+    def inputs(self):
+        """Inputs of the Group for which the solver waits."""
+        rig = self.things[0].id_data
+        return (Transform(rig, self.hangs_on), *(BonesOwn(rig, bone.name) for bone in self.things))
+
+    @property
+    def members(self):
+        """Members of the Group: the bones, which turn on top of their own transforms."""
+        return tuple(Member(bone, TURN, 'LOCAL', is_relative=True) for bone in self.things)
+
+    @property
+    def parents(self):
+        """Index of the parent of each particle, -1 first: the head of the topmost bone, then the tail of each bone."""
+        places = {bone.name: place for place, bone in enumerate(self.things, 1)}
+        return [-1, 0, *(places[bone.parent.name] for bone in self.things[1:])]
+
+    def is_as_wired(self, names):
+        """Whether the chain has the things that had these names when the owner was wired."""
+        return self.names == tuple(names)
+
+    @property
+    def links(self):
+        """The bones as links."""
+        return uneven.Links(self.parents, [bone.bone.length for bone in self.things])
+
+    def kept(self, _source):
+        """The Kept."""
+        return Kept(self.names, self.links)
+
+    @property
+    def ends(self):
+        """Both ends of each link, as they stand now, in the world. For evaluated bones."""
+        world = self.things[0].id_data.matrix_world
+        return [world @ end for bone in self.things for end in (bone.head, bone.tail)]
+
+    @staticmethod
+    def read_by(source):
+        """List what an input reads that may change although neither the rig nor its keys are edited: hashable, with stamp(owner, scene)."""
+        return [*map(Carrier, source.carriers), *map(Laid, source.laid)]
+
+    def source(self, scene):
+        """Make the input (core/tracks/inputs.py) with the places of the particles in the animation."""
+        return Tails(self.things, scene, registered["chains"])
+
+
+class Carrier(NamedTuple):
+    """What a chain reads beside its rig and keys: the motion of what its bones hang on. name: as in core/tracks/inputs.py."""
+
+    name: Any
+
+    def stamp(self, owner, scene):
+        """Hashable value that changes whenever that motion may; None if changes cannot be detected."""
+        return stamp_of_carrier(owner, self.name, scene, registered["chains"])
+
+
+class Laid(NamedTuple):
+    """What a chain reads beside its rig and keys: poses that a different system lays over a bone. name: of the bone."""
+
+    name: str
+
+    def stamp(self, owner, _scene):
+        """Hashable value that changes whenever these poses may; None if changes cannot be detected."""
+        return stamp_of_known(own_track(owner.pose.bones[self.name]))
+
+
+class Kept(NamedTuple):
+    """What is kept of a chain between evaluations. names: of its bones. links: the bones as links."""
+
+    names: tuple
+    links: uneven.Links
+
+    @staticmethod
+    def fill(context, text, parts):
+        """Turn bones of the context's owner to their particles. text: stands for what the rig was when it was wired.
+
+        parts: [(Kept, rows of its bones in the group, places (n + 1, 3) of its particles, weight)].
+        """
+        members = tuple(pair for chain, rows, *_ in parts for pair in zip(chain.names, rows))
+        axes = uneven.axes_of(context.owner.matrix_world)
+        places = np.concatenate([uneven.tails(particles, chain.links, axes) for chain, _, particles, _ in parts])
+        influences = np.concatenate([np.full(len(rows), weight) for _, rows, _, weight in parts])
+        rigs.turn(context, text, members, places, influences)
