@@ -112,6 +112,15 @@ SCENES = (
         ambience=0.5,
     ),
     DemoScene(
+        name="chains",
+        identifier="CHAINS",
+        label="Windy Bridge",
+        description="A dog whose tail, ears and leash fly in the wind waits at a rope bridge with flags, over which a spider comes",
+        stills=(("Gorge Camera", 7.6), ("Gorge Camera", 4.0), ("Gorge Camera", 2.6)),
+        film=(0.0, 8.0),
+        ambience=0.5,
+    ),
+    DemoScene(
         name="main",
         identifier="MAIN",
         label="Winter Flight",

@@ -5,7 +5,7 @@ import random
 
 import numpy as np
 
-from ..places import landscape
+from ..places import landscape, rocks
 from ..stage import materials, shapes
 
 EXTENT = (9.0, 7.0)  # half of the ground's extent along X and Y, m
@@ -36,12 +36,16 @@ def height(x, y):
     return sum(size * (2.0 * landscape.fractal_noise(x, y, wave, 2, SEED + seed) - 1.0) for size, wave, seed in SWELLS)
 
 
+def _ground_at(x, y):
+    return float(height(np.array([x]), np.array([y]))[0])
+
+
 def build(walked, plants):
     """Add ground, stones and wall to the collection `walked`, and grass and mushrooms to the collection `plants`."""
-    rock = _rock("Garden Stone", (0.075, 0.074, 0.066), (0.26, 0.245, 0.21))
+    rock = rocks.mossy("Garden Stone", (0.075, 0.074, 0.066), (0.26, 0.245, 0.21))
     shapes.link_object(walked, "Garden Ground", _ground())
     shapes.link_object(walked, "Garden Stones", _stones(rock))
-    shapes.link_object(walked, "Garden Wall", _wall(_rock("Wall Stone", (0.085, 0.080, 0.072), (0.33, 0.30, 0.25))))
+    shapes.link_object(walked, "Garden Wall", _wall(rocks.mossy("Wall Stone", (0.085, 0.080, 0.072), (0.33, 0.30, 0.25))))
     shapes.link_object(plants, "Grass", _grass())
     shapes.link_object(plants, "Mushrooms", _mushrooms())
 
@@ -59,44 +63,13 @@ def _ground():
 def _stones(rock):
     builder, chance = shapes.MeshBuilder(), random.Random(SEED)
     for index, (x, y, radius, high) in enumerate(STONES):
-        builder.add(_boulder((x, y), radius, high, chance, index))
+        builder.add(rocks.boulder((x, y, _ground_at(x, y)), radius, high, chance, index))
     for index in range(MORE_STONES):
         x, y = chance.uniform(-5.0, 5.0), chance.uniform(-6.5, WALL_FACE - 0.4)
         if abs(x) > 1.1:
             radius = chance.uniform(0.05, 0.34)
-            builder.add(_boulder((x, y), radius, radius * chance.uniform(0.5, 0.9), chance, 50 + index))
+            builder.add(rocks.boulder((x, y, _ground_at(x, y)), radius, radius * chance.uniform(0.5, 0.9), chance, 50 + index))
     return builder.build("Garden Stones", [rock])
-
-
-def _boulder(place, radius, high, chance, seed):
-    """Make a weathered stone that protrudes from the ground by the height `high`."""
-    vertices, faces = shapes.sphere(1.0, segments=40, rings=26)
-    vertices = np.asarray(vertices)
-    vertices = np.sign(vertices) * np.abs(vertices) ** 0.75
-    lumps = _lumps(2.1 * vertices, seed) * 0.22 + _lumps(5.7 * vertices, seed + 7) * 0.07
-    vertices = vertices * (1.0 + lumps)[:, None]
-    flat = 0.75 * high
-    turn, squeeze = chance.uniform(0.0, math.tau), chance.uniform(0.72, 0.95)
-    x, y = radius * vertices[:, 0], squeeze * radius * vertices[:, 1]
-    ground = float(height(np.array([place[0]]), np.array([place[1]]))[0])
-    return np.column_stack(
-        (
-            place[0] + math.cos(turn) * x - math.sin(turn) * y,
-            place[1] + math.sin(turn) * x + math.cos(turn) * y,
-            ground + high - flat + flat * vertices[:, 2],
-        )
-    ), faces
-
-
-def _lumps(places, seed):
-    """Return smooth repeatable noise around 0 at places (n, 3)."""
-    x, y, z = places.T
-    return (
-        sum(
-            np.sin(a * x + b * y + c * z + seed + p) for a, b, c, p in ((1.0, 0.7, -0.4, 0.3), (-0.6, 1.1, 0.8, 1.9), (0.5, -0.9, 1.3, 4.1))
-        )
-        / 3.0
-    )
 
 
 def _wall(rock):
@@ -122,7 +95,7 @@ def _block(middle, size, chance, seed):
     vertices, faces = np.asarray(vertices)[:, (1, 0, 2)], np.asarray(faces)[:, ::-1]
     rounded = np.sign(vertices) * np.abs(vertices) ** 0.42
     rounded /= np.maximum(np.abs(rounded).max(axis=0), 1e-9)
-    rounded = rounded * (1.0 + 0.06 * _lumps(3.1 * vertices, seed))[:, None]
+    rounded = rounded * (1.0 + 0.06 * rocks.lumps(3.1 * vertices, seed))[:, None]
     tilt = chance.uniform(-0.03, 0.03)
     x, y, z = (0.5 * rounded * size).T
     return np.column_stack((x * math.cos(tilt) - z * math.sin(tilt), y, x * math.sin(tilt) + z * math.cos(tilt))) + middle, faces
@@ -136,27 +109,16 @@ def _grass():
         y = WALL_FACE - 0.12 - abs(chance.gauss(0.0, 0.10)) if chance.random() < 0.22 else chance.uniform(-6.6, -0.3)
         if abs(x) < 0.85 and y < -0.35 and chance.random() < 0.9:
             continue
-        ground = float(height(np.array([x]), np.array([y]))[0])
+        ground = _ground_at(x, y)
         for _ in range(BLADES):
-            builder.add(_blade((x + chance.gauss(0.0, 0.05), y + chance.gauss(0.0, 0.04), ground - 0.01), chance))
-    return builder.build("Grass", [_leaf()])
-
-
-def _blade(foot, chance):
-    high, wide, turn = chance.uniform(0.07, 0.26), chance.uniform(0.004, 0.008), chance.uniform(0.0, math.tau)
-    lean = chance.uniform(0.15, 0.75)
-    ahead, across = np.array((math.cos(turn), math.sin(turn), 0.0)), np.array((-math.sin(turn), math.cos(turn), 0.0))
-    steps = np.linspace(0.0, 1.0, 5)
-    spine = np.asarray(foot) + high * (steps[:, None] * (0.0, 0.0, 1.0) + (lean * steps**2)[:, None] * ahead)
-    half = wide * (1.0 - steps**1.5)[:, None] * across
-    vertices = np.concatenate((spine - half, spine + half))
-    return vertices, np.array([(row, row + 1, row + 6, row + 5) for row in range(4)])
+            builder.add(rocks.blade((x + chance.gauss(0.0, 0.05), y + chance.gauss(0.0, 0.04), ground - 0.01), chance))
+    return builder.build("Grass", [rocks.grass("Garden Grass")])
 
 
 def _mushrooms():
     builder = shapes.MeshBuilder()
     for index, (x, y, high) in enumerate(MUSHROOMS):
-        ground = float(height(np.array([x]), np.array([y]))[0])
+        ground = _ground_at(x, y)
         for profile, slot in ((MUSHROOM, 0), (CAP, 1)):
             vertices, faces = shapes.lathe(shapes.smooth_profile_points(profile, 14), 28)
             upright = np.asarray(vertices)[:, (0, 2, 1)] * (high, -high, high)
@@ -169,39 +131,6 @@ def _mushrooms():
             materials.principled("Mushroom Cap", color=(0.36, 0.045, 0.022), roughness=0.32),
         ],
     )
-
-
-def _rock(name, dark, light):
-    """Make a material of grey stone with moss on surfaces that face upwards."""
-    material, shader, output = materials.new_material(name)
-    place = shader.add("ShaderNodeTexCoord").outputs["Object"]
-    grain = shader.math(
-        "ADD",
-        shader.noise(place, 4.0, detail=7.0),
-        shader.math("MULTIPLY", shader.math("SUBTRACT", shader.noise(place, 26.0, detail=3.0), 0.5), 0.5),
-    )
-    stone = shader.ramp(grain, ((0.30, dark), (0.72, light)))
-    up = shader.add("ShaderNodeSeparateXYZ", {0: shader.add("ShaderNodeNewGeometry").outputs["Normal"]}).outputs[2]
-    moss = shader.math(
-        "MULTIPLY",
-        shader.math(
-            "ADD",
-            shader.math("MULTIPLY", up, 0.75),
-            shader.math("SUBTRACT", shader.math("MULTIPLY", shader.noise(place, 3.4, detail=8.0), 2.2), 1.72),
-        ),
-        3.0,
-        clamp=True,
-    )
-    color = shader.mix(
-        moss, stone, shader.ramp(shader.noise(place, 17.0, detail=6.0), ((0.35, (0.022, 0.040, 0.008)), (0.70, (0.095, 0.125, 0.028))))
-    )
-    node = shader.add("ShaderNodeBsdfPrincipled")
-    materials.set_principled(shader, node, color=color, roughness=0.9, specular=0.2)
-    bump = shader.add("ShaderNodeBump", {"Height": grain, "Strength": 0.35, "Distance": 0.05})
-    materials.set_principled(shader, node, normal=bump.outputs[0])
-    materials.finish(material, shader, output, node.outputs[0])
-    material.diffuse_color = (*light, 1.0)
-    return material
 
 
 def _earth():
@@ -219,15 +148,4 @@ def _earth():
     materials.set_principled(shader, node, normal=bump.outputs[0])
     materials.finish(material, shader, output, node.outputs[0])
     material.diffuse_color = (0.10, 0.08, 0.04, 1.0)
-    return material
-
-
-def _leaf():
-    material, shader, output = materials.new_material("Garden Grass")
-    place = shader.add("ShaderNodeTexCoord").outputs["Object"]
-    tint = shader.ramp(shader.noise(place, 1.6, detail=2.0), ((0.35, (0.055, 0.115, 0.014)), (0.65, (0.20, 0.235, 0.040))))
-    node = shader.add("ShaderNodeBsdfPrincipled")
-    materials.set_principled(shader, node, color=tint, roughness=0.7, specular=0.2)
-    materials.finish(material, shader, output, node.outputs[0])
-    material.diffuse_color = (0.12, 0.17, 0.03, 1.0)
     return material

@@ -5,6 +5,8 @@ from ...core.settings import NO_KEYS
 _NO_KEYS_ES = ". No admite claves: todo el movimiento depende de ello"
 
 INTERFACE = {
+    "Windy Bridge": "Puente al viento",
+    "A dog whose tail, ears and leash fly in the wind waits at a rope bridge with flags, over which a spider comes": "Un perro cuya cola, orejas y correa ondean al viento espera junto a un puente de cuerdas con banderas, por el que viene una araña",
     "Chain from {name}": "Cadena desde {name}",
     "Chains from {count} Bones": "Cadenas desde {count} huesos",
     "Chains Presets": "Preajustes de cadenas",

@@ -1,0 +1,5 @@
+"""Windy Bridge, the demo scene of chains."""
+
+from .scene import build
+
+__all__ = ("build",)
