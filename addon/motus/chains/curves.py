@@ -9,7 +9,7 @@ import itertools
 import bpy
 from mathutils import Matrix
 
-from ..core.blender import helpers, modifiers
+from ..core.blender import datablocks, helpers
 from ..core.file.pointers import pointed
 from ..core.refusals import Refused
 from ..core.settings.entries import unwired
@@ -108,4 +108,4 @@ def _hook(owner, anchor, indices, place):
         found.falloff_type = 'NONE'
     found.vertex_indices_set(indices)
     found.matrix_inverse = Matrix.Translation(-anchor.location)
-    modifiers.move(owner, found, place)
+    datablocks.move_modifier(owner, found, place)

@@ -1,4 +1,4 @@
-"""Datablocks of any type and their properties: how operators and scripts name them, safe references, lists of all of them."""
+"""Datablocks of any type and their properties: how operators and scripts name them, safe references, lists of all of them; the order of modifiers."""
 
 import re
 from collections.abc import Iterable, Iterator
@@ -8,6 +8,7 @@ import bpy
 
 from ..refusals import Refused
 from ..translations import tr
+from . import capabilities
 
 
 class OfADatablock:
@@ -203,3 +204,16 @@ def remove_objects(objects: Iterable[bpy.types.Object]) -> None:
     for data in sorted(used, key=lambda one: isinstance(one, bpy.types.Material)):
         if data.users == 0:
             getattr(bpy.data, collection_of(data)).remove(data)
+
+
+def move_modifier(owner: Any, modifier: Any, place: int) -> None:
+    """Move a modifier of an object to a place in the stack. Nothing is called if it stands there."""
+    now = owner.modifiers.find(modifier.name)
+    if now == place:
+        return  # in Blender 3.4 the operator refuses overrides
+    if capabilities.has_modifier_order():
+        owner.modifiers.move(now, place)
+        return
+    override: Any = bpy.context.temp_override(object=owner, active_object=owner)
+    with override:
+        bpy.ops.object.modifier_move_to_index(modifier=modifier.name, index=place)

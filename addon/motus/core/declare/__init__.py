@@ -1,8 +1,8 @@
 """What a system declares: its settings, inputs, members, problems and solve function; and which systems are registered."""
 
 from .context import Context
-from .inputs import BonesOwn, CopyOf, Deformed, Geometries, Geometry, Matrix, OwnMatrix, Setting, Splines, Transform, Variable, Vertices
-from .members import Entry, Group, Member, Points, Property
+from .inputs import BonesOwn, Deformed, Geometries, Geometry, Matrix, OwnMatrix, Setting, Splines, Transform, Variable, Vertices
+from .members import CopyOf, Entry, Group, Member, Points, Property
 from .problem import OK, Problem
 from .registry import (
     can_own,

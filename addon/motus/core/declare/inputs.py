@@ -183,18 +183,6 @@ class Transform:
 
 
 @dataclass(frozen=True)
-class CopyOf:
-    """Input of a Group: Blender calls the solver after it has copied an object or its data, which the solver reads as they are over time.
-
-    For members that are objects: the solver cannot wait for their transforms, to which it brings its results. Edits of what is copied call
-    the solver again. The input is no argument of solve().
-    """
-
-    object: Any
-    bone: str = ""
-
-
-@dataclass(frozen=True)
 class BonesOwn:
     """Input of a Group: Blender calls the solver after the drivers of a pose bone's own location, rotation and scale.
 

@@ -9,7 +9,7 @@ The owner is the object whose settings are solved, and whose geometry the modifi
 
 import bpy
 
-from ...blender import modifiers, node_groups
+from ...blender import datablocks, node_groups
 from ..hubs import hub_lookup, traits
 from . import made_points, moved_points
 
@@ -40,7 +40,7 @@ def add(system, owner, hub):
     # The input is set before the modifier is moved: if an operator moves it, Blender evaluates at once and later ignores a new hub.
     node_groups.set_input(found, HUB, hub)
     if _kind(system).IS_FIRST:
-        modifiers.move(owner, found, 0)
+        datablocks.move_modifier(owner, found, 0)
     if active:
         owner.modifiers.active = active  # the modifier that the user has made active stays active
 
