@@ -144,7 +144,7 @@ def measured(contender, folder):
             contender.right(LAST)
 
         edits.append(milliseconds(edited))
-    for turn in range(ROUNDS):
+    for _ in range(ROUNDS):
         support.empty_scene()
 
         def opened():

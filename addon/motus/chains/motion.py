@@ -256,10 +256,11 @@ def motion_of(strands, world, times, is_loop):
 
 def _joined(keywords, axis):
     """Return keywords that have what several have, one after the other: along an axis of arrays, and as lists."""
-    return {
-        name: sum((one[name] for one in keywords), []) if isinstance(value, list) else np.concatenate([one[name] for one in keywords], axis)
-        for name, value in keywords[0].items()
-    }
+    found = {}
+    for name, value in keywords[0].items():
+        rows = [one[name] for one in keywords]
+        found[name] = [item for row in rows for item in row] if isinstance(value, list) else np.concatenate(rows, axis)
+    return found
 
 
 def hashed(values):
