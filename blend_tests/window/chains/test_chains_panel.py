@@ -84,3 +84,40 @@ def test_the_overlay_shows_limits_pins_and_what_is_touched():
     assert len(support.addon("core.interface.overlay").batches(bpy.context)) == 1
     for name in ("show_chains_limits", "show_chains_colliders", "show_chains_pins"):
         setattr(scene, name, True)
+
+
+def test_a_long_motion_is_solved_while_blender_goes_on():
+    steps, overlay = support.addon("chains.steps"), support.addon("chains.overlay")
+    rig = build()
+    scene = bpy.context.scene
+    scene.frame_end = 2000
+    scene.frame_set(1900)
+    bpy.context.view_layer.update()
+    yield from window_support.until(lambda: steps.done(rig) is None)
+
+    def shown():
+        found = rig.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        return [tuple(found.matrix_world @ found.pose.bones[name].tail) for name in cases.chain(rig)]
+
+    def colors():
+        return {tuple(batch.colors) for batch in support.addon("core.interface.overlay").batches(bpy.context)}
+
+    former = shown()
+    assert colors() == {overlay.LINK_COLOR}, colors()
+    given = steps.AT_FIRST, steps.SLICE
+    steps.AT_FIRST, steps.SLICE = 0.0, 0.002
+    try:
+        for entry in rig.motus.chains.entries:
+            entry.frequency = 0.2
+        bpy.context.view_layer.update()
+        assert shown() == former
+        assert 0.0 <= steps.done(rig) < 1.0, steps.done(rig)
+        assert colors() == {overlay.UNFINISHED_COLOR}, colors()
+        yield from window_support.picture("chains_unfinished")
+        yield from window_support.until(lambda: steps.done(rig) is None)
+    finally:
+        steps.AT_FIRST, steps.SLICE = given
+    yield
+    assert colors() == {overlay.LINK_COLOR}, colors()
+    assert shown() != former
+    bpy.ops.object.mode_set(mode='OBJECT')
