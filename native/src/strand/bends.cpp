@@ -24,18 +24,24 @@ namespace {
 }  // namespace
 
 Bends::Bends(std::span<const Link> links)
-    : turns_(links.size(), bones::no_turn), is_moved_(links.size()), lengths_(links.size()) {
+    : turns_(links.size(), bones::no_turn),
+      is_moved_(links.size()),
+      lengths_(links.size()),
+      order_(interleaved(links)) {
+    std::size_t limited = 0;
     for (std::size_t i = 0; i < links.size(); ++i) {
         parents_.push_back(links[i].parent);
         most_.push_back(links[i].bend);
         most_sideways_.push_back(links[i].side_bend);
         if (links[i].parent >= 0 && std::min(links[i].bend, links[i].side_bend) < std::numbers::pi)
-            limited_ = i + 1;
+            limited = i + 1;
     }
+    for (const std::size_t i : order_)
+        if (i < limited) limited_.push_back(i);
 }
 
 void Bends::hold(const Stepped& step, std::span<const glm::dvec3> pose, std::span<const glm::dvec3> sides) {
-    if (limited_ == 0) return;
+    if (limited_.empty()) return;
     sides_ = sides;
     constexpr int rounds = 2;
     std::fill(is_moved_.begin(), is_moved_.end(), 0);
@@ -58,7 +64,7 @@ void Bends::hold(const Stepped& step, std::span<const glm::dvec3> pose, std::spa
 /// Turns what is bent too far still, without the links that it hangs on, and gives links back the lengths
 /// that they had.
 void Bends::lay(const Stepped& step, std::span<const glm::dvec3> pose) {
-    visit(step, pose, parents_.size(), [&](std::size_t i, const glm::dvec3& straight) {
+    visit(step, pose, order_, [&](std::size_t i, const glm::dvec3& straight) {
         const auto parent = static_cast<std::size_t>(parents_[i]);
         const glm::dvec3 root = step.state.places[parent], link = step.state.places[i] - root;
         const double angle = bones::angle_between(straight, link);
@@ -76,12 +82,12 @@ void Bends::lay(const Stepped& step, std::span<const glm::dvec3> pose) {
     });
 }
 
-/// Calls visit(particle, straight) of each of the first `count` links, from the roots to the tips, `straight`
-/// being where the link would point if it followed its parent's.
+/// Calls visit(particle, straight) of each of these links, from the roots to the tips, `straight` being where
+/// the link would point if it followed its parent's.
 template <class Visit>
-void Bends::visit(const Stepped& step, std::span<const glm::dvec3> pose, std::size_t count,
+void Bends::visit(const Stepped& step, std::span<const glm::dvec3> pose, std::span<const std::size_t> links,
                   const Visit& visit) {
-    for (std::size_t i = 0; i < count; ++i) {
+    for (const std::size_t i : links) {
         if (parents_[i] < 0) continue;
         const auto parent = static_cast<std::size_t>(parents_[i]);
         const glm::dvec3 straight = turns_[parent] * (pose[i] - pose[parent]);

@@ -22,7 +22,8 @@ class Bends {
 
   private:
     template <class Visit>
-    void visit(const Stepped& step, std::span<const glm::dvec3> pose, std::size_t count, const Visit& visit);
+    void visit(const Stepped& step, std::span<const glm::dvec3> pose, std::span<const std::size_t> links,
+               const Visit& visit);
     [[nodiscard]] bool straighten(const Stepped& step, std::size_t particle, const glm::dvec3& straight);
     void lay(const Stepped& step, std::span<const glm::dvec3> pose);
     [[nodiscard]] double most(std::size_t particle, const glm::dvec3& straight, const glm::dvec3& axis) const;
@@ -32,8 +33,9 @@ class Bends {
     std::span<const glm::dvec3> sides_;         ///< in the pose, within hold()
     std::vector<glm::dquat> turns_;             ///< of each link, from where the pose has it
     std::vector<char> is_moved_;
-    std::vector<double> lengths_;  ///< before links are turned
-    std::size_t limited_ = 0;      ///< particles up to the last one with a limit
+    std::vector<double> lengths_;       ///< before links are turned
+    std::vector<std::size_t> order_;    ///< of links, parents first
+    std::vector<std::size_t> limited_;  ///< the same, of those up to the last one with a limit
 };
 
 }  // namespace motus::strand
