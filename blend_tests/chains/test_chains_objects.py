@@ -111,6 +111,21 @@ class ChainsObjectsTest(support.SceneTestCase):
         # The root takes along where the end is held, too.
         np.testing.assert_allclose(places(beads, 60)[8] - places(beads, 60)[0], end - (0.0, 0.0, 2.0), atol=5e-3)
 
+    def test_a_row_on_a_rig_beside_its_bones(self):
+        rig, beads = cases.rope(2), row(2)
+        cases.add(rig)
+        bpy.ops.motus.chains_add(objects=f"{rig.name}, Bead 1, Bead 2")
+        self.assertEqual([entry.name for entry in rig.motus.chains.entries], ["Tail 0 0", "Bead 1"])
+        rest = [bead.location for bead in beads]
+        self.assertGreater(np.linalg.norm(places(beads, 40) - rest, axis=1)[1:].min(), 0.02)
+        self.assertIsNone(cases.problem(rig))
+        bpy.context.view_layer.objects.active = rig
+        self.assertRefused("pins hold", bpy.ops.motus.chains_pin)
+        bpy.ops.motus.chains_remove(object=rig.name, bones="Tail 0 0")
+        self.assertEqual([entry.name for entry in rig.motus.chains.entries], ["Bead 1"])
+        bpy.ops.motus.chains_remove(object=rig.name)
+        self.assertFalse(beads[1].constraints or rig.pose.bones["Tail 0 0"].constraints)
+
     def test_panel_and_overlay(self):
         beads = row()
         (entry,) = add(beads)

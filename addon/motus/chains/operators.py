@@ -207,9 +207,9 @@ def _pinned(context, rig, name, bones):
     if chosen:
         return chosen
     entry = entries.active(rig, "chains")
-    shown = next((chain for chain in groups.chains(rig) if chain.entry == entry), None)
+    shown = next((chain for chain in groups.chains(rig) if chain.entry == entry and groups.is_bone(entry)), None)
     if shown is None:
-        raise Refused(tr("{object} has no chains").format(object=rig.name))
+        raise Refused(tr("Select bones of chains: pins hold these alone"))
     return [shown.names[-1]]
 
 

@@ -14,6 +14,7 @@ INTERFACE = {
     "{count} chains added": "{count} cadenas agregadas",
     "{object} has no chains": "{object} no tiene cadenas",
     "Let the selected bones and all bones below them hang and swing as chains, or points of a curve, or objects in a row on the active one": "Hace que los huesos seleccionados y todos los que hay debajo cuelguen y oscilen como cadenas, o los puntos de una curva, u objetos en fila del activo",
+    "Select bones of chains: pins hold these alone": "Selecciona huesos de cadenas: las anclas solo sujetan huesos",
     "Chain along {name}": "Cadena a lo largo de {name}",
     "Hold End": "Sujetar el extremo",
     "Keep the end of the chain where the animation has it, as its beginning"
