@@ -1,11 +1,14 @@
 """What has passed before, just as it is, passes again without being run.
 
 passed.py CACHE_FOLDER FILE_OR_FOLDER... -- COMMAND...
-Runs a command, or prints what it printed when it passed with the same arguments and the same bytes in those files, on such a processor.
+Runs a command, or prints what it printed when it passed with the same arguments and the same bytes in those files and in the libraries that
+the program loads, with the same options of sanitizers, on such a processor.
 The output of tests that passed is a file in CACHE_FOLDER, named by a number for all that.
 """
 
 import hashlib
+import os
+import re
 import subprocess
 import sys
 import time
@@ -60,12 +63,24 @@ def processor():
     return next((line for line in lines if line.startswith(("flags", "Features"))), "")
 
 
+def libraries(program):
+    """Paths of the shared libraries that a program loads; none of what is no such program."""
+    done = subprocess.run(["ldd", program], check=False, text=True, capture_output=True)
+    return [Path(found) for found in re.findall(r"(/\S+) \(0x", done.stdout)]
+
+
+def options():
+    """The environment variables that change how sanitizers and the C library work."""
+    return [f"{name}={value}" for name, value in sorted(os.environ.items()) if re.search(r"SAN_OPTIONS$|^GLIBC_|^MALLOC_|^LD_", name)]
+
+
 def main(cache, *arguments):
     """Returns the exit status of the command, or of what it was before."""
     middle = arguments.index("--")
     paths, command = map(Path, arguments[:middle]), arguments[middle + 1 :]
     states = States(cache)
-    state = number_of([processor(), *command[1:], *(line for path in paths for line in contents(path))])
+    files = [*paths, *libraries(command[0])]
+    state = number_of([processor(), *options(), *command[1:], *(line for path in files for line in contents(path))])
     said = states.said(state)
     if said is not None:
         print(f"{said}This has passed before, just as it is.")

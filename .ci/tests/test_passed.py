@@ -4,6 +4,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 from pathlib import Path
 
 PASSED = Path(__file__).resolve().parents[1] / "passed.py"
@@ -46,6 +47,12 @@ class Passed(unittest.TestCase):
     def test_again_with_other_arguments(self):
         self.check(1)
         self.check(2, "a")
+        self.check(2)
+
+    def test_again_with_other_options_of_sanitizers(self):
+        self.check(1)
+        with unittest.mock.patch.dict("os.environ", ASAN_OPTIONS="detect_leaks=0"):
+            self.check(2)
         self.check(2)
 
     def test_again_with_another_file(self):

@@ -195,6 +195,35 @@ class ChainsTest(support.SceneTestCase):
         cases.go_to(5)
         self.assertIn("come back", cases.problem(rig).sentence)
 
+    def test_a_loop_closes_at_any_frame_rate(self):
+        """Where the loop's length is no whole number of the solver's samples."""
+        scene = bpy.context.scene
+        rig = cases.still_rope(5)
+        for frames, fps in ((12, 25), (17, 24000 / 1001), (30, 30)):
+            with self.subTest(fps=fps):
+                scene.render.fps, scene.render.fps_base = math.ceil(fps), math.ceil(fps) / fps
+                scene.frame_start, scene.frame_end = 1, frames
+                rig.animation_data_clear()
+                rig.motus.property_unset("chains")
+                for frame, turn in ((1, 0.0), (1 + frames / 2, 0.6), (1 + frames, 0.0)):
+                    rig.pose.bones["Root"].rotation_mode = 'XYZ'
+                    rig.pose.bones["Root"].rotation_euler.x = turn
+                    rig.pose.bones["Root"].keyframe_insert("rotation_euler", frame=frame)
+                cases.add(rig, frequency=1.0, damping=0.5, drag=1.0, use_loop=True)
+                cases.go_to(1)
+                self.assertIsNone(cases.problem(rig))
+                first, last = (cases.tails(rig, frame, cases.chain(rig)) for frame in (1, 1 + frames))
+                np.testing.assert_allclose(last, first, atol=1e-4)
+                bpy.ops.motus.chains_remove(object=rig.name)
+
+    def test_two_cuts_at_once_are_one(self):
+        rig = cases.rope(3)
+        for name in ("cut", "Cut to the chase"):
+            bpy.context.scene.timeline_markers.new(name, frame=20)
+        cases.add(rig, use_cuts=True)
+        cases.go_to(25)
+        self.assertIsNone(cases.problem(rig))
+
     def test_chains_start_anew_at_cuts(self):
         rig = cases.rope(3)
         rig.animation_data_clear()

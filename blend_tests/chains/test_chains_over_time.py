@@ -1,5 +1,7 @@
 """Bones of chains are known at any times, for what hangs on them."""
 
+import unittest.mock
+
 import bpy
 import numpy as np
 
@@ -49,3 +51,41 @@ class ChainsOverTime(solved_cases.Solved, support.SceneTestCase):
         entry.frequency = 0.2
         bpy.context.view_layer.update()
         self.assertGreater(np.abs(cases.matrix(flag, 24) - alone).max(), 1e-3)
+
+
+class ChainsOnChains(support.SceneTestCase):
+    def pinned(self):
+        """Two rigs: the end of the second one's limp chain is pinned to a bone of the first one's chain."""
+        first, second = cases.rope(4, name="First"), cases.rope(8, name="Second")
+        (entry,) = cases.add(first)
+        cases.add(second, frequency=0.0)
+        second.location.x = 0.2
+        bpy.ops.motus.chains_pin(object="Second", bones="Tail 0 7", target="First", target_bone="Tail 0 2")
+        return entry, second, cases.chain(second)
+
+    def test_an_edit_of_the_chain_that_a_pin_follows_is_felt(self):
+        entry, second, names = self.pinned()
+        before = cases.tails(second, 30, names)
+        entry.frequency = 0.3
+        bpy.context.view_layer.update()
+        after = cases.tails(second, 30, names)
+        self.assertGreater(np.abs(after - before).max(), 0.05)
+        second.motus.chains.entries[0].drag += 1e-6  # makes its motion anew
+        bpy.context.view_layer.update()
+        np.testing.assert_allclose(cases.tails(second, 30, names), after, atol=1e-3)
+
+    def test_nothing_is_made_anew_from_frame_to_frame(self):
+        entry, second, names = self.pinned()
+        ball = support.link("Ball", parent=bpy.data.objects["First"])
+        ball.parent_type, ball.parent_bone, ball.empty_display_type = 'BONE', "Tail 0 3", 'SPHERE'
+        solid = bpy.data.collections.new("Solid")
+        solid.objects.link(ball)
+        second.motus.chains.colliders = solid
+        bpy.context.view_layer.update()
+        for frame in (20, 21):
+            cases.tails(second, frame, names)
+        making = support.addon("chains.making").Making
+        with unittest.mock.patch.object(making, "make", autospec=True, side_effect=making.make) as made:
+            for frame in (22, 23, 5):
+                cases.tails(second, frame, names)
+        self.assertEqual(made.call_count, 0)

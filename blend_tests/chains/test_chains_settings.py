@@ -84,7 +84,7 @@ class ChainsSettingsTest(support.SceneTestCase):
         (found,) = self.made(lambda: setattr(settings, "use_cuts", True))
         np.testing.assert_allclose(found.times[found.resets], [0.5])
         self.assertFalse(hasattr(found, "touching"))
-        (found,) = self.made(lambda: setattr(settings, "use_touch", True))
+        _, found = self.made(lambda: setattr(settings, "use_touch", True))  # the first one counts which links are near each other
         self.assertEqual((found.touching, found.touching_friction), (True, 0.5))
         rig.animation_data_clear()
         (found,) = self.made(lambda: setattr(settings, "use_loop", True))

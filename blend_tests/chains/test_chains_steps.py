@@ -1,5 +1,6 @@
 """A motion that takes long is solved in steps: what was there stays shown meanwhile, and who reads a frame waits."""
 
+import time
 import types
 import unittest.mock
 
@@ -81,6 +82,17 @@ class Steps(support.SceneTestCase):
         self.assertEqual(self.steps.done(self.rig), 0.0)
         self.go_on()
         self.assertIsNone(self.steps.done(self.rig))
+
+    def test_nobody_waits_for_who_solves(self):
+        """A motion that a different thread is solving, such as a render's, is as good as unfinished."""
+        cases.add(self.rig, frequency=1.0)
+        self.shown()
+        (_, unfinished), *_ = self.steps._unfinished.items()
+        with unfinished.moved._lock:
+            begun = time.perf_counter()
+            self.assertIsNone(unfinished.moved.places(unfinished.seconds, 0.0))
+            self.assertIsNone(unfinished.moved.places(unfinished.seconds, 0.01))
+            self.assertLess(time.perf_counter() - begun, 5.0)
 
     def test_a_rig_that_is_gone_ends_the_timer(self):
         cases.add(self.rig, frequency=1.0)

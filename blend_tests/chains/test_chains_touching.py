@@ -1,6 +1,7 @@
 """Chains of an owner that touch each other; limits to the side, and bones that do not twist."""
 
 import math
+import unittest.mock
 
 import bpy
 import numpy as np
@@ -53,6 +54,34 @@ class TouchingTest(solved_cases.Solved, support.SceneTestCase):
         alone = cases.tails(rig, 31, cases.chain(rig))
         cases.go_to(7)
         np.testing.assert_array_equal(cases.tails(rig, 31, cases.chain(rig)), alone)
+
+    def test_a_muted_chain_touches_nothing(self):
+        rig = self.swinging()
+        second = cases.chain(rig, 1)
+        free = cases.tails(rig, 31, second)
+        rig.motus.chains.use_touch = True
+        bpy.context.view_layer.update()
+        self.assertGreater(np.abs(cases.tails(rig, 31, second) - free).max(), 0.01)
+        rig.motus.chains.entries[0].is_muted = True
+        bpy.context.view_layer.update()
+        np.testing.assert_allclose(cases.tails(rig, 31, second), free, atol=1e-6)
+
+    def test_chains_that_wait_for_each_other_do_not_touch_and_say_so(self):
+        rig = self.swinging()
+        rig.motus.chains.use_touch = True
+        bpy.ops.motus.chains_pin(object=rig.name, bones="Tail 1 4", target=rig.name, target_bone="Tail 0 4", weight=0.0)
+        bpy.context.view_layer.update()
+        self.assertEqual(cases.problem(rig), support.addon("chains.making").CHAINS_PARTED)
+
+    def test_so_many_near_each_other_are_as_dear_as_they_are(self):
+        """What the bound of work counts is what the native module compares."""
+        rig = cases.rope(6, chains=12)
+        motion = support.addon("chains.motion")
+        with unittest.mock.patch.object(motion, "step_price", side_effect=motion.step_price) as priced:
+            cases.add(rig, ", ".join(f"Tail {number} 0" for number in range(12)), thickness=10.0, use_touch=True)
+            cases.go_to(2)
+        pairs = [call.args[2] for call in priced.call_args_list if call.args[2] is not None]
+        self.assertGreater(min(pairs), 2000)
 
     def test_what_hangs_on_one_of_them_is_known(self):
         rig = self.swinging()

@@ -1156,6 +1156,11 @@ class StrandMotion:
         Of the memory that it takes.
         """
     @property
+    def near_pairs(self) -> int:
+        """
+        Number of pairs of links that are so near each other in the first pose that they may touch.
+        """
+    @property
     def solved_until(self) -> float:
         """
         Time up to which places are known, s; of a loop the first one until all is solved.

@@ -27,6 +27,18 @@ def objects(settings):
     return touching(members(settings))
 
 
+class Kind(NamedTuple):
+    """What of a collider says how much work it makes: whether it is a mesh, and how many capsules or planes it is else."""
+
+    is_mesh: bool
+    count: int
+
+
+def kinds(settings):
+    """List the Kind of each collider that the settings of a rig name."""
+    return [Kind(obj.type == 'MESH', len(obj.data.bones) if obj.type == 'ARMATURE' else 1) for obj in objects(settings)]
+
+
 def touching(found):
     """List the colliders among objects. Empties that were made for pins are none."""
     return [obj for obj in found if _is_touched(obj)]

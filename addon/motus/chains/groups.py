@@ -12,7 +12,7 @@ from ..core.evaluated.question import answered
 from ..core.file import libraries
 from ..core.file.pointers import pointed
 from ..core.settings.entries import unwired
-from . import colliders, curves, pins
+from . import colliders, curves, motion, pins
 from .of_bones import Bones
 from .of_objects import Row
 
@@ -22,6 +22,8 @@ LOOPED = "looped"
 """Key of a group's data: number of chains that are left out, because what they hang on or touch depends on them."""
 MISSING = "missing"
 """Key of a group's data: number of entries whose bones or objects do not exist."""
+PARTED = "parted"
+"""Key of a group's data: whether chains that are to touch each other are in different groups."""
 BELOW = "below"
 """Key of a group's data: number of entries whose bones belong to a different entry's chain."""
 
@@ -96,6 +98,18 @@ def held_by(owner, chain):
     return pins.goals(owner.motus.chains, chain.names)
 
 
+def load(settings):
+    """Return the price of a step of all chains of an owner, about. settings: of an original owner, or of an evaluated one."""
+    counts = [(_count(settings.id_data, entry), entry) for entry in settings.entries]
+    return motion.step_price(counts, colliders.kinds(settings), None)
+
+
+def _count(owner, entry):
+    if is_bone(entry):
+        return 0 if is_missing(owner, entry) else 1 + len(owner.data.bones[entry.name].children_recursive)
+    return len(entry.links)
+
+
 def groups(owner):
     """Return the Groups of an owner: one for the chains of each level, which do not depend on each other's results."""
     return answered((hash(owner), "chains", "groups"), lambda: _groups(owner))
@@ -112,6 +126,7 @@ def _groups(owner):
         LOOPED: sum(level is None for level, _ in placed),
         MISSING: sum(is_missing(owner, entry) for entry in owner.motus.chains.entries),
         BELOW: sum(is_below(owner, entry) for entry in owner.motus.chains.entries),
+        PARTED: int(owner.motus.chains.use_touch and len(by_level) > 1),
     }
     parts = [by_level[level] for level in sorted(by_level)] or [[]]  # an empty group still reports problems
     return tuple(_group(owner, str(index) if index else "", found, wrong) for index, found in enumerate(parts))

@@ -5,10 +5,12 @@ import math
 from typing import Any, NamedTuple
 
 from ..core import tracks
+from ..core.animation.channel import Channel
 from ..core.animation.strips import together
 from ..core.declare import Problem, registered
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
+from ..core.settings import entry_keys
 from ..core.tracks import solved
 from ..core.tracks.inputs import BAD_NUMBERS, of_unknown, stamp_of_known
 from . import colliders, groups, motion, pins, spaces
@@ -31,6 +33,7 @@ LARGE_COLLIDER = Problem(
 )
 PIN_NOT_KNOWN = Problem("The motion of what holds a pin is not known on other frames: the pin does not hold", blocking=False)
 PIN_WEIGHT_NOT_KNOWN = Problem("The weight of a pin is not known on other frames: the pin does not hold", blocking=False)
+CHAINS_PARTED = Problem("Chains that wait for each other, as by a pin or a collider, do not touch each other", blocking=False)
 TOO_LONG = Problem("The scene is too long for so many chains, which come to a stop before its end: split it, or mute some", blocking=False)
 CUT = "cut"
 """Beginning of the names of the markers at which chains start anew."""
@@ -40,7 +43,7 @@ def cuts(settings, scene):
     """List the frames of a scene's markers at which chains start anew, rising, in the keys' time. settings: of the rig."""
     if not settings.use_cuts or settings.use_loop:
         return []
-    found = [marker.frame for marker in scene.timeline_markers if marker.name.lower().startswith(CUT)]
+    found = {marker.frame for marker in scene.timeline_markers if marker.name.lower().startswith(CUT)}
     return [scene_time.keys_time(scene, frame) for frame in sorted(found)]
 
 
@@ -83,10 +86,12 @@ class Surroundings(NamedTuple):
     def stamp(self):
         """Hashable value that changes whenever the surroundings may change at any time; None if changes cannot be detected."""
         found = [*scene_time.stamp(self.scene), scene_time.last(self.scene), self.pulling.use_gravity, tuple(self.cuts)]
-        found += [track.reason.kind if track.reason else track.stamp for track in (*self.gravity, *self.wind)]
+        # Of an original scene, which over_time.py reads, edits of keys cannot be detected; most have none.
+        pull = self.gravity if self.pulling.is_evaluated or self.pulling.animation_data else ()
+        found += [track.reason.kind if track.reason else track.stamp for track in (*pull, *self.wind)]
         found += [solid.stamp for solid in self.colliders]
-        found += [(pin.bone, stamp_of_known(pin.place), stamp_of_known(pin.weight)) for pin in self.pins]
-        return together(found)
+        found += [*(pin.bone for pin in self.pins), *(stamp_of_known(track) for pin in self.pins for track in (pin.place, pin.weight))]
+        return together((*found, *self.pulling.gravity)) if not pull else together(found)
 
 
 class Part(NamedTuple):
@@ -151,21 +156,43 @@ class Making:
 
     def _solve(self, ready):
         settings, around = self._settings, self._surroundings
-        solids = self._solids
+        solids, is_loop = self._solids, settings.use_loop
+        touching = [one for one in ready if not self._is_always_muted(one)] if settings.use_touch else []
         price = sum(one.source.price for one in ready) + sum(solid.price for solid in solids)
         price += sum(pin.place.price + pin.weight.price for pin in around.pins)
-        step = motion.step_price([(len(one.chain.things), one.chain.entry) for one in ready], solids, settings.use_touch)
-        share = self._share * len(ready) / max(len(settings.entries), len(ready))
-        times = motion.times_of(around.scene, around.cuts, motion.most_seconds(price, step, settings.use_loop, share))
+        counts = [(len(one.chain.things), one.chain.entry) for one in ready]
+        step = motion.step_price(counts, solids, self._near_pairs(touching) if touching else None)
+        # Groups share the owner's limit as owners share the scene's.
+        share = self._share * min(motion.step_price(counts, solids, None) / max(groups.load(settings), 1.0), 1.0)
+        times = motion.times_of(around.scene, around.cuts, motion.most_seconds(price, step, is_loop, share), is_loop)
         if times.is_cut_short:
             self.problems.append(TOO_LONG)
         settle = motion.settling(settings.settle, step, 1 + len(times.cuts), share)
         world = motion.world_of({"settle": settle, **self._world(times)}, self._space(times))
+        alone = world.alone()
         strands = [(one, *self._strand(one, world, times)) for one in ready]
-        for is_loop in (False, True):
-            together = [(one, strand) for one, strand, closes in strands if closes == is_loop]
-            for some in [together] if settings.use_touch and together else [[one] for one in together]:
-                self._add(some, world, times, is_loop)
+        for closes in (False, True):
+            some = [(one, strand) for one, strand, is_closed in strands if is_closed == closes]
+            beside = [pair for pair in some if pair[0] in touching]
+            if beside:
+                self._add(beside, world, times, closes)
+            for pair in some:
+                if pair not in beside:
+                    self._add([pair], alone, times, closes)
+
+    def _is_always_muted(self, one):
+        """Whether a Ready chain is muted, and no key or driver lets it act at a different time."""
+        path = entry_keys.animated_prefix(self._owner, "motus.chains.entries", self._settings.entries, one.entry)
+        return one.chain.entry.is_muted and Channel(self._owner, f"{path}is_muted", -1).is_constant
+
+    def _near_pairs(self, touching):
+        frames = np.array([scene_time.first(self._surroundings.scene)])
+        poses = [np.stack(one.source.places(frames), axis=1) for one in touching]
+        strands = [motion.Strand(list(one.chain.parents), pose, b"", None, one.chain.entry, {}) for one, pose in zip(touching, poses)]
+        try:
+            return motion.near_pairs(strands)
+        except ValueError:  # which is told when the motion is made
+            return 0
 
     def _strand(self, one, world, times):
         """Return (motion.Strand, whether it is solved as a loop) of a Ready chain."""

@@ -14,18 +14,18 @@ RATE = 240.0
 """Samples a second of what chains read: times that do not depend on the frame rate, every second one of the solver's steps."""
 STEPS = 480.0
 """Steps of the solver a second."""
-STEP_PRICE, BEND_PRICE, OBSTACLE_PRICE, SURFACE_PRICE = 1.0, 2.0, 0.2, 20.0
+STEP_PRICE, BEND_PRICE, OBSTACLE_PRICE, SURFACE_PRICE = 1.0, 0.6, 0.2, 20.0
 """Prices of a step of a link, of its bend limit, and of each collider and mesh, in units of core/measures/bounds.MANY_AT_ONCE (0.1 microseconds)."""
-TOUCHING_PRICE, NEAR_PRICE = 2.0, 0.01
-"""Prices of a step of a link that may touch links of other chains: of itself, and of each of those, which must be compared if they are near."""
+TOUCHING_PRICE, COMPARED_PRICE, PAIR_PRICE = 2.0, 0.01, 3.0
+"""Prices of a step of a link that may touch others: of itself, of each of all links, and of each pair that is near in the first pose."""
 LINED_UP = 4.0
 """How much faster than towards the pose a bone swings back into line with its parent: a looser end would fold else, where it holds up the rest."""
 SETTLING = 0.25
 """Part of the limit of work that may go into settling before the scene begins, and after cuts."""
 CYCLES = 40
 """How often a loop is gone through at most, until it closes."""
-AT_ONCE = 1 << 17
-"""Steps times links that are solved before it is looked whether the time that was asked for is reached: some milliseconds."""
+SLICE = 0.01
+"""Seconds for which is solved before it is looked whether the time that was asked for is reached."""
 SUDDEN = 1.0 / 64.0
 """Time in frames, before a cut, at which what chains read is still that of the shot before."""
 CLOSED = 1e-3
@@ -55,29 +55,33 @@ class Times(NamedTuple):
     is_cut_short: bool
 
 
-def times_of(scene, cuts, most):
+def times_of(scene, cuts, most, is_loop):
     """Return the Times of a scene, from its first frame to the one after its last.
 
-    cuts: frames at which chains start anew. most: seconds, at most.
+    cuts: frames at which chains start anew. most: seconds, at most. is_loop: whether the last time has to be that very frame.
     """
     first, last = scene_time.first(scene), scene_time.keys_time(scene, scene.frame_end + 1)
     fps = scene_time.fps(scene)
-    count = math.ceil(min((last - first) / fps, most) * RATE - 1e-6)
-    frames = first + np.arange(max(count, 1) + 1) * fps / RATE
+    span = min((last - first) / fps, most)
+    count = max(math.ceil(span * RATE - 1e-6), 1)
+    frames = np.linspace(first, first + span * fps, count + 1) if is_loop else first + np.arange(count + 1) * fps / RATE
     inside = [frame for frame in cuts if first < frame < frames[-1]]
     frames = np.unique(np.concatenate([frames, inside, [frame - SUDDEN for frame in inside if frame - SUDDEN > first]]))
     return Times(frames, scene_time.seconds(scene, frames), np.searchsorted(frames, inside).tolist(), (last - first) / fps > most)
 
 
-def step_price(chains, solids, are_touching):
+def step_price(chains, solids, near_pairs):
     """Return the price of a step. chains: [(number of bones, settings)]. solids: what they touch (solids.py).
 
-    are_touching: whether chains touch each other.
+    near_pairs: how many pairs of their links may touch each other; None if chains do not.
     """
     touching = sum(SURFACE_PRICE if solid.is_mesh else OBSTACLE_PRICE * solid.count for solid in solids)
-    if are_touching:
-        touching += TOUCHING_PRICE + NEAR_PRICE * sum(count for count, _ in chains)
-    return sum(count * (STEP_PRICE + touching + (BEND_PRICE if numbers.bend_limit < math.pi else 0.0)) for count, numbers in chains)
+    if near_pairs is not None:
+        touching += TOUCHING_PRICE + COMPARED_PRICE * sum(count for count, _ in chains)
+    return PAIR_PRICE * (near_pairs or 0) + sum(
+        count * (STEP_PRICE + touching + (BEND_PRICE if min(numbers.bend_limit, numbers.side_limit) < math.pi else 0.0))
+        for count, numbers in chains
+    )
 
 
 def most_seconds(price, step, is_loop, share):
@@ -116,7 +120,8 @@ class Motion:
     def __init__(self, solver, first, last, length, space):
         self._solver, self._lock, self._first, self._last, self._space = solver, threading.Lock(), first, last, space
         self._most_gap = CLOSED * length
-        self._at_once = max(AT_ONCE // len(solver), 1)
+        self._at_once = 1
+        self._is_solved, self._until, self._gap = solver.is_solved, first, 0.0
         self.size = solver.nbytes
 
     def __len__(self):
@@ -130,28 +135,42 @@ class Motion:
         end = time.perf_counter() + patience
         if self._last is not None:
             seconds = self._first + (seconds - self._first) % (self._last - self._first)
-        with self._lock:
-            while not self._is_known(seconds):
-                if time.perf_counter() >= end:
+        while True:
+            left = end - time.perf_counter()
+            if not self._lock.acquire(timeout=-1 if math.isinf(patience) else max(left, 0.0)):
+                return None
+            try:
+                if self._is_known(seconds):
+                    found = self._solver.places(seconds)
+                    return found if self._space is None else self._space.outside(found, seconds)
+                if left <= 0.0:
                     return None
-                self._solver.solve(self._at_once)
-            found = self._solver.places(seconds)
-        return found if self._space is None else self._space.outside(found, seconds)
+                self._go_on()
+            finally:
+                self._lock.release()
+
+    def _go_on(self):
+        """Solve for about SLICE, with the lock."""
+        begun = time.perf_counter()
+        self._solver.solve(self._at_once)
+        taken = time.perf_counter() - begun
+        self._at_once = max(int(self._at_once * min(SLICE / max(taken, 1e-6), 4.0)), 1)
+        self._is_solved, self._until, self._gap = self._solver.is_solved, self._solver.solved_until, self._solver.gap
 
     def _is_known(self, seconds):
         # Before its first step a solver has the first pose, not yet settled, at the first time.
-        return self._solver.is_solved or (self._last is None and self._solver.solved_until > seconds)
+        return self._is_solved or (self._last is None and self._until > seconds)
 
     def done(self, seconds):
         """Return which part of the motion up to a time, s, is solved, from 0 to 1. That of a loop is not known before all of it is."""
         if self._is_known(seconds):
             return 1.0
-        return 0.0 if self._last is not None else (self._solver.solved_until - self._first) / max(seconds - self._first, 1e-9)
+        return 0.0 if self._last is not None else (self._until - self._first) / max(seconds - self._first, 1e-9)
 
     @property
     def is_open(self):
         """Whether the motion is a loop that is solved and does not close."""
-        return self._last is not None and self._solver.is_solved and self._solver.gap > self._most_gap
+        return self._last is not None and self._is_solved and self._gap > self._most_gap
 
 
 class World(NamedTuple):
@@ -167,6 +186,12 @@ class World(NamedTuple):
     def inside(self, keywords):
         """Return keywords of the native StrandMotion, given in the world, as they are in the space."""
         return keywords if self.space is None else self.space.inside(keywords)
+
+    def alone(self):
+        """Return the World of chains that touch no others."""
+        return self._replace(
+            keywords={name: value for name, value in self.keywords.items() if name != "touching"}, stamp=b"alone" + self.stamp
+        )
 
 
 def world_of(keywords, space):
@@ -218,6 +243,20 @@ class Strand(NamedTuple):
         }
         found |= {name: getattr(numbers, name) for name in ("damping", "response", "drag", "stretch", "thickness")}
         return {name: np.broadcast_to(value, len(depths)) for name, value in found.items()}
+
+
+def near_pairs(strands):
+    """Return how many pairs of links of Strands, of which the first pose is read, are so near each other that they may touch."""
+    parents, _ = _rows(strands)
+    thickness = np.concatenate([strand.keywords()["thickness"] for strand in strands])
+    poses = np.concatenate([strand.poses[:1] for strand in strands], axis=1)
+    return native.module.StrandMotion(parents, [0.0], poses, thickness=thickness, touching=True).near_pairs
+
+
+def _rows(strands):
+    """Return (index of the parent of each particle of several Strands in a row, index of the first particle of each)."""
+    starts = [0, *np.cumsum([len(strand.parents) for strand in strands]).tolist()]
+    return [-1 if one < 0 else one + start for strand, start in zip(strands, starts) for one in strand.parents], starts
 
 
 def motion_of(strands, world, times, is_loop):
@@ -281,4 +320,4 @@ def _note(found, value):
         found.update(f"{value.shape}".encode())
         found.update(np.ascontiguousarray(value).data)
     else:
-        found.update(repr(value).encode())
+        found.update(f"{value!r},".encode())

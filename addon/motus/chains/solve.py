@@ -12,9 +12,10 @@ from ..core.file import stored
 from ..core.settings import entries
 from ..core.tracks import inputs
 from . import colliders, making, steps
-from .groups import BELOW, LOOPED, MISSING, PLAN
+from .groups import BELOW, LOOPED, MISSING, PARTED, PLAN
 from .making import (
     BELOW_ANOTHER,
+    CHAINS_PARTED,
     COLLIDER_NOT_KNOWN,
     CONSTRAINED,
     DEFORMED_COLLIDER,
@@ -45,6 +46,7 @@ PROBLEMS = (
     PIN_NOT_KNOWN,
     PIN_WEIGHT_NOT_KNOWN,
     TOO_LONG,
+    CHAINS_PARTED,
     LOOPED_CHAINS,
     THINGS_MISSING,
     THINGS_CHANGED,
@@ -106,7 +108,7 @@ def solve(context, obstacles):
 
 def _wrong(data):
     """Return the Problem with the list of chains of a group's data; None if there is none."""
-    told = ((LOOPED, LOOPED_CHAINS), (MISSING, THINGS_MISSING), (BELOW, BELOW_ANOTHER))
+    told = ((LOOPED, LOOPED_CHAINS), (MISSING, THINGS_MISSING), (BELOW, BELOW_ANOTHER), (PARTED, CHAINS_PARTED))
     return next((problem for key, problem in told if data.get(key)), None)
 
 

@@ -27,13 +27,13 @@ MOST = 1024
 
 _unfinished = keeping.OfFile(
     "motions of chains that are being solved in steps (Unfinished)",
-    "name of the owner, and index of the entry of the first chain",
+    "name of the owner, whether it is linked, and name of the entry of the first chain",
     most=MOST,
     until="they are solved, or a different file is opened",
 )
 _former = keeping.OfFile(
     "motions of chains that were shown last (Motion)",
-    "name of the owner, and index of the entry of the first chain",
+    "name of the owner, whether it is linked, and name of the entry of the first chain",
     most_size=motion.LARGEST_MEMORY,
     size=lambda _, moved: moved.size,
     unit="bytes",
@@ -52,7 +52,7 @@ def places(context, entry, moved, seconds):
 
     entry: index of the entry of its first chain. moved: the motion.Motion. seconds: the time.
     """
-    key = context.owner.name, entry
+    key = context.owner.name, context.owner.library is not None, context.settings.entries[entry].name
     found = moved.places(seconds, _patience(context))
     if found is not None:
         if _unfinished:
@@ -77,7 +77,7 @@ def _patience(context):
 
 def done(rig):
     """Which part of what is shown of a rig's chains is solved, from 0 to 1; None if all of it is."""
-    parts = [one.moved.done(one.seconds) for (name, _), one in _unfinished.items() if name == rig.name]
+    parts = [one.moved.done(one.seconds) for (name, *_), one in _unfinished.items() if name == rig.name]
     return min(parts, default=None)
 
 

@@ -274,6 +274,9 @@ Goes on for about so many steps: whether all is solved. No other thread may use 
             "Of a loop, the largest distance of a particle at the end of its last cycle from "
             "where that began, m.")
         .def_property_readonly("nbytes", &Motion::bytes, "Of the memory that it takes.")
+        .def_property_readonly(
+            "near_pairs", &Motion::near_pairs,
+            "Number of pairs of links that are so near each other in the first pose that they may touch.")
         .def(
             "places",
             [](const Motion& self, const Number& time) {

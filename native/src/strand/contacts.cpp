@@ -110,7 +110,20 @@ void Contacts::resolve_obstacles(const Stepped& step, std::span<const glm::dvec3
             const glm::dvec3 root = step.state.places[parent];
             const glm::dvec3 link = step.state.places[i] - root;
             const double reach = obstacle.radius + bodies_[i].thickness;
-            const Shares shares = nearest(root, link, start, axis);
+            Shares shares = nearest(root, link, start, axis);
+            // Where an end that is held is in the obstacle itself, no turn brings the link out: its other end
+            // is to be.
+            const auto is_stuck = [&](std::size_t end) {
+                const glm::dvec3 place = step.state.places[end];
+                const double along = nearest(place, glm::dvec3(0.0), start, axis).second;
+                return !(step.mobilities[end].displacement > 0.0) &&
+                       glm::length(place - start - along * axis) < reach;
+            };
+            if (is_stuck(parent) || is_stuck(i)) {
+                const std::size_t end = is_stuck(parent) ? i : parent;
+                shares.first = end == i ? 1.0 : 0.0;
+                shares.second = nearest(step.state.places[end], glm::dvec3(0.0), start, axis).second;
+            }
             const glm::dvec3 apart = root + shares.first * link - (start + shares.second * axis);
             const double square = glm::dot(apart, apart);
             Friction& friction = frictions_[k * bodies_.size() + i];

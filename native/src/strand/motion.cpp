@@ -291,6 +291,10 @@ void Motion::places(double time, std::span<glm::dvec3> out) const {
     solver.places(solver.is_done ? time : known, out);
 }
 
+std::size_t Motion::near_pairs() const {
+    return solver_ ? solver_->stepper.near_pairs() : 0;
+}
+
 std::size_t Motion::bytes() const noexcept {
     return solver_ ? sizeof(Solver) + solver_->stepper.bytes() + solver_->kept.size() * sizeof(glm::dvec3)
                    : 0;

@@ -160,6 +160,14 @@ void Stepper::between(const Near& near, double share, const Driven& driven, std:
     }
 }
 
+std::size_t Stepper::near_pairs() const {
+    Work work(*this);
+    State state;
+    state.places.assign(poses_.row(0).begin(), poses_.row(0).end());
+    work.touching_.begin({poses_.row(0), work.mobilities_, state});
+    return work.touching_.pairs();
+}
+
 void Stepper::step(State& state, const Driven& before, const Driven& now, double duration, Work& work) const {
     flow(state, before, now, duration, work);
     hold(state, before, now, duration, work);

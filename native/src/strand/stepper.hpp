@@ -57,6 +57,8 @@ class Stepper {
     void between(const Near& near, double share, const Driven& driven, std::span<glm::dvec3> out) const;
     /// From the driven at its beginning to that at its end, `duration` later.
     void step(State& state, const Driven& before, const Driven& now, double duration, Work& work) const;
+    /// The number of pairs of links that are near each other in the first pose.
+    [[nodiscard]] std::size_t near_pairs() const;
 
   private:
     friend class Work;

@@ -42,8 +42,10 @@ bool Touching::are_joined(const Body& first, const Body& second) {
 void Touching::begin(const Stepped& step) {
     pairs_.clear();
     if (bodies_.size() < 2) return;
-    constexpr double roomy = 2.0;  // of the thickness: what holds lengths moves links once more
+    constexpr int most_pairs = 64;  // of a link: where all are within all others, no more would help
+    constexpr double roomy = 2.0;   // of the thickness: what holds lengths moves links once more
     boxes_.clear();
+    counts_.assign(bodies_.size(), 0);
     glm::dvec3 lowest(std::numeric_limits<double>::infinity()), highest = -lowest;
     for (std::size_t body = 0; body < bodies_.size(); ++body) {
         const auto [parent, particle, thickness] = bodies_[body];
@@ -72,7 +74,10 @@ void Touching::begin(const Stepped& step) {
             const std::size_t first = std::min(boxes_[i].body, boxes_[j].body);
             const std::size_t second = std::max(boxes_[i].body, boxes_[j].body);
             const Body &body1 = bodies_[first], &body2 = bodies_[second];
-            if (are_joined(body1, body2)) continue;
+            if (are_joined(body1, body2) || counts_[first] == most_pairs || counts_[second] == most_pairs)
+                continue;
+            ++counts_[first];
+            ++counts_[second];
             // Where the first pose has them nearer, they may be as near.
             const Segment pose1 = segment(pose_, body1.parent, body1.particle);
             const Segment pose2 = segment(pose_, body2.parent, body2.particle);
@@ -97,6 +102,16 @@ void Touching::resolve_pairs(const Stepped& step, double duration) {
         const double distance = is_through ? -glm::length(apart) : glm::length(apart);
         const double depth = pair.reach - distance;
         if (!(depth > -pair.friction.pushed)) continue;
+        // Near ends that are held on both sides no turn brings them apart.
+        constexpr double near_end = 0.1;
+        const auto is_stuck = [&](const Body& body, double share) {
+            const auto is_held = [&](std::size_t particle) {
+                return !(step.mobilities[particle].displacement > 0.0);
+            };
+            return (share < near_end && is_held(body.parent)) ||
+                   (share > 1.0 - near_end && is_held(body.particle));
+        };
+        if (is_stuck(body1, shares.first) && is_stuck(body2, shares.second)) continue;
         const glm::dvec3 across = direction_or(glm::cross(link1.way, link2.way), glm::dvec3(0.0, 0.0, 1.0));
         const glm::dvec3 away = direction_or(is_through ? -apart : apart, direction_or(apart_before, across));
         resolve({{{{body1.parent, 1.0 - shares.first},

@@ -23,6 +23,9 @@ class Touching {
     /// Moves links apart that are too near, and takes away the speed at which they come nearer.
     void resolve_pairs(const Stepped& step, double duration);
 
+    /// The number of pairs found by the latest begin().
+    [[nodiscard]] std::size_t pairs() const noexcept { return pairs_.size(); }
+
   private:
     struct Body {
         std::size_t parent = 0, particle = 0;
@@ -44,6 +47,7 @@ class Touching {
     std::vector<glm::dvec3> pose_;
     double friction_ = 0.0;
     std::vector<Box> boxes_;
+    std::vector<int> counts_;  ///< of each body, its pairs
     std::vector<Pair> pairs_;
 };
 

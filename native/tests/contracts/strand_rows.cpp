@@ -224,7 +224,8 @@ void add_asking(Table& table) {
                                // NOLINTBEGIN(bugprone-use-after-move)
                                expect(from.size() == 0 && from.is_solved() && from.solve(10), "is empty");
                                from.places(0.0, {});
-                               expect(from.bytes() == 0 && from.gap() == 0.0, "has nothing");
+                               expect(from.bytes() == 0 && from.gap() == 0.0 && from.near_pairs() == 0,
+                                      "has nothing");
                                // NOLINTEND(bugprone-use-after-move)
                                from = Motion(sample_links(), Shot().inputs());
                                expect(from.size() == 3 && taken.size() == 3, "is assigned");

@@ -61,6 +61,34 @@ TEST_CASE("a ball and a floor are not entered by more than a tenth of the thickn
     for (std::size_t i = 0; i < one.size(); ++i) CHECK(glm::length(two[i] - one[i]) / 0.1 < 1e-4);
 }
 
+TEST_CASE("a strand whose root is in a ball hangs from it", "[strand]") {
+    // Between two places, as a rope; the root lies within the ball, or beside it.
+    Link link;
+    link.thickness = 0.012;
+    link.drag = 0.5;
+    constexpr std::size_t links = 24;
+    for (const double aside : {0.0, 0.03, 0.08, 0.105}) {
+        Shot shot(4.0, straight(links, 3.0, {1, 0, 0}));
+        shot.pinned = {links};
+        shot.pin_places.assign(shot.times.size(), {2.3, 0.0, 0.0});
+        shot.pin_weights.assign(shot.times.size(), 1.0);
+        add_obstacle(shot, {Obstacle::Shape::capsule, 0.085, 0.5}, [&](double) {
+            return std::array{glm::dvec3(-0.02, aside, 0.03), glm::dvec3(-0.02, aside, 0.03)};
+        });
+        const Motion motion = solved(chain(links, link), shot, {.settle = 4.0});
+        double mean = 0.0, fastest = 0.0;
+        const auto before = places(motion, 3.9), now = places(motion, 4.0);
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            mean += now[i].z / static_cast<double>(now.size());
+            fastest = std::max(fastest, glm::length(now[i] - before[i]) / 0.1);
+        }
+        CAPTURE(aside, mean, fastest);
+        CHECK(mean < (aside > 0.0 ? -0.4 : -0.25));  // from the middle it hangs over the ball
+        CHECK(fastest < 0.5);
+        if (aside <= 0.03) CHECK(glm::length(now[1] - glm::dvec3(-0.02, aside, 0.03)) > 0.085 + 0.9 * 0.012);
+    }
+}
+
 TEST_CASE("friction holds on a slope, and lets go on a steeper one", "[strand]") {
     for (const double friction : {0.3, 0.7}) {
         // A free particle: its link stretches without resistance.
@@ -227,7 +255,10 @@ TEST_CASE("links that the pose has near each other are left where they are", "[s
         pose.push_back(place + glm::dvec3(0.0, 0.05, 0.0));
     Shot shot(1.0, pose);
     shot.gravity.clear();
+    CHECK(Motion(links, shot.inputs()).near_pairs() == 0);
     shot.are_touching = true;
+    // Each with those of the other chain and of its own that it does not hang on, three of 0.067 m away.
+    CHECK(Motion(links, shot.inputs()).near_pairs() > 40);
     const auto now = places(solved(links, shot), 1.0);
     for (std::size_t i = 0; i < now.size(); ++i) CHECK(glm::length(now[i] - pose[i]) < 1e-9);
 }

@@ -64,6 +64,7 @@ INTERFACE = {
     + NO_KEYS: "Mayor ángulo hacia los lados, a lo largo del eje X de un hueso, si es menor que el límite de flexión: como para una oreja, una tira o un dedo"
     + _NO_KEYS_ES,
     "Touch Each Other": "Tocarse entre sí",
+    "Chains that wait for each other, as by a pin or a collider, do not touch each other": "Las cadenas que se esperan una a otra, como por una sujeción o un colisionador, no se tocan entre sí",
     "Keep the chains of this object apart by the thickness of both, as far as they are apart on the scene's first frame"
     + NO_KEYS: "Mantiene separadas las cadenas de este objeto por el grosor de ambas, hasta donde lo están en el primer fotograma de la escena"
     + _NO_KEYS_ES,

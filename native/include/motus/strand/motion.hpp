@@ -65,6 +65,8 @@ class Motion {
     /// one count as the first one; a solved loop repeats in both directions instead. Throws
     /// std::invalid_argument if the time is not finite, or `out` has another size than there are links.
     void places(double time, std::span<glm::dvec3> out) const;
+    /// The number of pairs of links that are so near each other in the first pose that they may touch.
+    [[nodiscard]] std::size_t near_pairs() const;
     /// Size of the memory in use.
     [[nodiscard]] std::size_t bytes() const noexcept;
 

@@ -105,7 +105,7 @@ struct Inputs {
     /// along its link does not count; a link without a side has none of `side_bend`.
     std::span<const glm::dvec3> sides{};
     /// Whether links keep away from each other, by the thicknesses of both, or as far as they are apart in
-    /// the first pose if that is less. Links that hang on each other do not.
+    /// the first pose if that is less. Links that hang on each other do not, and each with 64 others at most.
     bool are_touching = false;
     double friction = 0.5;  ///< Coulomb's coefficient of links with each other, [0, 100]
 };
