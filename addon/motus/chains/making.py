@@ -92,7 +92,8 @@ class Surroundings(NamedTuple):
 class Part(NamedTuple):
     """A chain of a group with its motion. entry: index of its entry. rows: of its members in the group.
 
-    moved: motion.Motion, of which the slice `particles` are the chain's. kept: what can be kept of the chain between evaluations, its of_bones.Kept or of_objects.Kept.
+    moved: motion.Motion, of which the slice `particles` are the chain's. kept: what can be kept of the chain between evaluations, its
+    of_bones.Kept or of_objects.Kept.
     """
 
     moved: Any
