@@ -11,7 +11,7 @@ from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.tracks import solved
 from ..core.tracks.inputs import BAD_NUMBERS, of_unknown, stamp_of_known
-from . import colliders, groups, motion, pins, spaces
+from . import air, colliders, groups, motion, pins, spaces
 from .properties import KEYWORDS
 
 LOOP_IS_OPEN = Problem("A chain does not come back to where its loop began", blocking=False)
@@ -20,6 +20,7 @@ BELOW_ANOTHER = Problem("Some chains begin within another chain, which moves the
 COLLIDER_NOT_KNOWN = Problem("The motion of a collider is not known on other frames: chains pass through it", blocking=False)
 GRAVITY_NOT_KNOWN = Problem("The scene's gravity is not known on other frames: chains move without it", blocking=False)
 WIND_NOT_KNOWN = Problem("The wind is not known on other frames: chains move without it", blocking=False)
+NO_SNOW = Problem("What the wind is taken from emits no snow: choose an emitter", blocking=False)
 LOOPED_CHAINS = Problem("Some chains move with what they follow, and are left out", blocking=False)
 THINGS_MISSING = Problem("Some bones or objects of chains are not there any more: remove these from the list", blocking=False)
 THINGS_CHANGED = Problem("What hangs has changed: press Refresh")
@@ -70,6 +71,11 @@ class Surroundings(NamedTuple):
         return [tracks.property_track(self.rig, "motus.chains.wind", axis) for axis in range(3)]
 
     @property
+    def snowy(self):
+        """The air of the emitter of snow whose wind is felt too (air.of); None without one."""
+        return air.of(self.rig.motus.chains)
+
+    @property
     def colliders(self):
         """List of what chains touch (solids.py)."""
         return colliders.over_time(self.rig.motus.chains, self.touched, self.scene)
@@ -83,7 +89,9 @@ class Surroundings(NamedTuple):
     def stamp(self):
         """Hashable value that changes whenever the surroundings may change at any time; None if changes cannot be detected."""
         found = [*scene_time.stamp(self.scene), scene_time.last(self.scene), self.pulling.use_gravity, tuple(self.cuts)]
-        found += [track.reason.kind if track.reason else track.stamp for track in (*self.gravity, *self.wind)]
+        found += map(stamp_of_known, (*self.gravity, *self.wind))
+        snowy = self.snowy
+        found.append(snowy.stamp if snowy else ())
         found += [solid.stamp for solid in self.colliders]
         found += [(pin.bone, stamp_of_known(pin.place), stamp_of_known(pin.weight)) for pin in self.pins]
         return together(found)
@@ -220,16 +228,29 @@ class Making:
     def _world(self, times):
         """Return the keywords of the native StrandMotion that all chains share: the air, gravity, what they touch."""
         settings, around = self._settings, self._surroundings
-        found = {}
-        wind = self._over_time(around.wind, times, WIND_NOT_KNOWN)
-        if wind is not None:
-            found["air"] = motion.with_gusts(wind, times.seconds, settings.gusts, settings.use_loop)
+        winds = self._winds(times)
+        found = {"air": sum(winds)} if winds else {}
         pull = self._over_time(around.gravity, times, GRAVITY_NOT_KNOWN) if around.pulling.use_gravity else None
         if pull is not None:
             found["gravity"] = pull
         if settings.use_touch:
             found |= {"touching": True, "touching_friction": settings.friction}
         return found | colliders.at(self._solids, times.frames, settings.friction)
+
+    def _winds(self, times):
+        """List the winds (m, 3) at the Times that are known: the own one, and that of an emitter of snow."""
+        settings, around = self._settings, self._surroundings
+        own = self._over_time(around.wind, times, WIND_NOT_KNOWN)
+        found = [] if own is None else [motion.with_gusts(own, times.seconds, settings.gusts, settings.use_loop)]
+        if air.is_missing(settings):
+            self.problems.append(NO_SNOW)
+        snowy = around.snowy
+        if snowy and snowy.is_known:
+            period = float(times.seconds[-1] - times.seconds[0]) if settings.use_loop else 0.0
+            found.append(snowy.velocities(times.frames, scene_time.fps(around.scene), period))
+        elif snowy:
+            self.problems.append(WIND_NOT_KNOWN)
+        return found
 
     @functools.cached_property
     def _solids(self):

@@ -9,6 +9,7 @@ from ..core.file.pointers import pointed, to_object
 from ..core.interface import bone_entries
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire
 from ..core.settings.declared import factor, number, switch, vector
+from . import air
 
 # The motion at a frame depends on the whole past, so a setting that changed over time would have to be known at all times.
 _number = partial(number, tells_no_keys=True)
@@ -142,6 +143,13 @@ class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
     influence: factor("Influence", "How much all chains of the object act; 0 leaves all to its animation", 1.0, options=ANIMATED)
     wind: vector("Wind", "Velocity of the air, which chains with Air Drag feel", options=ANIMATED, subtype='VELOCITY', unit='VELOCITY')
     gusts: _number("Gusts", "How much the wind rises and falls: 1 lets it fall to a calm at times", 0.0, min=0.0, max=2.0, subtype='FACTOR')
+    wind_from: to_object(
+        name="Wind From",
+        description="Emitter of snow whose wind, with its gusts, the chains feel beside their own",
+        also=lambda _settings, obj: air.blows(obj),
+        update=rewire,
+        override=OVERRIDABLE,
+    )
     inherit: _number(
         "Inherit Motion",
         "How much of the motion of the object itself the chains feel: at 0 they come along as if it stood still, such as in a car",
