@@ -16,10 +16,12 @@ KEYWORDS = {
     "gravity": 0.4,
     "drag": 1.7,
     "tip_mass": 2.5,
+    "tip_shape": 2.0,
     "stretch": 0.02,
     "bend_limit": 0.8,
     "side_limit": 0.3,
     "thickness": 0.03,
+    "tip_thickness": 0.5,
 }
 
 
@@ -33,14 +35,26 @@ class ChainsSettingsTest(support.SceneTestCase):
         self.assertEqual(len(found.times), 481)
         np.testing.assert_allclose([found.times[0], found.times[-1]], [1.0 / 24.0, 49.0 / 24.0])
         np.testing.assert_allclose(found.poses[0], plain, atol=1e-6)
-        np.testing.assert_allclose(found.frequency, 3.0 * np.array([1.0, 1.0, 0.75, 0.5]), rtol=1e-6)
-        np.testing.assert_allclose(found.mass, [1.0, 1.0, 1.75, 2.5], rtol=1e-6)
+        np.testing.assert_allclose(found.frequency, 3.0 * np.array([1.0, 1.0, 0.875, 0.5]), rtol=1e-6)
+        np.testing.assert_allclose(found.mass, [1.0, 1.0, 1.375, 2.5], rtol=1e-6)
+        np.testing.assert_allclose(found.thickness, 0.03 * np.array([1.0, 1.0, 0.875, 0.5]), rtol=1e-6)
         np.testing.assert_allclose(found.gravity, np.broadcast_to((0.0, 0.0, -9.81), (481, 3)), rtol=1e-6)
-        given = {"damping": 0.7, "response": 0.9, "drag": 1.7, "stretch": 0.02, "bend": 0.8, "side_bend": 0.3, "thickness": 0.03}
+        given = {"damping": 0.7, "response": 0.9, "drag": 1.7, "stretch": 0.02, "bend": 0.8, "side_bend": 0.3}
         for name, number in {**given, "gravity_factor": 0.4}.items():
             np.testing.assert_allclose(getattr(found, name), np.full(4, number), rtol=1e-6, err_msg=name)
         np.testing.assert_allclose(found.sides[0, 1:], np.broadcast_to((1.0, 0.0, 0.0), (3, 3)), atol=1e-6)
         self.assertEqual((found.rate, found.settle, found.loop, found.resets), (480.0, 2.0, False, []))
+
+    def test_the_overlay_looks_for_contacts_by_the_thickness_along_the_chain(self):
+        rig = cases.rope(3)
+        cases.add(rig, thickness=0.1)
+        overlay, groups = support.addon("chains.overlay"), support.addon("chains.groups")
+        even = overlay._along(groups.chains(rig))[1]
+        rig.motus.chains.entries[0].tip_thickness = 0.5
+        thinner = even - overlay._along(groups.chains(rig))[1]
+        np.testing.assert_allclose(
+            thinner.reshape(3, -1).T, np.broadcast_to(overlay.NEAR * np.array([0.0, 0.025, 0.05]), (overlay.PARTS, 3))
+        )
 
     def test_settings_of_the_rig(self):
         rig = cases.rope(2)

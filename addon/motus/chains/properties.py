@@ -46,6 +46,15 @@ class ChainsKeywords:
         step=5,
     )
     gravity: _number("Gravity", "How much of the scene's gravity pulls the chain", 1.0, min=0.0, max=2.0, subtype='FACTOR')
+    tip_shape: _number(
+        "Tip Shape",
+        "How late along the chain it takes on the values of its tip: early below 1, evenly at 1, near its end above 1",
+        1.0,
+        min=0.1,
+        max=10.0,
+        soft_max=4.0,
+        step=5,
+    )
     drag: _number("Air Drag", "How fast the chain takes on the air's velocity, per second", 0.5, min=0.0, max=1000.0, soft_max=10.0, step=5)
     tip_mass: _number(
         "Tip Mass", "Mass of the last bone, as a part of that of the first one", 1.0, min=0.01, max=100.0, soft_max=10.0, step=5
@@ -78,6 +87,9 @@ class ChainsKeywords:
     )
     thickness: _number(
         "Thickness", "Radius of the chain where it touches colliders and other chains", 0.0, min=0.0, max=1e5, soft_max=1.0, unit='LENGTH'
+    )
+    tip_thickness: _number(
+        "Tip Thickness", "Thickness of the last bone, as a part of that of the first one", 1.0, min=0.0, max=10.0, soft_max=2.0, step=5
     )
     hold_end: switch("Hold End", "Keep the end of the chain where the animation has it, as its beginning", tells_no_keys=True)
     weight: factor("Weight", "Blend from the animation (0) to the hanging chain (1)", 1.0, options=ANIMATED)

@@ -58,6 +58,13 @@ INTERFACE = {
     "How fast the chain takes on the air's velocity, per second"
     + NO_KEYS: "Con qué rapidez toma la cadena la velocidad del aire, por segundo" + _NO_KEYS_ES,
     "Tip Mass": "Masa de la punta",
+    "Tip Shape": "Forma de la punta",
+    "How late along the chain it takes on the values of its tip: early below 1, evenly at 1, near its end above 1"
+    + NO_KEYS: "A qué altura de la cadena toma los valores de su punta: pronto por debajo de 1, por igual con 1, cerca del final por encima de 1"
+    + _NO_KEYS_ES,
+    "Tip Thickness": "Grosor de la punta",
+    "Thickness of the last bone, as a part of that of the first one" + NO_KEYS: "Grosor del último hueso, como parte del del primero"
+    + _NO_KEYS_ES,
     "Mass of the last bone, as a part of that of the first one" + NO_KEYS: "Masa del último hueso, como parte de la del primero"
     + _NO_KEYS_ES,
     "Part of its length by which a bone's own weight would lengthen it; bones keep their lengths, and point to where longer ones would end"
