@@ -1,5 +1,7 @@
 """Rigs with chains, for their tests."""
 
+import types
+
 import bpy
 import numpy as np
 
@@ -63,3 +65,31 @@ def chain(rig, number=0):
 
 def solver():
     return support.addon("core.native").module.StrandMotion
+
+
+class _Spy:
+    """The native module, which notes with what a StrandMotion is made."""
+
+    def __init__(self, module):
+        self._module, self.made = module, []
+
+    def __getattr__(self, name):
+        if name != "StrandMotion":
+            return getattr(self._module, name)
+        return self._strand
+
+    def _strand(self, *arguments, **keywords):
+        self.made.append(types.SimpleNamespace(parents=arguments[0], times=arguments[1], poses=arguments[2], **keywords))
+        return self._module.StrandMotion(*arguments, **keywords)
+
+
+def made(act):
+    """With what StrandMotions are made, while act() is done and one frame is gone on."""
+    native = support.addon("core.native")
+    spy = native.module = _Spy(native.module)
+    try:
+        act()
+        bpy.context.view_layer.update()
+    finally:
+        native.module = spy._module
+    return spy.made

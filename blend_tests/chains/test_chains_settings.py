@@ -1,7 +1,6 @@
 """Settings of chains: each arrives at the native module; presets, copies, refusals, and what the panel says is wrong."""
 
 import json
-import types
 
 import bpy
 import numpy as np
@@ -17,86 +16,73 @@ KEYWORDS = {
     "gravity": 0.4,
     "drag": 1.7,
     "tip_mass": 2.5,
+    "tip_shape": 2.0,
     "stretch": 0.02,
     "bend_limit": 0.8,
     "side_limit": 0.3,
     "thickness": 0.03,
+    "tip_thickness": 0.5,
 }
 
 
-class _Spy:
-    """The native module, which notes with what a StrandMotion is made."""
-
-    def __init__(self, module):
-        self._module, self.made = module, []
-
-    def __getattr__(self, name):
-        if name != "StrandMotion":
-            return getattr(self._module, name)
-        return self._strand
-
-    def _strand(self, *arguments, **keywords):
-        self.made.append(types.SimpleNamespace(parents=arguments[0], times=arguments[1], poses=arguments[2], **keywords))
-        return self._module.StrandMotion(*arguments, **keywords)
-
-
 class ChainsSettingsTest(support.SceneTestCase):
-    def made(self, act):
-        """With what StrandMotions are made, while act() is done and one frame is gone on."""
-        native = support.addon("core.native")
-        spy = native.module = _Spy(native.module)
-        try:
-            act()
-            bpy.context.view_layer.update()
-        finally:
-            native.module = spy._module
-        return spy.made
-
     def test_what_is_made(self):
         rig = cases.rope(3)
         bpy.context.scene.frame_end = 48
         plain = [cases.place(rig, 1, "Tail 0 0"), *cases.tails(rig, 1, cases.chain(rig))]
-        (found,) = self.made(lambda: cases.add(rig, **KEYWORDS))
+        (found,) = cases.made(lambda: cases.add(rig, **KEYWORDS))
         self.assertEqual(found.parents, [-1, 0, 1, 2])
         self.assertEqual(len(found.times), 481)
         np.testing.assert_allclose([found.times[0], found.times[-1]], [1.0 / 24.0, 49.0 / 24.0])
         np.testing.assert_allclose(found.poses[0], plain, atol=1e-6)
-        np.testing.assert_allclose(found.frequency, 3.0 * np.array([1.0, 1.0, 0.75, 0.5]), rtol=1e-6)
-        np.testing.assert_allclose(found.mass, [1.0, 1.0, 1.75, 2.5], rtol=1e-6)
+        np.testing.assert_allclose(found.frequency, 3.0 * np.array([1.0, 1.0, 0.875, 0.5]), rtol=1e-6)
+        np.testing.assert_allclose(found.mass, [1.0, 1.0, 1.375, 2.5], rtol=1e-6)
+        np.testing.assert_allclose(found.thickness, 0.03 * np.array([1.0, 1.0, 0.875, 0.5]), rtol=1e-6)
         np.testing.assert_allclose(found.gravity, np.broadcast_to((0.0, 0.0, -9.81), (481, 3)), rtol=1e-6)
-        given = {"damping": 0.7, "response": 0.9, "drag": 1.7, "stretch": 0.02, "bend": 0.8, "side_bend": 0.3, "thickness": 0.03}
+        given = {"damping": 0.7, "response": 0.9, "drag": 1.7, "stretch": 0.02, "bend": 0.8, "side_bend": 0.3}
         for name, number in {**given, "gravity_factor": 0.4}.items():
             np.testing.assert_allclose(getattr(found, name), np.full(4, number), rtol=1e-6, err_msg=name)
         np.testing.assert_allclose(found.sides[0, 1:], np.broadcast_to((1.0, 0.0, 0.0), (3, 3)), atol=1e-6)
         self.assertEqual((found.rate, found.settle, found.loop, found.resets), (480.0, 2.0, False, []))
+
+    def test_the_overlay_looks_for_contacts_by_the_thickness_along_the_chain(self):
+        rig = cases.rope(3)
+        cases.add(rig, thickness=0.1)
+        overlay, groups = support.addon("chains.overlay"), support.addon("chains.groups")
+        even = overlay._along(groups.chains(rig))[1]
+        rig.motus.chains.entries[0].tip_thickness = 0.5
+        thinner = even - overlay._along(groups.chains(rig))[1]
+        np.testing.assert_allclose(
+            thinner.reshape(3, -1).T, np.broadcast_to(overlay.NEAR * np.array([0.0, 0.025, 0.05]), (overlay.PARTS, 3))
+        )
 
     def test_settings_of_the_rig(self):
         rig = cases.rope(2)
         cases.add(rig)
         settings = rig.motus.chains
         bpy.context.scene.timeline_markers.new("CUT", frame=12)
-        (found,) = self.made(lambda: setattr(settings, "wind", (1.0, 2.0, 3.0)))
+        (found,) = cases.made(lambda: setattr(settings, "wind", (1.0, 2.0, 3.0)))
         np.testing.assert_allclose(found.air, np.broadcast_to((1.0, 2.0, 3.0), (len(found.times), 3)))
-        (found,) = self.made(lambda: setattr(settings, "gusts", 1.0))
+        (found,) = cases.made(lambda: setattr(settings, "gusts", 1.0))
         self.assertGreater(np.ptp(found.air[:, 0]), 0.5)
-        (found,) = self.made(lambda: setattr(settings, "settle", 0.25))
+        (found,) = cases.made(lambda: setattr(settings, "settle", 0.25))
         self.assertEqual(found.settle, 0.25)
-        (found,) = self.made(lambda: setattr(settings, "use_cuts", True))
+        (found,) = cases.made(lambda: setattr(settings, "use_cuts", True))
         np.testing.assert_allclose(found.times[found.resets], [0.5])
         self.assertFalse(hasattr(found, "touching"))
-        _, found = self.made(lambda: setattr(settings, "use_touch", True))  # the first one counts which links are near each other
+        _, found = cases.made(lambda: setattr(settings, "use_touch", True))  # the first one counts which links are near each other
         self.assertEqual((found.touching, found.touching_friction), (True, 0.5))
         rig.animation_data_clear()
-        (found,) = self.made(lambda: setattr(settings, "use_loop", True))
+        _, found = cases.made(lambda: setattr(settings, "use_loop", True))
         self.assertEqual((found.loop, found.resets, found.cycles), (True, None, 40))
 
     def test_what_was_solved_is_kept_by_what_it_is_made_of(self):
         rig = cases.rope(2)
         (entry,) = cases.add(rig)
-        self.assertEqual(self.made(lambda: setattr(entry, "weight", 0.5)), [])
-        self.assertEqual(self.made(lambda: cases.go_to(30)), [])
-        self.assertEqual(len(self.made(lambda: setattr(entry, "damping", 0.9))), 1)
-        self.assertEqual(self.made(lambda: setattr(entry, "damping", 0.3)), [])
+        self.assertEqual(cases.made(lambda: setattr(entry, "weight", 0.5)), [])
+        self.assertEqual(cases.made(lambda: cases.go_to(30)), [])
+        self.assertEqual(len(cases.made(lambda: setattr(entry, "damping", 0.9))), 1)
+        self.assertEqual(cases.made(lambda: setattr(entry, "damping", 0.3)), [])
 
     def test_presets_and_copies(self):
         rig = cases.rope(2, chains=2)
@@ -229,9 +215,9 @@ class ChainsSettingsTest(support.SceneTestCase):
         cases.add(rig)
         for frame in range(2, 102):
             bpy.context.scene.timeline_markers.new("cut", frame=frame)
-        (found,) = self.made(lambda: setattr(rig.motus.chains, "settle", 1000.0))
+        (found,) = cases.made(lambda: setattr(rig.motus.chains, "settle", 1000.0))
         self.assertEqual(found.settle, 1000.0)
-        (found,) = self.made(lambda: setattr(rig.motus.chains, "use_cuts", True))
+        (found,) = cases.made(lambda: setattr(rig.motus.chains, "use_cuts", True))
         self.assertEqual(len(found.resets), 100)
         self.assertAlmostEqual(found.settle, 0.25 * 1.5e7 / (480 * 2 * 101), places=6)
 

@@ -24,5 +24,5 @@ SYSTEM = System(
     overlay=overlay.overlay,
     extras=(steps,),
     object_menu=("motus.chains_add", "motus.chains_remove"),
-    pose_menu=("motus.chains_add", "motus.chains_remove"),
+    pose_menu=("motus.chains_add", "motus.chains_mirror", "motus.chains_remove"),
 )

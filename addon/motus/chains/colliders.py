@@ -4,7 +4,7 @@ Of the empties a sphere is a ball, or a capsule where it is scaled unevenly, and
 is a capsule. Meshes are surfaces, if nothing deforms them.
 """
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np

@@ -13,7 +13,7 @@ from ..core.measures import scene_time
 from ..core.settings import entry_keys
 from ..core.tracks import solved
 from ..core.tracks.inputs import BAD_NUMBERS, of_unknown, stamp_of_known
-from . import colliders, groups, motion, pins, spaces
+from . import air, colliders, groups, motion, pins, spaces
 from .properties import KEYWORDS
 
 LOOP_IS_OPEN = Problem("A chain does not come back to where its loop began", blocking=False)
@@ -22,6 +22,7 @@ BELOW_ANOTHER = Problem("Some chains begin within another chain, which moves the
 COLLIDER_NOT_KNOWN = Problem("The motion of a collider is not known on other frames: chains pass through it", blocking=False)
 GRAVITY_NOT_KNOWN = Problem("The scene's gravity is not known on other frames: chains move without it", blocking=False)
 WIND_NOT_KNOWN = Problem("The wind is not known on other frames: chains move without it", blocking=False)
+NO_SNOW = Problem("What the wind is taken from emits no snow: choose an emitter", blocking=False)
 LOOPED_CHAINS = Problem("Some chains move with what they follow, and are left out", blocking=False)
 THINGS_MISSING = Problem("Some bones or objects of chains are not there any more: remove these from the list", blocking=False)
 THINGS_CHANGED = Problem("What hangs has changed: press Refresh")
@@ -73,6 +74,11 @@ class Surroundings(NamedTuple):
         return [tracks.property_track(self.rig, "motus.chains.wind", axis) for axis in range(3)]
 
     @property
+    def snowy(self):
+        """The air of the emitter of snow whose wind is felt too (air.of); None without one."""
+        return air.of(self.rig.motus.chains)
+
+    @property
     def colliders(self):
         """List of what chains touch (solids.py)."""
         return colliders.over_time(self.rig.motus.chains, self.touched, self.scene)
@@ -88,7 +94,9 @@ class Surroundings(NamedTuple):
         found = [*scene_time.stamp(self.scene), scene_time.last(self.scene), self.pulling.use_gravity, tuple(self.cuts)]
         # Of an original scene, which over_time.py reads, edits of keys cannot be detected; most have none.
         pull = self.gravity if self.pulling.is_evaluated or self.pulling.animation_data else ()
-        found += [track.reason.kind if track.reason else track.stamp for track in (*pull, *self.wind)]
+        found += map(stamp_of_known, (*pull, *self.wind))
+        snowy = self.snowy
+        found.append(snowy.stamp if snowy else ())
         found += [solid.stamp for solid in self.colliders]
         found += [*(pin.bone for pin in self.pins), *(stamp_of_known(track) for pin in self.pins for track in (pin.place, pin.weight))]
         return together((*found, *self.pulling.gravity)) if not pull else together(found)
@@ -97,7 +105,8 @@ class Surroundings(NamedTuple):
 class Part(NamedTuple):
     """A chain of a group with its motion. entry: index of its entry. rows: of its members in the group.
 
-    moved: motion.Motion, of which the slice `particles` are the chain's. kept: what can be kept of the chain between evaluations, its of_bones.Kept or of_objects.Kept.
+    moved: motion.Motion, of which the slice `particles` are the chain's. kept: what can be kept of the chain between evaluations, its
+    of_bones.Kept or of_objects.Kept.
     """
 
     moved: Any
@@ -246,16 +255,29 @@ class Making:
     def _world(self, times):
         """Return the keywords of the native StrandMotion that all chains share: the air, gravity, what they touch."""
         settings, around = self._settings, self._surroundings
-        found = {}
-        wind = self._over_time(around.wind, times, WIND_NOT_KNOWN)
-        if wind is not None:
-            found["air"] = motion.with_gusts(wind, times.seconds, settings.gusts, settings.use_loop)
+        winds = self._winds(times)
+        found = {"air": sum(winds)} if winds else {}
         pull = self._over_time(around.gravity, times, GRAVITY_NOT_KNOWN) if around.pulling.use_gravity else None
         if pull is not None:
             found["gravity"] = pull
         if settings.use_touch:
             found |= {"touching": True, "touching_friction": settings.friction}
         return found | colliders.at(self._solids, times.frames, settings.friction)
+
+    def _winds(self, times):
+        """List the winds (m, 3) at the Times that are known: the own one, and that of an emitter of snow."""
+        settings, around = self._settings, self._surroundings
+        own = self._over_time(around.wind, times, WIND_NOT_KNOWN)
+        found = [] if own is None else [motion.with_gusts(own, times.seconds, settings.gusts, settings.use_loop)]
+        if air.is_missing(settings):
+            self.problems.append(NO_SNOW)
+        snowy = around.snowy
+        if snowy and snowy.is_known:
+            period = float(times.seconds[-1] - times.seconds[0]) if settings.use_loop else 0.0
+            found.append(snowy.velocities(times.frames, scene_time.fps(around.scene), period))
+        elif snowy:
+            self.problems.append(WIND_NOT_KNOWN)
+        return found
 
     @functools.cached_property
     def _solids(self):

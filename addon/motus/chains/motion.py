@@ -231,17 +231,18 @@ class Strand(NamedTuple):
         numbers, depths = self.numbers, [0]
         for parent in self.parents[1:]:
             depths.append(depths[parent] + 1)
-        shares = np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1)
+        shares = (np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1)) ** numbers.tip_shape
         frequency = numbers.frequency * (1.0 + (numbers.tip_frequency - 1.0) * shares)
         found = {
             "frequency": np.minimum(frequency, STEPS / 8.0),
             "bend_frequency": np.minimum(LINED_UP * frequency, STEPS / 8.0),
             "mass": 1.0 + (numbers.tip_mass - 1.0) * shares,
+            "thickness": numbers.thickness * (1.0 + (numbers.tip_thickness - 1.0) * shares),
             "bend": min(numbers.bend_limit, math.pi),
             "side_bend": min(numbers.side_limit, math.pi),
             "gravity_factor": numbers.gravity,
         }
-        found |= {name: getattr(numbers, name) for name in ("damping", "response", "drag", "stretch", "thickness")}
+        found |= {name: getattr(numbers, name) for name in ("damping", "response", "drag", "stretch")}
         return {name: np.broadcast_to(value, len(depths)) for name, value in found.items()}
 
 

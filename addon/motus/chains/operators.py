@@ -17,7 +17,7 @@ from ..core.refusals import (
 from ..core.settings import entries, targets
 from ..core.settings.declared import factor
 from ..core.translations import counted, tr
-from . import chosen, groups, pins, properties, rows, setup, told
+from . import chosen, groups, mirroring, pins, properties, rows, setup, told
 
 KEYWORDS = tuple(properties.ChainsKeywords.__annotations__)
 TARGET_SIZE = 0.25
@@ -166,7 +166,9 @@ class MOTUS_OT_chains_pin(FindsValues, OfARig, bpy.types.Operator):
         names = _pinned(context, rig, self.object, self.bones)
         goal = self._goal()
         for name in names if goal else ():
-            _check_holds(rig, name, *goal)
+            chain = next((chain for chain in groups.chains(rig) if name in chain.names), None)
+            if chain:
+                pins.check_holds(rig, name, chain.names, *goal)
         made = [] if goal else [name for name in names if not _has_target(rig, name)]
         if made:
             check_evaluated(rig, context.view_layer)
@@ -216,14 +218,6 @@ def _pinned(context, rig, name, bones):
 def _has_target(rig, name):
     pin = rig.motus.chains.pins.get(name)
     return pin is not None and pins.goal(pin) is not None
-
-
-def _check_holds(rig, name, target, bone):
-    """Raise Refused if a target moves along with the chain of the bone that it shall hold. name: of the bone."""
-    chain = next((chain for chain in groups.chains(rig) if name in chain.names), None)
-    if chain and wiring.depends(target, bone, rig, chain.names):
-        label = f"{target.name}: {bone}" if bone else target.name
-        raise Refused(tr("{target} moves with the chain of {bone}: choose another one").format(target=label, bone=name))
 
 
 def _new_target(context, rig, name):
@@ -284,4 +278,41 @@ class MOTUS_OT_chains_unpin(OfARig, bpy.types.Operator):
         return found
 
 
-classes = (MOTUS_OT_chains_add, MOTUS_OT_chains_remove, MOTUS_OT_chains_pin, MOTUS_OT_chains_unpin)
+class MOTUS_OT_chains_mirror(OfARig, bpy.types.Operator):
+    bl_idname = "motus.chains_mirror"
+    bl_label = "Mirror Chains"
+    bl_description = (
+        "Give bones of the other side, found by their names, the settings and pins of the chains of the selected bones, or else of all "
+        "chains of the rig; chains that are missing there are added"
+    )
+    needs_native = True
+    rig_with = staticmethod(rig_with)
+
+    bones: bpy.props.StringProperty(
+        name="Bones",
+        description="Names of bones whose chains are mirrored, with commas between; empty takes the selected bones, and without any all chains",
+        options={'SKIP_SAVE'},
+    )
+
+    @classmethod
+    def check_offer(cls, context):
+        cls._sides(context, rig_with(context, ""), "", "")
+
+    def run(self, context):
+        rig = rig_with(context, self.object)
+        sides = self._sides(context, rig, self.object, self.bones)
+        mirroring.check(rig, sides)
+        mirroring.mirror(rig, sides)
+        one = tr("{bone} hangs as {other} does").format(bone=sides[0].other, other=sides[0].name)
+        self.report({'INFO'}, counted(len(sides), one, tr("{count} chains mirrored")))
+        _warn(self, context, rig)
+
+    @staticmethod
+    def _sides(context, rig, name, bones):
+        """List the mirroring.Sides of the chains that are meant. Raises Refused if there are none. name: of the rig, or ""."""
+        chosen.check_editable(rig)
+        names = bone_entries.names_in(rig, bones) if bones else bone_entries.posed(context) if not name else []
+        return mirroring.sides(rig, names)
+
+
+classes = (MOTUS_OT_chains_add, MOTUS_OT_chains_remove, MOTUS_OT_chains_pin, MOTUS_OT_chains_unpin, MOTUS_OT_chains_mirror)

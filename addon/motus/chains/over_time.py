@@ -76,7 +76,9 @@ class _Hanging:
         around = self._around
         held = [track for pin in around.pins for track in (pin.place, pin.weight)]
         own = [track for one in self._inputs for track in one.tracks]
-        return [*own, *(track for solid in around.colliders for track in solid.tracks), *around.gravity, *around.wind, *held]
+        touched = [track for solid in around.colliders for track in solid.tracks]
+        winds = [*around.wind, *(around.snowy.along if around.snowy else ())]
+        return [*own, *touched, *around.gravity, *winds, *held]
 
     def bounds(self, first, last):
         """Return rising frames from first to last; the motion is smooth between neighbours."""

@@ -9,7 +9,7 @@ from ..core.interface.overlay import Batch, Overlay, Switch
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.settings import entries
-from . import colliders, groups, pins, steps, wires
+from . import colliders, groups, motion, pins, steps, wires
 from .of_bones import Bones
 
 LINK_COLOR = (0.35, 0.80, 0.75, 0.9)
@@ -115,7 +115,8 @@ def _colliders(context, rig, chains):
 def _along(chains):
     """(places along the links of chains (n, 3), how near to them something touches (n,), length of all links), in the world."""
     ends = np.array([end for chain in chains for end in chain.ends], float).reshape(-1, 1, 2, 3)
-    thicknesses = [chain.entry.thickness for chain in chains for _ in chain.things]
+    strands = [motion.Strand(list(chain.parents), None, b"", None, chain.entry, {}) for chain in chains]
+    thicknesses = [thickness for strand in strands for thickness in strand.keywords()["thickness"][1:]]
     shares = np.arange(1, PARTS + 1)[:, None] / PARTS
     sizes = np.linalg.norm(ends[:, 0, 1] - ends[:, 0, 0], axis=1)
     reach = NEAR * np.array(thicknesses) + TOUCHING * sizes

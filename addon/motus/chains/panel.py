@@ -20,10 +20,12 @@ def draw_main(layout, context):
         ui.draw_rig_influence(layout, settings)
     else:
         ui.split(layout).prop(settings, "influence", slider=True)
-    _, remove, _ = ui.draw_list(
+    _, remove, beside = ui.draw_list(
         layout, "MOTUS_UL_chains_entries", settings, "entries", "active_entry", "motus.chains_add", "motus.chains_remove", rows=2
     )
     remove.object, remove.only_active = rig.name, True
+    if rig.type == 'ARMATURE':
+        beside.operator("motus.chains_mirror", text="", icon='MOD_MIRROR')
     ui.draw_problem(layout, context, setup.system(), rig, lambda problem: told.sentence(rig, problem, context.scene))
     done = steps.done(rig)
     if done is not None:

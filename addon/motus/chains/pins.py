@@ -2,11 +2,13 @@
 
 from typing import Any, NamedTuple
 
-from ..core import tracks
+from ..core import tracks, wiring
 from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused
 from ..core.settings import entry_keys
+from ..core.translations import tr
 
 MADE_KEY = "motus_chains_pin"
 """Custom property that marks the empties that Motus has made for pins."""
@@ -33,6 +35,16 @@ def goal(pin):
     if target is None or deleted.is_deleted(target):
         return None
     return target, pin.target_bone if target.pose and pin.target_bone in target.pose.bones else ""
+
+
+def check_holds(rig, name, chain, target, bone):
+    """Raise Refused if a target moves along with the chain of the bone that it shall hold.
+
+    name: of the bone. chain: names of the bones of its chain, which may still have to be made. bone: of the target, or "".
+    """
+    if wiring.depends(target, bone, rig, chain):
+        label = f"{target.name}: {bone}" if bone else target.name
+        raise Refused(tr("{target} moves with the chain of {bone}: choose another one").format(target=label, bone=name))
 
 
 def acting(settings, bones):

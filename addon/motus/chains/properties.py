@@ -9,6 +9,7 @@ from ..core.file.pointers import pointed, to_object
 from ..core.interface import bone_entries
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire
 from ..core.settings.declared import factor, number, switch, vector
+from . import air
 
 # The motion at a frame depends on the whole past, so a setting that changed over time would have to be known at all times.
 _number = partial(number, tells_no_keys=True)
@@ -45,6 +46,15 @@ class ChainsKeywords:
         step=5,
     )
     gravity: _number("Gravity", "How much of the scene's gravity pulls the chain", 1.0, min=0.0, max=2.0, subtype='FACTOR')
+    tip_shape: _number(
+        "Tip Shape",
+        "How late along the chain it takes on the values of its tip: early below 1, evenly at 1, near its end above 1",
+        1.0,
+        min=0.1,
+        max=10.0,
+        soft_max=4.0,
+        step=5,
+    )
     drag: _number("Air Drag", "How fast the chain takes on the air's velocity, per second", 0.5, min=0.0, max=1000.0, soft_max=10.0, step=5)
     tip_mass: _number(
         "Tip Mass", "Mass of the last bone, as a part of that of the first one", 1.0, min=0.01, max=100.0, soft_max=10.0, step=5
@@ -77,6 +87,9 @@ class ChainsKeywords:
     )
     thickness: _number(
         "Thickness", "Radius of the chain where it touches colliders and other chains", 0.0, min=0.0, max=1e5, soft_max=1.0, unit='LENGTH'
+    )
+    tip_thickness: _number(
+        "Tip Thickness", "Thickness of the last bone, as a part of that of the first one", 1.0, min=0.0, max=10.0, soft_max=2.0, step=5
     )
     hold_end: switch("Hold End", "Keep the end of the chain where the animation has it, as its beginning", tells_no_keys=True)
     weight: factor("Weight", "Blend from the animation (0) to the hanging chain (1)", 1.0, options=ANIMATED)
@@ -142,6 +155,13 @@ class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
     influence: factor("Influence", "How much all chains of the object act; 0 leaves all to its animation", 1.0, options=ANIMATED)
     wind: vector("Wind", "Velocity of the air, which chains with Air Drag feel", options=ANIMATED, subtype='VELOCITY', unit='VELOCITY')
     gusts: _number("Gusts", "How much the wind rises and falls: 1 lets it fall to a calm at times", 0.0, min=0.0, max=2.0, subtype='FACTOR')
+    wind_from: to_object(
+        name="Wind From",
+        description="Emitter of snow whose wind, with its gusts, the chains feel beside their own",
+        also=lambda _settings, obj: air.blows(obj),
+        update=rewire,
+        override=OVERRIDABLE,
+    )
     inherit: _number(
         "Inherit Motion",
         "How much of the motion of the object itself the chains feel: at 0 they come along as if it stood still, such as in a car",

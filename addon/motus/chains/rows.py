@@ -3,6 +3,11 @@
 from ..core.interface.rows import Row, Rows, is_positive
 from ..core.translations import OWN_SENSE
 
+
+def _has_tip(settings):
+    return any(getattr(settings, name) != 1.0 for name in ("tip_frequency", "tip_mass", "tip_thickness"))
+
+
 AMOUNT = Rows((Row("weight", text="Weight", text_ctxt=OWN_SENSE),), title="Amount")
 SPRING = Rows(
     (
@@ -13,9 +18,9 @@ SPRING = Rows(
     ),
     title="Spring",
 )
-FORCES = Rows(("gravity", "drag", "tip_mass"), title="Forces")
-LIMITS = Rows(("stretch", "bend_limit", "side_limit", "thickness", "hold_end"), title="Limits")
-WORLD = Rows(("wind", "gusts", "colliders", "use_touch", "friction", "inherit"), title="Surroundings")
+FORCES = Rows(("gravity", "drag", "tip_mass", Row("tip_shape", active=_has_tip)), title="Forces")
+LIMITS = Rows(("stretch", "bend_limit", "side_limit", "thickness", "tip_thickness", "hold_end"), title="Limits")
+WORLD = Rows(("wind", "gusts", "wind_from", "colliders", "use_touch", "friction", "inherit"), title="Surroundings")
 TIME = Rows(("settle", "use_loop", Row("use_cuts", active=lambda settings: not settings.use_loop)), title="Time")
 PINNING = Rows((Row("weight", text="Weight", text_ctxt=OWN_SENSE),))
 ADDING = (SPRING, FORCES, LIMITS, AMOUNT)

@@ -20,17 +20,23 @@ def add(owner, names, changes, rows, splines):
     """
     with entries.at_once(system(), owner) as settings:
         for name in names:
-            entry = settings.entries.get(name)
-            if entry is None:
-                entry = settings.entries.add()
-                entry.name = name
-            for key, value in changes.items():
-                setattr(entry, key, value)
+            entry = entry_of(settings, name, changes)
             if name in splines:
                 entry.spline = splines[name]
             elif name in rows:
                 _link(entry, rows[name])
             settings.chosen_entry = settings.entries.find(name)
+
+
+def entry_of(settings, name, changes):
+    """Return the entry of a name, added if there is none, with these settings changed, {setting: value}. Call this within entries.at_once()."""
+    entry = settings.entries.get(name)
+    if entry is None:
+        entry = settings.entries.add()
+        entry.name = name
+    for key, value in changes.items():
+        setattr(entry, key, value)
+    return entry
 
 
 def _link(entry, objects):

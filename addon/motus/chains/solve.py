@@ -11,7 +11,7 @@ from ..core.evaluated.question import answered
 from ..core.file import stored
 from ..core.settings import entries
 from ..core.tracks import inputs
-from . import colliders, making, steps
+from . import air, colliders, making, steps
 from .groups import BELOW, LOOPED, MISSING, PARTED, PLAN
 from .making import (
     BELOW_ANOTHER,
@@ -23,6 +23,7 @@ from .making import (
     LARGE_COLLIDER,
     LOOP_IS_OPEN,
     LOOPED_CHAINS,
+    NO_SNOW,
     PIN_NOT_KNOWN,
     PIN_WEIGHT_NOT_KNOWN,
     THINGS_CHANGED,
@@ -43,6 +44,7 @@ PROBLEMS = (
     LARGE_COLLIDER,
     GRAVITY_NOT_KNOWN,
     WIND_NOT_KNOWN,
+    NO_SNOW,
     PIN_NOT_KNOWN,
     PIN_WEIGHT_NOT_KNOWN,
     TOO_LONG,
@@ -52,7 +54,7 @@ PROBLEMS = (
     THINGS_CHANGED,
 )
 
-INPUTS = (Geometries("obstacles", of=colliders.objects),)
+INPUTS = (Geometries("obstacles", of=colliders.objects), air.SnowWind("snowy", of="wind_from"))
 
 _FORM = {"fingerprint": int, "chains": [(str, [str])]}
 """Structure of the JSON text that groups.py stores in a group's data under PLAN."""
@@ -81,10 +83,10 @@ class Made(NamedTuple):
     edits: int
 
 
-def solve(context, obstacles):
+def solve(context, obstacles, snowy):
     """Bring the group's bones and objects to where the motion has them at the context's frame. Returns a Problem or None.
 
-    obstacles: what the wiring waits by for the colliders.
+    obstacles, snowy: what the wiring waits by for the colliders, and for the emitter whose wind is felt.
     """
     try:
         made = _made(context)

@@ -1,7 +1,7 @@
 """Snow: falling flakes that are computed anew on each frame, without a cache, so that frames can be shown in any order."""
 
 from ..core.declare import System
-from . import build, colliders, cover, gizmo, landings, look, operators, overlay, panel, presets, properties, solve
+from . import air, build, colliders, cover, gizmo, landings, look, operators, overlay, panel, presets, properties, solve
 
 SYSTEM = System(
     name="snow",
@@ -32,6 +32,7 @@ SYSTEM = System(
     unbakeable=solve.UNBAKEABLE.sentence,
     load=lambda settings: 1 if colliders.are_any(settings) else 0,
     overlay=overlay.overlay,
+    offers=air,
     extras=(landings,),
     add_menu=("motus.snow_add",),
     object_menu=("motus.snow_remove",),

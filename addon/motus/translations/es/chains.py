@@ -12,7 +12,16 @@ INTERFACE = {
     "Chains Presets": "Preajustes de cadenas",
     "Chain added from {bone}": "Cadena agregada desde {bone}",
     "{count} chains added": "{count} cadenas agregadas",
+    "Wind From": "Viento de",
+    "Emitter of snow whose wind, with its gusts, the chains feel beside their own": "Emisor de nieve cuyo viento, con sus ráfagas, sienten las cadenas además del propio",
+    "What the wind is taken from emits no snow: choose an emitter": "Aquello de lo que se toma el viento no emite nieve: elige un emisor",
     "{object} has no chains": "{object} no tiene cadenas",
+    "Give bones of the other side, found by their names, the settings and pins of the chains of the selected bones, or else of all chains of the rig; chains that are missing there are added": "Da a los huesos del otro lado, hallados por sus nombres, los ajustes y anclajes de las cadenas de los huesos seleccionados o, si no, de todas las del esqueleto; las cadenas que falten allí se agregan",
+    "Names of bones whose chains are mirrored, with commas between; empty takes the selected bones, and without any all chains": "Nombres de huesos cuyas cadenas se reflejan, separados por comas; vacío toma los huesos seleccionados y, sin ninguno, todas las cadenas",
+    "{bone} hangs as {other} does": "{bone} cuelga como {other}",
+    "{count} chains mirrored": "{count} cadenas reflejadas",
+    "No bone of {object} is the other side of these chains by its name, as Ear.R is of Ear.L": "Ningún hueso de {object} es por su nombre el otro lado de estas cadenas, como Oreja.R lo es de Oreja.L",
+    "Both sides have chains: select bones of the one that the other shall be as": "Ambos lados tienen cadenas: selecciona huesos del que debe servir de modelo al otro",
     "Let the selected bones and all bones below them hang and swing as chains, or points of a curve, or objects in a row on the active one": "Hace que los huesos seleccionados y todos los que hay debajo cuelguen y oscilen como cadenas, o los puntos de una curva, u objetos en fila del activo",
     "Select bones of chains: pins hold these alone": "Selecciona huesos de cadenas: las anclas solo sujetan huesos",
     "Chain along {name}": "Cadena a lo largo de {name}",
@@ -49,6 +58,13 @@ INTERFACE = {
     "How fast the chain takes on the air's velocity, per second"
     + NO_KEYS: "Con qué rapidez toma la cadena la velocidad del aire, por segundo" + _NO_KEYS_ES,
     "Tip Mass": "Masa de la punta",
+    "Tip Shape": "Forma de la punta",
+    "How late along the chain it takes on the values of its tip: early below 1, evenly at 1, near its end above 1"
+    + NO_KEYS: "A qué altura de la cadena toma los valores de su punta: pronto por debajo de 1, por igual con 1, cerca del final por encima de 1"
+    + _NO_KEYS_ES,
+    "Tip Thickness": "Grosor de la punta",
+    "Thickness of the last bone, as a part of that of the first one" + NO_KEYS: "Grosor del último hueso, como parte del del primero"
+    + _NO_KEYS_ES,
     "Mass of the last bone, as a part of that of the first one" + NO_KEYS: "Masa del último hueso, como parte de la del primero"
     + _NO_KEYS_ES,
     "Part of its length by which a bone's own weight would lengthen it; bones keep their lengths, and point to where longer ones would end"
@@ -138,6 +154,7 @@ INTERFACE = {
 }
 
 OPERATORS = {
+    "Mirror Chains": "Reflejar cadenas",
     "Add Chains": "Agregar cadenas",
     "Remove Chains": "Quitar cadenas",
     "Pin Chain": "Anclar cadena",
