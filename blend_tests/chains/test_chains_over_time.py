@@ -75,7 +75,7 @@ class ChainsOnChains(support.SceneTestCase):
         np.testing.assert_allclose(cases.tails(second, 30, names), after, atol=1e-3)
 
     def test_nothing_is_made_anew_from_frame_to_frame(self):
-        entry, second, names = self.pinned()
+        _, second, names = self.pinned()
         ball = support.link("Ball", parent=bpy.data.objects["First"])
         ball.parent_type, ball.parent_bone, ball.empty_display_type = 'BONE', "Tail 0 3", 'SPHERE'
         solid = bpy.data.collections.new("Solid")

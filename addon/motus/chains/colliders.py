@@ -31,7 +31,7 @@ class Kind(NamedTuple):
     """What of a collider says how much work it makes: whether it is a mesh, and how many capsules or planes it is else."""
 
     is_mesh: bool
-    count: int
+    count: int  # type: ignore[assignment]  # a tuple has a method of this name
 
 
 def kinds(settings):
