@@ -17,7 +17,10 @@ from . import air, colliders, groups, motion, pins, spaces
 from .properties import KEYWORDS
 
 LOOP_IS_OPEN = Problem("A chain does not come back to where its loop began", blocking=False)
-CONSTRAINED = Problem("Constraints on what hangs are no part of what a chain follows, and may undo it", blocking=False)
+CONSTRAINED = Problem(
+    "Bones or objects of a chain have constraints of their own, which the chain does not follow, and which may undo its motion",
+    blocking=False,
+)
 BELOW_ANOTHER = Problem("Some chains begin within another chain, which moves them: remove them from the list", blocking=False)
 COLLIDER_NOT_KNOWN = Problem("The motion of a collider is not known on other frames: chains pass through it", blocking=False)
 GRAVITY_NOT_KNOWN = Problem("The scene's gravity is not known on other frames: chains move without it", blocking=False)

@@ -19,7 +19,8 @@ STEP_PRICE, BEND_PRICE, OBSTACLE_PRICE, SURFACE_PRICE = 1.0, 0.6, 0.2, 20.0
 TOUCHING_PRICE, COMPARED_PRICE, PAIR_PRICE = 2.0, 0.01, 3.0
 """Prices of a step of a link that may touch others: of itself, of each of all links, and of each pair that is near in the first pose."""
 LINED_UP = 4.0
-"""How much faster than towards the pose a bone swings back into line with its parent: a looser end would fold else, where it holds up the rest."""
+"""How many times faster than toward the pose a bone swings back into line with its parent. With looser joints a chain would fold where its end
+carries the rest."""
 SETTLING = 0.25
 """Part of the limit of work that may go into settling before the scene begins, and after cuts."""
 CYCLES = 40

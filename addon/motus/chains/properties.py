@@ -146,7 +146,10 @@ class MOTUS_PG_chains_pin(bpy.types.PropertyGroup):
         override=OVERRIDABLE,
     )
     weight: factor(
-        "Weight", "Holds fast at 1, by a spring that is the softer the smaller it is below, and not at all at 0", 1.0, options=ANIMATED
+        "Weight",
+        "1 holds the bone fast, 0 not at all; between them a spring draws it to the target, softly where the weight is small",
+        1.0,
+        options=ANIMATED,
     )
     is_muted: switch("Mute", "Switch this pin off", tells_no_keys=True)
 
