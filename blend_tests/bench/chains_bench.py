@@ -114,6 +114,9 @@ class Wiggle(Played):
             bone["wiggle_tail"] = int(bone.name.startswith("Tail "))
         self.module.build_list()
         bpy.context.scene.wiggle_enable = True
+        self.right(10)
+        if all(bone.matrix_basis == bone.matrix_basis.Identity(4) for bone in self.rig.pose.bones if bone.name.startswith("Tail ")):
+            raise RuntimeError("Wiggle 2 moves nothing in this Blender")
 
     def edit(self, turn):
         for bone in bpy.data.objects[self.rig.name].pose.bones:
