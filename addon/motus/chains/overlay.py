@@ -24,6 +24,8 @@ CONE = 0.5
 """Length of a cone that shows a bend limit, in lengths of its bone."""
 NEAR, TOUCHING = 1.1, 1e-3
 """A bone touches what is nearer than this many thicknesses of the chain, and this part of its length."""
+MOST_COMPARED = 100_000
+"""Places along chains times capsules of a collider, above which it is not looked where they touch: some ten milliseconds a redraw."""
 PARTS = 4
 """At the ends of so many equal parts of each bone it is looked whether it touches."""
 
@@ -106,7 +108,8 @@ def _colliders(context, rig, chains):
             places, radii = shapes.places[1], np.array(shapes.radii)
             capsules = places[~is_plane], radii[~is_plane]
             lines += [wires.capsules(*capsules), wires.planes(places[is_plane], along[0], 0.5 * size)]
-            apart = np.minimum(apart, wires.distances(along, *capsules))
+            if len(along) * len(capsules[1]) <= MOST_COMPARED:
+                apart = np.minimum(apart, wires.distances(along, *capsules))
             apart = np.minimum(apart, wires.heights(along, places[is_plane]))
     near = along[apart <= reach]
     return (_lines(np.concatenate(lines), COLLIDER_COLOR) if lines else []) + _points(near, CONTACT_COLOR, CONTACT_SIZE)
