@@ -323,6 +323,23 @@ class ChainsObjectsTest(support.SceneTestCase):
         bpy.ops.motus.chains_remove(object=copy.name)
         np.testing.assert_array_equal(matrices(beads, 15), wanted)
 
+    def test_a_copied_object_alone_is_freed(self):
+        beads = row(3)
+        add(beads, frequency=0.5)
+        wanted = matrices(beads, 15)
+        copies = [beads[2].copy() for _ in range(2)]
+        for copy in copies:
+            bpy.context.scene.collection.objects.link(copy)
+        bpy.context.view_layer.update()
+        bpy.ops.motus.chains_remove(object=copies[0].name)
+        self.assertFalse(copies[0].constraints)
+        copies[1].location.y += 0.1
+        bpy.ops.motus.chains_add(objects=f"{beads[0].name}, {copies[1].name}")
+        self.assertEqual(len(copies[1].constraints), 1)
+        self.assertEqual(len(beads[0].motus.chains.entries), 2)
+        np.testing.assert_array_equal(matrices(beads, 15), wanted)
+        self.assertIsNone(cases.problem(beads[0]))
+
     def test_an_object_of_a_row_is_deleted(self):
         beads = row(3)
         add(beads, frequency=0.5)
