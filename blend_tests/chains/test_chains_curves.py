@@ -223,6 +223,51 @@ class ChainsCurvesTest(support.SceneTestCase):
                 bpy.ops.motus.chains_remove(object=curve.name)
                 self.assertFalse(curve.modifiers)
 
+    def test_a_spline_with_one_point_left_is_told(self):
+        curve = rope(splines=2)
+        add(curve, frequency=0.5)
+        data = curve.data
+        data.splines.remove(data.splines[1])
+        data.splines.new('POLY')
+        bpy.context.view_layer.update()
+        bpy.ops.motus.refresh(object=curve.name)
+        found = shown(curve, 20)
+        self.assertTrue(np.isfinite(found).all())
+        told = support.addon("chains.told").sentence(curve, cases.problem(curve), bpy.context.scene)
+        self.assertEqual(told, "Rope has no spline 2 with two points and more: remove Spline 2 from the list")
+        bpy.ops.motus.chains_remove(object=curve.name)
+        self.assertEqual([obj.name for obj in bpy.data.objects], ["Rope"])
+
+    def test_points_that_are_moved_are_told(self):
+        for kind in ('POLY', 'BEZIER'):
+            with self.subTest(kind):
+                support.empty_scene()
+                curve = rope(kind)
+                add(curve, **LIMP | {"drag": 2.0}, settle=60.0)
+                cases.go_to(15)
+                self.assertIsNone(cases.problem(curve))
+                spline = curve.data.splines[0]
+                point = (spline.bezier_points if kind == 'BEZIER' else spline.points)[4]
+                point.co.x += 1.0
+                curve.data.update_tag()
+                bpy.context.view_layer.update()
+                self.assertIn("press Refresh", cases.problem(curve).sentence)
+                bpy.ops.motus.refresh(object=curve.name)
+                cases.go_to(1)
+                self.assertIsNone(cases.problem(curve))
+                anchor = support.evaluated(curve.motus.chains.entries[0].links[4].object).matrix_world.translation
+                longest = np.hypot(1.0, LINK)  # of the last link, which hangs down as the others do
+                self.assertAlmostEqual(anchor.z, 2.0 - 3 * LINK - longest, delta=2e-2)
+
+    def test_what_was_converted_keeps_no_helpers(self):
+        curve = rope()
+        add(curve)
+        bpy.context.view_layer.objects.active = curve
+        curve.select_set(True)
+        bpy.ops.object.convert(target='MESH')
+        bpy.ops.motus.chains_remove(object="Rope")
+        self.assertEqual([obj.name for obj in bpy.data.objects], ["Rope"])
+
     def test_what_cannot_hang_is_refused(self):
         curve = rope()
         curve.data.splines[0].use_cyclic_u = True

@@ -99,6 +99,21 @@ class ChainsObjectsTest(support.SceneTestCase):
         found = places(beads, 30)
         np.testing.assert_allclose(found - found[0], wanted, atol=1e-3)
 
+    def test_what_hangs_is_no_collider_of_itself(self):
+        beads = row()
+        solid = bpy.data.collections.new("Solid")
+        bpy.context.scene.collection.children.link(solid)
+        for bead in beads[1:]:
+            solid.objects.link(bead)
+        add(beads, **LIMP)
+        wanted = places(beads, 20)
+        beads[0].motus.chains.colliders = solid
+        np.testing.assert_array_equal(places(beads, 20), wanted)
+        self.assertIsNone(cases.problem(beads[0]))
+        solid.objects.link(support.link("Ground", location=(0.0, 0.0, 1.5)))
+        bpy.context.view_layer.update()
+        self.assertGreater(np.abs(places(beads, 20) - wanted).max(), 0.05)
+
     def test_both_ends_are_held(self):
         beads = row(8)
         for index, bead in enumerate(beads[1:], 1):  # a gable
@@ -308,6 +323,23 @@ class ChainsObjectsTest(support.SceneTestCase):
         bpy.ops.motus.chains_remove(object=copy.name)
         np.testing.assert_array_equal(matrices(beads, 15), wanted)
 
+    def test_a_copied_object_alone_is_freed(self):
+        beads = row(3)
+        add(beads, frequency=0.5)
+        wanted = matrices(beads, 15)
+        copies = [beads[2].copy() for _ in range(2)]
+        for copy in copies:
+            bpy.context.scene.collection.objects.link(copy)
+        bpy.context.view_layer.update()
+        bpy.ops.motus.chains_remove(object=copies[0].name)
+        self.assertFalse(copies[0].constraints)
+        copies[1].location.y += 0.1
+        bpy.ops.motus.chains_add(objects=f"{beads[0].name}, {copies[1].name}")
+        self.assertEqual(len(copies[1].constraints), 1)
+        self.assertEqual(len(beads[0].motus.chains.entries), 2)
+        np.testing.assert_array_equal(matrices(beads, 15), wanted)
+        self.assertIsNone(cases.problem(beads[0]))
+
     def test_an_object_of_a_row_is_deleted(self):
         beads = row(3)
         add(beads, frequency=0.5)
@@ -320,3 +352,58 @@ class ChainsObjectsTest(support.SceneTestCase):
         bpy.ops.motus.refresh(object="Bead 0")
         bpy.ops.motus.chains_remove(object="Bead 0")
         self.assertFalse(beads[1].constraints)
+
+    def test_a_root_that_is_removed_leaves_free_objects(self):
+        for opens in (False, True):
+            for how in ("remove", "add"):
+                with self.subTest(how, opens=opens):
+                    support.empty_scene()
+                    beads = row()
+                    plain = matrices(beads[1:], 20)
+                    names = {obj.name for obj in bpy.data.objects}
+                    add(beads, **LIMP)
+                    places(beads, 30)
+                    bpy.data.objects.remove(beads.pop(0))
+                    cases.go_to(31)
+                    if opens:
+                        bpy.ops.wm.open_mainfile(filepath=self.save())
+                    beads = [bpy.data.objects[f"Bead {index}"] for index in range(1, 5)]
+                    np.testing.assert_allclose(matrices(beads, 20), plain, atol=1e-6)
+                    if how == "add":
+                        add(beads)
+                        self.assertEqual([len(bead.constraints) for bead in beads[1:]], [1, 1, 1])
+                        self.assertIsNone(cases.problem(beads[0]))
+                        self.assertGreater(np.abs(matrices(beads, 20) - plain).max(), 0.1)
+                        bpy.ops.motus.chains_remove(object="Bead 1")
+                    for bead in beads:
+                        if bead.constraints:
+                            bpy.ops.motus.chains_remove(object=bead.name)
+                        self.assertFalse(bead.constraints, bead.name)
+                        self.assertIsNone(bead.motus.chains.leader)
+                    bpy.ops.wm.open_mainfile(filepath=self.save())
+                    self.assertEqual({obj.name for obj in bpy.data.objects}, names - {"Bead 0"})
+
+    def test_a_root_in_no_collection_counts_as_deleted(self):
+        beads = row()
+        plain = matrices(beads[1:], 20)
+        add(beads, **LIMP)
+        for bead in beads:
+            bead.select_set(bead == beads[0])
+        bpy.ops.object.delete()
+        root, beads = bpy.data.objects["Bead 0"], beads[1:]
+        cases.go_to(19)
+        np.testing.assert_allclose(matrices(beads, 20), plain, atol=1e-6)
+        path = self.save()
+        bpy.context.scene.collection.objects.link(root)
+        bpy.context.view_layer.update()
+        self.assertGreater(np.abs(matrices(beads, 20) - plain).max(), 0.1, "it was put back")
+        bpy.ops.wm.open_mainfile(filepath=path)
+        beads = [bpy.data.objects[f"Bead {index}"] for index in range(1, 5)]
+        np.testing.assert_allclose(matrices(beads, 20), plain, atol=1e-6)
+        add(beads[:3])
+        self.assertGreater(np.abs(matrices(beads, 20) - plain).max(), 0.05)
+        self.assertEqual([len(bead.constraints) for bead in beads], [0, 1, 1, 0])
+        bpy.ops.motus.chains_remove(object="Bead 3")
+        self.assertFalse(any(bead.constraints for bead in beads))
+        bpy.ops.wm.open_mainfile(filepath=self.save())
+        self.assertEqual({obj.name for obj in bpy.data.objects}, {f"Bead {index}" for index in range(1, 5)})

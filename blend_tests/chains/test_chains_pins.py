@@ -130,14 +130,24 @@ class ChainsPinsTest(support.SceneTestCase):
     def test_pins_without_a_target_and_of_no_bone_hold_nothing(self):
         rig, post, held = self.bridge(3, 0.5)
         plain = {}
-        for change in ({"target": None}, {"name": "Nobody"}, {"name": "Root"}):
-            for name, value in ({"target": post, "name": "Tail 0 2"} | change).items():
+        other = cases.still_rope(2, name="Other")
+        for change, words in (
+            ({"target": None}, "without a target"),
+            ({"name": "Nobody"}, "belongs to no chain"),
+            ({"name": "Root"}, "belongs to no chain"),
+            ({"target": other, "target_bone": "Gone"}, "holds to is gone"),
+        ):
+            for name, value in ({"target": post, "name": "Tail 0 2", "target_bone": ""} | change).items():
                 setattr(held, name, value)
             plain[str(change)] = cases.tail(rig, 1, "Tail 0 2")
+            self.assertIn(words, self.told(rig))
+            held.is_muted = True
+            bpy.context.view_layer.update()
             self.assertIsNone(self.told(rig))
+            held.is_muted = False
         for found in plain.values():
             np.testing.assert_array_equal(found, cases.tail(rig, 1, "Tail 0 2"))
-        held.name, held.target_bone = "Tail 0 2", "Nobody"
+        held.name, held.target, held.target_bone = "Tail 0 2", post, "Nobody"
         np.testing.assert_allclose(cases.tail(rig, 1, "Tail 0 2"), post.location, atol=2e-3)
         other = rig.motus.chains.pins.add()  # two pins of a bone: the first one holds
         other.name, other.target = "Tail 0 2", support.link("Second", location=(5.0, 5.0, 5.0))
@@ -145,6 +155,21 @@ class ChainsPinsTest(support.SceneTestCase):
         bpy.data.objects.remove(post)
         bpy.context.view_layer.update()
         self.assertGreater(np.linalg.norm(cases.tail(rig, 1, "Tail 0 2") - cases.place(rig, 1, "Tail 0 0")), 0.5)
+
+    def test_a_pin_holds_no_object_with_the_name_of_its_bone(self):
+        rig = cases.still_rope(4)
+        cases.add(rig, **LIMP)
+        things = [support.link(name, location=(0.0, index, 0.0)) for index, name in enumerate(("Tail 0 3", "Below"))]
+        bpy.ops.motus.chains_add(objects=f"{rig.name}, Tail 0 3, Below", frequency=0.0)
+        cases.go_to(30)
+        wanted = [tuple(map(tuple, support.evaluated(thing).matrix_world)) for thing in things]
+        pin(rig, bones="Tail 0 3", target=support.link("Post", location=(0.0, 0.0, 5.0)).name)
+        cases.go_to(31)
+        cases.go_to(30)
+        self.assertEqual([tuple(map(tuple, support.evaluated(thing).matrix_world)) for thing in things], wanted)
+        bpy.ops.motus.chains_remove(object="Below")  # its row alone, and no pin
+        self.assertEqual([entry.name for entry in rig.motus.chains.entries], ["Tail 0 0"])
+        self.assertEqual([one.name for one in rig.motus.chains.pins], ["Tail 0 3"])
 
     def test_a_chain_waits_for_the_chain_that_it_is_pinned_to(self):
         rig = cases.rope(4, chains=2)

@@ -220,6 +220,7 @@ class ChainsSettingsTest(support.SceneTestCase):
         (found,) = cases.made(lambda: setattr(rig.motus.chains, "use_cuts", True))
         self.assertEqual(len(found.resets), 100)
         self.assertAlmostEqual(found.settle, 0.25 * 1.5e7 / (480 * 2 * 101), places=6)
+        self.assertEqual(support.addon("chains.motion").settling(2.0, 0.0, 1, 1.0), 2.0, "what has no links costs nothing")
 
     def test_numbers_that_no_motion_has(self):
         rig = cases.rope(2)

@@ -1,7 +1,7 @@
 """Chains: bones, objects in a row and points of curves that hang, swing and touch, solved once for the whole scene."""
 
 from ..core.declare import System
-from . import curves, groups, operators, over_time, overlay, panel, presets, properties, solve, steps
+from . import curves, groups, naming, operators, over_time, overlay, panel, presets, properties, solve, steps
 
 SYSTEM = System(
     name="chains",
@@ -17,7 +17,7 @@ SYSTEM = System(
     groups=groups.groups,
     entries=groups.entries,
     prepare=curves.prepare,
-    bone_renamed=groups.bone_renamed,
+    bone_renamed=naming.bone_renamed,
     over_time=over_time.over_time,
     settle=steps.settle,
     load=groups.load,

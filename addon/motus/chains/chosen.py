@@ -9,7 +9,7 @@ from ..core.interface import bone_entries
 from ..core.interface.operators import named_or_active
 from ..core.refusals import Refused, check_local, check_unbaked, named
 from ..core.translations import tr
-from . import curves, groups, setup
+from . import curves, groups, naming, properties, setup
 
 
 class Wanted(NamedTuple):
@@ -40,7 +40,7 @@ def wanted(context, name, bones, objects, spline):
         return _row(_in_order(context))
     rig = named_or_active(context, name)
     if rig.type == 'CURVE' and not bones:
-        found = {f"Spline {one + 1}": one for one in curves.splines_of(rig, spline)}
+        found = {naming.of_spline(rig, one): one for one in curves.splines_of(rig, spline)}
         return Wanted(rig, list(found), {}, found)
     if rig.type != 'ARMATURE' and (name or bones):
         raise Refused(tr("{object} is not an armature").format(object=rig.name))
@@ -57,9 +57,12 @@ def wanted(context, name, bones, objects, spline):
 
 
 def owner_with(context, name):
-    """Return the object of this name, or the active one, or the object on whose chain that hangs. Raises Refused if it has no chains."""
+    """Return the object of this name, or the active one, or the object on whose chain that hangs. Raises Refused if it has no chains.
+
+    An object of a row whose root is gone is returned itself (groups.is_stray).
+    """
     obj = named_or_active(context, name)
-    owner = obj if obj.motus.chains.entries else pointed(obj.motus.chains, "leader")
+    owner = obj if obj.motus.chains.entries or groups.is_stray(obj) else pointed(obj.motus.chains, "leader")
     if owner is None:
         raise Refused(tr("{object} has no chains").format(object=obj.name))
     return owner
@@ -75,16 +78,8 @@ def _row(objects):
     owner, *things = objects
     if not things or len({*objects}) < len(objects):
         raise Refused(tr("Name at least two different objects: the one that stays, then those that hang on it, in their order"))
-    return Wanted(owner, [_name_for(owner, things)], {_name_for(owner, things): things}, {})
-
-
-def _name_for(owner, things):
-    """Return the name of the entry for a row: that of its first object, with a number if a different chain of the owner has that name."""
-    entries = owner.motus.chains.entries if owner.is_property_set("motus") else {}
-    first, name, number = things[0], things[0].name, 1
-    while name in entries and not (entries[name].links and pointed(entries[name].links[0], "object") == first):
-        name, number = f"{first.name}.{number:03}", number + 1
-    return name
+    name = naming.of_row(owner, things)
+    return Wanted(owner, [name], {name: things}, {})
 
 
 def _in_order(context):
@@ -105,7 +100,7 @@ def _in_order(context):
 
 def _check_bones(rig, tops):
     entries = rig.motus.chains.entries if rig.is_property_set("motus") else ()
-    present = [entry.name for entry in entries if groups.is_bone(entry) and not groups.is_missing(rig, entry)]
+    present = [entry.name for entry in entries if properties.is_bone(entry) and not groups.is_missing(rig, entry)]
     bones = {top: [bone.name for bone in groups.bones_of(rig, top)] for top in dict.fromkeys((*present, *tops))}
     bone_entries.check_apart(bones)
     for top in tops:
@@ -139,7 +134,7 @@ def _check_row(owner, things):
 
 def _check_undriven(owner, obj):
     for system in systems():
-        is_own = system == setup.system() and leader_of(system, obj) == owner
+        is_own = system == setup.system() and (leader_of(system, obj) == owner or groups.is_left(obj))
         if not is_own and any(wiring.is_sink(system, one) for one in obj.constraints):
             raise Refused(_taken(obj, system, leader_of(system, obj) or obj))
 

@@ -23,8 +23,13 @@ def members(settings):
 
 
 def objects(settings):
-    """List the objects that the settings of a rig name as colliders: empties, armatures, and meshes that no armature deforms."""
-    return touching(members(settings))
+    """List the objects that the settings of an owner name as colliders: empties, armatures, and meshes that no armature deforms.
+
+    What hangs on the owner itself is left out.
+    """
+    links = [pointed(link, "object") for entry in settings.entries for link in entry.links]
+    own = {obj.original for obj in links if obj is not None}
+    return touching([obj for obj in members(settings) if obj.original not in own])
 
 
 class Kind(NamedTuple):

@@ -11,10 +11,13 @@ from mathutils import Matrix
 
 from ..core.blender import datablocks, helpers
 from ..core.file.pointers import pointed
+from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.settings.entries import unwired
 from ..core.translations import tr
 
+FEWEST = 2
+"""How many points a spline has at least whose points hang."""
 IN_BEZIER = 3
 """How many points a hook counts for a Bezier point: its handles before and behind it."""
 
@@ -28,11 +31,31 @@ def points(owner, index):
     return spline.bezier_points if spline.type == 'BEZIER' else spline.points
 
 
+def places(owner, index):
+    """Return where the points of a spline of a curve object are in its own space, (n, 3) float32; () if there is no such spline."""
+    found = points(owner, index)
+    if not len(found):
+        return ()
+    size = len(found[0].co)
+    flat = np.empty(len(found) * size, np.float32)
+    found.foreach_get("co", flat)
+    return flat.reshape(-1, size)[:, :3]
+
+
+def are_moved(owner):
+    """Whether points of an owner's splines were moved since its anchors were put to them."""
+    for entry in owner.motus.chains.entries:
+        anchored = anchors(owner, entry) if entry.spline >= 0 else ()
+        if anchored and places(owner, entry.spline).tobytes() != np.array([one.location for one in anchored], np.float32).tobytes():
+            return True
+    return False
+
+
 def splines_of(curve, index):
     """List the indices of the splines of a curve object that shall hang: that with an index, or all for -1. Raises Refused if one cannot."""
     found = range(len(curve.data.splines)) if index < 0 else [index]
     for one in found:
-        if len(points(curve, one)) < 2:
+        if len(points(curve, one)) < FEWEST:
             raise Refused(tr("{object} has no spline {number} with two points and more").format(object=curve.name, number=one + 1))
         if curve.data.splines[one].use_cyclic_u:
             raise Refused(tr("Spline {number} of {object} is closed: open it first").format(object=curve.name, number=one + 1))
@@ -42,10 +65,10 @@ def splines_of(curve, index):
 
 
 def anchors(owner, entry):
-    """List the anchors of a spline's entry, the first point's first; [] if they are not those of the owner's points."""
+    """List the anchors of a spline's entry, the first point's first; [] if they are not those of the owner's points, or if one point is left."""
     found = [pointed(link, "object") for link in entry.links]
     is_whole = all(one is not None and helpers.is_helper(one) and one.parent == owner for one in found)
-    return found if is_whole and len(found) == len(points(owner, entry.spline)) else []
+    return found if is_whole and len(found) == len(points(owner, entry.spline)) >= FEWEST else []
 
 
 def prepare(owner):
@@ -54,10 +77,12 @@ def prepare(owner):
         return
     with unwired(owner.motus.chains) as settings:
         for entry in [one for one in settings.entries if one.spline >= 0]:
-            places = [point.co.xyz for point in points(owner, entry.spline)]
+            found = places(owner, entry.spline)
+            if len(found) < FEWEST:
+                continue
             if not anchors(owner, entry):
-                _make_anchors(owner, entry, len(places))
-            for link, place in zip(entry.links, places):
+                _make_anchors(owner, entry, len(found))
+            for link, place in zip(entry.links, found):
                 link.object.location = place
     tidy(owner)
     for place, (anchor, indices) in enumerate(_hooked(owner, settings)):

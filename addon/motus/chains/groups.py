@@ -7,14 +7,14 @@ points, the root's first. Without links it is the bone of the entry's name, with
 import json
 
 from ..core import rigs, wiring
-from ..core.declare import Entry, Group, Transform
+from ..core.declare import Entry, Group, Transform, registered
 from ..core.evaluated.question import answered
-from ..core.file import libraries
+from ..core.file import deleted, libraries
 from ..core.file.pointers import pointed
-from ..core.settings.entries import unwired
 from . import colliders, curves, motion, pins
 from .of_bones import Bones
 from .of_objects import Row
+from .properties import is_bone
 
 PLAN = "plan"
 """Key of a group's data: JSON text with the name of the entry and the names of the things of each of the group's chains."""
@@ -42,9 +42,19 @@ def objects_of(owner, entry):
     return [obj for obj in found if obj is not None and libraries.is_free_or_of(obj, pointed(obj.motus.chains, "leader"), owner)]
 
 
-def is_bone(entry):
-    """Whether the chain of an entry is one of bones."""
-    return not entry.links and entry.spline < 0
+def is_stray(obj):
+    """Whether an object is moved by a chain that no owner lists: its root is gone, or it is a copy of an object that hangs."""
+    if not any(True for _ in wiring.on_object(registered["chains"], obj, has_bones=False)):
+        return False
+    leader = pointed(obj.motus.chains, "leader")
+    meant = obj, obj.override_library and obj.override_library.reference
+    return leader is None or not any(pointed(link, "object") in meant for entry in leader.motus.chains.entries for link in entry.links)
+
+
+def is_left(obj):
+    """Whether a chain moves an object and has no owner in a collection: it is stray, or its root was deleted and is still in the file."""
+    leader = pointed(obj.motus.chains, "leader")
+    return is_stray(obj) or (leader is not None and deleted.is_deleted(leader))
 
 
 def chain_of(owner, entry):
@@ -95,7 +105,7 @@ def entries(owner):
 
 def held_by(owner, chain):
     """List the (object, bone or "") that bones of an owner's chain are pinned to."""
-    return pins.goals(owner.motus.chains, chain.names)
+    return pins.goals(owner.motus.chains, chain.pinnable)
 
 
 def load(settings):
@@ -155,17 +165,3 @@ def _group(owner, key, found, wrong):
         inputs=tuple(dict.fromkeys([*(Transform(*pair) for pair in read), *(one for chain in found for one in chain.inputs)])),
         data={PLAN: json.dumps(plan), **wrong},
     )
-
-
-def bone_renamed(owner, rig, old, new):
-    """Rename a bone in the owner's entries and pins after the user has renamed the bone. The wiring is renewed separately.
-
-    rig: armature object of the bone. old, new: names of the bone.
-    """
-    with unwired(owner.motus.chains) as settings:
-        for one in (*filter(is_bone, settings.entries), *settings.pins):
-            if rig == owner and one.name == old:
-                one.name = new
-        for pin in settings.pins:
-            if pointed(pin, "target") == rig and pin.target_bone == old:
-                pin.target_bone = new

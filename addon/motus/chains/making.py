@@ -223,7 +223,7 @@ class Making:
             is_loop = False
         if is_loop:
             poses = np.concatenate([poses[:-1], poses[:1]])
-        rows = {name: row for row, name in enumerate(chain.names, 1)}
+        rows = {name: row for row, name in enumerate(chain.pinnable, 1)}
         ends = [row for row in range(1, len(parents)) if row not in parents] if chain.entry.hold_end else []
         held = pins.at([pin for pin in self._held if pin.bone in rows], rows, times.frames, ends, places)
         sides = None

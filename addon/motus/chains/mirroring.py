@@ -72,6 +72,6 @@ def mirror(rig, found):
     with entries.at_once(setup.system(), rig) as settings:
         for side in found:
             values = {name: getattr(settings.entries[side.name], name) for name in ENTRY}
-            setup.entry_of(settings, side.other, values)
+            setup.entry_of_bone(settings, side.other, values)
             for bone, changes in _pins(rig, side).items():
                 setup.pin(rig, bone, changes)

@@ -95,7 +95,7 @@ def settling(wanted, step, beginnings, share):
 
     step: step_price(). beginnings: how often they come to rest. share: of the limit of work.
     """
-    return min(wanted, SETTLING * bounds.MANY_AT_ONCE * share / (STEPS * step * beginnings))
+    return min(wanted, SETTLING * bounds.MANY_AT_ONCE * share / max(STEPS * step * beginnings, 1.0))
 
 
 def with_gusts(wind, seconds, gusts, is_loop):

@@ -27,6 +27,11 @@ class Bones(NamedTuple):
         return tuple(bone.name for bone in self.things)
 
     @property
+    def pinnable(self):
+        """Names of the bones whose tails pins may hold."""
+        return self.names
+
+    @property
     def drives(self):
         """The names, which the order of evaluation is found from."""
         return self.names

@@ -45,6 +45,11 @@ class Row(NamedTuple):
         return tuple(obj.name for obj in self.things)
 
     @property
+    def pinnable(self):
+        """Names of what pins may hold: these hold bones alone, of which one may have the name of an object."""
+        return ()
+
+    @property
     def drives(self):
         """The objects."""
         return self.things
@@ -260,7 +265,8 @@ class Read(NamedTuple):
 
     def stamp(self, owner, scene):
         """Hashable value that changes whenever the animation of the row may; None if changes cannot be detected."""
-        return strips.together((len(curves.points(owner, self.spline)), Origins(self.root, self.things, scene).stamp))
+        drawn = np.asarray(curves.places(owner, self.spline)).tobytes()
+        return strips.together((drawn, Origins(self.root, self.things, scene).stamp))
 
 
 class Kept(NamedTuple):

@@ -100,6 +100,10 @@ class MOTUS_OT_chains_remove(OfARig, bpy.types.Operator):
         owner = chosen.owner_with(context, self.object)
         chosen.check_editable(owner)
         check_no_tweak_mode(owner)
+        if groups.is_stray(owner):
+            setup.free(owner)
+            self.report({'INFO'}, tr("Removed from {objects}").format(objects=owner.name))
+            return
         indices = self._indices(context, owner)
         count = libraries.count_from_library(owner, "motus.chains.entries")
         if any(index < count for index in indices):
@@ -113,22 +117,17 @@ class MOTUS_OT_chains_remove(OfARig, bpy.types.Operator):
         settings = owner.motus.chains
         if self.only_active:
             return [settings.active_entry] if settings.active_entry >= 0 else []
-        names = self._names(context, owner)
-        if not names:
-            return range(len(settings.entries))
-        found = sorted({properties.index_of(settings, name) for name in names} - {-1})
+        obj = named_or_active(context, self.object)
+        names = [name.strip() for name in self.bones.split(",") if name.strip()]
+        if not names and obj == owner:
+            names = [] if self.object else bone_entries.posed(context)
+            if not names:
+                return range(len(settings.entries))
+        places = [properties.index_of(settings, name) for name in names] if names else [properties.index_with(settings, obj)]
+        found = sorted({*places} - {-1})
         if not found:
             raise Refused(tr("{object} has no chains").format(object=owner.name))
         return found
-
-    def _names(self, context, owner):
-        """Return names of bones or objects whose chains are meant; [] for all of the owner's."""
-        if self.bones:
-            return [name.strip() for name in self.bones.split(",") if name.strip()]
-        obj = named_or_active(context, self.object)
-        if obj != owner:
-            return [obj.name]
-        return [] if self.object else bone_entries.posed(context)
 
 
 class MOTUS_OT_chains_pin(FindsValues, OfARig, bpy.types.Operator):
@@ -166,7 +165,7 @@ class MOTUS_OT_chains_pin(FindsValues, OfARig, bpy.types.Operator):
         names = _pinned(context, rig, self.object, self.bones)
         goal = self._goal()
         for name in names if goal else ():
-            chain = next((chain for chain in groups.chains(rig) if name in chain.names), None)
+            chain = next((chain for chain in groups.chains(rig) if name in chain.pinnable), None)
             if chain:
                 pins.check_holds(rig, name, chain.names, *goal)
         made = [] if goal else [name for name in names if not _has_target(rig, name)]
@@ -201,15 +200,15 @@ def _pinned(context, rig, name, bones):
 
     name: of the rig; if it is given, the selection does not count.
     """
-    settings = rig.motus.chains
     chosen = bone_entries.names_in(rig, bones) if bones else bone_entries.posed(context) if not name else []
+    hanging = {one for chain in groups.chains(rig) for one in chain.pinnable} if chosen else ()
     for one in chosen:
-        if properties.index_of(settings, one) < 0:
+        if one not in hanging:
             raise Refused(tr("{bone} belongs to no chain").format(bone=one))
     if chosen:
         return chosen
     entry = entries.active(rig, "chains")
-    shown = next((chain for chain in groups.chains(rig) if chain.entry == entry and groups.is_bone(entry)), None)
+    shown = next((chain for chain in groups.chains(rig) if chain.entry == entry and properties.is_bone(entry)), None)
     if shown is None:
         raise Refused(tr("Select bones of chains: pins hold these alone"))
     return [shown.names[-1]]

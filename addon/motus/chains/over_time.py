@@ -6,6 +6,7 @@ from ..core.animation import keys
 from ..core.animation.channel import Channel
 from ..core.animation.reason import Reason
 from ..core.animation.strips import together
+from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
@@ -23,7 +24,7 @@ def over_time(owner, thing, scene):
     owner, thing: both original or both evaluated. An object that has chains of its own may hang on a chain of a different owner.
     """
     for one in (owner, pointed(thing.motus.chains, "leader") if thing == owner else None):
-        chain = one and next((chain for chain in groups.chains(one) if thing in chain.things), None)
+        chain = one and not deleted.is_deleted(one) and next((chain for chain in groups.chains(one) if thing in chain.things), None)
         if chain:
             return (_Bone if isinstance(chain, Bones) else _Object)(one, chain, thing, scene)
     return None
@@ -42,7 +43,7 @@ class _Hanging:
     def _around(self):
         settings = self._owner.motus.chains
         touched = tuple(colliders.objects(settings))
-        names = {name for chain in self._together for name in chain.names}
+        names = {name for chain in self._together for name in chain.pinnable}
         return making.Surroundings(self._owner, self._scene, self._scene, making.cuts(settings, self._scene), touched, names)
 
     @functools.cached_property

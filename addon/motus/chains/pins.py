@@ -3,16 +3,25 @@
 from typing import Any, NamedTuple
 
 from ..core import tracks, wiring
+from ..core.declare import Problem
 from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.settings import entry_keys
 from ..core.translations import tr
+from . import properties
 
 MADE_KEY = "motus_chains_pin"
 """Custom property that marks the empties that Motus has made for pins."""
 PATH = "motus.chains.pins"
+WITHOUT_TARGET = Problem("A pin without a target holds nothing: name one in the part Pins, or remove the pin", blocking=False)
+WITHOUT_TARGET_BONE = Problem(
+    "The bone that a pin holds to is gone: choose another one in the part Pins, or remove the pin", blocking=False
+)
+WITHOUT_CHAIN = Problem(
+    "A pin of a bone that belongs to no chain holds nothing: choose another bone in the part Pins, or remove the pin", blocking=False
+)
 
 
 class Held(NamedTuple):
@@ -30,11 +39,30 @@ class Held(NamedTuple):
 
 
 def goal(pin):
-    """Return (object, name of its bone or "") that a pin holds to; None if there is no such object, or it was deleted."""
+    """Return (object, name of its bone or "") that a pin holds to; None if there is no such object or bone, or the object was deleted."""
     target = pointed(pin, "target")
-    if target is None or deleted.is_deleted(target):
+    if target is None or deleted.is_deleted(target) or _has_lost_bone(pin, target):
         return None
-    return target, pin.target_bone if target.pose and pin.target_bone in target.pose.bones else ""
+    return target, pin.target_bone if target.pose else ""
+
+
+def _has_lost_bone(pin, target):
+    return bool(target.pose and pin.target_bone) and pin.target_bone not in target.pose.bones
+
+
+def problem(settings):
+    """Return the Problem of the first pin that holds nothing, for all that its weight says; None if there is none. settings: of the rig."""
+    return next(filter(None, (_problem_of(settings, pin) for pin in settings.pins if not pin.is_muted)), None)
+
+
+def _problem_of(settings, pin):
+    rig = settings.id_data
+    if rig.pose is None or pin.name not in rig.pose.bones or properties.index_of(settings, pin.name) < 0:
+        return WITHOUT_CHAIN
+    if goal(pin) is not None:
+        return None
+    target = pointed(pin, "target")
+    return WITHOUT_TARGET_BONE if target is not None and _has_lost_bone(pin, target) else WITHOUT_TARGET
 
 
 def check_holds(rig, name, chain, target, bone):

@@ -118,21 +118,24 @@ class MOTUS_PG_chains_entry(ChainsKeywords, bpy.types.PropertyGroup):
     is_muted: switch("Mute", "Switch this chain off", options=ANIMATED)
 
 
+def is_bone(entry):
+    """Whether the chain of an entry is one of bones, not of objects in a row or of a spline's points."""
+    return not entry.links and entry.spline < 0
+
+
 def index_of(settings, name):
-    """Return the index of the entry whose chain has a bone or object of this name; -1 if there is none."""
-    index = settings.entries.find(name)
-    if index < 0:
-        index = next((place for place, entry in enumerate(settings.entries) if _links_to(entry, name)), -1)
+    """Return the index of the entry whose chain has the bone of this name, or which has this name itself; -1 if there is none."""
     rig = settings.id_data
-    if index < 0 and rig.pose and name in rig.pose.bones:
-        above = (one.name for one in rig.data.bones[name].parent_recursive)
-        index = next((found for found in map(settings.entries.find, above) if found >= 0), -1)
-    return index
+    if rig.pose is None or name not in rig.pose.bones:
+        return settings.entries.find(name)
+    upwards = (name, *(one.name for one in rig.data.bones[name].parent_recursive))
+    return next((index for index in map(settings.entries.find, upwards) if index >= 0 and is_bone(settings.entries[index])), -1)
 
 
-def _links_to(entry, name):
-    objects = (pointed(link, "object") for link in entry.links)
-    return any(obj is not None and obj.name == name for obj in objects)
+def index_with(settings, obj):
+    """Return the index of the entry whose row has an object; -1 if there is none."""
+    found = (place for place, entry in enumerate(settings.entries) if any(pointed(link, "object") == obj for link in entry.links))
+    return next(found, -1)
 
 
 class MOTUS_PG_chains_pin(bpy.types.PropertyGroup):

@@ -1,10 +1,12 @@
 """Add and remove chains: the functions that the operators call."""
 
+from ..core import wiring
 from ..core.declare import registered
+from ..core.declare.forgetting import forget
 from ..core.file import libraries
 from ..core.file.pointers import pointed
 from ..core.settings import entries, entry_keys, targets
-from . import curves, groups, pins
+from . import curves, groups, naming, pins, properties
 
 
 def system():
@@ -18,9 +20,13 @@ def add(owner, names, changes, rows, splines):
     rows: {name of an entry: its objects, in the order in which they hang}, for objects. splines: {name of an entry: index of its spline}, for
     points of a curve.
     """
+    for obj in [obj for row in rows.values() for obj in row]:
+        if groups.is_left(obj):
+            free(obj)
     with entries.at_once(system(), owner) as settings:
         for name in names:
-            entry = entry_of(settings, name, changes)
+            is_bone = name not in rows and name not in splines
+            entry = (entry_of_bone if is_bone else entry_of)(settings, name, changes)
             if name in splines:
                 entry.spline = splines[name]
             elif name in rows:
@@ -39,6 +45,12 @@ def entry_of(settings, name, changes):
     return entry
 
 
+def entry_of_bone(settings, name, changes):
+    """Return the entry of the chain of a bone, as entry_of() does: a row or spline that has the bone's name gives way."""
+    naming.give_way(settings, name)
+    return entry_of(settings, name, changes)
+
+
 def _link(entry, objects):
     entry.links.clear()
     for obj in objects:
@@ -50,13 +62,28 @@ def remove(owner, indices):
     """Remove entries of an owner by their indices, with the pins of their chains."""
     settings = owner.motus.chains
     gone = {settings.entries[index].name for index in indices}
-    bones = {name for chain in groups.chains(owner) if chain.entry.name in gone for name in chain.names}
+    bones = {name for chain in groups.chains(owner) if chain.entry.name in gone for name in chain.pinnable}
+    had_anchors = any(entry.spline >= 0 for entry in settings.entries)
     is_last = len(gone) == len(settings.entries)
     kept = libraries.count_from_library(owner, pins.PATH)
     unpin(owner, [index for index, one in enumerate(settings.pins) if index >= kept and (is_last or one.name in bones)])
     entries.remove(system(), owner, indices, "chosen_entry")
-    if owner.type == 'CURVE':
+    if had_anchors:
         curves.tidy(owner)
+
+
+def free(obj):
+    """Free an object that a chain without an owner in a collection moves (groups.is_left), and all objects that the same chain moves."""
+    if not groups.is_stray(obj):
+        leader = pointed(obj.motus.chains, "leader")
+        remove(leader, [properties.index_with(leader.motus.chains, obj)])
+        return
+    for one in wiring.abandoned(system(), obj) or [obj]:
+        wiring.release(system(), one)
+        if one.motus.chains.entries:
+            wiring.refresh(system(), one)
+        else:
+            forget(system(), one)
 
 
 def pin(owner, bone, changes):

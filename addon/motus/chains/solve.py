@@ -5,13 +5,13 @@ from typing import Any, NamedTuple
 
 from ..core import keeping, wiring
 from ..core.animation import strips
-from ..core.declare import Geometries, registered
+from ..core.declare import Geometries, Problem, registered
 from ..core.evaluated import copies, shares
 from ..core.evaluated.question import answered
-from ..core.file import stored
+from ..core.file import deleted, stored
 from ..core.settings import entries
 from ..core.tracks import inputs
-from . import air, colliders, making, steps
+from . import air, colliders, curves, making, pins, steps
 from .groups import BELOW, LOOPED, MISSING, PARTED, PLAN
 from .making import (
     BELOW_ANOTHER,
@@ -31,6 +31,9 @@ from .making import (
     TOO_LONG,
     WIND_NOT_KNOWN,
 )
+from .properties import is_bone
+
+ROOT_DELETED = Problem("What the chains hang on is in no collection any more: they stay where their own animation has them")
 
 PROBLEMS = (
     inputs.NEEDS_RECORDING,
@@ -52,6 +55,10 @@ PROBLEMS = (
     LOOPED_CHAINS,
     THINGS_MISSING,
     THINGS_CHANGED,
+    ROOT_DELETED,
+    pins.WITHOUT_TARGET,
+    pins.WITHOUT_TARGET_BONE,
+    pins.WITHOUT_CHAIN,
 )
 
 INPUTS = (Geometries("obstacles", of=colliders.objects), air.SnowWind("snowy", of="wind_from"))
@@ -88,9 +95,11 @@ def solve(context, obstacles, snowy):
 
     obstacles, snowy: what the wiring waits by for the colliders, and for the emitter whose wind is felt.
     """
+    if deleted.is_deleted(context.owner):
+        return ROOT_DELETED
     try:
         made = _made(context)
-    except KeyError:  # bones, objects or entries that do not exist any more
+    except KeyError:  # bones, objects, entries or points that are not there any more, or not where they were
         return THINGS_CHANGED
     weights = made.weights if made.weights is not None else entries.weights(context.settings)
     acting, found = {}, {}
@@ -105,7 +114,7 @@ def solve(context, obstacles, snowy):
     for kind, parts in acting.items():
         answered(object(), functools.partial(kind.fill, context, context.data[PLAN], parts))
     is_open = any(part.moved.is_open for part in made.parts)
-    return made.problem or (LOOP_IS_OPEN if is_open else None) or _wrong(context.data)
+    return made.problem or (LOOP_IS_OPEN if is_open else None) or _wrong(context.data) or pins.problem(context.settings)
 
 
 def _wrong(data):
@@ -151,17 +160,20 @@ def _surroundings(context):
         depsgraph.scene_eval,
         making.cuts(context.settings, marked),
         tuple(colliders.touching(waited.values())),
-        _names(context) if context.settings.pins else (),
+        _pinnable(context) if context.settings.pins else (),
     )
 
 
-def _names(context):
-    """Return the names of all that hangs in the context's group, as a set."""
-    return {one for _, names in stored.parse(context.data.get(PLAN), _FORM)["chains"] for one in names}
+def _pinnable(context):
+    """Return the names of the bones that hang in the context's group, as a set."""
+    plan, known = stored.parse(context.data.get(PLAN), _FORM)["chains"], context.settings.entries
+    return {one for name, names in plan if name in known and is_bone(known[name]) for one in names}
 
 
 def _make(context, share):
     plan = stored.parse(context.data.get(PLAN), _FORM)
+    if curves.are_moved(context.owner):
+        raise KeyError(context.owner.name)
     found = making.Making(context.owner, context.settings, _surroundings(context), share)
     found.make(plan["chains"])
     if found.count != len(context.locations):

@@ -15,6 +15,10 @@ def sentence(owner, problem, scene):
     """Return the sentence for the user about a Problem of an original owner, in the user's language."""
     entries = owner.motus.chains.entries
     gone = next((entry for entry in entries if groups.is_missing(owner, entry)), None) if problem == making.THINGS_MISSING else None
+    if gone and gone.spline >= 0:
+        return tr("{object} has no spline {number} with two points and more: remove {chain} from the list").format(
+            object=owner.name, number=gone.spline + 1, chain=gone.name
+        )
     if gone and not gone.links:
         return tr("{object} has no bone {bone}: remove it from the list").format(object=owner.name, bone=gone.name)
     if problem == making.BELOW_ANOTHER:

@@ -13,8 +13,7 @@ def prefixes(path, entries, index):
 
     Blender itself writes data paths with the index; scripts may use the name. path: data path of the list `entries`.
     """
-    name = bpy.utils.escape_identifier(entries[index].name)
-    return f"{path}[{index}].", f'{path}["{name}"].'
+    return f"{path}[{index}].", _named(path, entries[index].name)
 
 
 def animated_prefix(owner, path, entries, index):
@@ -47,6 +46,16 @@ def exchange(owner, path, first, second):
     path: data path of the list. first, second: indices of the entries.
     """
     _move_all(owner, {f"{path}[{one}].": f"{path}[{other}]." for one, other in ((first, second), (second, first))})
+
+
+def rename(owner, path, old, new):
+    """Let keys and drivers whose data paths have the name of a list entry follow the entry to its new name. path: data path of the list."""
+    _move_all(owner, {_named(path, old): _named(path, new)})
+
+
+def _named(path, name):
+    """The prefix of data paths that have the name of an entry."""
+    return f'{path}["{bpy.utils.escape_identifier(name)}"].'
 
 
 def _move_all(owner, places):
