@@ -323,6 +323,19 @@ class ChainsObjectsTest(support.SceneTestCase):
         bpy.ops.motus.chains_remove(object=copy.name)
         np.testing.assert_array_equal(matrices(beads, 15), wanted)
 
+    def test_a_row_on_a_row_whose_root_is_gone(self):
+        beads, more = row(2), row(2, "More")
+        add(beads)
+        add([beads[2], *more[1:]])
+        bpy.data.objects.remove(beads.pop(0))
+        self.assertEqual([len(obj.constraints) for obj in (*beads, *more[1:])], [1, 1, 1, 1])
+        bpy.context.view_layer.objects.active = beads[1]
+        bpy.ops.motus.chains_remove(only_active=True)  # the button of the list: its own row alone
+        self.assertEqual([len(obj.constraints) for obj in (*beads, *more[1:])], [1, 1, 0, 0])
+        add([beads[1], *more[1:]])
+        bpy.ops.motus.chains_remove(object=beads[1].name)
+        self.assertFalse(any(obj.constraints for obj in (*beads, *more[1:])))
+
     def test_a_copied_object_alone_is_freed(self):
         beads = row(3)
         add(beads, frequency=0.5)

@@ -100,10 +100,14 @@ class MOTUS_OT_chains_remove(OfARig, bpy.types.Operator):
         owner = chosen.owner_with(context, self.object)
         chosen.check_editable(owner)
         check_no_tweak_mode(owner)
-        if groups.is_stray(owner):
+        is_freed = not self.only_active and groups.is_stray(owner)
+        if is_freed:
             setup.free(owner)
-            self.report({'INFO'}, tr("Removed from {objects}").format(objects=owner.name))
-            return
+        if owner.motus.chains.entries or not is_freed:
+            self._remove(context, owner)
+        self.report({'INFO'}, tr("Removed from {objects}").format(objects=owner.name))
+
+    def _remove(self, context, owner):
         indices = self._indices(context, owner)
         count = libraries.count_from_library(owner, "motus.chains.entries")
         if any(index < count for index in indices):
@@ -111,7 +115,6 @@ class MOTUS_OT_chains_remove(OfARig, bpy.types.Operator):
                 tr("{object} has these chains from its library, so that they cannot be removed here: mute them").format(object=owner.name)
             )
         setup.remove(owner, indices)
-        self.report({'INFO'}, tr("Removed from {objects}").format(objects=owner.name))
 
     def _indices(self, context, owner):
         settings = owner.motus.chains
