@@ -11,7 +11,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -1406,6 +1406,15 @@ def frames(curve: Curve, lengths: numpy.typing.ArrayLike, mode: typing.Literal['
     'tilt'       'world_up' turned about the tangent by tilt: (k,) rad, one per point of the curve, linear in t between.
     Returns (m, 4), or (4,) for a number. Continuous along the curve wherever its tangent is; the identity on a curve of zero
     length.  Raises TypeError for an option that the mode does not read, ValueError for values outside these domains.
+    """
+def gusts(times: numpy.typing.ArrayLike, frequency: float, period: float = 0.0) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    How much the wind rises and falls in gusts, in [-1, 1]: four sine waves whose rates have no common period.
+    
+    times: (m,), s.  frequency: of the first and highest wave, 1/s, above 0, at most 1000.  period: time after which the gusts
+    begin again, s, from 1e-6 to 1e30, for which the frequencies are changed a little; 0 for none.
+    Returns (m,) float64, the gusts of snow's wind if times are those since its start. The same bits by the same compiler.
+    Raises ValueError if a number is outside of its domain, or a shape is wrong.
     """
 def instruction_set() -> str:
     """

@@ -21,7 +21,6 @@ CONSTRAINED = Problem(
     "Bones or objects of a chain have constraints of their own, which the chain does not follow, and which may undo its motion",
     blocking=False,
 )
-BELOW_ANOTHER = Problem("Some chains begin within another chain, which moves them: remove them from the list", blocking=False)
 COLLIDER_NOT_KNOWN = Problem("The motion of a collider is not known on other frames: chains pass through it", blocking=False)
 GRAVITY_NOT_KNOWN = Problem("The scene's gravity is not known on other frames: chains move without it", blocking=False)
 WIND_NOT_KNOWN = Problem("The wind is not known on other frames: chains move without it", blocking=False)
@@ -144,7 +143,7 @@ class Making:
         ready = []
         for name, names in plan:
             index = self._settings.entries.find(name)
-            chain = None if index < 0 else groups.chain_of(self._owner, self._settings.entries[index])
+            chain = None if index < 0 else groups.chain_of(self._owner, self._settings.entries[index], names)
             if chain is None or not chain.is_as_wired(names):
                 raise KeyError(name)
             source = chain.source(self._surroundings.scene)
@@ -271,7 +270,7 @@ class Making:
         """List the winds (m, 3) at the Times that are known: the own one, and that of an emitter of snow."""
         settings, around = self._settings, self._surroundings
         own = self._over_time(around.wind, times, WIND_NOT_KNOWN)
-        found = [] if own is None else [motion.with_gusts(own, times.seconds, settings.gusts, settings.use_loop)]
+        found = [] if own is None else [motion.with_gusts(own, times.seconds, settings.gusts, settings.gust_frequency, settings.use_loop)]
         if air.is_missing(settings):
             self.problems.append(NO_SNOW)
         snowy = around.snowy

@@ -31,8 +31,6 @@ SUDDEN = 1.0 / 64.0
 """Time in frames, before a cut, at which what chains read is still that of the shot before."""
 CLOSED = 1e-3
 """Tolerance of a closed loop, as a part of the chain's length."""
-GUSTS = ((0.31, 0.0), (0.53, 1.3), (1.13, 2.1))
-"""Frequency in Hz and phase of the sine waves whose mean is a gust."""
 LARGEST_MEMORY = 1 << 28  # bytes
 
 _MOTIONS = keeping.OfFile(
@@ -98,17 +96,12 @@ def settling(wanted, step, beginnings, share):
     return min(wanted, SETTLING * bounds.MANY_AT_ONCE * share / max(STEPS * step * beginnings, 1.0))
 
 
-def with_gusts(wind, seconds, gusts, is_loop):
-    """Return a wind (m, 3) with gusts at times (m,), s. Gusts of a loop close."""
+def with_gusts(wind, seconds, gusts, frequency, is_loop):
+    """Return a wind (m, 3) with gusts of a frequency, 1/s, at times (m,), s: those of snow. Gusts of a loop close."""
     if gusts <= 0.0:
         return wind
-    duration = seconds[-1] - seconds[0]
-    at, waves = seconds - seconds[0] if is_loop else seconds, np.zeros(len(seconds))
-    for frequency, phase in GUSTS:
-        if is_loop:
-            frequency = max(round(frequency * duration), 1) / duration
-        waves += np.sin(math.tau * frequency * at + phase)
-    return wind * (1.0 + gusts * waves[:, None] / len(GUSTS))
+    period = float(seconds[-1] - seconds[0]) if is_loop else 0.0
+    return wind * (1.0 + gusts * native.module.gusts(seconds, frequency, period)[:, None])
 
 
 class Motion:

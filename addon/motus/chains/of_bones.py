@@ -3,7 +3,7 @@
 from typing import Any, NamedTuple
 
 from ..core import rigs
-from ..core.declare import BonesOwn, Member, Transform, registered
+from ..core.declare import BonesOwn, Member, Transform
 from ..core.lazy import numpy as np
 from ..core.tracks import own_track
 from ..core.tracks.inputs import Tails, stamp_of_carrier, stamp_of_known
@@ -35,6 +35,11 @@ class Bones(NamedTuple):
     def drives(self):
         """The names, which the order of evaluation is found from."""
         return self.names
+
+    @property
+    def yields(self):
+        """Names of all bones but the topmost one: where a different system takes one over the chain ends, and so the system follows it."""
+        return self.names[1:]
 
     @property
     def hangs_on(self):
@@ -90,7 +95,7 @@ class Bones(NamedTuple):
 
     def source(self, scene):
         """Make the input (core/tracks/inputs.py) with the places of the particles in the animation."""
-        return Tails(self.things, scene, registered["chains"])
+        return Tails(self.things, scene, None)
 
 
 class Carrier(NamedTuple):
@@ -100,7 +105,7 @@ class Carrier(NamedTuple):
 
     def stamp(self, owner, scene):
         """Hashable value that changes whenever that motion may; None if changes cannot be detected."""
-        return stamp_of_carrier(owner, self.name, scene, registered["chains"])
+        return stamp_of_carrier(owner, self.name, scene, None)
 
 
 class Laid(NamedTuple):

@@ -55,6 +55,11 @@ class Row(NamedTuple):
         return self.things
 
     @property
+    def yields(self):
+        """What a different system may take over: nothing."""
+        return ()
+
+    @property
     def reads(self):
         """((object, name of a bone or ""), ...) of each transform that the chain needs: of the root, and of what the objects hang on."""
         parents = [(obj.parent, obj.parent_bone if obj.parent_type == 'BONE' else "") for obj in self.things if obj.parent]

@@ -169,6 +169,7 @@ class _Object(_Hanging):
         shared = (
             settings.influence,
             settings.gusts,
+            settings.gust_frequency,
             settings.settle,
             settings.use_loop,
             settings.friction,

@@ -105,7 +105,10 @@ class MOTUS_PG_chains_link(bpy.types.PropertyGroup):
 
 class MOTUS_PG_chains_entry(ChainsKeywords, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(
-        name="Bone", description="Topmost bone of the chain, which has all bones below it", update=rewire, override=OVERRIDABLE
+        name="Bone",
+        description="Topmost bone of the chain, which has the bones below it, down to where another chain or system begins",
+        update=rewire,
+        override=OVERRIDABLE,
     )
     links: bpy.props.CollectionProperty(type=MOTUS_PG_chains_link, name="Objects", override=EXTENDABLE)
     spline: bpy.props.IntProperty(
@@ -161,6 +164,9 @@ class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
     influence: factor("Influence", "How much all chains of the object act; 0 leaves all to its animation", 1.0, options=ANIMATED)
     wind: vector("Wind", "Velocity of the air, which chains with Air Drag feel", options=ANIMATED, subtype='VELOCITY', unit='VELOCITY')
     gusts: _number("Gusts", "How much the wind rises and falls: 1 lets it fall to a calm at times", 0.0, min=0.0, max=2.0, subtype='FACTOR')
+    gust_frequency: _number(
+        "Gust Frequency", "Approximate number of gusts per second", 0.3, min=0.001, max=1000.0, soft_max=5.0, precision=3, step=5
+    )
     wind_from: to_object(
         name="Wind From",
         description="Emitter of snow whose wind, with its gusts, the chains feel beside their own",

@@ -12,9 +12,8 @@ from ..core.file import deleted, stored
 from ..core.settings import entries
 from ..core.tracks import inputs
 from . import air, colliders, curves, making, pins, steps
-from .groups import BELOW, LOOPED, MISSING, PARTED, PLAN
+from .groups import LOOPED, MISSING, PARTED, PLAN
 from .making import (
-    BELOW_ANOTHER,
     CHAINS_PARTED,
     COLLIDER_NOT_KNOWN,
     CONSTRAINED,
@@ -41,7 +40,6 @@ PROBLEMS = (
     inputs.BAD_NUMBERS,
     LOOP_IS_OPEN,
     CONSTRAINED,
-    BELOW_ANOTHER,
     COLLIDER_NOT_KNOWN,
     DEFORMED_COLLIDER,
     LARGE_COLLIDER,
@@ -119,7 +117,7 @@ def solve(context, obstacles, snowy):
 
 def _wrong(data):
     """Return the Problem with the list of chains of a group's data; None if there is none."""
-    told = ((LOOPED, LOOPED_CHAINS), (MISSING, THINGS_MISSING), (BELOW, BELOW_ANOTHER), (PARTED, CHAINS_PARTED))
+    told = ((LOOPED, LOOPED_CHAINS), (MISSING, THINGS_MISSING), (PARTED, CHAINS_PARTED))
     return next((problem for key, problem in told if data.get(key)), None)
 
 

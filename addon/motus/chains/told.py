@@ -21,9 +21,6 @@ def sentence(owner, problem, scene):
         )
     if gone and not gone.links:
         return tr("{object} has no bone {bone}: remove it from the list").format(object=owner.name, bone=gone.name)
-    if problem == making.BELOW_ANOTHER:
-        name = next((entry.name for entry in entries if groups.is_below(owner, entry)), "")
-        return tr("{bone} belongs to another chain, which moves it: remove it from the list").format(bone=name)
     for chain in groups.chains(owner) if problem in (NEEDS_RECORDING, NOT_KNOWN) else ():
         source = chain.source(scene)
         if not chain.entry.is_muted and not source.is_known and of_unknown(source) == problem:

@@ -1,4 +1,4 @@
-// Smooth noise of one, two and three variables.
+// Smooth noise of one, two and three variables, and gusts of wind.
 #include "motus/noise/noise.hpp"
 
 #include <pybind11/numpy.h>
@@ -16,8 +16,10 @@
 
 #include "areas.hpp"
 #include "core/arguments.hpp"
+#include "core/arrays.hpp"
 #include "core/typed.hpp"
 #include "mesh/arrays.hpp"
+#include "motus/noise/gusts.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -25,6 +27,7 @@ namespace {
 using namespace pybind11::literals;
 
 constexpr double noise_cost = 5.0;  // ns, rough
+constexpr double gusts_cost = 50.0;
 
 /// A copy of places as rows of float32, in an array of the shape of the result: `rows` without the last axis
 /// if a place has several coordinates.
@@ -103,6 +106,27 @@ Smooth noise of two variables, as noise1().  xy: (2,) or (m, 2), taken in float3
         [](const ArrayLike& xyz, const WholeNumber& seed) { return values_at<glm::vec3>(xyz, "xyz", seed); },
         "xyz"_a, "seed"_a = 0, R"(
 Smooth noise of three variables, as noise1().  xyz: (3,) or (m, 3), taken in float32.  Returns a float or (m,) float32.)");
+    m.def(
+        "gusts",
+        [](const ArrayLike& times, const Number& frequency, const Number& period) {
+            const noise::Gusts of(number(frequency, "frequency"), number(period, "period"));
+            const DoubleArray at = doubles(times, "times");
+            if (at.ndim() != 1) value_error("times", "must be (m,), not " + shape_of(at));
+            const auto count = static_cast<std::size_t>(at.size());
+            const std::span<const double> given{at.data(), count};
+            DoubleArray result(static_cast<py::ssize_t>(count));
+            const std::span<double> out{result.mutable_data(), count};
+            const ReleaseGil released(count, gusts_cost);
+            noise::values(of, given, out);
+            return result;
+        },
+        "times"_a, "frequency"_a, "period"_a = 0.0, R"(
+How much the wind rises and falls in gusts, in [-1, 1]: four sine waves whose rates have no common period.
+
+times: (m,), s.  frequency: of the first and highest wave, 1/s, above 0, at most 1000.  period: time after which the gusts
+begin again, s, from 1e-6 to 1e30, for which the frequencies are changed a little; 0 for none.
+Returns (m,) float64, the gusts of snow's wind if times are those since its start. The same bits by the same compiler.
+Raises ValueError if a number is outside of its domain, or a shape is wrong.)");
 }
 
 }  // namespace motus::bindings

@@ -24,6 +24,13 @@ class NoiseTest(unittest.TestCase):
         self.assertNotEqual(native.noise1(late), native.noise1(1e6))
         self.assertAlmostEqual(native.noise1(late), native.noise1(1e6), 1)
 
+    def test_gusts(self):
+        times = np.linspace(0.0, 10.0, 7)
+        found = native.gusts(times, 0.5)
+        self.assertEqual((found.shape, found.dtype), ((7,), np.float64))
+        self.assertEqual(native.gusts(times[2:3], frequency=0.5)[0], found[2])
+        self.assertAlmostEqual(native.gusts([1.0], 0.5, period=3.0)[0], native.gusts([4.0], 0.5, 3.0)[0], 12)
+
     def test_errors_name_the_argument(self):
         for call, name in (
             (lambda: native.noise1(float("nan")), "x"),
@@ -34,6 +41,10 @@ class NoiseTest(unittest.TestCase):
             (lambda: native.noise1(0.5, -1), "seed"),
             (lambda: native.noise1(0.5, 0.5), "seed"),
             (lambda: native.noise1(0.5, 2**32), "seed"),
+            (lambda: native.gusts([float("nan")], 1.0), "times"),
+            (lambda: native.gusts([[1.0]], 1.0), "times"),
+            (lambda: native.gusts([1.0], 0.0), "frequency"),
+            (lambda: native.gusts([1.0], 1.0, -1.0), "period"),
         ):
             with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}: "):
                 call()

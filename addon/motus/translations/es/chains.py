@@ -51,7 +51,7 @@ INTERFACE = {
     "Names of the topmost bones of the chains, with commas between; empty takes the selected bones": "Nombres de los huesos superiores de las cadenas, separados por comas; vacío toma los huesos seleccionados",
     "Select the topmost bones of the chains": "Selecciona los huesos superiores de las cadenas",
     "{object} has these chains from its library, so that they cannot be removed here: mute them": "{object} tiene estas cadenas de su biblioteca, así que no se pueden quitar aquí: siléncialas",
-    "Topmost bone of the chain, which has all bones below it": "Hueso superior de la cadena, que tiene todos los huesos que hay debajo",
+    "Topmost bone of the chain, which has the bones below it, down to where another chain or system begins": "Hueso superior de la cadena, que tiene los huesos que hay debajo, hasta donde empieza otra cadena u otro sistema",
     "Switch this chain off": "Desactivar esta cadena",
     "Blend from the animation (0) to the hanging chain (1)": "Mezcla de la animación (0) a la cadena que cuelga (1)",
     "Swings per second around the animated pose; 0 for a limp chain"
@@ -92,6 +92,7 @@ INTERFACE = {
     "Velocity of the air, which chains with Air Drag feel": "Velocidad del aire, que notan las cadenas con resistencia del aire",
     "How much the wind rises and falls: 1 lets it fall to a calm at times" + NO_KEYS: "Cuánto sube y baja el viento: con 1 se calma a veces"
     + _NO_KEYS_ES,
+    "Approximate number of gusts per second" + NO_KEYS: "Número aproximado de ráfagas por segundo" + _NO_KEYS_ES,
     "Settle": "Asentar",
     "Time, at most, in which chains come to rest in their first pose before the scene begins"
     + NO_KEYS: "Tiempo, como máximo, en el que las cadenas llegan al reposo en su primera pose antes de que empiece la escena"
@@ -135,8 +136,6 @@ INTERFACE = {
     "Surroundings": "Entorno",
     "A chain does not come back to where its loop began": "Una cadena no vuelve adonde empezó su bucle",
     "Bones or objects of a chain have constraints of their own, which the chain does not follow, and which may undo its motion": "Huesos u objetos de una cadena tienen restricciones propias, que la cadena no sigue y que pueden anular su movimiento",
-    "Some chains begin within another chain, which moves them: remove them from the list": "Algunas cadenas empiezan dentro de otra, que las mueve: quítalas de la lista",
-    "{bone} belongs to another chain, which moves it: remove it from the list": "{bone} pertenece a otra cadena, que lo mueve: quítalo de la lista",
     "The motion of a collider is not known on other frames: chains pass through it": "El movimiento de un colisionador no se conoce en otros fotogramas: las cadenas lo atraviesan",
     "The scene's gravity is not known on other frames: chains move without it": "La gravedad de la escena no se conoce en otros fotogramas: las cadenas se mueven sin ella",
     "The wind is not known on other frames: chains move without it": "El viento no se conoce en otros fotogramas: las cadenas se mueven sin él",
