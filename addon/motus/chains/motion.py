@@ -134,8 +134,7 @@ class Motion:
         patience: for how long, s, the motion may be solved up to there; None is returned if that was not enough, and the next call goes on.
         """
         end = time.perf_counter() + patience
-        if self._last is not None:
-            seconds = self._first + (seconds - self._first) % (self._last - self._first)
+        seconds = self.within(seconds)
         while True:
             left = end - time.perf_counter()
             if not self._lock.acquire(timeout=-1 if math.isinf(patience) else max(left, 0.0)):
@@ -149,6 +148,10 @@ class Motion:
                 self._go_on()
             finally:
                 self._lock.release()
+
+    def within(self, seconds):
+        """Return the time of the first cycle, s, at which a loop is as at a time; that time itself if the motion is no loop."""
+        return seconds if self._last is None else self._first + (seconds - self._first) % (self._last - self._first)
 
     def _go_on(self):
         """Solve for about SLICE, with the lock."""

@@ -7,12 +7,20 @@ import bpy
 
 from ..core.file.pointers import pointed, to_object
 from ..core.interface import bone_entries
-from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire
+from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 from ..core.settings.declared import factor, number, switch, vector
 from . import air
 
 # The motion at a frame depends on the whole past, so a setting that changed over time would have to be known at all times.
 _number = partial(number, tells_no_keys=True)
+
+
+def _change_squash(item, context):
+    # Bones that are not scaled need fewer drivers, so a change from 0 or to 0 wires the rig again.
+    if isinstance(item, bpy.types.PropertyGroup) and item.is_scaled != (item.squash > 0.0):
+        item.is_scaled = item.squash > 0.0
+        rewire(item, context)
+    touch(item, context)
 
 
 class ChainsKeywords:
@@ -61,13 +69,24 @@ class ChainsKeywords:
     )
     stretch: _number(
         "Stretch",
-        "Part of its length by which a bone's own weight would lengthen it; bones keep their lengths, and point to where longer ones would end",
+        "Part of its length by which a bone's own weight would lengthen it; without Squash bones keep their lengths, and point to where longer "
+        "ones would end",
         0.0,
         min=0.0,
         max=100.0,
         soft_max=1.0,
         subtype='FACTOR',
         precision=3,
+    )
+    squash: _number(
+        "Squash",
+        "How much bones show that Stretch lengthens and shortens them: they are scaled along their length, up to five times, and across, so that "
+        "they keep their volume. Bones whose children inherit their scale keep their lengths",
+        0.0,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+        update=_change_squash,
     )
     bend_limit: _number(
         "Bend Limit",
@@ -116,6 +135,7 @@ class MOTUS_PG_chains_entry(ChainsKeywords, bpy.types.PropertyGroup):
         options=set(),
     )
     is_muted: switch("Mute", "Switch this chain off", options=ANIMATED)
+    is_scaled: bpy.props.BoolProperty(name="Scaled", description="Squash is not 0", options={'HIDDEN'}, override=OVERRIDABLE)
 
 
 def is_bone(entry):
