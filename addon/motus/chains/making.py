@@ -14,7 +14,7 @@ from ..core.settings import entry_keys
 from ..core.tracks import solved
 from ..core.tracks.inputs import BAD_NUMBERS, of_unknown, stamp_of_known
 from . import air, colliders, groups, motion, pins, spaces, squash
-from .properties import KEYWORDS, is_bone
+from .properties import NUMBERS, is_bone
 
 LOOP_IS_OPEN = Problem("A chain does not come back to where its loop began", blocking=False)
 CONSTRAINED = Problem(
@@ -165,7 +165,7 @@ class Making:
             self.problems.append(CONSTRAINED)
         if not source.is_known and not entry.is_muted:
             self.problems.append(of_unknown(source))
-        if not all(math.isfinite(getattr(entry, name)) for name in (*KEYWORDS, "weight")):
+        if not all(math.isfinite(getattr(entry, name)) for name in NUMBERS):
             self.problems.append(BAD_NUMBERS)
             return False
         if is_bone(entry) and entry.squash > 0.0 and any(map(squash.first_inheriting, chain.things)):

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from ..core import keeping, native
 from ..core.lazy import numpy as np
 from ..core.measures import bounds, scene_time
+from . import along
 
 RATE = 240.0
 """Samples a second of what chains read: times that do not depend on the frame rate, every second one of the solver's steps."""
@@ -235,7 +236,7 @@ class Strand(NamedTuple):
         numbers, depths = self.numbers, [0]
         for parent in self.parents[1:]:
             depths.append(depths[parent] + 1)
-        shares = (np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1)) ** numbers.tip_shape
+        shares = along.shares(np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1), numbers)
         frequency = numbers.frequency * (1.0 + (numbers.tip_frequency - 1.0) * shares)
         found = {
             "frequency": np.minimum(frequency, STEPS / 8.0),

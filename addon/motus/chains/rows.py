@@ -18,7 +18,16 @@ SPRING = Rows(
     ),
     title="Spring",
 )
-FORCES = Rows(("gravity", "drag", "tip_mass", Row("tip_shape", active=_has_tip)), title="Forces")
+FORCES = Rows(
+    (
+        "gravity",
+        "drag",
+        "tip_mass",
+        Row("tip_shape", active=lambda settings: _has_tip(settings) and not settings.use_curve),
+        Row("use_curve", active=_has_tip),
+    ),
+    title="Forces",
+)
 LIMITS = Rows(
     ("stretch", Row("squash", active=is_positive("stretch")), "bend_limit", "side_limit", "thickness", "tip_thickness", "hold_end"),
     title="Limits",

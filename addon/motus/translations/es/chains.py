@@ -67,6 +67,11 @@ INTERFACE = {
     "How late along the chain it takes on the values of its tip: early below 1, evenly at 1, near its end above 1"
     + NO_KEYS: "A qué altura de la cadena toma los valores de su punta: pronto por debajo de 1, por igual con 1, cerca del final por encima de 1"
     + _NO_KEYS_ES,
+    "Shape by Curve": "Forma por curva",
+    "Draw a curve that says how much of the tip's values is reached along the chain, from its root at the left to its tip, in place of Tip Shape"
+    + NO_KEYS: "Dibuja una curva que dice cuánto de los valores de la punta se alcanza a lo largo de la cadena, de su raíz a la izquierda a su punta, en lugar de Forma de la punta"
+    + _NO_KEYS_ES,
+    "The curve's widget is missing: press Refresh": "Falta el control de la curva: pulsa Actualizar",
     "Tip Thickness": "Grosor de la punta",
     "Thickness of the last bone, as a part of that of the first one" + NO_KEYS: "Grosor del último hueso, como parte del del primero"
     + _NO_KEYS_ES,
