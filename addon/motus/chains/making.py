@@ -13,8 +13,8 @@ from ..core.measures import scene_time
 from ..core.settings import entry_keys
 from ..core.tracks import solved
 from ..core.tracks.inputs import BAD_NUMBERS, of_unknown, stamp_of_known
-from . import air, colliders, groups, motion, pins, spaces
-from .properties import KEYWORDS
+from . import air, colliders, groups, motion, pins, spaces, squash
+from .properties import NUMBERS, is_bone
 
 LOOP_IS_OPEN = Problem("A chain does not come back to where its loop began", blocking=False)
 CONSTRAINED = Problem(
@@ -38,6 +38,9 @@ PIN_NOT_KNOWN = Problem("The motion of what holds a pin is not known on other fr
 PIN_WEIGHT_NOT_KNOWN = Problem("The weight of a pin is not known on other frames: the pin does not hold", blocking=False)
 CHAINS_PARTED = Problem("Chains that wait for each other, as by a pin or a collider, do not touch each other", blocking=False)
 TOO_LONG = Problem("The scene is too long for so many chains, which come to a stop before its end: split it, or mute some", blocking=False)
+KEEPS_LENGTHS = Problem(
+    "Bones keep their lengths whose children inherit their scale: set Inherit Scale of the children to None", blocking=False
+)
 CUT = "cut"
 """Beginning of the names of the markers at which chains start anew."""
 
@@ -108,7 +111,7 @@ class Part(NamedTuple):
     """A chain of a group with its motion. entry: index of its entry. rows: of its members in the group.
 
     moved: motion.Motion, of which the slice `particles` are the chain's. kept: what can be kept of the chain between evaluations, its
-    of_bones.Kept or of_objects.Kept.
+    of_bones.Kept or of_objects.Kept. rests: squash.Rests of the chain.
     """
 
     moved: Any
@@ -116,6 +119,7 @@ class Part(NamedTuple):
     entry: int
     rows: range
     kept: Any
+    rests: squash.Rests
 
 
 class Ready(NamedTuple):
@@ -160,9 +164,11 @@ class Making:
             self.problems.append(CONSTRAINED)
         if not source.is_known and not entry.is_muted:
             self.problems.append(of_unknown(source))
-        if not all(math.isfinite(getattr(entry, name)) for name in (*KEYWORDS, "weight")):
+        if not all(math.isfinite(getattr(entry, name)) for name in NUMBERS):
             self.problems.append(BAD_NUMBERS)
             return False
+        if is_bone(entry) and entry.squash > 0.0 and any(map(squash.first_inheriting, chain.things)):
+            self.problems.append(KEEPS_LENGTHS)
         return source.is_known
 
     def _solve(self, ready):
@@ -243,7 +249,8 @@ class Making:
         start = 0
         for one, strand in some:
             particles = slice(start, start + len(strand.parents))
-            self.parts.append(Part(moved, particles, one.entry, one.rows, one.chain.kept(one.source)))
+            rests = squash.Rests(times.seconds, strand.poses, world.space)
+            self.parts.append(Part(moved, particles, one.entry, one.rows, one.chain.kept(one.source), rests))
             start = particles.stop
 
     def _space(self, times):

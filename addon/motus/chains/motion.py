@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from ..core import keeping, native
 from ..core.lazy import numpy as np
 from ..core.measures import bounds, scene_time
+from . import along
 
 RATE = 240.0
 """Samples a second of what chains read: times that do not depend on the frame rate, every second one of the solver's steps."""
@@ -127,8 +128,7 @@ class Motion:
         patience: for how long, s, the motion may be solved up to there; None is returned if that was not enough, and the next call goes on.
         """
         end = time.perf_counter() + patience
-        if self._last is not None:
-            seconds = self._first + (seconds - self._first) % (self._last - self._first)
+        seconds = self.within(seconds)
         while True:
             left = end - time.perf_counter()
             if not self._lock.acquire(timeout=-1 if math.isinf(patience) else max(left, 0.0)):
@@ -142,6 +142,10 @@ class Motion:
                 self._go_on()
             finally:
                 self._lock.release()
+
+    def within(self, seconds):
+        """Return the time of the first cycle, s, at which a loop is as at a time; that time itself if the motion is no loop."""
+        return seconds if self._last is None else self._first + (seconds - self._first) % (self._last - self._first)
 
     def _go_on(self):
         """Solve for about SLICE, with the lock."""
@@ -225,7 +229,7 @@ class Strand(NamedTuple):
         numbers, depths = self.numbers, [0]
         for parent in self.parents[1:]:
             depths.append(depths[parent] + 1)
-        shares = (np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1)) ** numbers.tip_shape
+        shares = along.shares(np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1), numbers)
         frequency = numbers.frequency * (1.0 + (numbers.tip_frequency - 1.0) * shares)
         found = {
             "frequency": np.minimum(frequency, STEPS / 8.0),

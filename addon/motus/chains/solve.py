@@ -19,6 +19,7 @@ from .making import (
     CONSTRAINED,
     DEFORMED_COLLIDER,
     GRAVITY_NOT_KNOWN,
+    KEEPS_LENGTHS,
     LARGE_COLLIDER,
     LOOP_IS_OPEN,
     LOOPED_CHAINS,
@@ -54,6 +55,7 @@ PROBLEMS = (
     THINGS_MISSING,
     THINGS_CHANGED,
     ROOT_DELETED,
+    KEEPS_LENGTHS,
     pins.WITHOUT_TARGET,
     pins.WITHOUT_TARGET_BONE,
     pins.WITHOUT_CHAIN,
@@ -108,7 +110,7 @@ def solve(context, obstacles, snowy):
         if part.moved not in found:  # chains that touch each other have one motion
             found[part.moved] = steps.places(context, part.entry, part.moved, context.frame / context.fps)
         if found[part.moved] is not None:
-            acting.setdefault(type(part.kept), []).append((part.kept, part.rows, found[part.moved][part.particles], weight))
+            acting.setdefault(type(part.kept), []).append((part, found[part.moved][part.particles], weight))
     for kind, parts in acting.items():
         answered(object(), functools.partial(kind.fill, context, context.data[PLAN], parts))
     is_open = any(part.moved.is_open for part in made.parts)

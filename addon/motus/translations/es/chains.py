@@ -67,14 +67,27 @@ INTERFACE = {
     "How late along the chain it takes on the values of its tip: early below 1, evenly at 1, near its end above 1"
     + NO_KEYS: "A qué altura de la cadena toma los valores de su punta: pronto por debajo de 1, por igual con 1, cerca del final por encima de 1"
     + _NO_KEYS_ES,
+    "Shape by Curve": "Forma por curva",
+    "Draw a curve that says how much of the tip's values is reached along the chain, from its root at the left to its tip, in place of Tip Shape"
+    + NO_KEYS: "Dibuja una curva que dice cuánto de los valores de la punta se alcanza a lo largo de la cadena, de su raíz a la izquierda a su punta, en lugar de Forma de la punta"
+    + _NO_KEYS_ES,
+    "The curve's widget is missing: press Refresh": "Falta el control de la curva: pulsa Actualizar",
     "Tip Thickness": "Grosor de la punta",
     "Thickness of the last bone, as a part of that of the first one" + NO_KEYS: "Grosor del último hueso, como parte del del primero"
     + _NO_KEYS_ES,
     "Mass of the last bone, as a part of that of the first one" + NO_KEYS: "Masa del último hueso, como parte de la del primero"
     + _NO_KEYS_ES,
-    "Part of its length by which a bone's own weight would lengthen it; bones keep their lengths, and point to where longer ones would end"
-    + NO_KEYS: "Parte de su longitud en la que alargaría a un hueso su propio peso; los huesos conservan su longitud y apuntan a donde acabarían los alargados"
+    "Part of its length by which a bone's own weight would lengthen it; without Squash bones keep their lengths, and point to where longer ones would end"
+    + NO_KEYS: "Parte de su longitud en la que alargaría a un hueso su propio peso; sin Aplastar los huesos conservan su longitud y apuntan a donde acabarían los alargados"
     + _NO_KEYS_ES,
+    "Squash": "Aplastar",
+    "How much bones show that Stretch lengthens and shortens them: they are scaled along their length, up to five times, and across, so that they keep their volume. Bones whose children inherit their scale keep their lengths"
+    + NO_KEYS: "Cuánto muestran los huesos que Estirar los alarga y acorta: se escalan a lo largo, hasta cinco veces, y a lo ancho, para conservar su volumen. Los huesos cuyos hijos heredan su escala conservan su longitud"
+    + _NO_KEYS_ES,
+    "Bones keep their lengths whose children inherit their scale: set Inherit Scale of the children to None": "Conservan su longitud los huesos cuyos hijos heredan su escala: pon Heredar escala de los hijos en Ninguno",
+    "{bone} keeps its length, since {child} inherits its scale: set Inherit Scale of {child} to None": "{bone} conserva su longitud, pues {child} hereda su escala: pon Heredar escala de {child} en Ninguno",
+    "Scaled": "Escalada",
+    "Squash is not 0": "Aplastar no es 0",
     "Bend Limit": "Límite de flexión",
     "Largest angle to where a bone would be if it followed its parent; 180 degrees for no limit"
     + NO_KEYS: "Mayor ángulo respecto a donde estaría un hueso si siguiera a su padre; 180 grados para ningún límite" + _NO_KEYS_ES,
@@ -155,6 +168,8 @@ INTERFACE = {
     "Limp, with a heavy end": "Floja, con el extremo pesado",
     "Tentacle": "Tentáculo",
     "Follows slowly, as in water": "Sigue despacio, como en el agua",
+    "Jelly": "Gelatina",
+    "Single bones that bounce in place and keep their volume: bellies, cheeks, slime": "Huesos sueltos que rebotan en su sitio y conservan su volumen: barrigas, mejillas, babosas",
 }
 
 OPERATORS = {
