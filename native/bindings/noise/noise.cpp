@@ -108,8 +108,9 @@ Raises ValueError if a value is not finite, also as float32, or a shape is wrong
         "steps",
         [](const ArrayLike& x, const WholeNumber& seed, const Number& blend) {
             const double share = number(blend, "blend");
-            return map_numbers(Numbers(x, "x"), noise_cost * 2.0,
-                               [&, from = seed_of(seed)](double at) { return noise::steps(at, share, from); });
+            return map_numbers(Numbers(x, "x"), noise_cost * 2.0, [&, from = seed_of(seed)](double at) {
+                return noise::steps(at, share, from);
+            });
         },
         "x"_a, "seed"_a = 0, "blend"_a = 0.0, R"(
 A random number in [-1, 1] for each unit of x, held until the next one.

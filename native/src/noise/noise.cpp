@@ -49,7 +49,8 @@ struct Coordinate {
 
 /// Calls add(height, slope, from, rest) for each bump that reaches the place: (1 - r^2)^3 times height +
 /// slope r, the distance r from its middle, and 1 - r^2. First those of whole numbers, then those halfway
-/// between them, whose names are odd. name_of(count) is the name of a bump that stands so many halves after 0.
+/// between them, whose names are odd. name_of(count) is the name of a bump that stands so many halves after
+/// 0.
 template <class NameOf, class Add>
 void for_each_bump(double place, std::uint32_t seed, const NameOf& name_of, const Add& add) noexcept {
     const Coordinate x(place);

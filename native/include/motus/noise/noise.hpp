@@ -32,8 +32,8 @@ namespace motus::noise {
 [[nodiscard]] float looped(double place, std::uint32_t period, std::uint32_t seed);
 inline constexpr std::uint32_t longest_period = 1U << 28U;
 
-/// A random number in [-1, 1] for each unit, held until the next one; in the first `blend` of a unit (0: none,
-/// 1: all of it) it goes over from the number before, by a smooth step. Throws std::invalid_argument if
+/// A random number in [-1, 1] for each unit, held until the next one; in the first `blend` of a unit (0:
+/// none, 1: all of it) it goes over from the number before, by a smooth step. Throws std::invalid_argument if
 /// `blend` is outside [0, 1]. If the place is NaN, it is NaN; beyond 2^30 it is constant.
 [[nodiscard]] double steps(double place, double blend, std::uint32_t seed);
 
