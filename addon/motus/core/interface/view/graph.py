@@ -15,7 +15,7 @@ ROWS = 2 * TICKS - 1
 """Height of a graph with numbers, in lines of text: a number, and an empty line between two."""
 BESIDE = 4.0
 """Width of the numbers beside a graph, in heights of a line."""
-_ROUND = 1.0, 2.0, 2.5, 5.0, 10.0
+_ROUND = 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0
 LINE, AXIS, LEVEL = (0.95, 0.55, 0.20), (0.55, 0.55, 0.55), (0.40, 0.62, 0.90)
 
 _graphs = []
@@ -41,7 +41,9 @@ def draw(layout, name, values, heights, columns):
         line.label(text=text, translate=False)
     row.template_icon(icon(name, values, tuple(heights), pad=HEIGHT / ROWS / 2.0), scale=ROWS)
     row = _centred(whole)
-    row.column().ui_units_x = BESIDE
+    corner = row.column()
+    corner.ui_units_x = BESIDE
+    corner.label()
     for text, alignment in zip(columns, ('LEFT', 'CENTER', 'RIGHT')):
         column = row.column()
         column.ui_units_x = ROWS / len(columns)
