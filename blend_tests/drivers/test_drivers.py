@@ -296,6 +296,40 @@ class Add(DriverTestCase):
         self.refused("is linked from another file", datablock="Cube", data_path="location", index=0)
 
 
+class Tried(DriverTestCase):
+    """What acts while the dialog is open (drivers/trial.py)."""
+
+    def described(self):
+        animation = self.cube.animation_data
+        drivers = animation and [
+            (one.data_path, one.array_index, one.driver.type, one.driver.use_self, one.driver.expression) for one in animation.drivers
+        ]
+        return drivers, [*self.cube.location, *self.cube.rotation_euler, *self.cube.scale], self.cube.rotation_mode
+
+    def test_taken_back_exactly(self):
+        places = support.addon("drivers.places")
+        self.cube.location = 0.1, 0.2, 0.3
+        self.cube.rotation_mode = 'ZYX'
+        self.cube.rotation_euler = 0.4, 0.5, 0.6
+        for is_driven in (False, True):
+            if is_driven:
+                bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=1, function='PENDULUM')
+                self.cube.driver_add("scale", 2).driver.type = 'MAX'
+                support.go_to(9)
+            before = self.described()
+            tried = support.addon("drivers.trial").Trial()
+            for frame in (3, 20, 9):
+                tried.take_back()
+                for path, index in (("location", -1), ("rotation_euler", 1), ("scale", 2)):
+                    for place in places.find(self.cube, path, index):
+                        tried.put(place, f"motus_noise(frame, 2, {frame})")
+                self.assertAlmostEqual(self.value(frame, index=1), native().noise1(frame / 12.0, frame), 5)
+            self.assertNotEqual(self.described(), before)
+            tried.end()
+            support.go_to(9)
+            self.assertEqual(self.described(), before)
+
+
 class WriteOut(DriverTestCase):
     """motus.driver_write_out."""
 
