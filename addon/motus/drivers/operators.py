@@ -272,7 +272,7 @@ class MOTUS_OT_driver_copy(_OnProperty, Operator, bpy.types.Operator):  # type: 
         name="Own Seeds", description="Each copy has its own seed, so that no two wander alike", default=True
     )
     delay: bpy.props.FloatProperty(
-        name="Delay", description="Frames by which each copy starts later than the one before, in the order of the names", subtype='TIME'
+        name="Delay", description="Frames by which each copy starts later than the one before, in the order of the names"
     )
 
     @classmethod
