@@ -66,10 +66,9 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs_native = True
     redo = REDO
+    for_scripts = ("replace", "source_index")
     _trial = None
     """Trial of the motion while the dialog is open; None at all other times."""
-
-    for_scripts = ("replace", "source_index")
 
     live: bpy.props.BoolProperty(
         name="Live Preview", description="Play the scene with this motion while the dialog is open", default=True, options={'HIDDEN'}
@@ -165,10 +164,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
         self._end_trial()
         made = self._made(context)
         for place, text in made:
-            try:
-                place.add(text)
-            except TypeError as error:
-                raise Refused(str(error)) from error
+            place.add(text)
         function, label = expressions.BY_IDENTIFIER[self.function], places.label([place for place, _ in made])
         self.report({'INFO'}, tr("{property} is now driven by {function}").format(property=label, function=tr(function.label)))
 

@@ -90,10 +90,13 @@ class Place:
             return self.value
 
     def add(self, expression):
-        """Add a driver with this expression to the property, in place of the driver that the property has."""
+        """Add a driver with this expression to the property, in place of the driver that it has. Raises Refused if it cannot be driven."""
         if self.curve:
             self.remove()
-        made = self.struct.driver_add(self.name, self.index)
+        try:
+            made = self.struct.driver_add(self.name, self.index)
+        except TypeError as error:
+            raise Refused(str(error)) from error
         while made.modifiers:
             made.modifiers.remove(made.modifiers[0])
         for key in reversed(made.keyframe_points):

@@ -8,7 +8,7 @@ import bpy
 
 @dataclass(frozen=True)
 class _Before:
-    """What a property was before. driver: type, expression and use of `self` of its driver, or None. value: of the property."""
+    """What a property was before. driver: type, use of `self` and expression of its driver, or None. value: of the property."""
 
     place: Any
     driver: tuple | None
@@ -40,14 +40,15 @@ class Trial:
             self._plays = True
 
     def put(self, place, expression):
-        """Add a motion driver to a property, or change the expression of the driver that it has."""
+        """Add a motion driver to a property, or change the expression of the driver that it has. Raises Refused if it cannot be driven."""
         curve, animation = place.curve, place.holder.animation_data
-        before = curve and (curve.driver.type, curve.driver.use_self, curve.driver.expression)
-        self._before.append(_Before(place, before, place.value, animation is not None))
+        driver = curve and (curve.driver.type, curve.driver.use_self, curve.driver.expression)
+        before = _Before(place, driver, place.value, animation is not None)
         if curve:
             place.set_expression(expression)
         else:
             place.add(expression)
+        self._before.append(before)
 
     def take_back(self):
         """Leave the properties as they were before put()."""
