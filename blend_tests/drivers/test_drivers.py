@@ -431,6 +431,21 @@ class WriteOut(DriverTestCase):
             np.testing.assert_allclose(found, values, atol=3e-4)
         self.assertEqual(support.addon("drivers.places").of_object(self.cube), [])
 
+    def test_a_node_of_a_material(self):
+        paint = bpy.data.materials.new("Paint")
+        paint.use_nodes = True
+        self.link("Ball", bpy.data.meshes.new("Ball")).data.materials.append(paint)
+        name = paint.node_tree.nodes[0].name
+        path = next(
+            f'nodes["{name}"].inputs[{index}].default_value' for index, one in enumerate(paint.node_tree.nodes[0].inputs) if one.type == 'VALUE'
+        )
+        names = {"collection": 'materials', "datablock": "Paint"}
+        bpy.ops.motus.driver_add(data_path=f"node_tree.{path}", function='NOISE', **names)
+        wanted = [self.value(frame, path, -1, paint.node_tree) for frame in (5, 40.5)]
+        bpy.ops.motus.driver_write_out(tolerance=1e-4, **names)
+        self.assertFalse(paint.node_tree.animation_data.drivers)
+        np.testing.assert_allclose([self.value(frame, path, -1, paint.node_tree) for frame in (5, 40.5)], wanted, atol=2e-4)
+
     def test_keys_where_expressions_are_not_wanted_and_on_whole_numbers(self):
         self.cube["count"] = 3
         bpy.ops.motus.driver_add(datablock="Cube", data_path='["count"]', function='SINE', base=5.0, amplitude=4.0)
@@ -451,8 +466,15 @@ class WriteOut(DriverTestCase):
         ):
             self.refused(sentence, write, datablock="Cube", **keywords)
         self.cube.hide_viewport = True
-        self.refused("Cube is hidden", write, datablock="Cube")
+        self.refused("does not evaluate Cube", write, datablock="Cube")
         self.cube.hide_viewport = False
+        self.cube.hide_set(True)
+        self.refused("does not evaluate Cube", write, datablock="Cube")
+        self.cube.hide_set(False)
+        paint = bpy.data.materials.new("Paint")
+        bpy.ops.motus.driver_add(collection='materials', datablock="Paint", data_path="roughness", function='NOISE')
+        self.refused("does not evaluate Paint", write, collection='materials', datablock="Paint")
+        self.assertTrue(paint.animation_data.drivers)
         self.added('STEPS', index=1, frequency=1e6)
         self.refused("More than 20000 steps", write, datablock="Cube")
         self.assertEqual(len(self.cube.animation_data.drivers), 2)

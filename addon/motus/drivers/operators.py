@@ -344,7 +344,7 @@ class MOTUS_OT_driver_write_out(_OnProperty, Operator, bpy.types.Operator):  # t
         keyed = [place for place, text in zip(found, texts) if not text]
         keys = [writing.Keys(place, context.scene, *self._range(context.scene)) for place in keyed]
         for place in keyed:
-            _check_keys(place)
+            _check_keys(place, context.evaluated_depsgraph_get())
         if keys:
             writing.record(context, keys)
         for place, text in zip(found, texts):
@@ -384,11 +384,12 @@ class MOTUS_OT_driver_write_out(_OnProperty, Operator, bpy.types.Operator):  # t
         return scene_time.keys_time(scene, first), scene_time.keys_time(scene, last)
 
 
-def _check_keys(place):
-    """Raise Refused if the motion of a property cannot be seen, or keys cannot be inserted."""
+def _check_keys(place, depsgraph):
+    """Raise Refused if Blender does not evaluate the motion of a property, or keys cannot be inserted."""
     holder = place.holder
-    if isinstance(holder, bpy.types.Object) and not holder.visible_get():
-        raise Refused(tr("{object} is hidden, and Blender does not evaluate it: show it first").format(object=holder.name))
+    is_shown = not isinstance(holder, bpy.types.Object) or holder.visible_get()
+    if not is_shown or not holder.evaluated_get(depsgraph).is_evaluated:
+        raise Refused(tr("Blender does not evaluate {object}, which is hidden or not used: show it first").format(object=holder.name))
     if holder.animation_data.action:
         check_local(holder.animation_data.action)
 

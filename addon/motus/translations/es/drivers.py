@@ -135,7 +135,7 @@ INTERFACE = {
     "The end must come after the start": "El final debe venir después del comienzo",
     "At most {most} frames are written as keys": "Se escriben como claves {most} fotogramas como máximo",
     "More than {most} steps: lower the frequency, or choose fewer frames": "Más de {most} pasos: baja la frecuencia o elige menos fotogramas",
-    "{object} is hidden, and Blender does not evaluate it: show it first": "{object} está oculto y Blender no lo evalúa: muéstralo primero",
+    "Blender does not evaluate {object}, which is hidden or not used: show it first": "Blender no evalúa {object}, que está oculto o sin usar: muéstralo primero",
 }
 
 OPERATORS = {
