@@ -1465,12 +1465,13 @@ def matrix_products(left: numpy.typing.NDArray[numpy.float64], right: numpy.typi
     left: (n, k, k) or (1, k, k).  right: (n, k, m) or (1, k, m).  Both aligned and C-contiguous.
     Raises ValueError or TypeError that names the argument.
     """
-def noise1(x: numpy.typing.ArrayLike, seed: int = 0) -> typing.Any:
+def noise1(x: numpy.typing.ArrayLike, seed: int = 0, period: int = 0) -> typing.Any:
     """
     Smooth noise of one variable, in [-1, 1]: two continuous derivatives, no period, most of its power below one wave a unit.
     
     x: a float, taken in double precision, or (m,), taken in float32.  seed: a whole number from 0 to 2^32 - 1; different
-    seeds give independent noises.
+    seeds give independent noises.  period: 0, or whole units after which the noise repeats without a seam, to 2^28; x is
+    then taken in double precision, and the result is float64.
     Returns a float or (m,) float32; beyond 2^30 the noise is constant. The same bits by the same compiler.
     Raises ValueError if a value is not finite, also as float32, or a shape is wrong.
     """
@@ -1697,6 +1698,14 @@ def step_response(times: numpy.typing.ArrayLike, frequency: float, damping: floa
     
     times: s, a number or (m,).  Returns a float or (m,).  Other arguments and errors as SecondOrder().
     """
+def steps(x: numpy.typing.ArrayLike, seed: int = 0, blend: float = 0.0) -> typing.Any:
+    """
+    A random number in [-1, 1] for each unit of x, held until the next one.
+    
+    x: a number or (m,).  seed: a whole number from 0 to 2^32 - 1.  blend: fraction of a unit, from 0 to 1, in which it
+    goes over from the number before by a smooth step.
+    Returns a float or (m,) float64.  Raises ValueError if a value is not finite or outside its domain.
+    """
 def stereo_points(points: numpy.typing.ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float, mode: typing.Literal['off_axis', 'parallel', 'toe_in'] = 'off_axis') -> typing.Any:
     """
     Image positions at which both eyes see points.
@@ -1720,6 +1729,14 @@ def walker_gait(gait: typing.Literal['tripod', 'tetrapod', 'ripple', 'wave', 'tr
     half of a side with the rear half of the other; 'pace', all left legs, then all right legs.
     rest (n, 3), 1 to 256 legs in any order: where feet stand when the body rests, in the space of forward and up (3,).
     Raises ValueError or TypeError that names the argument.
+    """
+def wave(shape: str, x: numpy.typing.ArrayLike, share: float = 0.5) -> typing.Any:
+    """
+    A wave of the length 1 at x, in [-1, 1].
+    
+    shape: "sine" and "triangle", which are 0 and rise where x is whole; "saw", which rises from -1 to 1; "square", which is
+    1, then -1.  x: a number or (m,).  share: fraction of a wave, from 0 to 1, for which a square is 1.
+    Returns a float or (m,).  Raises ValueError if a value is not finite or outside its domain, or the shape is unknown.
     """
 def window_violations(x: numpy.typing.ArrayLike, depths: numpy.typing.ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float, tolerance: float = 0.0, mode: typing.Literal['off_axis', 'parallel', 'toe_in'] = 'off_axis') -> tuple[float, float]:
     """

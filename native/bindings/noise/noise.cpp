@@ -84,18 +84,42 @@ template <class Place>
 void bind_noise(py::module_& m) {
     m.def(
         "noise1",
-        [](const ArrayLike& x, const WholeNumber& seed) -> py::object {
+        [](const ArrayLike& x, const WholeNumber& seed, const WholeNumber& period) -> py::object {
+            const double units = number(period, "period");
+            if (units != 0.0) {
+                if (!(units >= 1.0 && units <= noise::longest_period) || units != std::floor(units))
+                    value_error("period", "must be a whole number from 0 to 2^28");
+                const auto whole = static_cast<std::uint32_t>(units);
+                return map_numbers(Numbers(x, "x"), noise_cost * 20.0, [&, from = seed_of(seed)](double at) {
+                    return static_cast<double>(noise::looped(at, whole, from));
+                });
+            }
             // A single number keeps its precision: seconds times a speed grow large.
             if (PyFloat_Check(x.ptr()) != 0) return py::float_(noise::value(number(x, "x"), seed_of(seed)));
             return values_at<float>(x, "x", seed);
         },
-        "x"_a, "seed"_a = 0, R"(
+        "x"_a, "seed"_a = 0, "period"_a = 0, R"(
 Smooth noise of one variable, in [-1, 1]: two continuous derivatives, no period, most of its power below one wave a unit.
 
 x: a float, taken in double precision, or (m,), taken in float32.  seed: a whole number from 0 to 2^32 - 1; different
-seeds give independent noises.
+seeds give independent noises.  period: 0, or whole units after which the noise repeats without a seam, to 2^28; x is
+then taken in double precision, and the result is float64.
 Returns a float or (m,) float32; beyond 2^30 the noise is constant. The same bits by the same compiler.
 Raises ValueError if a value is not finite, also as float32, or a shape is wrong.)");
+    m.def(
+        "steps",
+        [](const ArrayLike& x, const WholeNumber& seed, const Number& blend) {
+            const double share = number(blend, "blend");
+            return map_numbers(Numbers(x, "x"), noise_cost * 2.0, [&, from = seed_of(seed)](double at) {
+                return noise::steps(at, share, from);
+            });
+        },
+        "x"_a, "seed"_a = 0, "blend"_a = 0.0, R"(
+A random number in [-1, 1] for each unit of x, held until the next one.
+
+x: a number or (m,).  seed: a whole number from 0 to 2^32 - 1.  blend: fraction of a unit, from 0 to 1, in which it
+goes over from the number before by a smooth step.
+Returns a float or (m,) float64.  Raises ValueError if a value is not finite or outside its domain.)");
     m.def(
         "noise2",
         [](const ArrayLike& xy, const WholeNumber& seed) { return values_at<glm::vec2>(xy, "xy", seed); },

@@ -135,6 +135,16 @@ void add_noise(Table& table) {
     row(
         "noise::gradient(place, seed)", [](const glm::dvec3& place) { return noise::gradient(place, 7); },
         glm::dvec3(0.3));
+    add(
+        table, "noise::looped(place, period, seed)",
+        [](double place, std::uint32_t period) { return noise::looped(place, period, 7); },
+        arg("place", 0.3, any()), arg("period", 5U, from(1.0, 0x1p28)))
+        .costs("O(1), some 100 ns");
+    add(
+        table, "noise::steps(place, blend, seed)",
+        [](double place, double blend) { return noise::steps(place, blend, 7); }, arg("place", 0.3, any()),
+        arg("blend", 0.5, from(0.0, 1.0)))
+        .costs("O(1)");
     const auto rows = [&]<class Element>(std::vector<Element> places) {
         add(
             table, "noise::values(places, seed, out)",
