@@ -21,7 +21,14 @@ _CLIPS = keeping.OfEvaluation(
 )
 _EULER = 'XYZ'
 _FIRST = {"location": 0, "rotation_quaternion": 3, "rotation_euler": 3, "rotation_axis_angle": 3, "scale": 7}
-_SIZES = {"location": 3, "rotation_quaternion": 4, "rotation_euler": 3, "rotation_axis_angle": 4, "scale": 3}
+SIZES = {"location": 3, "rotation_quaternion": 4, "rotation_euler": 3, "rotation_axis_angle": 4, "scale": 3}
+
+
+def at_rest(channel):
+    """Return the numbers of a channel at rest. channel: "location", "scale", or the name of a rotation's property."""
+    if channel == "scale":
+        return (1.0, 1.0, 1.0)
+    return {"rotation_quaternion": (1.0, 0.0, 0.0, 0.0), "rotation_axis_angle": (0.0, 0.0, 1.0, 0.0)}.get(channel, (0.0, 0.0, 0.0))
 
 
 class Clip:
@@ -33,8 +40,8 @@ class Clip:
     def __init__(self, action, slot, names, modes):
         self.frames = tuple(map(float, action.frame_range))
         self._given, curves, players = [], [], []
-        found = _curves_of_bones(action, slot, names)
-        used = [_mode(mode, found.get(name, {})) for name, mode in zip(names, modes)]
+        found = curves_of_bones(action, slot, names)
+        used = [mode_of(mode, found.get(name, {})) for name, mode in zip(names, modes)]
         for row, name in enumerate(names):
             for channel, index, curve in _used(found.get(name, {}), used[row]):
                 player = native_keys.player(curve)
@@ -104,19 +111,19 @@ def clip_of(action, slot, names, modes):
     return found
 
 
-def _curves_of_bones(action, slot, names):
+def curves_of_bones(action, slot, names):
     """Return {bone name: {channel: {array index: F-curve}}} of the action's F-curves that are not muted. channel: such as "location"."""
     wanted, found = set(names), {}
     for curve in actions.curves_for_object(action, slot, wanted):
         if curve.mute or (curve.group and curve.group.mute):
             continue
         name, channel = actions.bone_of(curve), curve.data_path.rpartition(".")[2]
-        if name in wanted and channel in _SIZES and curve.array_index < _SIZES[channel]:
+        if name in wanted and channel in SIZES and curve.array_index < SIZES[channel]:
             found.setdefault(name, {}).setdefault(channel, {})[curve.array_index] = curve
     return found
 
 
-def _mode(own, channels):
+def mode_of(own, channels):
     """Return the rotation mode in which an action turns a bone: the bone's own mode if the action animates it or no mode at all.
 
     If the action animates only a different kind of rotation, its mode is returned. own: the bone's mode. channels: animated channels.
@@ -128,10 +135,14 @@ def _mode(own, channels):
     return others[0] if others else own
 
 
+def rotation_of(mode):
+    """Return the name of the property that turns a bone in a rotation mode."""
+    return {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}.get(mode, "rotation_euler")
+
+
 def _used(channels, mode):
     """Yield (channel, array index, F-curve) of location, scale and the rotation channel that is in effect in a rotation mode."""
-    turning = {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}.get(mode, "rotation_euler")
-    for channel in ("location", turning, "scale"):
+    for channel in ("location", rotation_of(mode), "scale"):
         for index, curve in channels.get(channel, {}).items():
             yield channel, index, curve
 

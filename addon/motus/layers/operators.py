@@ -51,7 +51,7 @@ class MaskKeywords:
         bones = targets.bones_named(rig, self.bones)
         found = targets.collections_named(rig, self.collections)
         if not bones and not found and selected:
-            bones = targets.selected_bones(context, rig)
+            bones = targets.topmost_selected(context, rig)
         return [(name, kind, self.with_children) for kind, names in (('BONE', bones), ('COLLECTION', found)) for name in names]
 
 

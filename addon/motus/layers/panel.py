@@ -55,6 +55,7 @@ def draw_main(layout, context):
     if action and capabilities.has_slotted_actions() and len(action.slots) > 1:
         column.prop_search(entry, "slot", action, "slots")
     rows.BLENDING.draw(ui.split(layout), entry)
+    layout.operator("motus.layer_key", icon='KEY_HLT').object = rig.name
 
 
 def draw_timing(layout, context):

@@ -96,10 +96,19 @@ def _playing(settings, source, found):
 
     found: Clip or None of each layer of the Source.
     """
+    rows, values = acting(settings, found)
+    return Playing(source, found, rows), values, any(clip is None or not clip.native.bones for clip in found)
+
+
+def acting(settings, found):
+    """Return (indices of the layers with an effect, their rows of still_settings() with the rig's influence).
+
+    found: Clip or None of each layer.
+    """
     values = still_settings(settings.entries, found)
     values[:, WEIGHT] *= settings.influence
     rows = [row for row, clip in enumerate(found) if clip is not None and values[row, WEIGHT] > 0.0]
-    return Playing(source, found, rows), values[rows], any(clip is None or not clip.native.bones for clip in found)
+    return rows, values[rows]
 
 
 class Playing:
@@ -114,7 +123,7 @@ class Playing:
         self._asks_curves = any(clip.asks_curves for clip in self._clips)
         self._natives = [clip.native for clip in self._clips]
         played = [(source.entries[row], found[row]) for row in rows]
-        frames = [_reference_frame(*pair) for pair in played]
+        frames = [reference_frame(entry, clip.frames) for entry, clip in played]
         self._references = [None if at is None else clip.reference(at) for at, clip in zip(frames, self._clips)]
         self._laps = [_laps(*pair, at) for at, pair in zip(frames, played)]
 
@@ -123,36 +132,34 @@ class Playing:
 
         frame: of the scene. settings: rows of still_settings() for the layers with an effect. basis: own matrices of all bones.
         """
-        wired, given = self._wired, [None] * len(self._clips)
-        basis[wired.unknown] = _EYE
+        basis[self._wired.unknown] = _EYE
+        stack, arguments = self._wired.stack, self._arguments(frame, settings)
+        stack.solve(frame, basis, *arguments, self._wired.rows, locations, rotations, scales, laid, self._laps)
+
+    def sources(self, frame, settings, basis, edited, wanted, rows):
+        """Return what the clip of one layer has to say of bones, so that the layers make a wanted pose: LayerStack.sources().
+
+        edited: index of the layer among those with an effect. wanted: (B, 16) float32, matrices of all bones. rows: of the bones.
+        """
+        return self._wired.stack.sources(frame, basis, *self._arguments(frame, settings), edited, wanted, rows, self._laps)
+
+    def _arguments(self, frame, settings):
+        """Return the arguments that solve() and sources() of the LayerStack share, between `basis` and `rows`."""
+        given = [None] * len(self._clips)
         if self._asks_curves:
             frames = native.module.layer_moments(settings, frame)[:, 0].tolist()
             given = [clip.given(at) for at, clip in zip(frames, self._clips)]
-        wired.stack.solve(
-            frame,
-            basis,
-            self._natives,
-            settings,
-            self._masks,
-            self._references,
-            given,
-            wired.rows,
-            locations,
-            rotations,
-            scales,
-            laid,
-            self._laps,
-        )
+        return self._natives, settings, self._masks, self._references, given
 
 
-def _reference_frame(entry, clip):
-    """Return the frame of the action whose pose an additive layer subtracts.
+def reference_frame(entry, frames):
+    """Return the frame of the action whose pose an additive layer subtracts. frames: (first, last) frame of the action.
 
     None for a layer that subtracts the rest pose, and for a layer that is not additive.
     """
     if entry.mode != 'ADDITIVE' or entry.reference == 'REST':
         return None
-    return entry.reference_frame if entry.reference == 'FRAME' else span(entry, clip.frames)[0]
+    return entry.reference_frame if entry.reference == 'FRAME' else span(entry, frames)[0]
 
 
 def _laps(entry, clip, reference):

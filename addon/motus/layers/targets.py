@@ -67,10 +67,16 @@ def check_slot(action, slot):
 
 
 def selected_bones(context, rig):
-    """List the names of the bones selected in Pose Mode, without those that have a selected parent, however far above."""
+    """List the names of the bones that are selected in Pose Mode, in the order of the armature."""
     if context.mode != 'POSE':
         return []
     found = {bone.name for bone in context.selected_pose_bones or () if bone.id_data == rig}
+    return [bone.name for bone in rig.data.bones if bone.name in found]
+
+
+def topmost_selected(context, rig):
+    """List the names of the bones that are selected in Pose Mode, without those that have a selected parent, however far above."""
+    found = set(selected_bones(context, rig))
     return [bone.name for bone in rig.data.bones if bone.name in found and not found & {above.name for above in bone.parent_recursive}]
 
 
