@@ -147,3 +147,159 @@ class Keying(KeyingTestCase):
         entry = self.rig.motus.layers.entries["Throw"]
         entry.action = None
         refused("Choose an action", layer="Throw")
+
+
+class Editing(KeyingTestCase):
+    def edit(self, layer=""):
+        self.assertEqual(bpy.ops.motus.layer_edit(object="Rig", layer=layer), {'FINISHED'})
+        bpy.context.view_layer.update()
+
+    def insert(self, bone, frame=None):
+        """Insert a key as Blender's own operator does."""
+        options = {} if frame is None else {"frame": frame}
+        self.assertTrue(self.rig.pose.bones[bone].keyframe_insert("rotation_quaternion", **options))
+
+    def test_what_is_seen_stays_and_the_rig_comes_back_as_it_was(self):
+        self.rig.pose.bones["Head"].location = (0.1, 0.2, 0.3)
+        below = turning("Below", {"UpperArm.L": (0.2, 0.0, 0.3)})
+        for mode, weight, steady in itertools.product(('OVERRIDE', 'ADDITIVE'), (0.3, 1.0), (False, True)):
+            with self.subTest(mode=mode, weight=weight, steady=steady):
+                self.add(action=below.name, bones="Chest", weight=0.5)
+                self.add(bones="Chest", mode=mode, reference='REST', in_armature=steady, weight=weight, start=4.0, speed=0.5)
+                self.add(action=below.name, bones="UpperArm.L", weight=0.3)
+                wanted = {}
+                for frame in (8, 12.5, 30, 2):
+                    self.go_to(frame)
+                    wanted[frame] = self.seen()
+                own = [tuple(tuple(row) for row in bone.matrix_basis) for bone in self.rig.pose.bones]
+                slot = self.actions.slot_identifier(self.rig)
+                self.edit("Throw")
+                self.assertEqual(self.rig.animation_data.action, self.throw)
+                self.assertTrue(self.rig.animation_data.use_tweak_mode)
+                for frame, poses in wanted.items():
+                    self.go_to(frame)
+                    self.assertSeen(poses, f"edited {frame}")
+                self.edit("Throw")
+                self.assertEqual(self.rig.animation_data.action, self.walk)
+                self.assertEqual(self.actions.slot_identifier(self.rig), slot)
+                self.assertFalse(self.rig.animation_data.nla_tracks)
+                self.assertFalse(self.rig.motus.layers.kept_channels)
+                self.assertEqual([tuple(tuple(row) for row in bone.matrix_basis) for bone in self.rig.pose.bones], own)
+                for frame, poses in wanted.items():
+                    self.go_to(frame)
+                    self.assertSeen(poses, f"left {frame}")
+                while self.rig.motus.layers.entries:
+                    bpy.ops.motus.layer_remove(object="Rig")
+
+    def test_keys_by_hand_go_into_the_layer_and_are_seen_again(self):
+        for mode in ('OVERRIDE', 'ADDITIVE'):
+            mine = turning("Mine", {"UpperArm.L": (0.3, 0.2, 0.0)})
+            entry = self.add(action=mine.name, bones="Chest", mode=mode, reference='REST', start=3.0)
+            entry.mask[0].weight = 0.3
+            self.add(bones="UpperArm.L", weight=0.3)
+            self.edit(entry.name)
+            self.go_to(9)
+            bend(self.rig, ("UpperArm.L",), 0.4)
+            bpy.context.view_layer.update()
+            wanted = self.seen()
+            self.insert("UpperArm.L")
+            for layer_is_edited in (True, False):
+                self.go_to(5)
+                self.go_to(9)
+                self.assertSeen(wanted, f"{mode} {layer_is_edited}")
+                if layer_is_edited:
+                    self.edit(entry.name)
+            curves = next(iter(self.actions.all_fcurves(mine)))
+            self.assertEqual({point.co.x for curve in curves for point in curve.keyframe_points}, {1.0, 7.0, 11.0, 21.0})
+            while self.rig.motus.layers.entries:
+                bpy.ops.motus.layer_remove(object="Rig")
+
+    def test_poses_are_keyed_into_an_edited_layer(self):
+        mine = turning("Mine", {"UpperArm.L": (0.3, 0.2, 0.0)})
+        entry = self.add(action=mine.name, bones="Chest", mode='ADDITIVE', reference='REST')
+        self.edit()
+        self.go_to(9)
+        bend(self.rig, ARM)
+        bpy.context.view_layer.update()
+        wanted = self.seen()
+        self.key(entry.name)
+        self.go_to(9)
+        self.assertSeen(wanted, "edited")
+        self.edit()
+        self.go_to(9)
+        self.assertSeen(wanted, "left")
+
+    def test_keys_beyond_the_action_stay_at_their_frames(self):
+        entry = self.add(bones="UpperArm.L", start=11.0, speed=-1.0)
+        self.edit()
+        self.assertTrue(entry.use_range)
+        (curve, *_) = next(iter(self.actions.all_fcurves(self.throw)))
+        for frame in (-9.0, 24.0):
+            curve.keyframe_points.insert(frame, 0.0)
+        self.edit()
+        self.assertFalse(entry.use_range)
+        self.assertEqual((tuple(self.throw.frame_range), entry.start), ((-9.0, 24.0), 8.0))
+
+    def test_a_file_that_is_saved_while_a_layer_is_edited(self):
+        self.add(bones="UpperArm.L", weight=0.5)
+        self.go_to(8)
+        wanted = self.seen()
+        self.edit()
+        path = self.save()
+        bpy.ops.wm.open_mainfile(filepath=path)
+        self.rig = bpy.data.objects["Rig"]
+        self.go_to(3)
+        self.go_to(8)
+        self.assertSeen(wanted, "opened")
+        self.edit()
+        self.assertEqual(self.rig.animation_data.action.name, "Walk")
+        self.go_to(8)
+        self.assertSeen(wanted, "left")
+
+    def test_removing_an_edited_layer_and_leaving_by_the_nla_editor(self):
+        for by_hand in (False, True):
+            self.add(bones="UpperArm.L")
+            self.go_to(8)
+            self.edit()
+            if by_hand:
+                self.rig.animation_data.use_tweak_mode = False
+            self.assertEqual(bpy.ops.motus.layer_remove(object="Rig"), {'FINISHED'})
+            self.assertEqual(self.rig.animation_data.action, self.walk)
+            self.assertFalse(self.rig.animation_data.nla_tracks)
+            walk = self.played(self.walk, 8)
+            self.go_to(8)
+            self.assertSeen(walk)
+
+    def test_strips_beneath_go_on(self):
+        animation = self.rig.animation_data
+        action, slot = animation.action, self.actions.slot_identifier(self.rig)
+        strip = animation.nla_tracks.new().strips.new("Walk", 1, action)
+        if slot:
+            strip.action_slot = action.slots[slot]
+        strip.influence = 0.5
+        animation.action = None
+        self.add(bones="Chest", weight=0.6)
+        self.go_to(8)
+        wanted = self.seen()
+        self.edit()
+        self.go_to(8)
+        self.assertSeen(wanted, "edited")
+        self.edit()
+        self.assertIsNone(animation.action)
+        self.assertEqual(len(animation.nla_tracks), 1)
+        self.go_to(8)
+        self.assertSeen(wanted, "left")
+
+    def test_refusals(self):
+        entry = self.add(bones="UpperArm.L", speed=0.0)
+        self.assertRefused("stands still", bpy.ops.motus.layer_edit, object="Rig")
+        entry.speed = 1.0
+        self.rig.pose.bones["UpperArm.L"].rotation_mode = 'XYZ'
+        self.assertRefused("different rotation mode", bpy.ops.motus.layer_edit, object="Rig")
+        self.rig.pose.bones["UpperArm.L"].rotation_mode = 'QUATERNION'
+        self.edit()
+        self.assertRefused("tweak mode", bpy.ops.motus.layer_duplicate, object="Rig")
+        self.edit()
+        self.rig.animation_data.use_nla = False
+        self.assertRefused("switched off", bpy.ops.motus.layer_edit, object="Rig")
+        self.assertIsNone(self.actions.find(self.rig, "location"))

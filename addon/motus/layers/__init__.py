@@ -1,7 +1,7 @@
 """Animation layers: actions that are laid over a rig's own animation, each on the bones of a mask and with a weight that can be keyed."""
 
 from ..core.declare import System
-from . import flattening, groups, keying, list_operators, operators, over_time, overlay, panel, presets, properties, solve
+from . import flattening, groups, keying, list_operators, merging, operators, over_time, overlay, panel, presets, properties, solve
 
 SYSTEM = System(
     name="layers",
@@ -17,6 +17,7 @@ SYSTEM = System(
         *list_operators.classes,
         *flattening.classes,
         *keying.classes,
+        *merging.classes,
         *presets.classes,
         *panel.classes,
     ),

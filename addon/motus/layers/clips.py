@@ -20,7 +20,7 @@ _CLIPS = keeping.OfEvaluation(
     f"{LARGEST_CACHE} for each evaluated action",
 )
 _EULER = 'XYZ'
-_FIRST = {"location": 0, "rotation_quaternion": 3, "rotation_euler": 3, "rotation_axis_angle": 3, "scale": 7}
+FIRST = {"location": 0, "rotation_quaternion": 3, "rotation_euler": 3, "rotation_axis_angle": 3, "scale": 7}
 SIZES = {"location": 3, "rotation_quaternion": 4, "rotation_euler": 3, "rotation_axis_angle": 4, "scale": 3}
 
 
@@ -47,11 +47,9 @@ class Clip:
                 player = native_keys.player(curve)
                 is_given = player is None
                 goes_around = (is_given or not player.is_plain) and _goes_around(curve)
-                curves.append((row, _FIRST[channel] + index, -1 if is_given else len(players), goes_around))
+                curves.append((row, FIRST[channel] + index, -1 if is_given else len(players), goes_around))
                 (self._given if is_given else players).append(curve if is_given else player)
-        self.native = native.module.LayerClip(
-            np.array([MODES.index(mode) for mode in used], np.int32), np.array(curves, np.int32).reshape(-1, 4), players
-        )
+        self.native = native_clip(used, curves, players)
         self._kept = {}
 
     @property
@@ -93,6 +91,13 @@ class Clip:
             found = make()
             self._kept[what] = place, found
         return found
+
+
+def native_clip(modes, curves, players):
+    """Return a native LayerClip. modes: rotation modes of all bones. curves, players: its arguments `curves` and `fcurves`."""
+    return native.module.LayerClip(
+        np.array([MODES.index(mode) for mode in modes], np.int32), np.array(curves, np.int32).reshape(-1, 4), players
+    )
 
 
 def clip_of(action, slot, names, modes):

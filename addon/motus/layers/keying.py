@@ -1,13 +1,12 @@
-"""The operator motus.layer_key, which keys a pose into the action of a layer: the values with which the layers make the pose that is seen."""
+"""The operators by which keys go into the action of a layer: a pose is keyed as it is seen, or the layer is edited by its keys."""
 
 from typing import Any, NamedTuple
 
 import bpy
 from mathutils import Euler, Quaternion
 
-from ..core import native, rigs
+from ..core import native
 from ..core.blender import actions
-from ..core.evaluated import copies
 from ..core.file.pointers import pointed
 from ..core.interface.rows import Row, Rows
 from ..core.lazy import numpy as np
@@ -15,8 +14,8 @@ from ..core.measures import scene_time
 from ..core.refusals import Refused, check_posed
 from ..core.tracks.transforms import Own
 from ..core.translations import tr
-from ..core.wiring import driven_bones
-from . import clips, groups, mask, solve, targets
+from . import clips, editing, groups, live, mask, solve, targets
+from .moments import Moment
 from .operators import OfALayer
 
 CHANNELS = (
@@ -51,36 +50,32 @@ def find(context, rig, index, names):
     """
     check_posed(rig, context.view_layer)
     evaluated = rig.evaluated_get(context.view_layer.depsgraph)
-    text = groups.plan_of(evaluated, groups.masked(evaluated), driven_bones(evaluated))
-    wired = rigs.plan(evaluated, text, lambda one, rows: solve.Wired(one, rows, text))
-    source = solve.Source(evaluated, copies.of(evaluated), wired)
-    found = source.clips()
-    acting, settings = solve.acting(evaluated.motus.layers, found)
-    frame = scene_time.present(context.scene)
+    moment = Moment(context.scene, evaluated)
     entry = rig.motus.layers.entries[index]
-    if index not in acting:
+    if index not in moment.acting:
         raise Refused(tr("{layer} has no weight here, so that nothing that is keyed into it would be seen").format(layer=entry.name))
-    place = acting.index(index)
-    at, weight = native.module.layer_moments(settings, frame)[place].tolist()
+    at, weight = native.module.layer_moments(moment.settings, moment.frame)[moment.acting.index(index)].tolist()
     if weight <= 0.0:
         raise Refused(
             tr("{layer} does not play at this frame, so that nothing that is keyed into it would be seen").format(layer=entry.name)
         )
-    reference = solve.reference_frame(entry, found[index].frames)
+    reference = solve.reference_frame(entry, moment.clips[index].frames)
     if reference is not None and abs(reference - at) < NEAR:
         raise Refused(
             tr("At the frame of its reference {layer} adds nothing: go to a different frame, or choose a different reference").format(
                 layer=entry.name
             )
         )
-    wanted = rigs.basis(evaluated, wired.still).copy()
-    base, rows = source.reader.own_basis().copy(), [wired.places[name] for name in names]
-    for name, row in zip(names, rows):
-        own = Own(evaluated.pose.bones[name])
-        if own.reason is None:
-            base[row] = own.values(np.array([frame])).matrices[0].T.ravel()
-    playing = solve.Playing(source, found, acting)
-    return Found(at, names, *playing.sources(frame, settings, base, place, wanted, rows))
+    wanted = moment.laid(len(rig.motus.layers.entries))
+    base, rows = moment.own.copy(), [moment.places[name] for name in names]
+    if live.edited(rig) is None:
+        for name, row in zip(names, rows):
+            own = Own(evaluated.pose.bones[name])
+            if own.reason is None:
+                base[row] = own.values(np.array([moment.frame])).matrices[0].T.ravel()
+    else:
+        base[rows] = live.Beneath(evaluated, {name: live.channels_of(evaluated.pose.bones[name]) for name in names}).matrices(moment.frame)
+    return Found(at, names, *moment.sources(base, index, wanted, rows))
 
 
 def write(rig, entry, found):
@@ -133,23 +128,14 @@ def _key(bag, path, group, curves, frame, values, reference):
             curve.update()
 
 
-def restore_own(rig, names):
+def restore_own(scene, rig, names):
     """Set the own channels of bones to what their animation gives at the present frame: changes that nobody has keyed go."""
-    frame = np.array([scene_time.present(bpy.context.scene)])
+    frame = np.array([scene_time.present(scene)])
     for name in names:
         for channels in Own(rig.pose.bones[name]).channels.values():
             for one in channels:
                 if one.reason is None and not one.is_constant:
                     one.number.write(float(one.values(frame)[0]))
-
-
-def check_action(entry):
-    """Refuse a layer whose action is missing, or has its keys in a library file."""
-    action = pointed(entry, "action")
-    if action is None:
-        raise Refused(tr("Choose an action for this layer"))
-    if actions.is_linked(action):
-        raise Refused(tr("{action} is linked from another file: make it local first").format(action=action.name))
 
 
 class MOTUS_OT_layer_key(OfALayer, bpy.types.Operator):
@@ -172,7 +158,7 @@ class MOTUS_OT_layer_key(OfALayer, bpy.types.Operator):
     def run(self, context):
         rig, index = self.chosen(context)
         entry = rig.motus.layers.entries[index]
-        check_action(entry)
+        targets.check_action(entry)
         names = targets.bones_named(rig, self.bones) or targets.selected_bones(context, rig)
         if not names:
             raise Refused(tr("Select bones in Pose Mode, or name some"))
@@ -188,13 +174,34 @@ class MOTUS_OT_layer_key(OfALayer, bpy.types.Operator):
         if not any(keyed):
             raise Refused(_unreached(entry, inside))
         write(rig, entry, found._replace(reached=keyed))
-        restore_own(rig, inside)
-        rig.update_tag()
+        if live.edited(rig) is None:
+            restore_own(context.scene, rig, inside)
+            rig.update_tag()
+        else:
+            context.scene.frame_set(context.scene.frame_current, subframe=context.scene.frame_subframe)
         self.report(
             {'INFO'}, tr("Keyed the pose into {layer}, at frame {frame} of its action").format(layer=entry.name, frame=f"{found.frame:g}")
         )
         if lost:
             self.report({'WARNING'}, _unreached(entry, lost))
+
+
+class MOTUS_OT_layer_edit(OfALayer, bpy.types.Operator):
+    bl_idname = "motus.layer_edit"
+    bl_label = "Edit Layer"
+    bl_description = (
+        "Show the curves of the active layer's action in the editors, at the layer's time, and let keys go into it; again ends it"
+    )
+
+    def run(self, context):
+        rig, index = self.chosen(context)
+        is_same = rig.motus.layers.entries[index].is_edited
+        if any(entry.is_edited for entry in rig.motus.layers.entries):
+            editing.leave(rig)
+        if not is_same:
+            check_posed(rig, context.view_layer)
+            editing.check(rig, index)
+            editing.enter(context.scene, rig, index)
 
 
 def _unreached(entry, names):
@@ -203,4 +210,4 @@ def _unreached(entry, names):
     )
 
 
-classes = (MOTUS_OT_layer_key,)
+classes = (MOTUS_OT_layer_key, MOTUS_OT_layer_edit)

@@ -146,7 +146,7 @@ class OverTime(SolvedBone):
         """Return the weights of the L layers at times (n,), as an array (n, L). The weight of a muted layer is 0."""
         numbers = self._inputs.numbers(times)
         found = [
-            np.where(numbers[index, "is_muted"] != 0.0, 0.0, numbers["influence"] * numbers[index, "weight"])
-            for index in range(len(self._layers))
+            np.where(is_silent | (numbers[index, "is_muted"] != 0.0), 0.0, numbers["influence"] * numbers[index, "weight"])
+            for index, is_silent in enumerate(solve.silenced(self._layers))
         ]
         return np.stack(found, axis=1)

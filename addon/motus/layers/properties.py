@@ -134,6 +134,18 @@ class MOTUS_PG_layers_entry(LayerKeywords, bpy.types.PropertyGroup):
     is_muted: bpy.props.BoolProperty(
         name="Mute", description="Switch the layer off", default=False, update=touch, options=ANIMATED, override=OVERRIDABLE
     )
+    is_solo: bpy.props.BoolProperty(
+        name="Solo",
+        description="Play this layer without those that are not played alone too",
+        default=False,
+        update=touch,
+        options=set(),
+        override=OVERRIDABLE,
+    )
+    is_edited: bpy.props.BoolProperty(name="Edited", description="The layer's action is shown and keyed in the editors", options={'HIDDEN'})
+    is_open: bpy.props.BoolProperty(
+        name="Open", description="The layer's frame range was set for as long as the layer is edited", options={'HIDDEN'}
+    )
 
 
 class MOTUS_PG_layers(SystemSettings, bpy.types.PropertyGroup):
@@ -150,3 +162,6 @@ class MOTUS_PG_layers(SystemSettings, bpy.types.PropertyGroup):
     )
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_layers_entry, name="Layers", override=EXTENDABLE)
     active_entry: bpy.props.IntProperty(name="Active Layer", options=set())
+    kept_channels: bpy.props.StringProperty(
+        name="Kept Channels", description="Values of bones' channels when the editing of a layer began", options={'HIDDEN'}
+    )

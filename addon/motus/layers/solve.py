@@ -6,7 +6,7 @@ from ..core.file import stored
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from . import clips, mask
+from . import clips, live, mask
 from .groups import LOOPED, PLAN
 
 SOME_ARE_OFF = Problem("Some layers have no action, or one without keys for their bones: the list says which", blocking=False)
@@ -50,7 +50,7 @@ class Source:
     """Data of an evaluated rig's layers that change only by edits, so that they can be cached between frames.
 
     entries: settings of the L layers. playing: (action or None, slot) of each. modes: rotation modes of all bones. masks: (L, bones)
-    weights of all bones in the masks.
+    weights of all bones in the masks. edited: index of the layer that is edited by its keys; None if there is none.
     """
 
     def __init__(self, rig, copy, wired):
@@ -60,10 +60,23 @@ class Source:
         self.modes = tuple(bone.rotation_mode for bone in rig.pose.bones)
         masks = [native.module.layer_mask(wired.parents, mask.chosen(rig, entry, wired.places), entry.feather) for entry in self.entries]
         self.masks = np.array(masks).reshape(len(masks), len(wired.places))
+        self._rig, self.edited = rig, live.edited(rig)
+        self._live = None, None
 
     def clips(self):
         """List the Clip of each layer; None for a layer without an action. Not cached, because an action can be edited without the rig."""
-        return [action and clips.clip_of(action, slot, self.wired.still.names, self.modes) for action, slot in self.playing]
+        found = [action and clips.clip_of(action, slot, self.wired.still.names, self.modes) for action, slot in self.playing]
+        if self.edited is not None and found[self.edited] is not None:
+            found[self.edited] = self._live_of(found[self.edited])
+        return found
+
+    def _live_of(self, clip):
+        """Return the Live of the Clip of the layer that is edited; it is cached until the action's keys are edited."""
+        known, found = self._live
+        if known is not clip:
+            found = live.Live(self._rig, clip, self.wired.still.names, self.modes)
+            self._live = clip, found
+        return found
 
 
 def solve(context):
@@ -84,7 +97,14 @@ def solve(context):
     found = source.clips()
     playing, settings, some_are_off = context.kept("playing", (source, *found), lambda: _playing(context.settings, source, found))
     laid = np.empty((len(wired.rows), 16), np.float32)  # a new one, since other threads may read the present one
-    playing.lay(context.frame, settings, source.reader.own_basis(), context.locations, context.rotations, context.scales, laid)
+    moves = context.locations, context.rotations, context.scales
+    if source.edited is None or found[source.edited] is None:
+        playing.lay(context.frame, settings, source.reader.own_basis(), *moves, laid)
+    else:
+        own, basis = source.reader.own_basis().copy(), source.reader.own_basis()
+        basis[found[source.edited].rows] = found[source.edited].beneath(context.frame)
+        playing.lay(context.frame, settings, basis, *moves, laid)
+        native.module.layer_moves(own[wired.rows], laid, *moves)
     rigs.lay(context.copy, context.group, wired.rows, laid)
     if some_are_off:
         return SOME_ARE_OFF
@@ -96,17 +116,17 @@ def _playing(settings, source, found):
 
     found: Clip or None of each layer of the Source.
     """
-    rows, values = acting(settings, found)
+    rows, values = acting(settings, found, settings.influence)
     return Playing(source, found, rows), values, any(clip is None or not clip.native.bones for clip in found)
 
 
-def acting(settings, found):
-    """Return (indices of the layers with an effect, their rows of still_settings() with the rig's influence).
+def acting(settings, found, influence):
+    """Return (indices of the layers with an effect, their rows of still_settings() with an influence of them all).
 
     found: Clip or None of each layer.
     """
     values = still_settings(settings.entries, found)
-    values[:, WEIGHT] *= settings.influence
+    values[:, WEIGHT] *= influence
     rows = [row for row, clip in enumerate(found) if clip is not None and values[row, WEIGHT] > 0.0]
     return rows, values[rows]
 
@@ -177,11 +197,18 @@ def span(entry, frames):
 
 def still_settings(entries, found):
     """Return the settings of L layers for the native LayerStack, as an array (L, COLUMNS). found: Clip or None of each layer."""
-    rows = [_numbers(entry, clip) for entry, clip in zip(entries, found)]
+    silent = silenced(entries)
+    rows = [_numbers(entry, clip, is_silent) for entry, clip, is_silent in zip(entries, found, silent)]
     return np.array(rows, float).reshape(-1, COLUMNS)
 
 
-def _numbers(entry, clip):
+def silenced(entries):
+    """Return for each layer whether other layers are played alone, so that this one has no effect."""
+    has_solo = any(entry.is_solo for entry in entries)
+    return [has_solo and not entry.is_solo for entry in entries]
+
+
+def _numbers(entry, clip, is_silent):
     first, last = span(entry, clip.frames) if clip else (1.0, 1.0)
     return (
         entry.start,
@@ -191,7 +218,7 @@ def _numbers(entry, clip):
         _AFTERS[chosen(entry, "after")],
         entry.blend_in,
         entry.blend_out,
-        0.0 if entry.is_muted else entry.weight,
+        0.0 if entry.is_muted or is_silent else entry.weight,
         entry.mode == 'ADDITIVE',
         entry.in_armature,
     )

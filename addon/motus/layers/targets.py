@@ -8,6 +8,7 @@ import bpy
 from ..core.blender import actions, capabilities
 from ..core.declare import has_settings, registered
 from ..core.file import libraries
+from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.translations import tr
 from . import mask
@@ -54,6 +55,16 @@ def action_for(name):
     if found is None:
         raise Refused(tr("There is no action {action}").format(action=name))
     return found
+
+
+def check_action(entry):
+    """Return the action of a layer. Refuses a layer whose action is missing, or has its keys in a library file."""
+    action = pointed(entry, "action")
+    if action is None:
+        raise Refused(tr("Choose an action for this layer"))
+    if actions.is_linked(action):
+        raise Refused(tr("{action} is linked from another file: make it local first").format(action=action.name))
+    return action
 
 
 def check_slot(action, slot):

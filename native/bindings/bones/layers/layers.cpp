@@ -377,6 +377,17 @@ void solve_stack(const layers::Stack& stack, const Number& frame, const Float32A
     }
 }
 
+void moves_between(const Float32Array& own, const Float32Array& laid, const Float64Array& locations,
+                   const Float64Array& rotations, const Float64Array& scales) {
+    const std::size_t count = rows_of(own, "own");
+    const std::span<const float> from = elements<float>(own, "own", {count, 16});
+    const std::span<const float> to = elements<float>(laid, "laid", {count, 16});
+    Moves moves(locations, rotations, scales, count);
+    for (std::size_t i = 0; i < count; ++i)
+        moves.set(i, layers::between_transforms(layers::transform_of(matrix_in(from, i)),
+                                                layers::transform_of(matrix_in(to, i))));
+}
+
 py::tuple find_sources(const layers::Stack& stack, const Number& frame, const Float32Array& basis,
                        const py::list& clips, const Float64Array& settings, const Float64Array& masks,
                        const py::list& references, const py::list& given, const WholeNumber& edited,
@@ -470,6 +481,11 @@ Weights of a mask with a soft border: (B,).
 parents: (B,), index of each bone's parent, -1 for none.  chosen: (B,), in [0, 1]; 0 is outside.  feather: over how many
 bones from the border on, >= 0, the weight rises: at the first one it is chosen / (feather + 1).
 Raises ValueError or TypeError that names the argument.)");
+    m.def("layer_moves", &moves_between, "own"_a, "laid"_a, "locations"_a, "rotations"_a, "scales"_a, R"(
+Writes what comes on top of bones' own transforms, so that they become others: as LayerStack.solve() does.
+
+own and laid: (R, 16) float32, matrices column by column.  locations (R, 3), rotations (R, 4) w, x, y, z, scales (R, 3), float64:
+written into.  Raises ValueError or TypeError that names the argument.)");
     py::class_<layers::Stack> stack(m, "LayerStack", py::module_local(), R"(
 What the bones of one rig hang on, for layers of animation over its pose. Immutable.
 
