@@ -125,6 +125,19 @@ class Keying(KeyingTestCase):
         self.go_to(8)
         self.assertSeen(wanted)
 
+    def test_a_layer_that_is_compared_with_a_different_action(self):
+        turning("Other", {"UpperArm.L": (0.5, 0.2, 0.1), "LowerArm.L": (0.1, 0.4, 0.2)})
+        mine = turning("Mine", {"UpperArm.L": (0.3, 0.2, 0.0)})
+        keywords = {"mode": 'ADDITIVE', "reference": 'ACTION', "reference_action": "Other", "reference_frame": 16.0}
+        self.add(action=mine.name, bones="Chest", weight=0.5, **keywords)
+        self.go_to(8)
+        bend(self.rig, ARM)
+        bpy.context.view_layer.update()
+        wanted = self.seen()
+        self.key()
+        self.go_to(8)
+        self.assertSeen(wanted)
+
     def test_refusals(self):
         def refused(words, **keywords):
             self.assertRefused(words, bpy.ops.motus.layer_key, object="Rig", **({"bones": "UpperArm.L"} | keywords))
@@ -269,6 +282,38 @@ class Editing(KeyingTestCase):
             walk = self.played(self.walk, 8)
             self.go_to(8)
             self.assertSeen(walk)
+
+    def test_editing_is_one_step_of_undo(self):
+        self.add(bones="UpperArm.L")
+        bpy.ops.ed.undo_push(message="before")
+        self.edit()
+        bpy.ops.ed.undo_push(message="edited")
+        bpy.ops.ed.undo()
+        rig = bpy.data.objects["Rig"]
+        self.assertEqual((rig.animation_data.action.name, len(rig.animation_data.nla_tracks)), ("Walk", 0))
+        self.assertFalse(rig.motus.layers.entries[0].is_edited)
+        bpy.ops.ed.redo()
+        rig = bpy.data.objects["Rig"]
+        self.assertEqual((rig.animation_data.action.name, rig.animation_data.use_tweak_mode), ("Throw", True))
+        self.rig = rig
+        self.edit()
+        self.assertEqual(rig.animation_data.action.name, "Walk")
+
+    def test_library_overrides(self):
+        path = self.save()
+        self.rig = self.load(path, True, "Rig").override_create(remap_local_usages=True)
+        bpy.context.view_layer.update()
+        bpy.context.view_layer.update()
+        self.assertEqual(bpy.ops.motus.layer_new(object="Rig", bones="UpperArm.L", mode='ADDITIVE'), {'FINISHED'})
+        self.go_to(8)
+        bend(self.rig, ("UpperArm.L",))
+        bpy.context.view_layer.update()
+        wanted = self.seen()
+        self.key(bones="UpperArm.L")
+        self.go_to(3)
+        self.go_to(8)
+        self.assertSeen(wanted)
+        self.assertRefused("is a library override", bpy.ops.motus.layer_edit, object="Rig")
 
     def test_strips_beneath_go_on(self):
         animation = self.rig.animation_data

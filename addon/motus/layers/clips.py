@@ -34,7 +34,7 @@ def at_rest(channel):
 class Clip:
     """An action on the bones of a rig, ready for evaluation.
 
-    native: the native LayerClip. frames: (first, last) frame of the action.
+    native: the native LayerClip. frames: (first, last) frame of the action. count: how many bones the rig has.
     """
 
     def __init__(self, action, slot, names, modes):
@@ -50,7 +50,7 @@ class Clip:
                 curves.append((row, FIRST[channel] + index, -1 if is_given else len(players), goes_around))
                 (self._given if is_given else players).append(curve if is_given else player)
         self.native = native_clip(used, curves, players)
-        self._kept = {}
+        self._kept, self.count = {}, len(names)
 
     @property
     def asks_curves(self):
@@ -98,6 +98,39 @@ def native_clip(modes, curves, players):
     return native.module.LayerClip(
         np.array([MODES.index(mode) for mode in modes], np.int32), np.array(curves, np.int32).reshape(-1, 4), players
     )
+
+
+class Told:
+    """A Clip that says every channel of some bones: what a Clip says of them, and the rest pose of all others.
+
+    bones: rows of the bones that it says something of besides those of the Clip.
+    """
+
+    asks_curves = True
+
+    def __init__(self, clip, bones):
+        self._clip, self.frames = clip, clip.frames
+        self._bones = sorted({*clip.native.bones, *bones})
+        modes = ['QUATERNION'] * clip.count
+        self.native = native_clip(modes, [(bone, channel, -1, False) for bone in self._bones for channel in range(len(REST))], [])
+
+    def given(self, frame):
+        """Return the numbers of all channels at a frame."""
+        return pose_of(self._clip, self._bones, frame).ravel()
+
+    def laps(self, _begin, _end, _reference):
+        """Rotations go the shorter way."""
+
+
+REST = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0)
+"""Location, quaternion and scale at rest."""
+
+
+def pose_of(clip, bones, frame):
+    """Return location, quaternion and scale of bones, (n, 10), as a Clip says them at a frame; at rest what it does not say. bones: rows."""
+    places = {bone: place for place, bone in enumerate(clip.native.bones)}
+    pose = clip.reference(frame)
+    return np.array([pose[places[bone]] if bone in places else REST for bone in bones]).reshape(-1, len(REST))
 
 
 def clip_of(action, slot, names, modes):

@@ -158,7 +158,8 @@ def to_strips(scene, view_layer, rig, frames):
     for index in playing:
         entry = rig.motus.layers.entries[index]
         if index in baked:
-            strip = _add_baked(rig, entry.name, *baked[index].written(rig, f"{rig.name} {entry.name}", times), times)
+            action, slot = baked[index].written(rig, f"{rig.name} {entry.name}", times)
+            strip = _add_baked(rig, entry.name, action, slot, times)
         else:
             strip = _add_plain(rig, entry, {names[row] for row in found[index]})
         strip.name = entry.name

@@ -5,7 +5,7 @@ from ..core.evaluated import copies
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.wiring import driven_bones
-from . import groups, solve
+from . import clips, groups, solve
 
 
 class Moment:
@@ -34,14 +34,18 @@ class Moment:
         rows = [row for row in self.acting if row < count]
         settings = self.settings[: len(rows)]
         found, members = self.own.copy(), self._wired.rows
-        laid, moves = np.empty((len(members), 16), np.float32), [np.empty((len(members), width)) for width in (3, 4, 3)]
-        solve.Playing(self.source, self.clips, rows).lay(self.frame, settings, self.own.copy(), *moves, laid)
+        laid = np.empty((len(members), 16), np.float32)
+        places, turns, sizes = (np.empty((len(members), width)) for width in (3, 4, 3))
+        solve.Playing(self.source, self.clips, rows).lay(self.frame, settings, self.own.copy(), places, turns, sizes, laid)
         found[members] = laid
         return found
 
     def sources(self, base, index, wanted, rows):
         """Return Playing.sources() for the layer of this index. base: as `own`."""
-        playing = solve.Playing(self.source, self.clips, self.acting)
+        found = list(self.clips)
+        if solve.is_compared(self.source.entries[index]):  # with a pose also of bones that the layer's action does not animate
+            found[index] = clips.Told(found[index], rows)
+        playing = solve.Playing(self.source, found, self.acting)
         return playing.sources(self.frame, self.settings, base, self.acting.index(index), wanted, rows)
 
     def bones(self, index):

@@ -67,6 +67,11 @@ class MOTUS_OT_layer_add(operators.FindsValues, MaskKeywords, LayerKeywords, OfA
         description="Identifier of the action's slot; empty takes the rig's own or one of its name, else the first one that animates its bones",
         options={'SKIP_SAVE'},
     )
+    reference_action: bpy.props.StringProperty(
+        name="Reference Action",
+        description="Name of the action with which an additive layer is compared, if its reference is a different action",
+        options={'SKIP_SAVE'},
+    )
     layer: bpy.props.StringProperty(
         name="Layer", description="Name of the layer; empty takes the action's. One that is there is changed", options={'SKIP_SAVE'}
     )
@@ -97,6 +102,8 @@ class MOTUS_OT_layer_add(operators.FindsValues, MaskKeywords, LayerKeywords, OfA
         index = rig.motus.layers.entries.find(self.layer) if self.layer else -1
         if self.action or self.slot:
             changes |= {"action": action, "slot": self.slot or setup.slot_of(rig, action)}
+        if self.reference_action:
+            changes |= {"reference_action": targets.action_for(self.reference_action)}
         if index >= 0:
             has_mask = any(map(self.is_given, ("bones", "collections", "mask")))
             setup.change(rig, index, changes, items if has_mask else None)

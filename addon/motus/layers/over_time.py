@@ -91,7 +91,7 @@ class OverTime(SolvedBone):
     @property
     def stamp(self):
         """Hashable value that changes whenever the bone's motion under the layers may."""
-        playing = list(filter(None, (pointed(entry, "action") for entry in self._layers)))
+        playing = list(filter(None, (pointed(entry, name) for entry in self._layers for name in ("action", "reference_action"))))
         return together((self._bone.name, self._inputs.stamp, *map(read_keys.number_of, playing)))
 
     def applied(self, times, transforms):

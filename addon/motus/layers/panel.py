@@ -10,7 +10,7 @@ from ..core.settings.entries import active
 from ..core.translations import tr
 from . import live, mask, presets, rows
 from .setup import system
-from .solve import SOME_ARE_OFF
+from .solve import SOME_ARE_OFF, is_compared
 
 
 def active_entry(rig):
@@ -22,6 +22,8 @@ def fault(rig, entry):
     """Return a sentence on what is missing for a layer: its action, or bones of its mask; "" if nothing is missing."""
     if pointed(entry, "action") is None:
         return tr("Choose an action for this layer")
+    if is_compared(entry) and pointed(entry, "reference_action") is None:
+        return tr("Choose the action that this layer is compared with")
     missing = [item.name for item in entry.mask if not mask.is_there(rig, item)]
     if missing:
         return tr("{object} lacks bones or collections of the mask: {names}").format(object=rig.name, names=", ".join(missing))
@@ -57,6 +59,8 @@ def draw_main(layout, context):
     if action and capabilities.has_slotted_actions() and len(action.slots) > 1:
         column.prop_search(entry, "slot", action, "slots")
     rows.BLENDING.draw(ui.split(layout), entry)
+    if is_compared(entry):
+        ui.split(layout).prop(entry, "reference_action")
     row = layout.row(align=True)
     row.operator("motus.layer_edit", icon='FCURVE', depress=entry.is_edited).object = rig.name
     row.operator("motus.layer_key", text="Key Pose", icon='KEY_HLT').object = rig.name

@@ -15,6 +15,7 @@ REFERENCES = (
     ('FIRST', "First Frame", "The action is compared with its own first frame"),
     ('FRAME', "Frame", "The action is compared with its pose at a frame of its own"),
     ('REST', "Rest Pose", "The action is compared with the rig's rest pose"),
+    ('ACTION', "Other Action", "The action is compared with a pose of a different action"),
 )
 AFTERS = (
     ('STOP', "Stop", "The layer ends with its action"),
@@ -62,7 +63,9 @@ class LayerKeywords:
     blend_in: _frames("Blend In", "Number of frames from the start over which the weight grows", 0.0, min=0.0)
     blend_out: _frames("Blend Out", "Number of frames before the end over which the weight of a layer that stops fades", 0.0, min=0.0)
     reference: choice("Reference", "Pose that an additive layer is compared with", REFERENCES, 'FIRST')
-    reference_frame: _frames("Reference Frame", "Frame of the action whose pose an additive layer is compared with", 1.0)
+    reference_frame: _frames(
+        "Reference Frame", "Frame of the action, or of the other action, whose pose an additive layer is compared with", 1.0
+    )
     in_armature: bpy.props.BoolProperty(
         name="Steady in Armature",
         description="Blend rotations as they are in the armature, so that hips outside of the mask do not swing the bones in it",
@@ -122,6 +125,13 @@ class MOTUS_PG_layers_entry(LayerKeywords, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(name="Layer", description="Name of the layer", override=OVERRIDABLE)
     action: bpy.props.PointerProperty(
         type=bpy.types.Action, name="Action", description="Action that the layer plays", update=touch, override=OVERRIDABLE
+    )
+    reference_action: bpy.props.PointerProperty(
+        type=bpy.types.Action,
+        name="Reference Action",
+        description="Action whose pose at the reference frame an additive layer is compared with",
+        update=touch,
+        override=OVERRIDABLE,
     )
     slot: bpy.props.StringProperty(
         name="Slot",

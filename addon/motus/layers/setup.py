@@ -84,7 +84,7 @@ def free_name(layers, wanted):
 def duplicate(rig, index):
     """Add a copy of a layer right above the layer. Keys of the layer's settings are not copied."""
     source = rig.motus.layers.entries[index]
-    changes = {name: getattr(source, name) for name in (*KEYWORDS, "action", "slot", "is_muted")}
+    changes = {name: getattr(source, name) for name in (*KEYWORDS, "action", "slot", "reference_action", "is_muted")}
     with entries.at_once(system(), rig) as settings:
         entry = settings.entries.add()
         source = settings.entries[index]

@@ -57,11 +57,12 @@ class Source:
         self.wired, self.reader = wired, rigs.Reader(rig, copy, wired.still)
         self.entries = list(rig.motus.layers.entries)
         self.playing = [(pointed(entry, "action"), entry.slot) for entry in self.entries]
+        self._compared = [pointed(entry, "reference_action") if is_compared(entry) else None for entry in self.entries]
         self.modes = tuple(bone.rotation_mode for bone in rig.pose.bones)
         masks = [native.module.layer_mask(wired.parents, mask.chosen(rig, entry, wired.places), entry.feather) for entry in self.entries]
         self.masks = np.array(masks).reshape(len(masks), len(wired.places))
         self._rig, self.edited = rig, live.edited(rig)
-        self._live = None, None
+        self._live: tuple = None, None
 
     def clips(self):
         """List the Clip of each layer; None for a layer without an action. Not cached, because an action can be edited without the rig."""
@@ -69,6 +70,10 @@ class Source:
         if self.edited is not None and found[self.edited] is not None:
             found[self.edited] = self._live_of(found[self.edited])
         return found
+
+    def references(self):
+        """List the Clip of the action that each layer is compared with; None for a layer that needs none, or has none."""
+        return [action and clips.clip_of(action, "", self.wired.still.names, self.modes) for action in self._compared]
 
     def _live_of(self, clip):
         """Return the Live of the Clip of the layer that is edited; it is cached until the action's keys are edited."""
@@ -95,7 +100,9 @@ def solve(context):
     if len(wired.rows) != len(context.rotations):
         raise stored.Damaged("another number of members")
     found = source.clips()
-    playing, settings, some_are_off = context.kept("playing", (source, *found), lambda: _playing(context.settings, source, found))
+    playing, settings, some_are_off = context.kept(
+        "playing", (source, *found, *source.references()), lambda: _playing(context.settings, source, found)
+    )
     laid = np.empty((len(wired.rows), 16), np.float32)  # a new one, since other threads may read the present one
     moves = context.locations, context.rotations, context.scales
     if source.edited is None or found[source.edited] is None:
@@ -144,7 +151,8 @@ class Playing:
         self._natives = [clip.native for clip in self._clips]
         played = [(source.entries[row], found[row]) for row in rows]
         frames = [reference_frame(entry, clip.frames) for entry, clip in played]
-        self._references = [None if at is None else clip.reference(at) for at, clip in zip(frames, self._clips)]
+        others = source.references()
+        self._references = [_reference(*pair, at, others[row]) for row, at, pair in zip(rows, frames, played)]
         self._laps = [_laps(*pair, at) for at, pair in zip(frames, played)]
 
     def lay(self, frame, settings, basis, locations, rotations, scales, laid):
@@ -172,12 +180,27 @@ class Playing:
         return self._natives, settings, self._masks, self._references, given
 
 
-def reference_frame(entry, frames):
-    """Return the frame of the action whose pose an additive layer subtracts. frames: (first, last) frame of the action.
+def is_compared(entry):
+    """Whether a layer is compared with a pose of a different action."""
+    return entry.mode == 'ADDITIVE' and entry.reference == 'ACTION'
 
-    None for a layer that subtracts the rest pose, and for a layer that is not additive.
+
+def _reference(entry, clip, frame, other):
+    """Return the pose that a layer is compared with, (n, 10); None for the rest pose, and for a layer that is not additive.
+
+    frame: reference_frame(). other: Clip of the action that the layer is compared with, or None.
     """
-    if entry.mode != 'ADDITIVE' or entry.reference == 'REST':
+    if is_compared(entry):
+        return None if other is None else clips.pose_of(other, clip.native.bones, entry.reference_frame)
+    return None if frame is None else clip.reference(frame)
+
+
+def reference_frame(entry, frames):
+    """Return the frame of its own action whose pose an additive layer subtracts. frames: (first, last) frame of the action.
+
+    None for a layer that subtracts the rest pose or a pose of a different action, and for a layer that is not additive.
+    """
+    if entry.mode != 'ADDITIVE' or entry.reference in {'REST', 'ACTION'}:
         return None
     return entry.reference_frame if entry.reference == 'FRAME' else span(entry, frames)[0]
 

@@ -32,7 +32,7 @@ INTERFACE = {
     "Reference": "Referencia",
     "Pose that an additive layer is compared with": "Pose con la que se compara una capa que suma",
     "Reference Frame": "Fotograma de referencia",
-    "Frame of the action whose pose an additive layer is compared with. Cannot be keyed: the whole motion follows from it": "Fotograma de la acción con cuya pose se compara una capa que suma. No admite claves: todo el movimiento depende de ello",
+    "Frame of the action, or of the other action, whose pose an additive layer is compared with. Cannot be keyed: the whole motion follows from it": "Fotograma de la acción, o de la otra acción, con cuya pose se compara una capa que suma. No admite claves: todo el movimiento depende de ello",
     "Steady in Armature": "Firme en el esqueleto",
     "Blend rotations as they are in the armature, so that hips outside of the mask do not swing the bones in it": "Mezclar las rotaciones como están en el esqueleto, para que unas caderas fuera de la máscara no balanceen sus huesos",
     "Number of bones from the border of the mask over which the weight rises. Cannot be keyed: the whole motion follows from it": "Número de huesos desde el borde de la máscara en los que crece el peso. No admite claves: todo el movimiento depende de ello",
@@ -164,6 +164,12 @@ INTERFACE = {
     "Layers of {object} are played alone: end that first": "Hay capas de {object} que se reproducen solas: hay que terminar eso primero",
     "The layers of {object} are strips of the NLA now, and muted": "Las capas de {object} son ahora tiras de la NLA, y están silenciadas",
     "Strips cannot blend as these layers do, so that their results were recorded: {layers}": "Las tiras no pueden mezclar como estas capas, así que se registraron sus resultados: {layers}",
+    "Other Action": "Otra acción",
+    "The action is compared with a pose of a different action": "La acción se compara con una pose de otra acción",
+    "Reference Action": "Acción de referencia",
+    "Action whose pose at the reference frame an additive layer is compared with": "Acción con cuya pose en el fotograma de referencia se compara una capa que suma",
+    "Name of the action with which an additive layer is compared, if its reference is a different action": "Nombre de la acción con la que se compara una capa que suma, si su referencia es otra acción",
+    "Choose the action that this layer is compared with": "Hay que elegir la acción con la que se compara esta capa",
 }
 
 OPERATORS = {
