@@ -4,7 +4,10 @@ While a layer is edited, the own channels of the bones that its action animates 
 read from the rig's own action, which a strip on a track below plays meanwhile.
 """
 
+from contextlib import suppress
+
 from ..core.blender import actions
+from ..core.file import stored
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
@@ -71,7 +74,9 @@ def leave(rig):
     if animation.action is None and not animation.nla_tracks and not animation.drivers:
         rig.animation_data_clear()
     with entries.at_once(system(), rig) as settings:
-        kept = live.kept_channels(settings)
+        kept = {}
+        with suppress(stored.Damaged):  # a file may hold anything
+            kept = live.kept_channels(settings)
         settings.kept_channels = ""
         for entry in settings.entries:
             if entry.is_edited:

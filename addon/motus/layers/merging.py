@@ -85,7 +85,8 @@ def merge(scene, view_layer, rig, index, frames):
     """
     names, found = moved(scene, rig, view_layer)
     lower, upper = (rig.motus.layers.entries[place] for place in (index - 1, index))
-    is_added = lower.mode == upper.mode == 'ADDITIVE'
+    is_added, after = lower.mode == upper.mode == 'ADDITIVE', 'STOP' if lower.after == upper.after == 'STOP' else 'HOLD'
+    name, both = lower.name, f"{lower.name} + {upper.name}"
     recording = Recording(
         rig,
         names,
@@ -96,7 +97,7 @@ def merge(scene, view_layer, rig, index, frames):
         raise Refused(tr("No layer moves a bone of {object} that could have keys").format(object=rig.name))
     yield from recorded(scene, view_layer, rig, [recording], frames, 1.0)
     times = [scene_time.keys_time(scene, frame) for frame in frames]
-    action, slot = recording.written(rig, f"{lower.name} + {upper.name}", times)
+    action, slot = recording.written(rig, both, times)
     changes = {
         "action": action,
         "slot": slot,
@@ -106,9 +107,8 @@ def merge(scene, view_layer, rig, index, frames):
         "use_range": True,
         "first_frame": times[0],
         "last_frame": times[-1],
-        "after": 'STOP' if lower.after == upper.after == 'STOP' else 'HOLD',
+        "after": after,
     }
-    name = lower.name
     setup.add(rig, name, changes, [])
     last = len(rig.motus.layers.entries) - 1
     with entries.at_once(setup.system(), rig) as settings:
