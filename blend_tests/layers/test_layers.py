@@ -129,6 +129,29 @@ class Modes(LayerTestCase):
         self.go_to(20)
         self.assertSameTurn(self.own("UpperArm.L"), (walk @ beyond.inverted() @ throw).to_matrix())
 
+    def test_a_pose_of_a_different_action_is_what_a_layer_is_compared_with(self):
+        other = turning("Other", {"UpperArm.L": (0.5, 0.2, 0.1)})
+        entry = self.add(bones="Chest", mode='ADDITIVE', reference='ACTION', reference_action="Other", reference_frame=16.0)
+        self.assertEqual(entry.reference_action, other)
+        beyond = self.played(other, 16)
+        walk, throw = self.played(self.walk, 8), self.played(self.throw, 8)
+        self.go_to(8)
+        turns = [found["UpperArm.L"].to_quaternion() for found in (walk, beyond, throw)]
+        self.assertSameTurn(self.own("UpperArm.L"), (turns[0] @ turns[1].inverted() @ turns[2]).to_matrix())
+        turns = [found["LowerArm.L"].to_quaternion() for found in (walk, throw)]  # Other says nothing of it: at rest
+        self.assertSameTurn(self.own("LowerArm.L"), (turns[0] @ turns[1]).to_matrix())
+        for curves in self.actions.all_fcurves(other):
+            for curve in [one for one in curves if one.array_index == 1]:
+                curve.keyframe_points[-1].co.y += 0.3
+                curve.update()
+        other.update_tag()
+        beyond = self.played(other, 16)["UpperArm.L"].to_quaternion()
+        self.go_to(8)
+        walk, throw = (found["UpperArm.L"].to_quaternion() for found in (walk, throw))
+        self.assertSameTurn(self.own("UpperArm.L"), (walk @ beyond.inverted() @ throw).to_matrix())
+        self.assertEqual(bpy.ops.motus.layer_duplicate(object="Rig"), {'FINISHED'})
+        self.assertEqual(self.rig.motus.layers.entries[1].reference_action, other)
+
     def test_locations_and_scales(self):
         keys = {('pose.bones["Hips"].location', 1): [(1, 0.0), (21, 0.5)], ('pose.bones["Hips"].scale', 0): [(1, 2.0), (21, 3.0)]}
         new_action("Jump", keys)

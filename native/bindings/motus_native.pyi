@@ -617,6 +617,16 @@ class LayerStack:
         part of the way where the layer counts for a part; without it all rotations go the shorter way.
         Raises ValueError or TypeError that names the argument; transforms that are not finite stay as they are.
         """
+    def sources(self, frame: float, basis: numpy.typing.NDArray[numpy.float32], clips: list, settings: numpy.typing.NDArray[numpy.float64], masks: numpy.typing.NDArray[numpy.float64], references: list, given: list, edited: int, wanted: numpy.typing.NDArray[numpy.float32], rows: numpy.typing.ArrayLike, laps: list[numpy.typing.NDArray[numpy.float64] | None] | None = None) -> tuple:
+        """
+        The inverse of solve(): what the clip of one layer has to say, so that the layers together give a wanted pose.
+        
+        edited: index of the layer.  wanted: (B, 16) float32, the bones' own transforms with all layers, column by column.  rows: (R,) bones of
+        which the clip is to say something, whether it animates them now or not.  The others as of solve().
+        Returns ((R, 10), as pose() has it, (R,) of each bone a sum of 1 location, 2 rotation, 4 scale, which the layers then give).  Channels
+        that are missing in the sum are hidden by a layer above, have no share in the layer, or would have to turn by more than half a turn.
+        Raises ValueError or TypeError that names the argument.
+        """
 class RigGoals:
     """
     Goals that bones of a rig reach for: bones of the rig itself, and things whose world matrices are given. Immutable.

@@ -1,7 +1,7 @@
 """Animation layers: actions that are laid over a rig's own animation, each on the bones of a mask and with a weight that can be keyed."""
 
 from ..core.declare import System
-from . import flattening, groups, list_operators, operators, over_time, overlay, panel, presets, properties, solve
+from . import flattening, groups, keying, list_operators, merging, operators, over_time, overlay, panel, presets, properties, solve
 
 SYSTEM = System(
     name="layers",
@@ -16,6 +16,8 @@ SYSTEM = System(
         *operators.classes,
         *list_operators.classes,
         *flattening.classes,
+        *keying.classes,
+        *merging.classes,
         *presets.classes,
         *panel.classes,
     ),
@@ -31,5 +33,5 @@ SYSTEM = System(
     over_time=over_time.over_time,
     overlay=overlay.overlay,
     object_menu=("motus.layer_add", "motus.layer_remove", "motus.layers_flatten"),
-    pose_menu=("motus.layer_add", "motus.layer_mask_add", "motus.layer_remove", "motus.layers_flatten"),
+    pose_menu=("motus.layer_add", "motus.layer_key", "motus.layer_mask_add", "motus.layer_remove", "motus.layers_flatten"),
 )

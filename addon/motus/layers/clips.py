@@ -20,32 +20,37 @@ _CLIPS = keeping.OfEvaluation(
     f"{LARGEST_CACHE} for each evaluated action",
 )
 _EULER = 'XYZ'
-_FIRST = {"location": 0, "rotation_quaternion": 3, "rotation_euler": 3, "rotation_axis_angle": 3, "scale": 7}
-_SIZES = {"location": 3, "rotation_quaternion": 4, "rotation_euler": 3, "rotation_axis_angle": 4, "scale": 3}
+FIRST = {"location": 0, "rotation_quaternion": 3, "rotation_euler": 3, "rotation_axis_angle": 3, "scale": 7}
+SIZES = {"location": 3, "rotation_quaternion": 4, "rotation_euler": 3, "rotation_axis_angle": 4, "scale": 3}
+
+
+def at_rest(channel):
+    """Return the numbers of a channel at rest. channel: "location", "scale", or the name of a rotation's property."""
+    if channel == "scale":
+        return (1.0, 1.0, 1.0)
+    return {"rotation_quaternion": (1.0, 0.0, 0.0, 0.0), "rotation_axis_angle": (0.0, 0.0, 1.0, 0.0)}.get(channel, (0.0, 0.0, 0.0))
 
 
 class Clip:
     """An action on the bones of a rig, ready for evaluation.
 
-    native: the native LayerClip. frames: (first, last) frame of the action.
+    native: the native LayerClip. frames: (first, last) frame of the action. count: how many bones the rig has.
     """
 
     def __init__(self, action, slot, names, modes):
         self.frames = tuple(map(float, action.frame_range))
         self._given, curves, players = [], [], []
-        found = _curves_of_bones(action, slot, names)
-        used = [_mode(mode, found.get(name, {})) for name, mode in zip(names, modes)]
+        found = curves_of_bones(action, slot, names)
+        used = [mode_of(mode, found.get(name, {})) for name, mode in zip(names, modes)]
         for row, name in enumerate(names):
             for channel, index, curve in _used(found.get(name, {}), used[row]):
                 player = native_keys.player(curve)
                 is_given = player is None
                 goes_around = (is_given or not player.is_plain) and _goes_around(curve)
-                curves.append((row, _FIRST[channel] + index, -1 if is_given else len(players), goes_around))
+                curves.append((row, FIRST[channel] + index, -1 if is_given else len(players), goes_around))
                 (self._given if is_given else players).append(curve if is_given else player)
-        self.native = native.module.LayerClip(
-            np.array([MODES.index(mode) for mode in used], np.int32), np.array(curves, np.int32).reshape(-1, 4), players
-        )
-        self._kept = {}
+        self.native = native_clip(used, curves, players)
+        self._kept, self.count = {}, len(names)
 
     @property
     def asks_curves(self):
@@ -88,6 +93,46 @@ class Clip:
         return found
 
 
+def native_clip(modes, curves, players):
+    """Return a native LayerClip. modes: rotation modes of all bones. curves, players: its arguments `curves` and `fcurves`."""
+    return native.module.LayerClip(
+        np.array([MODES.index(mode) for mode in modes], np.int32), np.array(curves, np.int32).reshape(-1, 4), players
+    )
+
+
+class Told:
+    """A Clip that says every channel of some bones: what a Clip says of them, and the rest pose of all others.
+
+    bones: rows of the bones that it says something of besides those of the Clip.
+    """
+
+    asks_curves = True
+
+    def __init__(self, clip, bones):
+        self._clip, self.frames = clip, clip.frames
+        self._bones = sorted({*clip.native.bones, *bones})
+        modes = ['QUATERNION'] * clip.count
+        self.native = native_clip(modes, [(bone, channel, -1, False) for bone in self._bones for channel in range(len(REST))], [])
+
+    def given(self, frame):
+        """Return the numbers of all channels at a frame."""
+        return pose_of(self._clip, self._bones, frame).ravel()
+
+    def laps(self, _begin, _end, _reference):
+        """Rotations go the shorter way."""
+
+
+REST = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0)
+"""Location, quaternion and scale at rest."""
+
+
+def pose_of(clip, bones, frame):
+    """Return location, quaternion and scale of bones, (n, 10), as a Clip says them at a frame; at rest what it does not say. bones: rows."""
+    places = {bone: place for place, bone in enumerate(clip.native.bones)}
+    pose = clip.reference(frame)
+    return np.array([pose[places[bone]] if bone in places else REST for bone in bones]).reshape(-1, len(REST))
+
+
 def clip_of(action, slot, names, modes):
     """Return the Clip of an evaluated action; it is cached until the action's keys are edited.
 
@@ -104,19 +149,19 @@ def clip_of(action, slot, names, modes):
     return found
 
 
-def _curves_of_bones(action, slot, names):
+def curves_of_bones(action, slot, names):
     """Return {bone name: {channel: {array index: F-curve}}} of the action's F-curves that are not muted. channel: such as "location"."""
     wanted, found = set(names), {}
     for curve in actions.curves_for_object(action, slot, wanted):
         if curve.mute or (curve.group and curve.group.mute):
             continue
         name, channel = actions.bone_of(curve), curve.data_path.rpartition(".")[2]
-        if name in wanted and channel in _SIZES and curve.array_index < _SIZES[channel]:
+        if name in wanted and channel in SIZES and curve.array_index < SIZES[channel]:
             found.setdefault(name, {}).setdefault(channel, {})[curve.array_index] = curve
     return found
 
 
-def _mode(own, channels):
+def mode_of(own, channels):
     """Return the rotation mode in which an action turns a bone: the bone's own mode if the action animates it or no mode at all.
 
     If the action animates only a different kind of rotation, its mode is returned. own: the bone's mode. channels: animated channels.
@@ -128,10 +173,14 @@ def _mode(own, channels):
     return others[0] if others else own
 
 
+def rotation_of(mode):
+    """Return the name of the property that turns a bone in a rotation mode."""
+    return {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}.get(mode, "rotation_euler")
+
+
 def _used(channels, mode):
     """Yield (channel, array index, F-curve) of location, scale and the rotation channel that is in effect in a rotation mode."""
-    turning = {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}.get(mode, "rotation_euler")
-    for channel in ("location", turning, "scale"):
+    for channel in ("location", rotation_of(mode), "scale"):
         for index, curve in channels.get(channel, {}).items():
             yield channel, index, curve
 

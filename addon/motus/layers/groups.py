@@ -18,10 +18,12 @@ CONNECTED = frozenset({"rotation", "scale"})
 
 
 def masked(owner):
-    """List the names of the bones in the masks of a rig's layers, in the order of the rig's pose."""
+    """List the names of the bones that layers may move, in the order of the rig's pose: those in masks, all while a layer is edited."""
     entries = owner.motus.layers.entries
     if not entries or owner.pose is None:
         return []
+    if any(entry.is_edited for entry in entries):
+        return owner.pose.bones.keys()  # the action that is edited may animate bones outside of the mask too
     found = {name for entry in entries for name in mask.names(owner, entry)}
     return [name for name in owner.pose.bones.keys() if name in found]
 

@@ -6,9 +6,10 @@ from ..core.interface import operators
 from ..core.interface.rows import Row, Rows
 from ..core.measures import scene_time
 from ..core.refusals import check_finite, check_no_tweak_mode
+from ..core.settings.declared import choice
 from ..core.translations import tr
-from . import rows, setup, targets
-from .properties import KEYWORDS, LayerKeywords
+from . import editing, rows, setup, targets
+from .properties import KEYWORDS, MODES, LayerKeywords
 
 MASKS = (
     ('SELECTED', "Selected Bones", "The bones that are selected in Pose Mode; all bones of the rig in Object Mode"),
@@ -51,7 +52,7 @@ class MaskKeywords:
         bones = targets.bones_named(rig, self.bones)
         found = targets.collections_named(rig, self.collections)
         if not bones and not found and selected:
-            bones = targets.selected_bones(context, rig)
+            bones = targets.topmost_selected(context, rig)
         return [(name, kind, self.with_children) for kind, names in (('BONE', bones), ('COLLECTION', found)) for name in names]
 
 
@@ -64,6 +65,11 @@ class MOTUS_OT_layer_add(operators.FindsValues, MaskKeywords, LayerKeywords, OfA
     slot: bpy.props.StringProperty(
         name="Slot",
         description="Identifier of the action's slot; empty takes the rig's own or one of its name, else the first one that animates its bones",
+        options={'SKIP_SAVE'},
+    )
+    reference_action: bpy.props.StringProperty(
+        name="Reference Action",
+        description="Name of the action with which an additive layer is compared, if its reference is a different action",
         options={'SKIP_SAVE'},
     )
     layer: bpy.props.StringProperty(
@@ -96,6 +102,8 @@ class MOTUS_OT_layer_add(operators.FindsValues, MaskKeywords, LayerKeywords, OfA
         index = rig.motus.layers.entries.find(self.layer) if self.layer else -1
         if self.action or self.slot:
             changes |= {"action": action, "slot": self.slot or setup.slot_of(rig, action)}
+        if self.reference_action:
+            changes |= {"reference_action": targets.action_for(self.reference_action)}
         if index >= 0:
             has_mask = any(map(self.is_given, ("bones", "collections", "mask")))
             setup.change(rig, index, changes, items if has_mask else None)
@@ -110,6 +118,29 @@ class MOTUS_OT_layer_add(operators.FindsValues, MaskKeywords, LayerKeywords, OfA
         self.report({'INFO'}, tr("{object} has the layer {layer}").format(object=rig.name, layer=made.name))
 
 
+class MOTUS_OT_layer_new(MaskKeywords, OfARig, bpy.types.Operator):  # type: ignore[misc]
+    bl_idname = "motus.layer_new"
+    bl_label = "New Empty Layer"
+    bl_description = "Lay a new action without keys over the rig's own animation, for as long as the scene: keys go into it as it is edited"
+
+    layer: bpy.props.StringProperty(name="Layer", description="Name of the layer and its action", options={'SKIP_SAVE'})
+    mode: choice("Mode", "How the layer acts on what lies beneath it", MODES, 'OVERRIDE')
+    redo = (Rows(("with_children", "mode")),)
+
+    @classmethod
+    def check_offer(cls, context):
+        targets.check_editable(targets.rig_for(context, ""))
+
+    def run(self, context):
+        rig, scene = targets.rig_for(context, self.object), context.scene
+        targets.check_editable(rig)
+        items = self.items(context, rig)
+        targets.check_room(rig)
+        check_no_tweak_mode(rig)
+        made = setup.add_empty(rig, self.layer or tr("Layer"), self.mode, (scene_time.first(scene), scene_time.last(scene)), items)
+        self.report({'INFO'}, tr("{object} has the layer {layer}").format(object=rig.name, layer=made.name))
+
+
 class MOTUS_OT_layer_remove(OfALayer, bpy.types.Operator):
     bl_idname = "motus.layer_remove"
     bl_label = "Remove Layer"
@@ -118,10 +149,12 @@ class MOTUS_OT_layer_remove(OfALayer, bpy.types.Operator):
     def run(self, context):
         rig, index = self.chosen(context)
         targets.check_free_to_move(rig, index)
+        if any(entry.is_edited for entry in rig.motus.layers.entries):
+            editing.leave(rig)
         check_no_tweak_mode(rig)
         name = rig.motus.layers.entries[index].name
         setup.remove(rig, index)
         self.report({'INFO'}, tr("Removed the layer {layer} of {object}").format(layer=name, object=rig.name))
 
 
-classes = (MOTUS_OT_layer_add, MOTUS_OT_layer_remove)
+classes = (MOTUS_OT_layer_add, MOTUS_OT_layer_new, MOTUS_OT_layer_remove)

@@ -91,7 +91,7 @@ class OverTime(SolvedBone):
     @property
     def stamp(self):
         """Hashable value that changes whenever the bone's motion under the layers may."""
-        playing = list(filter(None, (pointed(entry, "action") for entry in self._layers)))
+        playing = list(filter(None, (pointed(entry, name) for entry in self._layers for name in ("action", "reference_action"))))
         return together((self._bone.name, self._inputs.stamp, *map(read_keys.number_of, playing)))
 
     def applied(self, times, transforms):
@@ -146,7 +146,7 @@ class OverTime(SolvedBone):
         """Return the weights of the L layers at times (n,), as an array (n, L). The weight of a muted layer is 0."""
         numbers = self._inputs.numbers(times)
         found = [
-            np.where(numbers[index, "is_muted"] != 0.0, 0.0, numbers["influence"] * numbers[index, "weight"])
-            for index in range(len(self._layers))
+            np.where(is_silent | (numbers[index, "is_muted"] != 0.0), 0.0, numbers["influence"] * numbers[index, "weight"])
+            for index, is_silent in enumerate(solve.silenced(self._layers))
         ]
         return np.stack(found, axis=1)

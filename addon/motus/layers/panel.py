@@ -8,9 +8,9 @@ from ..core.file.pointers import pointed
 from ..core.interface import panels, ui
 from ..core.settings.entries import active
 from ..core.translations import tr
-from . import mask, presets, rows
+from . import live, mask, presets, rows
 from .setup import system
-from .solve import SOME_ARE_OFF
+from .solve import SOME_ARE_OFF, is_compared
 
 
 def active_entry(rig):
@@ -22,6 +22,8 @@ def fault(rig, entry):
     """Return a sentence on what is missing for a layer: its action, or bones of its mask; "" if nothing is missing."""
     if pointed(entry, "action") is None:
         return tr("Choose an action for this layer")
+    if is_compared(entry) and pointed(entry, "reference_action") is None:
+        return tr("Choose the action that this layer is compared with")
     missing = [item.name for item in entry.mask if not mask.is_there(rig, item)]
     if missing:
         return tr("{object} lacks bones or collections of the mask: {names}").format(object=rig.name, names=", ".join(missing))
@@ -39,7 +41,9 @@ def draw_main(layout, context):
     )
     add.object = remove.object = rig.name
     column.separator()
+    column.operator("motus.layer_new", text="", icon='FILE_NEW').object = rig.name
     column.operator("motus.layer_duplicate", text="", icon='DUPLICATE').object = rig.name
+    column.operator("motus.layer_merge", text="", icon='TRIA_DOWN_BAR').object = rig.name
     for direction, icon in (('UP', 'TRIA_UP'), ('DOWN', 'TRIA_DOWN')):
         button = column.operator("motus.layer_move", text="", icon=icon)
         button.object, button.direction = rig.name, direction
@@ -55,6 +59,13 @@ def draw_main(layout, context):
     if action and capabilities.has_slotted_actions() and len(action.slots) > 1:
         column.prop_search(entry, "slot", action, "slots")
     rows.BLENDING.draw(ui.split(layout), entry)
+    if is_compared(entry):
+        ui.split(layout).prop(entry, "reference_action")
+    row = layout.row(align=True)
+    row.operator("motus.layer_edit", icon='FCURVE', depress=entry.is_edited).object = rig.name
+    row.operator("motus.layer_key", text="Key Pose", icon='KEY_HLT').object = rig.name
+    if live.was_left(rig):
+        ui.draw_message(layout, tr("The editing of a layer was left in the NLA editor: press Edit Layer to end it"), 'ERROR')
 
 
 def draw_timing(layout, context):
@@ -92,18 +103,26 @@ def draw_actions(layout, context):
     name = context.object.name
     column = layout.column(align=True)  # the buttons would be too narrow side by side in a narrow editor
     column.operator("motus.layers_flatten", icon='NLA_PUSHDOWN').object = name
+    column.operator("motus.layers_to_nla", icon='NLA').object = name
     ui.draw_bake(column)
     column.operator("motus.layer_remove", text="Remove", icon='X').object = name
 
 
+def _icon_of(entry):
+    if pointed(entry, "action") is None:
+        return 'ERROR'
+    return 'GREASEPENCIL' if entry.is_edited else 'ACTION'
+
+
 class MOTUS_UL_layers_entries(bpy.types.UIList):
-    def draw_item(self, _context, layout, _settings, entry, _icon, _active, _name, _index):
+    def draw_item(self, _context, layout, settings, entry, _icon, _active, _name, _index):
         row = layout.row(align=True)
-        row.active = not entry.is_muted
-        row.prop(entry, "name", text="", emboss=False, icon='ACTION' if pointed(entry, "action") else 'ERROR')
+        row.active = not entry.is_muted and (entry.is_solo or not any(one.is_solo for one in settings.entries))
+        row.prop(entry, "name", text="", emboss=False, icon=_icon_of(entry))
         field = row.row()
         field.scale_x = 0.8
         field.prop(entry, "weight", text="", slider=True)
+        row.prop(entry, "is_solo", text="", icon='SOLO_ON' if entry.is_solo else 'SOLO_OFF', emboss=False)
         row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
 
 

@@ -15,6 +15,7 @@ REFERENCES = (
     ('FIRST', "First Frame", "The action is compared with its own first frame"),
     ('FRAME', "Frame", "The action is compared with its pose at a frame of its own"),
     ('REST', "Rest Pose", "The action is compared with the rig's rest pose"),
+    ('ACTION', "Other Action", "The action is compared with a pose of a different action"),
 )
 AFTERS = (
     ('STOP', "Stop", "The layer ends with its action"),
@@ -62,7 +63,9 @@ class LayerKeywords:
     blend_in: _frames("Blend In", "Number of frames from the start over which the weight grows", 0.0, min=0.0)
     blend_out: _frames("Blend Out", "Number of frames before the end over which the weight of a layer that stops fades", 0.0, min=0.0)
     reference: choice("Reference", "Pose that an additive layer is compared with", REFERENCES, 'FIRST')
-    reference_frame: _frames("Reference Frame", "Frame of the action whose pose an additive layer is compared with", 1.0)
+    reference_frame: _frames(
+        "Reference Frame", "Frame of the action, or of the other action, whose pose an additive layer is compared with", 1.0
+    )
     in_armature: bpy.props.BoolProperty(
         name="Steady in Armature",
         description="Blend rotations as they are in the armature, so that hips outside of the mask do not swing the bones in it",
@@ -123,6 +126,13 @@ class MOTUS_PG_layers_entry(LayerKeywords, bpy.types.PropertyGroup):
     action: bpy.props.PointerProperty(
         type=bpy.types.Action, name="Action", description="Action that the layer plays", update=touch, override=OVERRIDABLE
     )
+    reference_action: bpy.props.PointerProperty(
+        type=bpy.types.Action,
+        name="Reference Action",
+        description="Action whose pose at the reference frame an additive layer is compared with",
+        update=touch,
+        override=OVERRIDABLE,
+    )
     slot: bpy.props.StringProperty(
         name="Slot",
         description="Slot of the action, where it has several; empty takes the first one that animates bones of the rig",
@@ -133,6 +143,18 @@ class MOTUS_PG_layers_entry(LayerKeywords, bpy.types.PropertyGroup):
     active_mask: bpy.props.IntProperty(name="Active Mask", options=set())
     is_muted: bpy.props.BoolProperty(
         name="Mute", description="Switch the layer off", default=False, update=touch, options=ANIMATED, override=OVERRIDABLE
+    )
+    is_solo: bpy.props.BoolProperty(
+        name="Solo",
+        description="Play this layer without those that are not played alone too",
+        default=False,
+        update=touch,
+        options=set(),
+        override=OVERRIDABLE,
+    )
+    is_edited: bpy.props.BoolProperty(name="Edited", description="The layer's action is shown and keyed in the editors", options={'HIDDEN'})
+    is_open: bpy.props.BoolProperty(
+        name="Open", description="The layer's frame range was set for as long as the layer is edited", options={'HIDDEN'}
     )
 
 
@@ -150,3 +172,6 @@ class MOTUS_PG_layers(SystemSettings, bpy.types.PropertyGroup):
     )
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_layers_entry, name="Layers", override=EXTENDABLE)
     active_entry: bpy.props.IntProperty(name="Active Layer", options=set())
+    kept_channels: bpy.props.StringProperty(
+        name="Kept Channels", description="Values of bones' channels when the editing of a layer began", options={'HIDDEN'}
+    )

@@ -8,7 +8,7 @@ BLENDING = Rows(
         Row("mode", expand=True),
         Row("weight", text="Weight", text_ctxt=OWN_SENSE),
         Row("reference", when=is_one_of("mode", 'ADDITIVE')),
-        Row("reference_frame", when=lambda layer: layer.mode == 'ADDITIVE' and layer.reference == 'FRAME'),
+        Row("reference_frame", when=lambda layer: layer.mode == 'ADDITIVE' and layer.reference in {'FRAME', 'ACTION'}),
     ),
     title="Blending",
 )

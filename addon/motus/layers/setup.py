@@ -2,6 +2,8 @@
 
 import re
 
+import bpy
+
 from ..core.blender import actions, capabilities
 from ..core.declare import registered
 from ..core.settings import entries, entry_keys
@@ -29,6 +31,29 @@ def add(rig, name, changes, items):
         _add_items(entry, items)
         settings.active_entry = len(settings.entries) - 1
     return rig.motus.layers.entries[-1]
+
+
+def add_empty(rig, name, mode, frames, items):
+    """Add a layer with a new action without keys, whose frames are those of the scene; returns its settings.
+
+    frames: (first, last) of the scene. items: as of add().
+    """
+    action = bpy.data.actions.new(f"{rig.name} {name}")
+    action.use_fake_user = True  # Blender does not save an action without a user, which it is once its layer is removed
+    bag = actions.bag_for_object(action, "", (), rig.name)
+    first, last = frames
+    changes = {
+        "action": action,
+        "slot": bag.slot.identifier if capabilities.has_slotted_actions() else "",
+        "mode": mode,
+        "reference": 'REST',
+        "start": first,
+        "use_range": True,
+        "first_frame": first,
+        "last_frame": last,
+        "after": 'HOLD',
+    }
+    return add(rig, name, changes, items)
 
 
 def change(rig, index, changes, items=None):
@@ -59,7 +84,7 @@ def free_name(layers, wanted):
 def duplicate(rig, index):
     """Add a copy of a layer right above the layer. Keys of the layer's settings are not copied."""
     source = rig.motus.layers.entries[index]
-    changes = {name: getattr(source, name) for name in (*KEYWORDS, "action", "slot", "is_muted")}
+    changes = {name: getattr(source, name) for name in (*KEYWORDS, "action", "slot", "reference_action", "is_muted")}
     with entries.at_once(system(), rig) as settings:
         entry = settings.entries.add()
         source = settings.entries[index]

@@ -6,7 +6,7 @@ from ..core.file import stored
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from . import clips, mask
+from . import clips, live, mask
 from .groups import LOOPED, PLAN
 
 SOME_ARE_OFF = Problem("Some layers have no action, or one without keys for their bones: the list says which", blocking=False)
@@ -50,20 +50,38 @@ class Source:
     """Data of an evaluated rig's layers that change only by edits, so that they can be cached between frames.
 
     entries: settings of the L layers. playing: (action or None, slot) of each. modes: rotation modes of all bones. masks: (L, bones)
-    weights of all bones in the masks.
+    weights of all bones in the masks. edited: index of the layer that is edited by its keys; None if there is none.
     """
 
     def __init__(self, rig, copy, wired):
         self.wired, self.reader = wired, rigs.Reader(rig, copy, wired.still)
         self.entries = list(rig.motus.layers.entries)
         self.playing = [(pointed(entry, "action"), entry.slot) for entry in self.entries]
+        self._compared = [pointed(entry, "reference_action") if is_compared(entry) else None for entry in self.entries]
         self.modes = tuple(bone.rotation_mode for bone in rig.pose.bones)
         masks = [native.module.layer_mask(wired.parents, mask.chosen(rig, entry, wired.places), entry.feather) for entry in self.entries]
         self.masks = np.array(masks).reshape(len(masks), len(wired.places))
+        self._rig, self.edited = rig, live.edited(rig)
+        self._live: tuple = None, None
 
     def clips(self):
         """List the Clip of each layer; None for a layer without an action. Not cached, because an action can be edited without the rig."""
-        return [action and clips.clip_of(action, slot, self.wired.still.names, self.modes) for action, slot in self.playing]
+        found = [action and clips.clip_of(action, slot, self.wired.still.names, self.modes) for action, slot in self.playing]
+        if self.edited is not None and found[self.edited] is not None:
+            found[self.edited] = self._live_of(found[self.edited])
+        return found
+
+    def references(self):
+        """List the Clip of the action that each layer is compared with; None for a layer that needs none, or has none."""
+        return [action and clips.clip_of(action, "", self.wired.still.names, self.modes) for action in self._compared]
+
+    def _live_of(self, clip):
+        """Return the Live of the Clip of the layer that is edited; it is cached until the action's keys are edited."""
+        known, found = self._live
+        if known is not clip:
+            found = live.Live(self._rig, clip, self.wired.still.names, self.modes)
+            self._live = clip, found
+        return found
 
 
 def solve(context):
@@ -82,9 +100,18 @@ def solve(context):
     if len(wired.rows) != len(context.rotations):
         raise stored.Damaged("another number of members")
     found = source.clips()
-    playing, settings, some_are_off = context.kept("playing", (source, *found), lambda: _playing(context.settings, source, found))
+    playing, settings, some_are_off = context.kept(
+        "playing", (source, *found, *source.references()), lambda: _playing(context.settings, source, found)
+    )
     laid = np.empty((len(wired.rows), 16), np.float32)  # a new one, since other threads may read the present one
-    playing.lay(context.frame, settings, source.reader.own_basis(), context.locations, context.rotations, context.scales, laid)
+    moves = context.locations, context.rotations, context.scales
+    if source.edited is None or found[source.edited] is None:
+        playing.lay(context.frame, settings, source.reader.own_basis(), *moves, laid)
+    else:
+        own, basis = source.reader.own_basis().copy(), source.reader.own_basis()
+        basis[found[source.edited].rows] = found[source.edited].beneath(context.frame)
+        playing.lay(context.frame, settings, basis, *moves, laid)
+        native.module.layer_moves(own[wired.rows], laid, *moves)
     rigs.lay(context.copy, context.group, wired.rows, laid)
     if some_are_off:
         return SOME_ARE_OFF
@@ -96,10 +123,19 @@ def _playing(settings, source, found):
 
     found: Clip or None of each layer of the Source.
     """
+    rows, values = acting(settings, found, settings.influence)
+    return Playing(source, found, rows), values, any(clip is None or not clip.native.bones for clip in found)
+
+
+def acting(settings, found, influence):
+    """Return (indices of the layers with an effect, their rows of still_settings() with an influence of them all).
+
+    found: Clip or None of each layer.
+    """
     values = still_settings(settings.entries, found)
-    values[:, WEIGHT] *= settings.influence
+    values[:, WEIGHT] *= influence
     rows = [row for row, clip in enumerate(found) if clip is not None and values[row, WEIGHT] > 0.0]
-    return Playing(source, found, rows), values[rows], any(clip is None or not clip.native.bones for clip in found)
+    return rows, values[rows]
 
 
 class Playing:
@@ -114,8 +150,9 @@ class Playing:
         self._asks_curves = any(clip.asks_curves for clip in self._clips)
         self._natives = [clip.native for clip in self._clips]
         played = [(source.entries[row], found[row]) for row in rows]
-        frames = [_reference_frame(*pair) for pair in played]
-        self._references = [None if at is None else clip.reference(at) for at, clip in zip(frames, self._clips)]
+        frames = [reference_frame(entry, clip.frames) for entry, clip in played]
+        others = source.references()
+        self._references = [_reference(*pair, at, others[row]) for row, at, pair in zip(rows, frames, played)]
         self._laps = [_laps(*pair, at) for at, pair in zip(frames, played)]
 
     def lay(self, frame, settings, basis, locations, rotations, scales, laid):
@@ -123,36 +160,49 @@ class Playing:
 
         frame: of the scene. settings: rows of still_settings() for the layers with an effect. basis: own matrices of all bones.
         """
-        wired, given = self._wired, [None] * len(self._clips)
-        basis[wired.unknown] = _EYE
+        basis[self._wired.unknown] = _EYE
+        stack, arguments = self._wired.stack, self._arguments(frame, settings)
+        stack.solve(frame, basis, *arguments, self._wired.rows, locations, rotations, scales, laid, self._laps)
+
+    def sources(self, frame, settings, basis, edited, wanted, rows):
+        """Return what the clip of one layer has to say of bones, so that the layers make a wanted pose: LayerStack.sources().
+
+        edited: index of the layer among those with an effect. wanted: (B, 16) float32, matrices of all bones. rows: of the bones.
+        """
+        return self._wired.stack.sources(frame, basis, *self._arguments(frame, settings), edited, wanted, rows, self._laps)
+
+    def _arguments(self, frame, settings):
+        """Return the arguments that solve() and sources() of the LayerStack share, between `basis` and `rows`."""
+        given = [None] * len(self._clips)
         if self._asks_curves:
             frames = native.module.layer_moments(settings, frame)[:, 0].tolist()
             given = [clip.given(at) for at, clip in zip(frames, self._clips)]
-        wired.stack.solve(
-            frame,
-            basis,
-            self._natives,
-            settings,
-            self._masks,
-            self._references,
-            given,
-            wired.rows,
-            locations,
-            rotations,
-            scales,
-            laid,
-            self._laps,
-        )
+        return self._natives, settings, self._masks, self._references, given
 
 
-def _reference_frame(entry, clip):
-    """Return the frame of the action whose pose an additive layer subtracts.
+def is_compared(entry):
+    """Whether a layer is compared with a pose of a different action."""
+    return entry.mode == 'ADDITIVE' and entry.reference == 'ACTION'
 
-    None for a layer that subtracts the rest pose, and for a layer that is not additive.
+
+def _reference(entry, clip, frame, other):
+    """Return the pose that a layer is compared with, (n, 10); None for the rest pose, and for a layer that is not additive.
+
+    frame: reference_frame(). other: Clip of the action that the layer is compared with, or None.
     """
-    if entry.mode != 'ADDITIVE' or entry.reference == 'REST':
+    if is_compared(entry):
+        return None if other is None else clips.pose_of(other, clip.native.bones, entry.reference_frame)
+    return None if frame is None else clip.reference(frame)
+
+
+def reference_frame(entry, frames):
+    """Return the frame of its own action whose pose an additive layer subtracts. frames: (first, last) frame of the action.
+
+    None for a layer that subtracts the rest pose or a pose of a different action, and for a layer that is not additive.
+    """
+    if entry.mode != 'ADDITIVE' or entry.reference in {'REST', 'ACTION'}:
         return None
-    return entry.reference_frame if entry.reference == 'FRAME' else span(entry, clip.frames)[0]
+    return entry.reference_frame if entry.reference == 'FRAME' else span(entry, frames)[0]
 
 
 def _laps(entry, clip, reference):
@@ -170,11 +220,18 @@ def span(entry, frames):
 
 def still_settings(entries, found):
     """Return the settings of L layers for the native LayerStack, as an array (L, COLUMNS). found: Clip or None of each layer."""
-    rows = [_numbers(entry, clip) for entry, clip in zip(entries, found)]
+    silent = silenced(entries)
+    rows = [_numbers(entry, clip, is_silent) for entry, clip, is_silent in zip(entries, found, silent)]
     return np.array(rows, float).reshape(-1, COLUMNS)
 
 
-def _numbers(entry, clip):
+def silenced(entries):
+    """Return for each layer whether other layers are played alone, so that this one has no effect."""
+    has_solo = any(entry.is_solo for entry in entries)
+    return [has_solo and not entry.is_solo for entry in entries]
+
+
+def _numbers(entry, clip, is_silent):
     first, last = span(entry, clip.frames) if clip else (1.0, 1.0)
     return (
         entry.start,
@@ -184,7 +241,7 @@ def _numbers(entry, clip):
         _AFTERS[chosen(entry, "after")],
         entry.blend_in,
         entry.blend_out,
-        0.0 if entry.is_muted else entry.weight,
+        0.0 if entry.is_muted or is_silent else entry.weight,
         entry.mode == 'ADDITIVE',
         entry.in_armature,
     )

@@ -8,6 +8,7 @@ import bpy
 from ..core.blender import actions, capabilities
 from ..core.declare import has_settings, registered
 from ..core.file import libraries
+from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.translations import tr
 from . import mask
@@ -56,6 +57,16 @@ def action_for(name):
     return found
 
 
+def check_action(entry):
+    """Return the action of a layer. Refuses a layer whose action is missing, or has its keys in a library file."""
+    action = pointed(entry, "action")
+    if action is None:
+        raise Refused(tr("Choose an action for this layer"))
+    if actions.is_linked(action):
+        raise Refused(tr("{action} is linked from another file: make it local first").format(action=action.name))
+    return action
+
+
 def check_slot(action, slot):
     """Refuse the identifier of an action slot that does not exist in the action or is not for objects; "" is accepted."""
     if not slot:
@@ -67,10 +78,16 @@ def check_slot(action, slot):
 
 
 def selected_bones(context, rig):
-    """List the names of the bones selected in Pose Mode, without those that have a selected parent, however far above."""
+    """List the names of the bones that are selected in Pose Mode, in the order of the armature."""
     if context.mode != 'POSE':
         return []
     found = {bone.name for bone in context.selected_pose_bones or () if bone.id_data == rig}
+    return [bone.name for bone in rig.data.bones if bone.name in found]
+
+
+def topmost_selected(context, rig):
+    """List the names of the bones that are selected in Pose Mode, without those that have a selected parent, however far above."""
+    found = set(selected_bones(context, rig))
     return [bone.name for bone in rig.data.bones if bone.name in found and not found & {above.name for above in bone.parent_recursive}]
 
 

@@ -3,6 +3,7 @@
 import bpy
 from mathutils import Vector
 
+import support
 from layers import layer_cases
 from look_at import look_at_cases
 from window import window_support
@@ -86,3 +87,43 @@ def test_the_mask_is_drawn():
         counts.append(sum(1 for red, green, blue in colors if red > 0.7 and 0.3 < green < 0.75 and blue < 0.35))
         bpy.ops.object.mode_set(mode='OBJECT')
     assert counts[0] > counts[1] + 200, counts
+
+
+def test_the_key_of_the_keyboard_goes_into_the_layer():
+    rig = build()
+    walk = layer_cases.turning("Walk", layer_cases.WALKING)
+    layer_cases.play(rig, walk)
+    bpy.ops.motus.layer_add(object=rig.name, action="Throw", bones="Chest", weight=0.5, start=3.0)
+    scene = bpy.context.scene
+    scene.keying_sets_all.active = next(one for one in scene.keying_sets_all if one.bl_idname == "Rotation")
+    frame_the_figure()
+    yield
+    with window_support.override():
+        assert bpy.ops.motus.layer_edit('INVOKE_DEFAULT') == {'FINISHED'}
+    scene.frame_set(9)
+    yield
+    rig.pose.bones["Chest"].rotation_quaternion = (0.8, 0.0, 0.6, 0.0)
+    yield
+    before = rig.evaluated_get(bpy.context.evaluated_depsgraph_get()).pose.bones["Chest"].matrix.copy()
+    x, y = window_support.centre()
+    window_support.move(x, y)
+    window_support.press('I', x, y)
+    assert (yield from window_support.until(lambda: 7.0 in frames_of("Throw", "Chest"))), frames_of("Throw", "Chest")
+    assert 9.0 not in frames_of("Walk", "Chest"), frames_of("Walk", "Chest")
+    drawn = yield from window_support.open_tab("Motus")
+    assert "MOTUS_PT_layers" in drawn, drawn
+    yield from window_support.picture("layers_edited")
+    with window_support.override():
+        assert bpy.ops.motus.layer_edit('INVOKE_DEFAULT') == {'FINISHED'}
+    assert rig.animation_data.action == walk
+    scene.frame_set(4)
+    scene.frame_set(9)
+    after = rig.evaluated_get(bpy.context.evaluated_depsgraph_get()).pose.bones["Chest"].matrix
+    assert max(abs(a - b) for one, other in zip(before, after) for a, b in zip(one, other)) < 1e-5, (before, after)
+    bpy.ops.object.mode_set(mode='OBJECT')
+
+
+def frames_of(name, bone):
+    """Frames of the keys that an action has for a bone."""
+    curves = [curve for some in support.addon("core.blender.actions").all_fcurves(bpy.data.actions[name]) for curve in some]
+    return {point.co.x for curve in curves if f'"{bone}"' in curve.data_path for point in curve.keyframe_points}

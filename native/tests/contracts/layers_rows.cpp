@@ -216,6 +216,30 @@ void add_stacks(Table& table) {
         .costs("O(layers (curves + bones))")
         .allocates(Memory::scratch)
         .adds("sizes of `base`, `reference` and `laps`; `result` may be `base`");
+    add(
+        table,
+        "bones::layers::Stack::find_source(frame, layers, edited, base, wanted, chosen, said, reached)",
+        [](double frame, const LayerTiming& given, double weight, const auto& mask, std::size_t edited,
+           const auto& chosen, auto said, auto reached) {
+            Layer layer;
+            const std::vector values{2.0};
+            layer.clip = &sample_clip();
+            layer.given = values;
+            layer.mask = mask;
+            layer.timing = given;
+            layer.weight = weight;
+            const std::vector<Transform> pose(4);
+            sample_stack().find_source(frame, std::span(&layer, 1), edited, pose, pose, chosen, said,
+                                       reached);
+        },
+        arg("frame", 3.0, finite()), timing(), arg("weight", 0.7, finite()),
+        arg("mask", std::vector<double>(4, 1.0), rests, as_many_as("the bones")),
+        arg("edited", std::size_t{0}, index(1, "a layer")),
+        arg("chosen", std::vector<int>{1, 2}, index(4, "a bone"), as_many_as("`said`")),
+        out<Transform>("said", 2, "`chosen`"), out<unsigned>("reached", 2, "`chosen`"))
+        .costs("O(layers (curves + bones))")
+        .allocates(Memory::scratch)
+        .adds("sizes of `base` and `wanted`");
     table.moved.push_back({"bones::layers::Stack", "of no bones", [] {
                                Stack from = sample_stack();
                                const Stack taken = std::move(from);
@@ -270,6 +294,15 @@ void add_transforms(Table& table) {
         table, "bones::layers::part_of_turn(turn, weight)",
         [](const glm::dquat& turn, double by) { return part_of_turn(turn, by); },
         arg("turn", glm::dquat(0.8, 0.6, 0.0, 0.0), unit_unchecked()), weight)
+        .costs("O(1)");
+    const auto part = arg("part", glm::dquat(0.8, 0.6, 0.0, 0.0), unit_unchecked());
+    add(
+        table, "bones::layers::whole_turn(part, weight)",
+        [](const glm::dquat& given, double by) { return whole_turn(given, by); }, part, weight)
+        .costs("O(1)");
+    add(
+        table, "bones::layers::has_whole_turn(part, weight)",
+        [](const glm::dquat& given, double by) { return has_whole_turn(given, by); }, part, weight)
         .costs("O(1)");
     add(
         table, "bones::layers::overridden(base, source, weight, channels)",

@@ -55,6 +55,40 @@ class Stack:
         return found
 
 
+class Sources(unittest.TestCase):
+    def test_what_a_layer_has_to_say_makes_the_wanted_pose(self):
+        told = native.LayerClip([0] * 3, np.array([(1, channel, -1, 0) for channel in range(10)], np.int32), [])
+        rest = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0]
+        stack, rows = Stack(), [1]
+        layers = {
+            "clips": [told, clip()],
+            "settings": np.concatenate([settings(weight=0.3), settings(weight=0.5)]),
+            "masks": np.ones((2, 3)),
+            "references": [None, None],
+        }
+        wanted = np.tile(EYE, (3, 1))
+        wanted[1, 12:15] = 0.3, 0.0, -0.6
+        given = stack.arguments | layers | {"given": [rest, None]}
+        given.pop("rows")
+        found, reached = stack.stack.sources(6.0, **given, edited=0, wanted=wanted, rows=rows)
+        self.assertEqual(reached, (7,))
+        np.testing.assert_allclose(found[0, :3], [1.0, 0.0, -2.0], atol=1e-6)
+        seen = stack.solve(6.0, **(layers | {"given": [found[0], None], "rows": [0, 1]}))
+        np.testing.assert_allclose(seen["laid"][1], wanted[1], atol=1e-6)
+        for name, bad in (("edited", 2), ("wanted", wanted[:2]), ("rows", [3])):
+            with self.assertRaisesRegex(ValueError, f"^{name}: "):
+                stack.stack.sources(6.0, **(given | {"edited": 0, "wanted": wanted, "rows": rows} | {name: bad}))
+
+    def test_moves(self):
+        found = Stack().solve()
+        made = {name: np.empty_like(found[name]) for name in ("locations", "rotations", "scales")}
+        native.layer_moves(np.tile(EYE, (2, 1)), found["laid"], **made)
+        for name, values in made.items():
+            np.testing.assert_allclose(values, found[name], atol=1e-6)
+        with self.assertRaisesRegex(ValueError, "^laid: "):
+            native.layer_moves(np.tile(EYE, (2, 1)), found["laid"][:1], **made)
+
+
 class Clips(unittest.TestCase):
     def test_what_it_says(self):
         found = clip()

@@ -49,6 +49,19 @@ def curves_for_object(action: Any, slot: str = "", bones: Container[str] = ()) -
     return best.fcurves if best else ()
 
 
+def bag_for_object(action: Any, slot: str, bones: Container[str], name: str) -> Any:
+    """The action or channelbag that holds the F-curves which curves_for_object() gives; it is created if there is none.
+
+    name: of the slot that is created if the action has none for objects.
+    """
+    if not capabilities.has_slotted_actions():
+        return action
+    found = [action.slots[slot]] if slot in action.slots else slots_for_objects(action)
+    bags = [bag for bag in (_channelbag(action, one) for one in found) if bag]
+    best = next((bag for bag in bags if animates(bag.fcurves, bones)), bags[0] if bags else None)
+    return best or _ensure_channelbag(action, found[0] if found else action.slots.new('OBJECT', name))
+
+
 def animates(curves: Curves, bones: Container[str]) -> bool:
     """Whether one of the F-curves animates location, rotation or scale of one of these bones. bones: names."""
     return any(bone_of(curve) in bones for curve in curves)
@@ -82,7 +95,7 @@ def make_own(player: Any) -> None:
     player: AnimData or an NLA strip that has an action.
     """
     action = player.action
-    if not _is_linked(action) and action.users - action.use_fake_user <= 1:
+    if not is_linked(action) and action.users - action.use_fake_user <= 1:
         return
     slot = player.action_slot.identifier if capabilities.has_slotted_actions() and player.action_slot else ""
     # A copy of a library override is an override too, so the copy is made of the overridden action.
@@ -91,16 +104,16 @@ def make_own(player: Any) -> None:
         player.action_slot = player.action.slots.get(slot)
 
 
+def is_linked(action: bpy.types.Action) -> bool:
+    """Whether the keys of an action belong to a library file: the action is linked, or is a library override."""
+    return bool(action.library or action.override_library)
+
+
 def make_local(id_data: Any) -> None:
     """Replace the action of a datablock by a local copy if the action is linked, since a linked action cannot be keyed."""
     animation = id_data.animation_data
-    if animation and animation.action and _is_linked(animation.action):
+    if animation and animation.action and is_linked(animation.action):
         make_own(animation)
-
-
-def _is_linked(action: bpy.types.Action) -> bool:
-    """Whether the keys of an action belong to a library file: the action is linked, or is a library override."""
-    return bool(action.library or action.override_library)
 
 
 def all_fcurves(action: Any) -> Iterable[Curves]:

@@ -377,6 +377,52 @@ void solve_stack(const layers::Stack& stack, const Number& frame, const Float32A
     }
 }
 
+void moves_between(const Float32Array& own, const Float32Array& laid, const Float64Array& locations,
+                   const Float64Array& rotations, const Float64Array& scales) {
+    const std::size_t count = rows_of(own, "own");
+    const std::span<const float> from = elements<float>(own, "own", {count, 16});
+    const std::span<const float> to = elements<float>(laid, "laid", {count, 16});
+    Moves moves(locations, rotations, scales, count);
+    for (std::size_t i = 0; i < count; ++i)
+        moves.set(i, layers::between_transforms(layers::transform_of(matrix_in(from, i)),
+                                                layers::transform_of(matrix_in(to, i))));
+}
+
+py::tuple find_sources(const layers::Stack& stack, const Number& frame, const Float32Array& basis,
+                       const py::list& clips, const Float64Array& settings, const Float64Array& masks,
+                       const py::list& references, const py::list& given, const WholeNumber& edited,
+                       const Float32Array& wanted, const ArrayLike& rows,
+                       const Typed<"list[numpy.typing.NDArray[numpy.float64] | None] | None">& laps) {
+    const std::size_t count = stack.size();
+    const double at = number(frame, "frame");
+    const std::vector<float> own = copied(elements<float>(basis, "basis", {count, 16}));
+    const std::vector<float> asked = copied(elements<float>(wanted, "wanted", {count, 16}));
+    const Layers all(stack, clips, settings, masks, references, given, laps);
+    const std::vector<int> chosen = member_rows(rows, count);
+    const int index = whole_number(edited, "edited");
+    if (index < 0 || std::cmp_greater_equal(index, all.values().size()))
+        value_error("edited", "there is no such layer");
+    std::vector<Transform> base(count), pose(count), said(chosen.size());
+    std::vector<unsigned> reached(chosen.size());
+    {
+        const ReleaseGil released(count + all.bones(), bone_cost);
+        for (std::size_t bone = 0; bone < count; ++bone) {
+            base[bone] = layers::transform_of(matrix_in(own, bone));
+            pose[bone] = layers::transform_of(matrix_in(asked, bone));
+        }
+        stack.find_source(at, all.values(), static_cast<std::size_t>(index), base, pose, chosen, said,
+                          reached);
+    }
+    DoubleArray result = new_array({said.size(), row_size});
+    const std::span<double> out = values_of(result);
+    py::tuple channels(reached.size());
+    for (std::size_t i = 0; i < said.size(); ++i) {
+        write_row(said[i], out.subspan(i * row_size, row_size));
+        channels[i] = reached[i];
+    }
+    return py::make_tuple(result, channels);
+}
+
 [[nodiscard]] Typed<"tuple[int, ...]"> bones_of(const layers::Clip& clip) {
     py::tuple result(clip.bones().size());
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = clip.bones()[i];
@@ -435,6 +481,11 @@ Weights of a mask with a soft border: (B,).
 parents: (B,), index of each bone's parent, -1 for none.  chosen: (B,), in [0, 1]; 0 is outside.  feather: over how many
 bones from the border on, >= 0, the weight rises: at the first one it is chosen / (feather + 1).
 Raises ValueError or TypeError that names the argument.)");
+    m.def("layer_moves", &moves_between, "own"_a, "laid"_a, "locations"_a, "rotations"_a, "scales"_a, R"(
+Writes what comes on top of bones' own transforms, so that they become others: as LayerStack.solve() does.
+
+own and laid: (R, 16) float32, matrices column by column.  locations (R, 3), rotations (R, 4) w, x, y, z, scales (R, 3), float64:
+written into.  Raises ValueError or TypeError that names the argument.)");
     py::class_<layers::Stack> stack(m, "LayerStack", py::module_local(), R"(
 What the bones of one rig hang on, for layers of animation over its pose. Immutable.
 
@@ -459,6 +510,16 @@ laps: of each layer (n, 8), or None: numbers() of the first pose that it plays (
 of the clip), and how far numbers() come from the first pose to the last. Bones that go around, see LayerClip.spins, then do so by a
 part of the way where the layer counts for a part; without it all rotations go the shorter way.
 Raises ValueError or TypeError that names the argument; transforms that are not finite stay as they are.)");
+    stack.def("sources", &find_sources, "frame"_a, "basis"_a, "clips"_a, "settings"_a, "masks"_a,
+              "references"_a, "given"_a, "edited"_a, "wanted"_a, "rows"_a, "laps"_a = py::none(),
+              R"(
+The inverse of solve(): what the clip of one layer has to say, so that the layers together give a wanted pose.
+
+edited: index of the layer.  wanted: (B, 16) float32, the bones' own transforms with all layers, column by column.  rows: (R,) bones of
+which the clip is to say something, whether it animates them now or not.  The others as of solve().
+Returns ((R, 10), as pose() has it, (R,) of each bone a sum of 1 location, 2 rotation, 4 scale, which the layers then give).  Channels
+that are missing in the sum are hidden by a layer above, have no share in the layer, or would have to turn by more than half a turn.
+Raises ValueError or TypeError that names the argument.)");
 }
 
 }  // namespace motus::bindings

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/mat3x3.hpp>
+#include <numbers>
 
 #include "motus/bones/turns.hpp"
 #include "motus/core/numeric.hpp"
@@ -15,6 +16,17 @@ namespace {
 glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double weight) {
     return weight >= 1.0 ? b : a + weight * (b - a);
 }
+
+/// Sine of half the angle of a unit quaternion, and that half: 0 to a quarter turn, the shorter way.
+struct HalfAngle {
+    double sine, radians;
+};
+HalfAngle half_angle(const glm::dquat& turn) {
+    const double sine = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
+    return {sine, arc_tangent(sine, std::abs(turn.w))};
+}
+
+constexpr double quarter_turn = 0.5 * std::numbers::pi;
 
 }  // namespace
 
@@ -50,6 +62,21 @@ glm::dquat part_of_turn(const glm::dquat& turn, double weight) {
     const Angle part = angle_of(weight * arc_tangent(sine, near.w));
     const double along = sine > 1e-150 ? part.sine / sine : weight;
     return {part.cosine, along * near.x, along * near.y, along * near.z};
+}
+
+glm::dquat whole_turn(const glm::dquat& part, double weight) {
+    const glm::dquat near = part.w < 0.0 ? -part : part;
+    if (weight >= 1.0) return near;
+    const HalfAngle half = half_angle(near);
+    if (half.sine == 0.0) return no_turn;
+    const Angle whole = angle_of(half.radians < weight * quarter_turn ? half.radians / weight : quarter_turn);
+    const double along = half.sine > 1e-150 ? whole.sine / half.sine : 1.0 / weight;
+    return {whole.cosine, along * near.x, along * near.y, along * near.z};
+}
+
+bool has_whole_turn(const glm::dquat& part, double weight) {
+    constexpr double rounding = 1e-12;  // rad
+    return half_angle(part).radians <= weight * quarter_turn + rounding;
 }
 
 Transform overridden(const Transform& base, const Transform& source, double weight, unsigned channels) {

@@ -49,6 +49,25 @@ TEST_CASE("a part of a turn is about the same axis, by the shorter way", "[layer
     }
 }
 
+TEST_CASE("a whole turn is the one that a part was taken of", "[layers]") {
+    test::Random random(3);
+    for (int i = 0; i < 2000; ++i) {
+        const glm::dquat turn = random.rotation(3.14);
+        const double weight = random.between(0.01, 1.0);
+        const glm::dquat part = part_of_turn(turn, weight);
+        CHECK(distance(whole_turn(part, weight), turn) < 1e-11);
+        CHECK(distance(whole_turn(-part, weight), turn) < 1e-11);
+        CHECK(has_whole_turn(part, weight));
+    }
+    CHECK(whole_turn(no_turn, 0.0) == no_turn);
+    CHECK(has_whole_turn(no_turn, 0.0));
+    CHECK(distance(whole_turn(glm::angleAxis(1e-170, x), 0.5), glm::angleAxis(2e-170, x)) < 1e-15);
+    for (const double weight : {0.25, 0.0}) {
+        CHECK(distance(whole_turn(glm::angleAxis(-1.0, z), weight), glm::angleAxis(-pi, z)) < 1e-9);
+        CHECK_FALSE(has_whole_turn(glm::angleAxis(1.0, z), weight));
+    }
+}
+
 TEST_CASE("matrices are taken apart as Blender does", "[layers]") {
     test::Random random(2);
     for (int i = 0; i < 500; ++i) {

@@ -1,7 +1,7 @@
 // Layers of animation over the pose that a rig has by itself.
 //
-// Costs: O(bones) to make, O(layers (curves + bones)) to solve. Both allocate. Immutable: any number of
-// threads may share one.
+// Costs: O(bones) to make, O(layers (curves + bones)) to solve and to find a source. All allocate. Immutable:
+// any number of threads may share one.
 #pragma once
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
@@ -64,8 +64,24 @@ class Stack {
     void solve(double frame, std::span<const Layer> layers, std::span<const Transform> base,
                std::span<Transform> result, std::span<char> changed) const;
 
+    /// What the clip of layers[edited] has to say at a frame of the scene, so that solve() gives the pose
+    /// `wanted`. base and wanted: one for each bone of the rig. chosen: bones of which the clip is to say
+    /// something. said: for each of these what that is. reached: for each of these the Channels in which
+    /// solve() then gives what is wanted. Others are hidden by a layer above, have no share in the layer, or
+    /// would have to turn by more than half a turn, to go around at a part of the weight, or to scale what is
+    /// 0; of these `said` is as near as can be, and finite. A bone that the clip does not animate has its
+    /// reference at rest. std::invalid_argument as of solve(), and where there is no such layer or bone.
+    void find_source(double frame, std::span<const Layer> layers, std::size_t edited,
+                     std::span<const Transform> base, std::span<const Transform> wanted,
+                     std::span<const int> chosen, std::span<Transform> said,
+                     std::span<unsigned> reached) const;
+
   private:
     class Solver;
+    class Finder;
+    /// The greatest number of bones in a layer's clip. std::invalid_argument where arguments do not fit.
+    [[nodiscard]] std::size_t checked(double frame, std::span<const Layer> layers,
+                                      std::span<const Transform> base) const;
     std::vector<int> parents_, order_;
     std::vector<glm::dquat>
         from_parent_;  ///< rest in the parent's axes; of what does not turn with it, in the armature's

@@ -33,6 +33,13 @@ enum Channels : std::uint8_t { no_channel = 0, location = 1, rotation = 2, scale
 /// The share `weight` (0 to 1) of a unit quaternion's turn, the shorter way; 0 and 1 exactly.
 [[nodiscard]] glm::dquat part_of_turn(const glm::dquat& turn, double weight);
 
+/// The turn of which part_of_turn() makes `part` by `weight` (0 to 1), at most half a turn: where it would be
+/// more, or the weight is 0, half a turn the same way. No turn is no turn by any weight.
+[[nodiscard]] glm::dquat whole_turn(const glm::dquat& part, double weight);
+
+/// Whether whole_turn() is at most half a turn by itself, so that its part by `weight` is `part`.
+[[nodiscard]] bool has_whole_turn(const glm::dquat& part, double weight);
+
 /// From `base` to `source` by `weight`: rotations along the shorter arc, locations and scales on straight
 /// lines. Only what `channels` names.
 [[nodiscard]] Transform overridden(const Transform& base, const Transform& source, double weight,
