@@ -309,10 +309,10 @@ class Timing:
         time 0. A negative speed goes backwards.
         """
     @staticmethod
-    def speeds_by_distance(distances: numpy.typing.ArrayLike, speeds: numpy.typing.ArrayLike) -> Timing:
+    def speeds_by_distance(distances: numpy.typing.ArrayLike, speeds: numpy.typing.ArrayLike, lap: float | None = None) -> Timing:
         """
         Motion that has speeds (k,), all > 0, at distances (k,), strictly increasing, k >= 1: linear in between, held outside;
-        at distance 0 at time 0.
+        at distance 0 at time 0.  lap: > 0, way after which the speeds come again; the distances lie within one lap then.
         """
     def distance(self, time: numpy.typing.ArrayLike) -> typing.Any:
         """
@@ -328,7 +328,7 @@ class FollowPlan:
     """
     def __init__(self) -> None:
         ...
-    def add(self, place: int, timing: Timing, offsets: numpy.typing.ArrayLike, mode: typing.Literal['world_up', 'minimal', 'banking', 'curvature', 'tilt'], time: float | None = None, start_frame: float | None = None, moved: float = 0.0, offset: float = 0.0, extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp', forward: typing.Literal['X', 'Y', 'Z', '-X', '-Y', '-Z'] = 'Y', up: typing.Literal['X', 'Y', 'Z', '-X', '-Y', '-Z'] = 'Z', rotate: bool = True, lag_rate: float = 0.0, lag_by: str = 'acceleration', line_up: bool = False, **kwargs) -> None:
+    def add(self, place: int, timing: Timing, offsets: numpy.typing.ArrayLike, mode: typing.Literal['world_up', 'minimal', 'banking', 'curvature', 'tilt', 'rail'], time: float | None = None, start_frame: float | None = None, moved: float = 0.0, offset: float = 0.0, extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp', forward: typing.Literal['X', 'Y', 'Z', '-X', '-Y', '-Z'] = 'Y', up: typing.Literal['X', 'Y', 'Z', '-X', '-Y', '-Z'] = 'Z', rotate: bool = True, lag_rate: float = 0.0, lag_by: str = 'acceleration', line_up: bool = False, delays: numpy.typing.ArrayLike = 0.0, wheelbases: numpy.typing.ArrayLike = 0.0, side: float = 0.0, height: float = 0.0, level: bool = False, start: float | None = None, **kwargs) -> None:
         """
         Adds a follower, whose members have the next rows.
         
@@ -340,12 +340,14 @@ class FollowPlan:
         """
         Leaves out the next follower, of one member: solve() writes neither its pose nor its progress.
         """
-    def solve(self, curves: list, frame: float, fps: float, poses: PoseBuffer) -> None:
+    def solve(self, curves: list, frame: float, fps: float, poses: PoseBuffer, spaces: list[numpy.typing.ArrayLike | None] | None = None) -> None:
         """
         Writes the poses of all members at a frame, as follow() does, and the progress of all followers.
         
         curves: list of Curves.  frame, fps: numbers.  poses: a PoseBuffer of as many poses as there are members, whose outputs are
         (followers, 5): parameter on the curve, fraction of its length, distance, speed, the curve's length.
+        spaces: for each curve the matrix (4, 4), without scale, of the space in which the curve is, or None for the world's; poses
+        are in the world.
         What is nowhere at that time, since its distance or speed is not finite, is NaN.
         Raises ValueError or TypeError that names the argument.
         """
@@ -1377,7 +1379,7 @@ def euler_xyz(rotations: numpy.typing.ArrayLike, out: numpy.typing.NDArray[numpy
     rotations: (m, 4) or (4,), w, x, y, z, of any length but 0.  out: a C-contiguous float64 array (m, 3) or (3,) to write
     into.  Returns (m, 3) or (3,), rad.  Raises ValueError or TypeError that names the argument.
     """
-def follow(curve: Curve, timing: Timing, time: float, offsets: numpy.typing.ArrayLike, mode: typing.Literal['world_up', 'minimal', 'banking', 'curvature', 'tilt'], extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp', forward: typing.Literal['X', 'Y', 'Z', '-X', '-Y', '-Z'] = 'Y', up: typing.Literal['X', 'Y', 'Z', '-X', '-Y', '-Z'] = 'Z', rotate: bool = True, lag_rate: float = 0.0, lag_by: str = 'acceleration', locations: numpy.typing.NDArray[numpy.float64] | None = None, rotations: numpy.typing.NDArray[numpy.float64] | None = None, line_up: bool = False, **kwargs) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+def follow(curve: Curve, timing: Timing, time: float, offsets: numpy.typing.ArrayLike, mode: typing.Literal['world_up', 'minimal', 'banking', 'curvature', 'tilt', 'rail'], extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp', forward: typing.Literal['X', 'Y', 'Z', '-X', '-Y', '-Z'] = 'Y', up: typing.Literal['X', 'Y', 'Z', '-X', '-Y', '-Z'] = 'Z', rotate: bool = True, lag_rate: float = 0.0, lag_by: str = 'acceleration', locations: numpy.typing.NDArray[numpy.float64] | None = None, rotations: numpy.typing.NDArray[numpy.float64] | None = None, line_up: bool = False, delays: numpy.typing.ArrayLike = 0.0, wheelbases: numpy.typing.ArrayLike = 0.0, side: float = 0.0, height: float = 0.0, level: bool = False, start: float | None = None, **kwargs) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
     """
     Poses of followers on a curve at one time. A function of its arguments alone: times may come in any order.
     
@@ -1391,12 +1393,18 @@ def follow(curve: Curve, timing: Timing, time: float, offsets: numpy.typing.Arra
     error is 1e-4 rad; 0.01 rad after a jump of the target, 0.3 rad if the target ran more than half a turn ahead.  lag_by: the bend is |C''(t)| ('acceleration') or the curvature ('curvature').
     line_up: the first follower stops at the ends, and the others keep their distance from it; with extend='extrapolate' they
     stand in line before the start.
+    delays: a number or (n,), s: each follower is where one without delay was so long ago.
+    wheelbases: a number or (n,), >= 0: above 0 two bogies whose straight distance this is carry the follower, equal arcs before
+    and behind its place. It lies midway between them, its forward axis along the line through them.
+    side, height: metres to the right of the path and above it, along the frames of the mode, or those of 'world_up' if level is
+    True; distance and speed are still the path's.
+    start: s; before it the timing rests as at it.
     locations, rotations: C-contiguous float64 arrays (n, 3) and (n, 4) to write into, which share no memory with each other
     or offsets; new ones if None.
     Returns (locations, rotations): (n, 3) and (n, 4) quaternions w, x, y, z.
     Raises ValueError or TypeError that names the argument.
     """
-def frames(curve: Curve, lengths: numpy.typing.ArrayLike, mode: typing.Literal['world_up', 'minimal', 'banking', 'curvature', 'tilt'], extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp', **kwargs) -> typing.Any:
+def frames(curve: Curve, lengths: numpy.typing.ArrayLike, mode: typing.Literal['world_up', 'minimal', 'banking', 'curvature', 'tilt', 'rail'], extend: typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong'] = 'clamp', **kwargs) -> typing.Any:
     """
     Orientations at distances along a curve: quaternions w, x, y, z that turn +Y to the tangent and +Z to up.
     
@@ -1414,6 +1422,9 @@ def frames(curve: Curve, lengths: numpy.typing.ArrayLike, mode: typing.Literal['
     'curvature'  up towards the centre of the bend, carried on through inflexions without a flip.  outward: bool (False).
                  smoothing: as above.
     'tilt'       'world_up' turned about the tangent by tilt: (k,) rad, one per point of the curve, linear in t between.
+    'rail'       up towards rail, a second Curve; goes on smoothly where the rail lies along the tangent.  rail_point: the point of
+                 the rail at the same 'share' of its length, or the 'nearest' one ('share').  rail_side: the rail lies 'above',
+                 'right' or 'left' ('above').
     Returns (m, 4), or (4,) for a number. Continuous along the curve wherever its tangent is; the identity on a curve of zero
     length.  Raises TypeError for an option that the mode does not read, ValueError for values outside these domains.
     """

@@ -90,6 +90,8 @@ int main() {
     const Timing timing = Timing::eased(10.0, path->length(), 0.2, 0.2);
     std::vector<double> offsets;
     for (std::size_t i = 0; i < follower_count; ++i) offsets.push_back(-0.01 * static_cast<double>(i));
+    std::vector<Follower> followers;
+    for (const double offset : offsets) followers.push_back({offset});
     std::vector<glm::dvec3> locations(follower_count);
     std::vector<glm::dquat> rotations(follower_count);
     std::vector<Pose> poses(follower_count);
@@ -111,7 +113,7 @@ int main() {
         row(table, std::string(name) + ", its tables", build, 0.0);
         const Frames frames(path, settings);
         const double taken = bench::nanoseconds([&] {
-            follow(frames, timing, 7.0, offsets, {}, locations, rotations);
+            follow(frames, timing, 7.0, followers, {}, locations, rotations);
             bench::keep(locations);
         });
         row(table, std::string(name) + ", 1000 followers", taken,
@@ -122,16 +124,20 @@ int main() {
     FollowSettings lagging;
     lagging.lag_rate = 0.01;
     row(table, "1 follower that lags, at 10 s", bench::nanoseconds([&] {
-            follow(frames, timing, 10.0, {offsets.data(), 1}, lagging, {locations.data(), 1},
+            follow(frames, timing, 10.0, {followers.data(), 1}, lagging, {locations.data(), 1},
                    {rotations.data(), 1});
         }),
         0.0);
     lagging.lag_rate = 1e-6;
     row(table, "1 follower that hardly turns, at 500 s", bench::nanoseconds([&] {
-            follow(frames, timing, 500.0, {offsets.data(), 1}, lagging, {locations.data(), 1},
+            follow(frames, timing, 500.0, {followers.data(), 1}, lagging, {locations.data(), 1},
                    {rotations.data(), 1});
         }),
         0.0);
+    std::vector<Follower> wagons = followers;
+    for (Follower& wagon : wagons) wagon.wheelbase = 0.5;
+    row(table, "1000 followers on bogies",
+        bench::nanoseconds([&] { follow(frames, timing, 7.0, wagons, {}, locations, rotations); }), 0.0);
     std::vector<float> matrices(16 * follower_count);
     row(table, "matrices of 1000 poses",
         bench::nanoseconds([&] { pack_matrices(locations, rotations, matrices); }), 0.0);

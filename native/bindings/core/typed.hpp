@@ -60,7 +60,7 @@ using OptionalTexts = Typed<"typing.Sequence[str] | None">;
 
 // Names of options, each read by choice() (core/arguments.hpp), which refuses others.
 using ExtendName = Typed<"typing.Literal['clamp', 'extrapolate', 'loop', 'ping_pong']">;
-using FrameModeName = Typed<"typing.Literal['world_up', 'minimal', 'banking', 'curvature', 'tilt']">;
+using FrameModeName = Typed<"typing.Literal['world_up', 'minimal', 'banking', 'curvature', 'tilt', 'rail']">;
 using AxisName = Typed<"typing.Literal['X', 'Y', 'Z', '-X', '-Y', '-Z']">;
 using EmitterShapeName =
     Typed<"typing.Literal['square', 'disc', 'box', 'sphere', 'cone', 'surface', 'frustum']">;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <deque>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -42,11 +44,13 @@ struct Planned {               // NOLINT(bugprone-exception-escape)
     std::optional<double> start_frame{};  // seconds count from here, and are 0 before; none: from frame 0
     double moved = 0.0;
     double offset = 0.0;
-    std::vector<double> offsets{};
+    std::vector<path::Follower> members{};
+    bool level = false;
     path::FollowSettings settings{};
     path::FrameSettings frame{};
     curve::Extend reported = curve::Extend::clamp;
     std::optional<path::Frames> frames{};              // of the curve of the last time
+    std::optional<path::Frames> aside{};               // likewise
     std::shared_ptr<const curve::ArcLength> framed{};  // which is this one
 
     [[nodiscard]] double seconds(double at_frame, double fps) const {
@@ -62,16 +66,37 @@ struct Planned {               // NOLINT(bugprone-exception-escape)
     return number(given, name);
 }
 
+using Spaces = Typed<"list[numpy.typing.ArrayLike | None] | None">;
+
+[[nodiscard]] std::vector<std::optional<glm::dmat4>> spaces_of(const Spaces& given) {
+    std::vector<std::optional<glm::dmat4>> found;
+    if (given.is_none()) return found;
+    if (!py::isinstance<py::list>(given)) wrong_type(given, "spaces", "a list");
+    for (const py::handle item : py::list(given)) {
+        found.emplace_back();
+        if (!item.is_none()) found.back() = matrix(item, "spaces");
+    }
+    return found;
+}
+
+/// Takes poses from a space to the world. matrix: of the space, without scale.
+void move(const glm::dmat4& matrix, std::span<glm::dvec3> locations, std::span<glm::dquat> rotations) {
+    const glm::dquat turn = glm::normalize(glm::quat_cast(glm::dmat3(matrix)));
+    for (glm::dvec3& location : locations) location = glm::dvec3(matrix * glm::dvec4(location, 1.0));
+    for (glm::dquat& rotation : rotations) rotation = turn * rotation;
+}
+
 class FollowPlan {
   public:
     void add(const WholeNumber& place, const Typed<"motus_native.Timing">& timing, const ArrayLike& offsets,
              const FrameModeName& mode, const OptionalNumber& time, const OptionalNumber& start_frame,
              const Number& moved, const Number& offset, const ExtendName& extend, const AxisName& forward,
              const AxisName& up, const Flag& rotate, const Number& lag_rate, const Text& lag_by,
-             const Flag& line_up, const py::kwargs& options) {
+             const Flag& line_up, const ArrayLike& delays, const ArrayLike& wheelbases, const Number& side,
+             const Number& height, const Flag& level, const OptionalNumber& start,
+             const py::kwargs& options) {
         const int curve = whole_number(place, "place");
         if (curve < 0) value_error("place", "must be 0 or more");
-        const Numbers along(offsets, "offsets");
         Planned planned{.row = rows_,
                         .follower = count_,
                         .place = static_cast<std::size_t>(curve),
@@ -80,13 +105,14 @@ class FollowPlan {
         planned.start_frame = optional_number(start_frame, "start_frame");
         planned.moved = number(moved, "moved");
         planned.offset = number(offset, "offset");
-        planned.offsets.assign(along.values().begin(), along.values().end());
-        planned.settings = follow_settings(extend, forward, up, rotate, lag_rate, lag_by, line_up);
-        planned.frame = frame_settings(mode, options, false);
-        if (!planned.settings.rotate) planned.frame = path::FrameSettings{};
+        planned.members = followers_of(offsets, delays, wheelbases);
+        planned.level = flag(level, "level");
+        planned.settings =
+            follow_settings(extend, forward, up, rotate, lag_rate, lag_by, line_up, side, height, start);
+        planned.frame = frames_read(frame_settings(mode, options, false), planned.settings, planned.level);
         // The first member of those that line up stops at the ends.
         planned.reported = planned.settings.line_up ? curve::Extend::clamp : planned.settings.extend;
-        rows_ += planned.offsets.size();
+        rows_ += planned.members.size();
         ++count_;
         followers_.push_back(std::move(planned));
     }
@@ -97,7 +123,7 @@ class FollowPlan {
     }
 
     void solve(const py::list& curves, const Number& frame, const Number& fps,
-               const Typed<"motus_native.PoseBuffer">& poses) {
+               const Typed<"motus_native.PoseBuffer">& poses, const Spaces& spaces) {
         const double at_frame = number(frame, "frame");
         const double rate = number(fps, "fps");
         PoseBuffer& buffer = instance<PoseBuffer>(poses, "poses", "a PoseBuffer");
@@ -105,13 +131,15 @@ class FollowPlan {
         if (buffer.size() != rows_) value_error("poses", "one for each member is needed");
         if (progress.size() != progress_size * count_)
             value_error("poses", "its outputs must be five numbers for each follower");
+        const std::vector<std::optional<glm::dmat4>> found = spaces_of(spaces);
         for (Planned& one : followers_) {
             if (one.place >= curves.size())
                 value_error("curves", "one for each place of a follower is needed");
             const py::object held = curves[one.place];  // another thread may take it out of the list
             const BoundCurve& curve = curve_argument(held);
             place(one, curve, one.seconds(at_frame, rate), buffer.locations(), buffer.rotations(),
-                  progress.data() + progress_size * one.follower);
+                  progress.data() + progress_size * one.follower,
+                  one.place < found.size() ? found[one.place] : std::nullopt);
         }
     }
 
@@ -121,20 +149,24 @@ class FollowPlan {
   private:
     /// Writes a follower's poses and progress; NaN if it is nowhere at that time.
     static void place(Planned& one, const BoundCurve& curve, double time, std::span<glm::dvec3> locations,
-                      std::span<glm::dquat> rotations, double* told) {
+                      std::span<glm::dquat> rotations, double* told, const std::optional<glm::dmat4>& space) {
         const curve::ArcLength& path = curve.path_by_length();
-        const auto places = locations.subspan(one.row, one.offsets.size());
-        const auto turns = rotations.subspan(one.row, one.offsets.size());
+        const auto places = locations.subspan(one.row, one.members.size());
+        const auto turns = rotations.subspan(one.row, one.members.size());
         try {
             if (one.framed != curve.path()) {
                 one.frames = frames_on(curve, one.frame);
+                one.aside = frames_aside(curve, one.level);
                 one.framed = curve.path();
             }
             const path::Frames frames = *one.frames;  // another thread may exchange them meanwhile
+            path::FollowSettings settings = one.settings;
+            settings.aside = one.aside;
             {
-                const ReleaseGil released(one.offsets.size(),
+                const ReleaseGil released(one.members.size(),
                                           one.settings.lag_rate > 0.0 ? lagging_cost : cost);
-                follow(frames, one.timing, time, one.offsets, one.settings, places, turns);
+                follow(frames, one.timing, time, one.members, settings, places, turns);
+                if (space) move(*space, places, one.settings.rotate ? turns : std::span<glm::dquat>{});
             }
             rows_from_quaternions(turns);
             const path::Progress found =
@@ -164,7 +196,8 @@ Followers of curves, each with its members, prepared for many frames: poses as o
         .def("add", &FollowPlan::add, "place"_a, "timing"_a, "offsets"_a, "mode"_a, "time"_a = py::none(),
              "start_frame"_a = py::none(), "moved"_a = 0.0, "offset"_a = 0.0, "extend"_a = "clamp",
              "forward"_a = "Y", "up"_a = "Z", "rotate"_a = true, "lag_rate"_a = 0.0,
-             "lag_by"_a = "acceleration", "line_up"_a = false, R"(
+             "lag_by"_a = "acceleration", "line_up"_a = false, "delays"_a = 0.0, "wheelbases"_a = 0.0,
+             "side"_a = 0.0, "height"_a = 0.0, "level"_a = false, "start"_a = py::none(), R"(
 Adds a follower, whose members have the next rows.
 
 place: index of its curve among those that solve() is given.  time: s; None: the frame's seconds, counted from start_frame
@@ -172,11 +205,14 @@ and 0 before, or from frame 0 if that is None.  moved, offset: added to the timi
 Everything else as in follow(). Raises ValueError or TypeError that names the argument.)")
         .def("skip", &FollowPlan::skip, R"(
 Leaves out the next follower, of one member: solve() writes neither its pose nor its progress.)")
-        .def("solve", &FollowPlan::solve, "curves"_a, "frame"_a, "fps"_a, "poses"_a, R"(
+        .def("solve", &FollowPlan::solve, "curves"_a, "frame"_a, "fps"_a, "poses"_a, "spaces"_a = py::none(),
+             R"(
 Writes the poses of all members at a frame, as follow() does, and the progress of all followers.
 
 curves: list of Curves.  frame, fps: numbers.  poses: a PoseBuffer of as many poses as there are members, whose outputs are
 (followers, 5): parameter on the curve, fraction of its length, distance, speed, the curve's length.
+spaces: for each curve the matrix (4, 4), without scale, of the space in which the curve is, or None for the world's; poses
+are in the world.
 What is nowhere at that time, since its distance or speed is not finite, is NaN.
 Raises ValueError or TypeError that names the argument.)")
         .def_property_readonly("rows", &FollowPlan::rows, "How many members all followers have together.")

@@ -42,6 +42,16 @@ bool set_option(path::FrameSettings& settings, std::string_view name, py::handle
         const DoubleArray tilt = doubles(value, name);
         if (tilt.ndim() != 1) value_error(name, "must have the shape (k,), not " + shape_of(tilt));
         settings.tilt.assign(tilt.data(), tilt.data() + tilt.size());
+    } else if (settings.mode == path::FrameMode::rail && name == "rail") {
+        settings.rail = instance<BoundCurve>(value, name, "a Curve").path();
+    } else if (settings.mode == path::FrameMode::rail && name == "rail_point") {
+        settings.rail_point = choice<path::RailPoint>(
+            value, name, {{"share", path::RailPoint::share}, {"nearest", path::RailPoint::nearest}});
+    } else if (settings.mode == path::FrameMode::rail && name == "rail_side") {
+        settings.rail_side = choice<path::RailSide>(value, name,
+                                                    {{"above", path::RailSide::above},
+                                                     {"right", path::RailSide::right},
+                                                     {"left", path::RailSide::left}});
     } else {
         return false;
     }
@@ -85,7 +95,8 @@ path::FrameSettings frame_settings(const FrameModeName& mode, const py::kwargs& 
                                              {"minimal", path::FrameMode::minimal},
                                              {"banking", path::FrameMode::banking},
                                              {"curvature", path::FrameMode::curvature},
-                                             {"tilt", path::FrameMode::tilt}});
+                                             {"tilt", path::FrameMode::tilt},
+                                             {"rail", path::FrameMode::rail}});
     for (const auto& [key, value] : options) {
         const std::string name = py::str(key);
         if (reads_speed && settings.mode == path::FrameMode::banking && name == "speed") continue;
@@ -94,6 +105,8 @@ path::FrameSettings frame_settings(const FrameModeName& mode, const py::kwargs& 
     }
     if (settings.mode == path::FrameMode::tilt && !options.contains("tilt"))
         type_error("tilt", "must be given for the mode 'tilt'");
+    if (settings.mode == path::FrameMode::rail && !options.contains("rail"))
+        type_error("rail", "must be given for the mode 'rail'");
     return settings;
 }
 
@@ -121,6 +134,9 @@ mode, and the options that only this mode reads:
 'curvature'  up towards the centre of the bend, carried on through inflexions without a flip.  outward: bool (False).
              smoothing: as above.
 'tilt'       'world_up' turned about the tangent by tilt: (k,) rad, one per point of the curve, linear in t between.
+'rail'       up towards rail, a second Curve; goes on smoothly where the rail lies along the tangent.  rail_point: the point of
+             the rail at the same 'share' of its length, or the 'nearest' one ('share').  rail_side: the rail lies 'above',
+             'right' or 'left' ('above').
 Returns (m, 4), or (4,) for a number. Continuous along the curve wherever its tangent is; the identity on a curve of zero
 length.  Raises TypeError for an option that the mode does not read, ValueError for values outside these domains.)");
 }

@@ -2,6 +2,9 @@
 #pragma once
 #include <pybind11/pybind11.h>
 
+#include <optional>
+#include <vector>
+
 #include "core/arguments.hpp"
 #include "core/typed.hpp"
 #include "curve/curve.hpp"
@@ -32,7 +35,19 @@ namespace motus::bindings {
 [[nodiscard]] path::FollowSettings follow_settings(const ExtendName& extend, const AxisName& forward,
                                                    const AxisName& up, const Flag& rotate,
                                                    const Number& lag_rate, const Text& lag_by,
-                                                   const Flag& line_up);
+                                                   const Flag& line_up, const Number& side,
+                                                   const Number& height, const OptionalNumber& start);
+
+/// Followers by their numbers, each a single one for all or one for each offset.
+[[nodiscard]] std::vector<path::Follower> followers_of(const ArrayLike& offsets, const ArrayLike& delays,
+                                                       const ArrayLike& wheelbases);
+
+/// Frames of the mode, or the cheapest ones if followers read none of them.
+[[nodiscard]] path::FrameSettings frames_read(path::FrameSettings settings, const path::FollowSettings& by,
+                                              bool level);
+
+/// Frames along which followers that are `level` stand aside.
+[[nodiscard]] std::optional<path::Frames> frames_aside(const BoundCurve& curve, bool level);
 
 /// Frames of a curve, from the cache or built, without the interpreter's lock meanwhile.
 [[nodiscard]] path::Frames frames_on(const BoundCurve& curve, path::FrameSettings settings);

@@ -104,12 +104,17 @@ The exact integral of speeds (k,) given at times (k,), strictly increasing, k >=
 time 0. A negative speed goes backwards.)")
         .def_static(
             "speeds_by_distance",
-            [](const ArrayLike& distances, const ArrayLike& speeds) {
-                return profile(distances, "distances", speeds, "speeds", &path::Timing::speeds_by_distance);
+            [](const ArrayLike& distances, const ArrayLike& speeds, const OptionalNumber& lap) {
+                return profile(distances, "distances", speeds, "speeds",
+                               [&lap](std::span<const double> places, std::span<const double> values) {
+                                   return lap.is_none() ? path::Timing::speeds_by_distance(places, values)
+                                                        : path::Timing::speeds_by_distance(
+                                                              places, values, number(lap, "lap"));
+                               });
             },
-            "distances"_a, "speeds"_a, R"(
+            "distances"_a, "speeds"_a, "lap"_a = py::none(), R"(
 Motion that has speeds (k,), all > 0, at distances (k,), strictly increasing, k >= 1: linear in between, held outside;
-at distance 0 at time 0.)")
+at distance 0 at time 0.  lap: > 0, way after which the speeds come again; the distances lie within one lap then.)")
         .def(
             "distance",
             [](const path::Timing& self, const ArrayLike& time) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bogies.hpp"
 #include "motus/core/numeric.hpp"
 
 namespace motus::path {
@@ -20,8 +21,12 @@ constexpr double largest_bend = 1e100;  // in place of a cusp's infinity
 constexpr double forgotten = 40.0;      // e^-40 of an orientation is below rounding
 
 /// Follower at a distance along the curve, where it may also lie beyond an end.
-Pose pose_at(const Frames& frames, double distance, double speed, curve::Extend extend) {
+Pose pose_at(const Frames& frames, double distance, double wheelbase, double speed, curve::Extend extend) {
     const curve::Extended on_path = extended(distance, frames.path().length(), extend);
+    if (wheelbase > 0.0) {
+        const EndlessPath path(frames, extend != curve::Extend::extrapolate);
+        return on_bogies(path, on_path.value + on_path.beyond, wheelbase, speed);
+    }
     Pose pose = frames.pose(on_path.value, speed);
     if (on_path.beyond != 0.0 && frames.path().length() > 0.0) {
         pose.location += on_path.beyond * (pose.rotation * glm::dvec3(0.0, 1.0, 0.0));
@@ -51,9 +56,9 @@ struct LagStep {
 /// two become one.
 class Lag {
   public:
-    Lag(const Frames& frames, const Timing& timing, const Places& places, double offset,
+    Lag(const Frames& frames, const Timing& timing, const Places& places, const Follower& follower,
         const FollowSettings& settings)
-        : frames_(frames), timing_(timing), places_(places), offset_(offset), settings_(settings) {}
+        : frames_(frames), timing_(timing), places_(places), follower_(follower), settings_(settings) {}
 
     /// `steps` is scratch.
     [[nodiscard]] glm::dquat at(double time, std::vector<LagStep>& steps) const {
@@ -88,10 +93,13 @@ class Lag {
     }
 
   private:
-    [[nodiscard]] double distance(double time) const { return places_.at(timing_.distance(time), offset_); }
+    [[nodiscard]] double distance(double time) const {
+        return places_.at(timing_.distance(time), follower_.offset);
+    }
 
     [[nodiscard]] glm::dquat target(double time) const {
-        return pose_at(frames_, distance(time), timing_.speed(time), settings_.extend).rotation;
+        return pose_at(frames_, distance(time), follower_.wheelbase, timing_.speed(time), settings_.extend)
+            .rotation;
     }
 
     [[nodiscard]] double bend(double time) const {
@@ -104,7 +112,7 @@ class Lag {
     const Frames& frames_;
     const Timing& timing_;
     const Places& places_;
-    double offset_;
+    const Follower& follower_;
     const FollowSettings& settings_;
 };
 
@@ -129,36 +137,56 @@ bool is_axis(const glm::dvec3& v) {
 
 }  // namespace
 
-void follow(const Frames& frames, const Timing& timing, double time, std::span<const double> offsets,
+void follow(const Frames& frames, const Timing& timing, double time, std::span<const Follower> followers,
             const FollowSettings& settings, std::span<glm::dvec3> locations,
             std::span<glm::dquat> rotations) {
-    require(locations.size() == offsets.size(), "locations: must be as many as offsets");
-    require(rotations.size() == offsets.size(), "rotations: must be as many as offsets");
+    require(locations.size() == followers.size(), "locations: must be as many as followers");
+    require(rotations.size() == followers.size(), "rotations: must be as many as followers");
     require(std::isfinite(time), "time: must be finite");
-    require(are_finite(offsets), "offsets: must be finite");
     require(std::isfinite(settings.lag_rate) && settings.lag_rate >= 0.0,
             "lag_rate: must be finite and 0 or more");
     constexpr double rounding = 1e-3;
     require(std::abs(glm::dot(settings.axes, settings.axes) - 1.0) < rounding,
             "axes: must be a unit quaternion");
-    const double distance = timing.distance(time);
-    const double speed = timing.speed(time);
-    require(are_finite(distance, speed), "time: the distance and the speed at it must be finite");
-    const Places places{offsets.empty() ? 0.0 : offsets.front(), frames.path().length(), settings.line_up};
+    require(std::abs(settings.side) <= curve::coordinate_limit, "side: must be at most 1e100 in size");
+    require(std::abs(settings.height) <= curve::coordinate_limit, "height: must be at most 1e100 in size");
+    require(settings.start < std::numeric_limits<double>::infinity(), "start: must be below infinity");
+    for (const Follower& one : followers) {
+        require(std::isfinite(one.offset), "offset: must be finite");
+        require(std::isfinite(one.delay), "delay: must be finite");
+        require(std::isfinite(one.wheelbase) && one.wheelbase >= 0.0,
+                "wheelbase: must be finite and 0 or more");
+    }
+    const Places places{followers.empty() ? 0.0 : followers.front().offset, frames.path().length(),
+                        settings.line_up};
+    const glm::dvec3 aside(settings.side, 0.0, settings.height);
+    const bool is_aside = settings.side != 0.0 || settings.height != 0.0;
     std::vector<LagStep> steps;
-    for (std::size_t i = 0; i < offsets.size(); ++i) {
-        const double along = places.at(distance, offsets[i]);
-        if (!settings.rotate) {
+    for (std::size_t i = 0; i < followers.size(); ++i) {
+        const Follower& one = followers[i];
+        const double own_time = std::max(time - one.delay, settings.start);
+        const double distance = timing.distance(own_time);
+        const double speed = timing.speed(own_time);
+        require(are_finite(distance, speed), "time: the distance and the speed at it must be finite");
+        const double along = places.at(distance, one.offset);
+        if (!settings.rotate && !is_aside && one.wheelbase == 0.0) {
             locations[i] = position_at_length(frames.path(), along, settings.extend);
             rotations[i] = glm::dquat(1.0, 0.0, 0.0, 0.0);
             continue;
         }
-        Pose pose = pose_at(frames, along, speed, settings.extend);
-        if (settings.lag_rate > 0.0 && time > 0.0) {
-            pose.rotation = Lag(frames, timing, places, offsets[i], settings).at(time, steps);
+        Pose pose = pose_at(frames, along, one.wheelbase, speed, settings.extend);
+        if (is_aside) {
+            const glm::dquat level =
+                settings.aside
+                    ? pose_at(*settings.aside, along, one.wheelbase, speed, settings.extend).rotation
+                    : pose.rotation;
+            pose.location += level * aside;
+        }
+        if (settings.rotate && settings.lag_rate > 0.0 && own_time > 0.0) {
+            pose.rotation = Lag(frames, timing, places, one, settings).at(own_time, steps);
         }
         locations[i] = pose.location;
-        rotations[i] = pose.rotation * settings.axes;
+        rotations[i] = settings.rotate ? pose.rotation * settings.axes : glm::dquat(1.0, 0.0, 0.0, 0.0);
     }
 }
 

@@ -12,8 +12,9 @@ namespace motus::path {
 
 class FrameTables {
   public:
-    /// `smoothing`, length unit, >= 0: of the bend; read in the modes banking and curvature.
-    FrameTables(std::shared_ptr<const curve::ArcLength> path, FrameMode mode, double smoothing);
+    /// Of the settings the mode is read, the smoothing in the modes banking and curvature, and the rail and
+    /// its point in the mode rail.
+    FrameTables(std::shared_ptr<const curve::ArcLength> path, const FrameSettings& settings);
 
     [[nodiscard]] const ParallelFrames& frames() const noexcept { return *frames_; }
     /// The world's up across the tangent.
@@ -27,15 +28,25 @@ class FrameTables {
     [[nodiscard]] Across bend_direction(const Place& place) const {
         return track_->at(place.s, bend_->at(place));
     }
+    /// Unit vector towards the rail (rail).
+    [[nodiscard]] Across rail_direction(const Place& place) const {
+        return track_->at(place.s, towards_rail(place));
+    }
     /// Unit vector along a rotation-minimising up that closes on a cyclic curve.
     [[nodiscard]] Across minimal(const Place& place) const;
     /// Size in memory, the path included.
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    /// From the place to the rail's point, across the tangent, length unit.
+    [[nodiscard]] Across towards_rail(const Place& place) const;
+    [[nodiscard]] DirectionTrack rail_track() const;
+
     std::shared_ptr<const ParallelFrames> frames_;
+    std::shared_ptr<const curve::ArcLength> rail_;  // in the mode rail
+    RailPoint rail_point_ = RailPoint::share;
     std::optional<BendField> bend_;
-    std::optional<DirectionTrack> track_;  // of the bend in curvature mode, else of world up
+    std::optional<DirectionTrack> track_;  // of the bend, towards the rail, or of world up
     double closing_angle_ = 0.0;  // rad, by which the parallel frames of a cyclic curve fail to close
 };
 

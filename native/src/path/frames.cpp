@@ -42,6 +42,7 @@ FrameSettings checked(FrameSettings settings, const curve::ArcLength* path) {
                 "tilt: must have one value per point of the curve");
         require(are_finite(settings.tilt), "tilt: must be finite");
     }
+    if (settings.mode == FrameMode::rail) require(settings.rail != nullptr, "rail: must be there");
     return settings;
 }
 
@@ -88,6 +89,20 @@ double tilt_at(const std::vector<double>& tilt, const curve::Curve& curve, doubl
     return std::lerp(from, to, at.t);
 }
 
+/// Up if the rail lies in a direction on a side. Right is up turned back by a quarter about the tangent.
+Across up_with(Across rail, RailSide side) {
+    constexpr Across quarter(0.0, 1.0);
+    switch (side) {
+        case RailSide::right:
+            return -quarter * rail;
+        case RailSide::left:
+            return quarter * rail;
+        case RailSide::above:
+            break;
+    }
+    return rail;
+}
+
 Across up_across(const FrameTables& tables, const FrameSettings& settings, const Place& place, double speed) {
     switch (settings.mode) {
         case FrameMode::world_up:
@@ -99,6 +114,8 @@ Across up_across(const FrameTables& tables, const FrameSettings& settings, const
         case FrameMode::tilt:
             return tables.upright(place) *
                    std::polar(1.0, tilt_at(settings.tilt, tables.frames().path().curve(), place.t));
+        case FrameMode::rail:
+            return up_with(tables.rail_direction(place), settings.rail_side);
         case FrameMode::minimal:
             break;
     }
@@ -115,7 +132,7 @@ glm::dquat rotation_to(const Place& place, Across up) {
 
 Frames::Frames(std::shared_ptr<const curve::ArcLength> path, FrameSettings settings)
     : settings_(std::make_shared<const FrameSettings>(checked(std::move(settings), path.get()))) {
-    tables_ = std::make_shared<const FrameTables>(std::move(path), settings_->mode, settings_->smoothing);
+    tables_ = std::make_shared<const FrameTables>(std::move(path), *settings_);
 }
 
 Frames::Frames(std::shared_ptr<const FrameTables> tables, FrameSettings settings)
@@ -144,10 +161,14 @@ std::size_t Frames::station_count() const noexcept {
 
 Frames shared_frames(std::shared_ptr<const curve::ArcLength> path, FrameSettings settings) {
     settings = checked(std::move(settings), path.get());
-    const FrameTablesKey key{path->curve(), settings.mode,
-                             reads_smoothing(settings.mode) ? settings.smoothing : 0.0};
-    auto tables = frame_tables_cache().get(key, [&path](const FrameTablesKey& wanted) {
-        return std::make_shared<const FrameTables>(path, wanted.mode, wanted.smoothing);
+    FrameTablesKey key{path->curve(), settings.mode,
+                       reads_smoothing(settings.mode) ? settings.smoothing : 0.0};
+    if (settings.mode == FrameMode::rail) {
+        key.rail = settings.rail->curve();
+        key.rail_point = settings.rail_point;
+    }
+    auto tables = frame_tables_cache().get(key, [&path, &settings](const FrameTablesKey&) {
+        return std::make_shared<const FrameTables>(path, settings);
     });
     return {std::move(tables), std::move(settings)};
 }

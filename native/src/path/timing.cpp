@@ -13,7 +13,8 @@
 namespace motus::path {
 namespace {
 
-/// Two fractions typed as decimals or stored as float may add up to a little more than 1.
+/// Two fractions typed as decimals or stored as float may add up to a little more than 1, as may shifted
+/// laps.
 constexpr double sum_rounding = 1e-7;
 
 void check_ease(double ease_in, double ease_out) {
@@ -169,14 +170,18 @@ const Timing::Exponential& Timing::Exponentials::at(double time) const {
 }
 
 double Timing::Exponentials::distance(double time) const {
-    const Exponential& e = at(time);
-    const double h = time - e.time;
-    return e.start + e.speed * h * expm1_over(e.growth * h);
+    const double laps = std::isfinite(lap_time) ? std::floor(time / lap_time) : 0.0;
+    const double on_lap = laps == 0.0 ? time : time - laps * lap_time;
+    const Exponential& e = at(on_lap);
+    const double h = on_lap - e.time;
+    return e.start + e.speed * h * expm1_over(e.growth * h) + laps * lap;
 }
 
 double Timing::Exponentials::speed(double time) const {
-    const Exponential& e = at(time);
-    return e.speed * std::exp(e.growth * (time - e.time));
+    const double laps = std::isfinite(lap_time) ? std::floor(time / lap_time) : 0.0;
+    const double on_lap = laps == 0.0 ? time : time - laps * lap_time;
+    const Exponential& e = at(on_lap);
+    return e.speed * std::exp(e.growth * (on_lap - e.time));
 }
 
 Timing::Cubics Timing::checked(Cubics cubics, const char* message) {
@@ -268,6 +273,40 @@ Timing Timing::speeds_by_distance(std::span<const double> distances, std::span<c
         require(std::isfinite(piece.time) && std::isfinite(piece.growth), "speeds: must give finite times");
     }
     return Timing(Exponentials{std::move(pieces)});
+}
+
+Timing Timing::speeds_by_distance(std::span<const double> distances, std::span<const double> speeds,
+                                  double lap) {
+    check_profile(distances, "distances", speeds, "speeds");
+    require(std::isfinite(lap) && lap > 0.0, "lap: must be finite and greater than 0");
+    require(distances.back() - distances.front() <= lap * (1.0 + sum_rounding),
+            "distances: must lie within one lap");
+    // One lap from distance 0: the samples moved there by whole laps, and its two ends, which have one speed.
+    std::vector<std::pair<double, double>> samples;
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const double laps = std::floor(distances[i] / lap);
+        samples.emplace_back(std::clamp(distances[i] - laps * lap, 0.0, lap), speeds[i]);
+    }
+    std::ranges::stable_sort(samples, {}, &std::pair<double, double>::first);
+    const auto [first, first_speed] = samples.front();
+    const auto [last, last_speed] = samples.back();
+    const double over_seam = first + (lap - last);
+    const double at_seam =
+        over_seam > 0.0 ? std::lerp(last_speed, first_speed, (lap - last) / over_seam) : first_speed;
+    std::vector<double> places{0.0}, values{at_seam};
+    for (const auto& [place, value] : samples) {
+        if (place <= places.back() || place >= lap) continue;
+        places.push_back(place);
+        values.push_back(value);
+    }
+    places.push_back(lap);
+    values.push_back(at_seam);
+    const Timing once = speeds_by_distance(places, values);
+    Exponentials laps = std::get<Exponentials>(once.profile_);
+    laps.lap_time = laps.pieces.back().time;
+    laps.lap = lap;
+    require(laps.lap_time > 0.0, "speeds: must give finite times");
+    return Timing(std::move(laps));
 }
 
 double Timing::distance(double time) const {

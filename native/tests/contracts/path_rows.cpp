@@ -41,6 +41,7 @@ using path::Timing;
     FrameSettings settings;
     settings.mode = mode;
     if (mode == FrameMode::tilt) settings.tilt = {0.1, 0.2, 0.3};
+    if (mode == FrameMode::rail) settings.rail = sample_path();
     return settings;
 }
 [[nodiscard]] const Frames& sample_frames(FrameMode mode) {
@@ -121,6 +122,17 @@ void add_timings(Table& table) {
         .infinite()
         .adds("times are finite");
     add(
+        table, "path::Timing::speeds_by_distance(distances, speeds, lap)",
+        [](const auto& distances, const auto& speeds, double lap) {
+            return told(Timing::speeds_by_distance(distances, speeds, lap));
+        },
+        keys("distances"), numbers("speeds", "`distances`", above(0.0).open()),
+        arg("lap", 5.0, above(0.0).open()))
+        .costs("O(n log n)")
+        .allocates(Memory::scratch)
+        .infinite()
+        .adds("`distances` lie within one lap; times are finite");
+    add(
         table, "path::Timing::distance(time)", [](double time) { return sample_timing().distance(time); },
         arg("time", 0.3, any().unbounded()))
         .costs("O(log n)")
@@ -165,6 +177,7 @@ void add_frames(Table& table) {
             "banking; `path` must be there");
         row(settings(FrameMode::curvature, smoothing), "curvature");
         row(settings(FrameMode::tilt, tilt), "tilt");
+        row(settings(FrameMode::rail), "rail; `rail` must be there");
     }
     add(
         table, "path::Frames::at(s, speed)",
@@ -196,22 +209,35 @@ void add_frames(Table& table) {
 }
 
 void add_followers(Table& table) {
+    const Domain before_infinity{
+        "below infinity", [](const Domain::Seen& seen) {
+            const double infinity = std::numeric_limits<double>::infinity();
+            return std::ranges::all_of(seen.all, [&](double x) { return x < infinity; }) ? Verdict::open
+                                                                                         : Verdict::refused;
+        }};
     for (const double rate : {0.0, 2.0}) {
         path::FollowSettings settings;
         settings.extend = curve::Extend::loop;
         settings.lag_rate = rate;
         Row& row = add(
-            table, "path::follow(frames, timing, time, offsets, settings, locations, rotations)",
-            [](double time, const auto& offsets, const path::FollowSettings& given, auto locations,
-               auto rotations) {
-                path::follow(sample_frames(FrameMode::minimal), even(), time, offsets, given, locations,
+            table, "path::follow(frames, timing, time, followers, settings, locations, rotations)",
+            [](double time, const std::vector<path::Follower>& followers, const path::FollowSettings& given,
+               auto locations, auto rotations) {
+                path::follow(sample_frames(FrameMode::minimal), even(), time, followers, given, locations,
                              rotations);
             },
             arg("time", 1.5, finite().open().in_words("finite, as are the distance and speed at it")),
-            arg("offsets", std::vector{0.0, -0.5, -1.0}, finite().open()),
-            of(settings, member("lag_rate", &path::FollowSettings::lag_rate, at_least(0.0)),
+            of(std::vector<path::Follower>{{0.0}, {-0.5, 0.25}, {-1.0, 0.0, 0.5}},
+               each("offset", &path::Follower::offset, finite().open()),
+               each("delay", &path::Follower::delay, finite().open()),
+               each("wheelbase", &path::Follower::wheelbase, at_least(0.0))),
+            of(settings, member("side", &path::FollowSettings::side, up_to(curve::coordinate_limit).open()),
+               member("height", &path::FollowSettings::height, up_to(curve::coordinate_limit).open()),
+               member("start", &path::FollowSettings::start, before_infinity),
+               member("lag_rate", &path::FollowSettings::lag_rate, at_least(0.0)),
                member("axes", &path::FollowSettings::axes, unit(1e-3).in_words("unit quaternion"))),
-            out<glm::dvec3>("locations", 3, "`offsets`"), out<glm::dquat>("rotations", 3, "`offsets`"));
+            out<glm::dvec3>("locations", 3, "the followers"),
+            out<glm::dquat>("rotations", 3, "the followers"));
         row.costs("O(n log n)").adds(rate > 0.0 ? "with lag: 2300 steps at most" : "without lag");
         row.allocates(rate > 0.0 ? Memory::scratch : Memory::nothing);
     }

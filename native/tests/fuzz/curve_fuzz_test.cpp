@@ -165,7 +165,10 @@ TEST_CASE("arc lengths and frames of arbitrary numbers are refused or finite", "
                 CHECK(is_finite(position_at_length(*path, s, extend)));
         }
         path::FrameSettings settings;
-        settings.mode = static_cast<path::FrameMode>(dice.whole(0, 4));
+        settings.mode = static_cast<path::FrameMode>(dice.whole(0, 5));
+        if (settings.mode == path::FrameMode::rail) settings.rail = path;
+        settings.rail_point = static_cast<path::RailPoint>(dice.whole(0, 1));
+        settings.rail_side = static_cast<path::RailSide>(dice.whole(0, 2));
         settings.gravity = dice.number(0.1, 10.0);
         settings.strength = dice.number();
         settings.limit = dice.number(0.0, 4.0);
@@ -226,9 +229,15 @@ TEST_CASE("timings and followers of arbitrary numbers are refused or finite", "[
         std::vector<glm::dquat> rotations(3);
         const path::FollowSettings settings{.extend = all_extends.at(dice.below(4)),
                                             .line_up = dice.chance(0.3),
-                                            .lag_rate = dice.chance(0.9) ? 0.0 : dice.number(0.0, 5.0)};
+                                            .lag_rate = dice.chance(0.9) ? 0.0 : dice.number(0.0, 5.0),
+                                            .side = dice.chance(0.5) ? 0.0 : dice.number(),
+                                            .height = dice.chance(0.5) ? 0.0 : dice.number()};
+        std::vector<path::Follower> followers(3);
+        for (path::Follower& one : followers)
+            one = {dice.number(), dice.chance(0.5) ? 0.0 : dice.number(),
+                   dice.chance(0.5) ? 0.0 : dice.number(0.0, 9.0)};
         returns([&] {
-            path::follow(frames, *timing, time, dice.numbers(3), settings, locations, rotations);
+            path::follow(frames, *timing, time, followers, settings, locations, rotations);
             for (const glm::dquat& rotation : rotations) CHECK(is_finite(rotation));
         });
         returns([&] { (void)path::follower_axes(dice.place(), dice.place()); });

@@ -23,7 +23,8 @@ namespace {
 Pose follow_one(const Frames& frames, const Timing& timing, double time, double offset,
                 const FollowSettings& settings) {
     Pose pose;
-    follow(frames, timing, time, {&offset, 1}, settings, {&pose.location, 1}, {&pose.rotation, 1});
+    const Follower follower{offset};
+    follow(frames, timing, time, {&follower, 1}, settings, {&pose.location, 1}, {&pose.rotation, 1});
     return pose;
 }
 
@@ -44,12 +45,12 @@ TEST_CASE("followers keep their gaps along the arc", "[follow]") {
     const samples::Path path = samples::s_curve();
     const Frames frames(path, mode(FrameMode::world_up));
     const Timing timing = Timing::constant(2.0);
-    const std::vector<double> offsets{0.0, -0.5, -1.0, 3.0};
-    std::vector<glm::dvec3> locations(offsets.size());
-    std::vector<glm::dquat> rotations(offsets.size());
-    follow(frames, timing, 1.5, offsets, {}, locations, rotations);
-    for (std::size_t i = 0; i < offsets.size(); ++i) {
-        const double s = 3.0 + offsets[i];
+    const std::vector<Follower> followers{{0.0}, {-0.5}, {-1.0}, {3.0}};
+    std::vector<glm::dvec3> locations(followers.size());
+    std::vector<glm::dquat> rotations(followers.size());
+    follow(frames, timing, 1.5, followers, {}, locations, rotations);
+    for (std::size_t i = 0; i < followers.size(); ++i) {
+        const double s = 3.0 + followers[i].offset;
         CHECK(glm::length(locations[i] - position_at_length(*path, s)) < 1e-12);
         CHECK(angle_between(rotations[i], frames.at(s, 2.0)) < 1e-12);
     }
@@ -64,20 +65,20 @@ TEST_CASE("a train lines up behind the first, which stops at the ends", "[follow
     settings.line_up = true;
     const Timing timing = Timing::constant(2.0);
     const double first = GENERATE(0.0, -0.25, 0.5);
-    const std::vector<double> offsets{first, first - 0.5, first - 1.0};
-    std::vector<glm::dvec3> locations(offsets.size());
-    std::vector<glm::dquat> rotations(offsets.size());
+    const std::vector<Follower> followers{{first}, {first - 0.5}, {first - 1.0}};
+    std::vector<glm::dvec3> locations(followers.size());
+    std::vector<glm::dquat> rotations(followers.size());
     for (const double time : {-1.0, 0.0, 0.2, 1.0, 100.0}) {
-        follow(frames, timing, time, offsets, settings, locations, rotations);
+        follow(frames, timing, time, followers, settings, locations, rotations);
         const double front = std::clamp(2.0 * time + first, 0.0, length);
-        for (std::size_t i = 0; i < offsets.size(); ++i) {
+        for (std::size_t i = 0; i < followers.size(); ++i) {
             const double s = front - 0.5 * static_cast<double>(i);
             CHECK(glm::length(locations[i] - position_at_length(*path, s, Extend::extrapolate)) < 1e-12);
             CHECK(angle_between(rotations[i], frames.at(std::max(s, 0.0), 2.0)) < 1e-12);
         }
     }
     settings.lag_rate = 0.3;
-    follow(frames, timing, 1000.0, offsets, settings, locations, rotations);
+    follow(frames, timing, 1000.0, followers, settings, locations, rotations);
     CHECK(angle_between(rotations[0], frames.at(length, 2.0)) < 1e-9);  // it has stood there for long
 }
 
@@ -319,17 +320,29 @@ TEST_CASE("the progress of a follower counts what lies beyond the ends as its ex
 TEST_CASE("follow refuses invalid arguments", "[follow]") {
     const Frames frames(samples::s_curve(), {});
     const Timing timing = Timing::constant(1.0);
-    const std::vector<double> offsets{0.0, 1.0};
+    const std::vector<Follower> followers{{0.0}, {1.0}};
     std::vector<glm::dvec3> locations(2);
     std::vector<glm::dquat> rotations(2);
-    CHECK_THROWS_AS(follow(frames, timing, 0.0, offsets, {}, {locations.data(), 1}, rotations),
+    CHECK_THROWS_AS(follow(frames, timing, 0.0, followers, {}, {locations.data(), 1}, rotations),
                     std::invalid_argument);
-    CHECK_THROWS_AS(follow(frames, timing, std::nan(""), offsets, {}, locations, rotations),
+    CHECK_THROWS_AS(follow(frames, timing, std::nan(""), followers, {}, locations, rotations),
                     std::invalid_argument);
     FollowSettings settings;
     settings.lag_rate = -1.0;
-    CHECK_THROWS_AS(follow(frames, timing, 0.0, offsets, settings, locations, rotations),
+    CHECK_THROWS_AS(follow(frames, timing, 0.0, followers, settings, locations, rotations),
                     std::invalid_argument);
+    settings = {};
+    settings.side = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_AS(follow(frames, timing, 0.0, followers, settings, locations, rotations),
+                    std::invalid_argument);
+    const auto is_refused = [&](const Follower& one) {
+        CHECK_THROWS_AS(
+            follow(frames, timing, 0.0, std::vector{one, one}, FollowSettings{}, locations, rotations),
+            std::invalid_argument);
+    };
+    is_refused({0.0, 0.0, -1.0});
+    is_refused({0.0, std::nan(""), 0.0});
+    is_refused({std::nan(""), 0.0, 0.0});
 }
 
 TEST_CASE("follow ends at any time, and refuses one at which the distance overflows", "[follow]") {
@@ -343,4 +356,45 @@ TEST_CASE("follow ends at any time, and refuses one at which the distance overfl
         CHECK(glm::length(pose.rotation) == Approx(1.0));
     }
     CHECK_THROWS_AS(follow_one(frames, Timing::constant(1e200), 1e200, 0.0, settings), std::invalid_argument);
+}
+
+TEST_CASE("a follower with a delay is where one without was so long ago, to the bit", "[follow]") {
+    const Frames frames(samples::s_curve(), mode(FrameMode::banking));
+    const std::vector<double> times{0.0, 2.0, 3.0}, speeds{1.0, 4.0, 2.0};
+    const Timing timing = Timing::speeds(times, speeds);
+    FollowSettings settings;
+    settings.lag_rate = GENERATE(0.0, 0.5);
+    settings.start = GENERATE(-std::numeric_limits<double>::infinity(), 0.0);
+    for (const double time : {0.25, 1.0, 2.75, 9.0}) {
+        const std::vector<Follower> followers{{0.5}, {0.5, 0.75}};
+        std::vector<glm::dvec3> locations(2);
+        std::vector<glm::dquat> rotations(2);
+        follow(frames, timing, time, followers, settings, locations, rotations);
+        const Pose before = follow_one(frames, timing, std::max(time - 0.75, settings.start), 0.5, settings);
+        CHECK(locations[1] == before.location);
+        CHECK(rotations[1] == before.rotation);
+    }
+}
+
+TEST_CASE("followers stand aside along their own frames, or along level ones", "[follow]") {
+    constexpr double radius = 20.0, speed = 10.0, side = 1.5, height = 0.5;
+    const samples::Path path = samples::level_circle(radius);
+    const Frames frames(path, mode(FrameMode::banking));
+    const Timing timing = Timing::constant(speed);
+    FollowSettings settings;
+    settings.extend = Extend::loop;
+    settings.side = side;
+    settings.height = height;
+    const bool is_level = GENERATE(false, true);
+    if (is_level) settings.aside.emplace(path, mode(FrameMode::world_up));
+    settings.rotate = GENERATE(false, true);
+    const double lean = is_level ? 0.0 : std::atan(speed * speed / (radius * 9.81));
+    // The bend is to the left: right is outwards, and up leans inwards.
+    const double out = radius + side * std::cos(lean) - height * std::sin(lean);
+    const double up = side * std::sin(lean) + height * std::cos(lean);
+    for (const double time : {0.0, 0.7, 3.1}) {
+        const double angle = speed * time / radius;
+        const glm::dvec3 wanted(out * std::cos(angle), out * std::sin(angle), up);
+        CHECK(glm::length(follow_one(frames, timing, time, 0.0, settings).location - wanted) < 1e-4);
+    }
 }

@@ -291,3 +291,58 @@ TEST_CASE("banking at any speed keeps its direction", "[frames]") {
         }
     }
 }
+
+TEST_CASE("up points to a rail, above, to the right or to the left", "[frames]") {
+    constexpr double radius = 10.0;
+    // A second circle, wider by 2 and higher by 1, and one that is not round.
+    const samples::Path path = samples::level_circle(radius);
+    const samples::Path rail = samples::sampled(
+        [](double u) {
+            const double a = samples::turn * u;
+            return glm::dvec3((radius + 2.0) * std::cos(a), (radius + 2.0) * std::sin(a), 1.0);
+        },
+        64, true);
+    const glm::dvec2 slope = glm::normalize(glm::dvec2(2.0, 1.0));
+    for (const RailPoint point : {RailPoint::share, RailPoint::nearest}) {
+        for (const RailSide side : {RailSide::above, RailSide::right, RailSide::left}) {
+            FrameSettings settings = mode(FrameMode::rail);
+            settings.rail = rail;
+            settings.rail_point = point;
+            settings.rail_side = side;
+            const Frames frames(path, settings);
+            for (const double angle : {0.0, 1.0, 3.0, 6.0}) {
+                const glm::dquat q = frames.at(angle * radius, 0.0);
+                const glm::dvec3 out(std::cos(angle), std::sin(angle), 0.0);
+                const glm::dvec3 towards = slope.x * out + slope.y * z;
+                const glm::dvec3 shown = side == RailSide::above   ? up(q)
+                                         : side == RailSide::right ? q * glm::dvec3(1, 0, 0)
+                                                                   : q * glm::dvec3(-1, 0, 0);
+                CHECK(glm::length(shown - towards) < 1e-5);
+            }
+        }
+    }
+}
+
+TEST_CASE("a rail that crosses the path, or is the path, turns nothing by a jump", "[frames]") {
+    const samples::Path path = samples::straight({0, 0, 0}, {0, 10, 0});
+    const samples::Path crossing = samples::straight({1, 0, 0}, {-1, 10, 0.0});
+    for (const samples::Path& rail : {path, crossing}) {
+        FrameSettings settings = mode(FrameMode::rail);
+        settings.rail = rail;
+        const Frames frames(path, settings);
+        glm::dquat last = frames.at(0.0, 0.0);
+        for (double s = 0.0; s <= 10.0; s += 0.001) {
+            const glm::dquat next = frames.at(s, 0.0);
+            CHECK(angle_between(last, next) < 0.03);
+            last = next;
+        }
+    }
+    FrameSettings settings = mode(FrameMode::rail);
+    CHECK_THROWS_AS(Frames(path, settings), std::invalid_argument);
+    settings.rail = crossing;
+    CHECK(angle_between(shared_frames(path, settings).at(2.0, 0.0), Frames(path, settings).at(2.0, 0.0)) ==
+          0.0);
+    settings.rail_point = RailPoint::nearest;
+    CHECK(angle_between(shared_frames(path, settings).at(2.0, 0.0), Frames(path, settings).at(2.0, 0.0)) ==
+          0.0);
+}

@@ -78,7 +78,10 @@ TEST_CASE("the tables of a tangled curve of 10,000 segments have room in the cac
     for (const FrameMode mode : {FrameMode::world_up, FrameMode::minimal, FrameMode::banking,
                                  FrameMode::curvature, FrameMode::tilt}) {
         const FrameTablesKey key{path->curve(), mode, 0.5};
-        const FrameTables tables(path, mode, key.smoothing);
+        FrameSettings settings;
+        settings.mode = mode;
+        settings.smoothing = key.smoothing;
+        const FrameTables tables(path, settings);
         CAPTURE(static_cast<int>(mode));
         CHECK(10 * FrameTablesBytes{}(key, tables) <= cache_budget());
     }

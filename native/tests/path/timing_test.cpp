@@ -249,3 +249,31 @@ TEST_CASE("profiles whose numbers overflow are refused", "[timing]") {
                     std::invalid_argument);
     CHECK_THROWS_AS(Timing::eased(1e-320, 1.0, 0.0, 0.0), std::invalid_argument);
 }
+
+TEST_CASE("speeds by distance that come again each lap solve ds/dt = v(s)", "[timing]") {
+    constexpr double lap = 10.0;
+    const std::vector<double> places{1.0, 4.0, 8.5}, speeds{2.0, 0.5, 3.0};
+    const Timing timing = Timing::speeds_by_distance(places, speeds, lap);
+    const auto speed_at = [&](double s) {
+        const double on_lap = s - lap * std::floor(s / lap);
+        const std::vector<double> at{8.5 - lap, 1.0, 4.0, 8.5, 1.0 + lap}, values{3.0, 2.0, 0.5, 3.0, 2.0};
+        std::size_t i = 0;
+        while (on_lap > at[i + 1]) ++i;
+        return std::lerp(values[i], values[i + 1], (on_lap - at[i]) / (at[i + 1] - at[i]));
+    };
+    CHECK(timing.distance(0.0) == Approx(0.0).margin(1e-12));
+    for (double time = -20.0; time < 60.0; time += 0.37) {
+        const double s = timing.distance(time);
+        CHECK(timing.speed(time) == Approx(speed_at(s)).epsilon(1e-9));
+        constexpr double h = 1e-5;
+        CHECK((timing.distance(time + h) - timing.distance(time - h)) / (2.0 * h) ==
+              Approx(timing.speed(time)).epsilon(1e-3));
+    }
+    // Samples may lie in any lap; one sample is an even speed.
+    const Timing elsewhere = Timing::speeds_by_distance(std::vector{-9.0, -6.0, -1.5}, speeds, lap);
+    CHECK(elsewhere.distance(7.3) == Approx(timing.distance(7.3)).epsilon(1e-12));
+    CHECK(Timing::speeds_by_distance(std::vector{3.0}, std::vector{2.0}, lap).distance(17.25) ==
+          Approx(34.5));
+    CHECK_THROWS_AS(Timing::speeds_by_distance(places, speeds, 5.0), std::invalid_argument);
+    CHECK_THROWS_AS(Timing::speeds_by_distance(places, speeds, 0.0), std::invalid_argument);
+}

@@ -59,6 +59,38 @@ class FollowTest(unittest.TestCase):
         np.testing.assert_array_equal(rotations, np.tile([1.0, 0.0, 0.0, 0.0], (20, 1)))
         np.testing.assert_allclose(locations, self.curve.position_at_length(self.timing.distance(3.0) + self.offsets), atol=1e-12)
 
+    def test_bogies_stand_on_the_path_a_wheelbase_apart(self):
+        curve = native.Spline(
+            *[np.array(rows, float) for rows in ([[0, 0, 0], [9, 3, 1]], [[-3, 0, 0], [7, 8, 1]], [[4, -3, 1], [11, 0, 0]])]
+        )
+        middle = 0.5 * curve.length()
+        (place,), (turn,) = native.follow(curve, native.Timing.constant(0.0), 0.0, middle, "world_up", wheelbases=2.0)
+        w, x, y, z = turn
+        forward = np.array([2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)])
+        for side in (1.0, -1.0):
+            self.assertLess(curve.nearest(place + side * forward)[2], 1e-9)
+
+    def test_delays(self):
+        delays = [0.0, 0.5, 1.25]
+        found = native.follow(self.curve, self.timing, 2.0, np.zeros(3), "banking", delays=delays)
+        for index, delay in enumerate(delays):
+            alone = native.follow(self.curve, self.timing, 2.0 - delay, 0.0, "banking")
+            np.testing.assert_array_equal(found[0][index], alone[0][0])
+            np.testing.assert_array_equal(found[1][index], alone[1][0])
+        rest = native.follow(self.curve, native.Timing.constant(1.0), 1.0, 0.0, "minimal", delays=3.0, start=0.0)
+        np.testing.assert_allclose(rest[0][0], self.curve.position(0.0), atol=1e-12)
+
+    def test_side_and_height(self):
+        line = native.PolyLine([[0.0, 0.0, 0.0], [0.0, 10.0, 0.0]], False)
+        still, tilt = native.Timing.constant(0.0), [np.pi / 2.0, np.pi / 2.0]
+        for options, wanted in (
+            ({"level": True}, [2.0, 5.0, 1.0]),
+            ({}, [1.0, 5.0, -2.0]),
+            ({"level": True, "rotate": False}, [2.0, 5.0, 1.0]),
+        ):
+            found = native.follow(line, still, 0.0, 5.0, "tilt", tilt=tilt, side=2.0, height=1.0, **options)
+            np.testing.assert_allclose(found[0][0], wanted, atol=1e-12)
+
     def test_lag_is_a_function_of_time(self):
         def at(time):
             return native.follow(self.curve, self.timing, time, 0.0, "world_up", lag_rate=0.05)[1][0]
@@ -82,6 +114,14 @@ class FollowTest(unittest.TestCase):
             (ValueError, "up: must be across forward", call(forward="Y", up="-Y")),
             (ValueError, "lag_rate", call(lag_rate=-1.0)),
             (ValueError, "lag_by", call(lag_by="mood")),
+            (ValueError, "delays", call(delays=[0.0, 1.0])),
+            (ValueError, "delays", call(delays=float("nan"))),
+            (ValueError, "wheelbases", call(wheelbases=[0.0, 1.0])),
+            (ValueError, "wheelbases", call(wheelbases=-1.0)),
+            (ValueError, "side", call(side=float("inf"))),
+            (ValueError, "height", call(height=float("nan"))),
+            (ValueError, "start", call(start=float("inf"))),
+            (TypeError, "level", call(level=1.5)),
             (TypeError, "speed", call(mode="banking", speed=1.0)),
             (ValueError, "locations", call(offsets=[0.0, 1.0], locations=np.empty((1, 3)))),
             (TypeError, "locations", call(locations=np.empty((1, 3), np.float32))),
@@ -167,6 +207,29 @@ class FollowPlanTest(unittest.TestCase):
             locations, rotations, _ = self.solved(plan, self.curves, frame)
             np.testing.assert_array_equal(locations, np.concatenate([one for one, _ in wanted]))
             np.testing.assert_array_equal(rotations, np.concatenate([one for _, one in wanted]))
+
+    def test_spaces_move_the_poses(self):
+        turn, there = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]), np.array([1.0, 2.0, 3.0])
+        space = np.eye(4)
+        space[:3, :3], space[:3, 3] = turn, there
+        plan = native.FollowPlan()
+        plan.add(0, native.Timing.constant(1.0), [0.0, 0.5], "banking", wheelbases=[0.0, 0.5], side=0.25)
+        plan.add(1, native.Timing.constant(1.0), 0.0, "minimal", rotate=False)
+        own, moved = np.zeros((2, 5)), np.zeros((2, 5))
+        first, second = native.PoseBuffer(3, own), native.PoseBuffer(3, moved)
+        plan.solve(self.curves, 24.0, 24.0, first)
+        plan.solve(self.curves, 24.0, 24.0, second, [space, None])
+        np.testing.assert_allclose(second.locations[:2], first.locations[:2] @ turn.T + there, atol=1e-12)
+        half = np.sqrt(0.5)
+        w, x, y, z = first.rotations[:2].T
+        wanted = half * np.column_stack((w - z, x - y, y + x, z + w))
+        np.testing.assert_allclose(second.rotations[:2], wanted, atol=1e-12)
+        np.testing.assert_array_equal(second.locations[2], first.locations[2])
+        np.testing.assert_array_equal(moved, own)
+        with self.assertRaisesRegex(TypeError, "^spaces: "):
+            plan.solve(self.curves, 24.0, 24.0, second, 3.0)
+        with self.assertRaisesRegex(ValueError, "^spaces: "):
+            plan.solve(self.curves, 24.0, 24.0, second, [np.eye(3)])
 
     def test_progress(self):
         line = native.PolyLine([[0.0, 0.0, 0.0], [10.0, 0.0, 0.0]], False)

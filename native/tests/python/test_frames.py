@@ -64,6 +64,23 @@ class FramesTest(unittest.TestCase):
         root = np.sqrt(0.5)
         np.testing.assert_allclose(up, [[0, 0, 1], [root, 0, root], [1, 0, 0]], atol=1e-9)
 
+    def test_rail(self):
+        line = native.PolyLine([[0.0, 0.0, 0.0], [0.0, 10.0, 0.0]], False)
+        rail = native.PolyLine([[3.0, 0.0, 4.0], [3.0, 20.0, 4.0]], False)
+        across = np.array([0.6, 0.0, 0.8])
+        for side, axis, sign in (("above", 2, 1.0), ("right", 0, 1.0), ("left", 0, -1.0)):
+            for point in ("share", "nearest"):
+                q = native.frames(line, 5.0, "rail", rail=rail, rail_side=side, rail_point=point)
+                w, x, y, z = q
+                columns = np.array(
+                    [
+                        [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)],
+                        [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
+                        [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)],
+                    ]
+                )
+                np.testing.assert_allclose(sign * columns[axis], across, atol=1e-12)
+
     def test_extend(self):
         curve = native.Bezier([[0, 0, 0], [0, 3, 0], [3, 3, 2]])
         length = curve.length()
@@ -91,6 +108,11 @@ class FramesTest(unittest.TestCase):
             (TypeError, "wings", lambda: native.frames(curve, 0.0, "banking", wings=2)),
             (TypeError, "tilt", lambda: native.frames(curve, 0.0, "tilt")),
             (ValueError, "tilt", lambda: native.frames(curve, 0.0, "tilt", tilt=[1.0])),
+            (TypeError, "rail", lambda: native.frames(curve, 0.0, "rail")),
+            (TypeError, "rail", lambda: native.frames(curve, 0.0, "rail", rail=None)),
+            (TypeError, "rail", lambda: native.frames(curve, 0.0, "minimal", rail=curve)),
+            (ValueError, "rail_side", lambda: native.frames(curve, 0.0, "rail", rail=curve, rail_side="behind")),
+            (ValueError, "rail_point", lambda: native.frames(curve, 0.0, "rail", rail=curve, rail_point="first")),
             (ValueError, "mode", lambda: native.frames(curve, 0.0, "upwards")),
             (ValueError, "extend", lambda: native.frames(curve, 0.0, "minimal", extend="bounce")),
             (ValueError, "lengths", lambda: native.frames(curve, [0.0, float("nan")], "minimal")),

@@ -60,6 +60,8 @@ class TimingTest(unittest.TestCase):
     def test_speeds(self):
         self.assertAlmostEqual(native.Timing.speeds([0.0, 2.0], [0.0, 4.0]).distance(2.0), 4.0)
         self.assertAlmostEqual(native.Timing.speeds_by_distance([0.0, 9.0], [3.0, 3.0]).distance(2.0), 6.0)
+        laps = native.Timing.speeds_by_distance([0.0, 5.0], [1.0, 3.0], lap=10.0)
+        self.assertAlmostEqual(laps.distance(2.0 * 5.0 * np.log(3.0) / 2.0), 10.0)
 
     def test_errors_name_the_argument(self):
         make = native.Timing
@@ -74,6 +76,8 @@ class TimingTest(unittest.TestCase):
             (lambda: make.pins([0.0], [float("nan")]), "distances"),
             (lambda: make.speeds([1.0, 0.0], [1.0, 1.0]), "times"),
             (lambda: make.speeds_by_distance([0.0, 1.0], [1.0, 0.0]), "speeds"),
+            (lambda: make.speeds_by_distance([0.0, 1.0], [1.0, 1.0], lap=0.5), "distances"),
+            (lambda: make.speeds_by_distance([0.0, 1.0], [1.0, 1.0], lap=0.0), "lap"),
             (lambda: make.constant(1.0).distance([[1.0]]), "time"),
         )
         for call, name in cases:

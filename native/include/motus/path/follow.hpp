@@ -5,6 +5,8 @@
 #pragma once
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
+#include <optional>
 #include <span>
 
 #include "motus/config.hpp"
@@ -21,6 +23,14 @@ enum class LagBy {
     curvature,     ///< 1 / length unit
 };
 
+/// One of the followers that have a timing in common.
+struct Follower {
+    double offset = 0.0;  ///< ahead (+) or behind (-) along the arc, length unit
+    double delay = 0.0;   ///< s: where a follower without delay was so long ago
+    /// >= 0, length unit: above 0 two bogies on the path carry the follower, whose straight distance this is.
+    double wheelbase = 0.0;
+};
+
 /// How distances become poses.
 struct FollowSettings {
     curve::Extend extend = curve::Extend::clamp;  ///< extrapolate keeps the end's frame
@@ -29,14 +39,25 @@ struct FollowSettings {
     bool rotate = true;                   ///< if false, all rotations are the identity
     double lag_rate = 0.0;  ///< > 0: orientation trails the target at lag_rate * bend per second
     LagBy lag_by = LagBy::acceleration;
+    double side = 0.0;    ///< to the right of the path, length unit; distance and speed are still the path's
+    double height = 0.0;  ///< above the path, length unit
+    /// Frames of the same path whose right and up these two are along; none: the followers' own, without lag.
+    std::optional<Frames> aside{};
+    double start = -std::numeric_limits<double>::infinity();  ///< s: before it the timing rests as at it
 };
 
 /// How far back a lagging orientation remembers, s.
 inline constexpr double lag_memory = 120.0;
 
-/// Poses at `time` seconds of followers that are `offsets` ahead (+) or behind (-) along the arc.
-/// Writes offsets.size() locations and rotations, allocates nothing (lag apart). A function of its arguments
-/// alone.
+/// Poses at `time` seconds of followers along one path.
+/// Writes followers.size() locations and rotations, allocates nothing (lag apart). A function of its
+/// arguments alone.
+///
+/// The bogies of a follower stand equal arcs before and behind its own place, the nearest such places whose
+/// straight distance is the wheelbase, to 1e-12 of it. The follower lies midway between the bogies, its
+/// forward axis along the line from the rear one to the front one, its up midway between their frames. Bogies
+/// run round a cyclic curve, but for extrapolate, and else beyond the ends along the tangents there. If the
+/// path is nowhere so wide, the arc between the bogies is the wheelbase.
 ///
 /// With lag the orientation starts on its target at time 0, or lag_memory seconds ago if that is later,
 /// and moves towards it along the shortest arc at the rate stated; before time 0 it is on its target.
@@ -44,10 +65,11 @@ inline constexpr double lag_memory = 120.0;
 /// steps for one follower. The long steps move the orientation by less than 1e-4 rad; by less than 0.01 rad
 /// if the target has jumped meanwhile; by less than 0.3 rad if the target has run more than half a turn
 /// ahead, so that the shortest arc turned over. As time goes on the orientation may jump by these amounts,
-/// and is else continuous. Throws std::invalid_argument if a span's size differs, time, an offset, or the
-/// timing's distance or speed at that time is not finite, lag_rate is not >= 0, or
-/// `axes` is not a unit quaternion.
-void follow(const Frames& frames, const Timing& timing, double time, std::span<const double> offsets,
+/// and is else continuous. Throws std::invalid_argument if a span's size differs, time, a number of a
+/// follower, or the timing's distance or speed at a follower's time is not finite, side or height passes
+/// coordinate_limit, a wheelbase or lag_rate is not >= 0, `start` is not below infinity, or `axes` is not a
+/// unit quaternion.
+void follow(const Frames& frames, const Timing& timing, double time, std::span<const Follower> followers,
             const FollowSettings& settings, std::span<glm::dvec3> locations, std::span<glm::dquat> rotations);
 
 /// How far a follower has come, in the curve's unit of length and seconds.

@@ -24,7 +24,17 @@ enum class FrameMode {
     curvature,  ///< towards the centre of the first bend; its axis is carried on through inflexions without a
                 ///< flip
     tilt,       ///< world up, turned about the tangent (right-handed) by tilt values at the curve's points
+    rail,       ///< towards a second curve; its direction is led through where it lies along the tangent
 };
+
+/// Which point of the rail belongs to a place on the path.
+enum class RailPoint {
+    share,    ///< at the same share of its length
+    nearest,  ///< the nearest one to the place; jumps where the rail comes near in two places
+};
+
+/// Where the rail lies, seen along the path.
+enum class RailSide { above, right, left };
 
 /// What the modes need beyond the curve; a mode reads only its own fields.
 struct FrameSettings {
@@ -38,6 +48,9 @@ struct FrameSettings {
         0.0;  ///< banking, curvature: width of the symmetric filter along the arc, length unit, >= 0
     std::vector<double> tilt;  ///< tilt: rad, one per point of the curve (segment_count() + 1, or
                                ///< segment_count() if cyclic), linear in t between
+    std::shared_ptr<const curve::ArcLength> rail{};  ///< rail: the second curve, never null
+    RailPoint rail_point = RailPoint::share;         ///< rail
+    RailSide rail_side = RailSide::above;            ///< rail
 };
 
 /// A place and an orientation.

@@ -4,6 +4,7 @@
 // number of threads may share one.
 #pragma once
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <utility>
 #include <variant>
@@ -48,6 +49,10 @@ class Timing {
     /// held outside), distance 0 at time 0. Exact: exponentials between the samples.
     [[nodiscard]] static Timing speeds_by_distance(std::span<const double> distances,
                                                    std::span<const double> speeds);
+    /// The same with speeds that come again each `lap` (> 0) of the way: linear also from the last sample of
+    /// a lap to the first one of the next. The samples lie within one lap.
+    [[nodiscard]] static Timing speeds_by_distance(std::span<const double> distances,
+                                                   std::span<const double> speeds, double lap);
 
     ~Timing() = default;
     Timing(const Timing&) = default;
@@ -95,6 +100,9 @@ class Timing {
     };
     struct Exponentials {
         std::vector<Exponential> pieces;
+        double lap_time =
+            std::numeric_limits<double>::infinity();  // the pieces begin at time 0 if it is finite
+        double lap = 0.0;                             // the way of it
         [[nodiscard]] const Exponential& at(double time) const;
         [[nodiscard]] double distance(double time) const;
         [[nodiscard]] double speed(double time) const;

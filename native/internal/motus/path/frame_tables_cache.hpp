@@ -1,6 +1,7 @@
 // The cache of frame tables.
 #pragma once
 #include <cstddef>
+#include <optional>
 
 #include "motus/core/cache.hpp"
 #include "motus/path/frames.hpp"
@@ -12,6 +13,8 @@ struct FrameTablesKey {
     curve::Curve curve;
     FrameMode mode = FrameMode::minimal;
     double smoothing = 0.0;
+    std::optional<curve::Curve> rail{};  // in the mode rail
+    RailPoint rail_point = RailPoint::share;
     [[nodiscard]] bool operator==(const FrameTablesKey&) const = default;
 };
 
