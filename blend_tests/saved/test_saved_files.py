@@ -4,6 +4,7 @@ import contextlib
 import io
 import json
 import logging
+import re
 import tarfile
 import tempfile
 from pathlib import Path
@@ -30,6 +31,11 @@ def folders():
         for archive in sorted(cases.HERE.glob(f"*/{cases.ARCHIVE}"))
         if version(archive.parent.name.rpartition("-")[2]) <= own
     ]
+
+
+def of_known_inputs(contents):
+    """Contents whose drivers of solvers end with the last input that has a variable: settings that a system has got since add zeros behind."""
+    return json.loads(re.sub(r"(,0)+\)", ")", json.dumps(contents)))
 
 
 class Records(logging.Handler):
@@ -113,7 +119,7 @@ class SavedFiles(support.SceneTestCase):
                 after = cases.contents()
                 if self.is_own(kept):
                     self.assertFalse(bpy.data.is_dirty)
-                    self.assertEqual(after, kept["contents"])
+                    self.assertEqual(of_known_inputs(after), of_known_inputs(kept["contents"]))
                 # Where Blender has a better kind of constraint, owners are wired anew with it: with as many helpers, or fewer.
                 for kind in ("objects", "meshes"):
                     self.assertLessEqual(len(after[kind]), len(kept["contents"][kind]), kind)

@@ -21,6 +21,12 @@ LANE_WIDTH = 24.0
 PLANES = 11
 GAP = 8.2
 SPEED = 13.0
+# An S of two tight bends, x and y; wagons of length and width, m.
+BENDS = ((-2, 0), (7, 4), (-3, 12), (7, 20), (-2, 24))
+WAGON_LANE = 19.0
+WAGONS = 5
+WAGON, CAR, WHEELBASE = (6.0, 1.3), (2.4, 1.1), 5.0
+WAGON_GAP = 6.6
 TILT_STEP = math.radians(25.0)
 INK = (0.012, 0.016, 0.028, 1.0)
 CHALK = (1.0, 1.0, 1.0, 1.0)
@@ -30,7 +36,7 @@ ACCENTS = ((0.90, 0.30, 0.12, 1.0), (0.10, 0.42, 0.72, 1.0), (0.28, 0.55, 0.20, 
 def render_all(folder):
     """Render every picture into `folder`; returns the files."""
     folder.mkdir(exist_ok=True)
-    return [_render_modes(folder / "path_modes.png"), _render_ease(folder / "path_ease.png")]
+    return [_render_modes(folder / "path_modes.png"), _render_ease(folder / "path_ease.png"), _render_wagons(folder / "path_wagons.png")]
 
 
 def _render_modes(file):
@@ -79,6 +85,51 @@ def _render_ease(file):
     camera.data.type = 'ORTHO'
     camera.data.ortho_scale = 16.2
     return _render(scene, file, (1280, 480), samples=32)
+
+
+def _render_wagons(file):
+    """Wagons in an S bend, seen from above: on one point of the path, on bogies, and beside the path in three lanes."""
+    scene = _new_scene((1.0, 1.0, 1.0))
+    for index, (label, wheelbase, sides) in enumerate(
+        (("Wheelbase 0", 0.0, (0.0,)), ("Wheelbase 5", WHEELBASE, (0.0,)), ("Side -2, 0 and 2", 0.0, (-2.0, 0.0, 2.0)))
+    ):
+        left = index * WAGON_LANE
+        course = _add_curve(f"Track {index}", [(x, y, -4.0) for x, y in BENDS], left, tilt=False)
+        course.data.bevel_depth, course.data.resolution_u = 0.08, 48
+        course.data.materials.clear()
+        course.data.materials.append(_flat_material("Track", INK))
+        long, wide = WAGON if len(sides) == 1 else CAR
+        for side, color in zip(sides, ACCENTS):
+            train = [_add_box(long, wide, color) for _ in range(WAGONS)]
+            for wagon in train:
+                for place in {0.5 * wheelbase, -0.5 * wheelbase} if side == 0.0 else ():
+                    dot = _add_box(0.7, 0.7, INK)
+                    dot.parent, dot.location = wagon, (0.0, place, 1.0)
+            bpy.ops.motus.path_train_add(
+                objects=",".join(wagon.name for wagon in train),
+                curve=course.name,
+                gap=WAGON_GAP,
+                timing='MANUAL',
+                offset=WAGON_GAP * (WAGONS - 0.25),
+                wheelbase=wheelbase,
+                side=side,
+                height=-0.5,
+            )
+        _add_label(label, (left + 2.0, -3.0, 0.0), 1.5)
+    camera = _add_camera(scene, (WAGON_LANE + 2.0, 10.5, 40.0), (WAGON_LANE + 2.0, 10.5, 0.0), lens=50)
+    camera.data.type = 'ORTHO'
+    camera.data.ortho_scale = 3.2 * WAGON_LANE
+    return _render(scene, file, (1280, 600), samples=32)
+
+
+def _add_box(long, wide, color):
+    """A flat box along Y with its origin in its middle, of one colour; returns the object."""
+    mesh = bpy.data.meshes.new("Wagon")
+    mesh.from_pydata([(x * wide, y * long, 0.0) for x, y in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))], [], [(0, 1, 2, 3)])
+    mesh.materials.append(_flat_material("Wagon", color))
+    obj = bpy.data.objects.new("Wagon", mesh)
+    bpy.context.scene.collection.objects.link(obj)
+    return obj
 
 
 def _new_scene(sky):

@@ -1,7 +1,7 @@
 """Follow Path: moves objects along curves by arc length, with easing, banking, trains, and pins that set the place at given frames."""
 
 from ..core.declare import System
-from . import bezier, edit_views, lists, members, operators, over_time, overlay, panel, presets, properties, solve, train
+from . import bends, bezier, edit_views, lists, members, operators, over_time, overlay, panel, presets, properties, solve, train
 
 SYSTEM = System(
     name="path",
@@ -11,10 +11,12 @@ SYSTEM = System(
     classes=(
         # A PropertyGroup is registered before the groups that contain it.
         properties.MOTUS_PG_path_pin,
+        properties.MOTUS_PG_path_speed,
         properties.MOTUS_PG_path_wagon,
         properties.MOTUS_PG_path,
         *operators.classes,
         *lists.classes,
+        *bends.classes,
         *train.classes,
         *bezier.classes,
         *edit_views.classes,

@@ -10,9 +10,10 @@ from ..core.interface.rows import Row, Rows
 from ..core.measures import scene_time
 from ..core.refusals import Refused, check_finite, named
 from ..core.translations import tr
-from . import setup, targets
+from . import members, setup, targets
 from .gaps import touching_gaps
 from .operators import follower_for
+from .properties import DEFAULT_DELAY, SLOWEST
 
 
 def _pins_by(unit):
@@ -40,9 +41,10 @@ class MOTUS_OT_path_pin_add(Operator, bpy.types.Operator):
         obj = follower_for(context, self.object)
         settings = obj.motus.path
         check_finite(self, ("frame", "fraction", "distance"))
-        for name, present in _here_and_now(context, obj).items():
+        here = _here_and_now(context, obj)
+        for name in ("frame", "fraction", "distance"):
             if not self.is_given(name):
-                setattr(self, name, present)
+                setattr(self, name, here[name])
         replaced = _remove_pins(settings, self.frame)
         pin = settings.pins.add()
         pin.frame, pin.fraction, pin.distance = self.frame, self.fraction, self.distance
@@ -74,6 +76,55 @@ class MOTUS_OT_path_pin_remove(Operator, bpy.types.Operator):
         wiring.touch(setup.system(), obj)
 
 
+class MOTUS_OT_path_speed_add(Operator, bpy.types.Operator):
+    bl_idname = "motus.path_speed_add"
+    bl_label = "Add Speed"
+    bl_description = "Add the speed at a place of the path; by default the present speed at the present place"
+
+    object: object_keyword("Name of the object; empty takes the active one")
+    distance: bpy.props.FloatProperty(
+        name="Distance", description="Distance from the start of the path", subtype='DISTANCE', options={'SKIP_SAVE'}
+    )
+    speed: bpy.props.FloatProperty(name="Speed", description="Speed at this place", min=SLOWEST, unit='VELOCITY', options={'SKIP_SAVE'})
+    redo = (Rows(("distance", "speed")),)
+
+    def run(self, context):
+        obj = follower_for(context, self.object)
+        settings, here = obj.motus.path, _here_and_now(context, obj)
+        check_finite(self, ("distance", "speed"))
+        for name in ("distance", "speed"):
+            if not self.is_given(name):
+                setattr(self, name, here[name] if here[name] or name == "distance" else settings.speed)
+        for index in reversed([index for index, one in enumerate(settings.speeds) if one.distance == self.distance]):
+            settings.speeds.remove(index)
+        place = settings.speeds.add()
+        place.distance, place.speed = self.distance, self.speed
+        settings.active_speed = len(settings.speeds) - 1
+        settings.timing = 'PLACES'
+        wiring.touch(setup.system(), obj)
+
+
+class MOTUS_OT_path_speed_remove(Operator, bpy.types.Operator):
+    bl_idname = "motus.path_speed_remove"
+    bl_label = "Remove Speed"
+    bl_description = "Remove the speed at a place of the path"
+
+    object: object_keyword("Name of the object; empty takes the active one")
+    index: bpy.props.IntProperty(
+        name="Index", description="Index of the speed; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
+
+    def run(self, context):
+        obj = follower_for(context, self.object)
+        settings = obj.motus.path
+        index = settings.active_speed if self.index < 0 else self.index
+        if not 0 <= index < len(settings.speeds):
+            raise Refused(tr("There is no such speed"))
+        settings.speeds.remove(index)
+        settings.active_speed = max(0, min(settings.active_speed, len(settings.speeds) - 1))
+        wiring.touch(setup.system(), obj)
+
+
 class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):
     bl_idname = "motus.path_wagon_add"
     bl_label = "Add Wagons"
@@ -101,12 +152,14 @@ class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):
             targets.check_wagon(wagon, pointed(settings, "curve"))
         if not wagons:
             raise Refused(tr("Select the objects to couple, and the leader last"))
-        train = [(wagon, entry.gap) for entry in settings.wagons for wagon in (pointed(entry, "object"),) if wagon]
-        in_front = train[-1][0] if train else obj
+        train = members.wagons(obj)
+        in_front = train[-1].object if train else obj
+        delay, wheelbase = (train[-1].delay, train[-1].wheelbase) if train else (DEFAULT_DELAY, settings.wheelbase)
         gaps = [self.gap] * len(wagons) if self.gap else touching_gaps([in_front, *wagons], chosen(settings, "forward_axis"))
         # Without Line Up the first wagons would stand in one place before the start.
         ends = {"extend": 'LINE_UP'} if settings.extend == 'CLAMP' and not train else {}
-        setup.attach(obj, pointed(settings, "curve"), ends, train + list(zip(wagons, gaps)))
+        added = [members.Wagon(wagon, gap, delay, wheelbase) for wagon, gap in zip(wagons, gaps)]
+        setup.attach(obj, pointed(settings, "curve"), ends, train + added)
         settings.active_wagon = len(settings.wagons) - 1
 
 
@@ -161,10 +214,14 @@ class MOTUS_OT_path_wagon_move(WagonOperator, bpy.types.Operator):
         if not 0 <= place < len(settings.wagons):
             raise Refused(tr("The wagon is at the end of the train already"))
         targets.check_uncouplable(obj, min(index, place))
-        train = [(pointed(entry, "object"), entry.gap) for entry in settings.wagons]
-        (first, first_gap), (second, second_gap) = train[index], train[place]
-        train[index], train[place] = (second, first_gap), (first, second_gap)
-        setup.attach(obj, pointed(settings, "curve"), {}, [(wagon, gap) for wagon, gap in train if wagon])
+        entries = settings.wagons
+        # Gaps are of the places in the train, wheelbases are of the wagons.
+        for name in ("gap", "delay"):
+            first, second = getattr(entries[index], name), getattr(entries[place], name)
+            setattr(entries[index], name, second)
+            setattr(entries[place], name, first)
+        entries.move(index, place)
+        setup.attach(obj, pointed(settings, "curve"), {}, members.wagons(obj))
         settings.active_wagon = place
 
 
@@ -233,12 +290,20 @@ def _remove_pins(settings, frame):
 def _here_and_now(context, obj):
     depsgraph = context.view_layer.depsgraph
     distance, length = (wiring.output(setup.system(), obj, name, depsgraph) or 0.0 for name in ("distance", "length"))
-    return {"distance": distance, "fraction": distance / length if length else 0.0, "frame": scene_time.present(context.scene)}
+    speed = abs(wiring.output(setup.system(), obj, "speed", depsgraph) or 0.0)
+    return {
+        "distance": distance,
+        "speed": speed,
+        "fraction": distance / length if length else 0.0,
+        "frame": scene_time.present(context.scene),
+    }
 
 
 classes = (
     MOTUS_OT_path_pin_add,
     MOTUS_OT_path_pin_remove,
+    MOTUS_OT_path_speed_add,
+    MOTUS_OT_path_speed_remove,
     MOTUS_OT_path_wagon_add,
     MOTUS_OT_path_wagon_remove,
     MOTUS_OT_path_wagon_move,

@@ -1,9 +1,26 @@
 """Find the objects that one set of path settings moves: the owner of the settings, and the wagons of its train."""
 
+from typing import Any, NamedTuple
+
 from ..core.file import libraries
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
+
+
+class Wagon(NamedTuple):
+    """What a train's list says of one wagon: the object, and settings of its entry. gap, wheelbase: metres. delay: seconds."""
+
+    object: Any
+    gap: float
+    delay: float
+    wheelbase: float
+
+
+def wagons(leader):
+    """Return a list with the Wagon of each entry of a leader's list that has an object."""
+    found = [(pointed(entry, "object"), entry) for entry in leader.motus.path.wagons]
+    return [Wagon(obj, entry.gap, entry.delay, entry.wheelbase) for obj, entry in found if obj]
 
 
 def channels(settings):
@@ -20,9 +37,18 @@ def members(owner):
 
 
 def offsets(owner):
-    """Return the distance along the path from the owner to each member, (n,). Each wagon lies one gap behind the member in front."""
-    gaps = [wagon.gap for wagon in _wagons(owner)]
+    """Return what lies between the owner and each member, (n,): metres along the path, or, with Gaps By Time, seconds; negative is behind.
+
+    Each wagon lies one gap behind the member in front.
+    """
+    by_time = chosen(owner.motus.path, "gaps_by") == 'TIME'
+    gaps = [wagon.delay if by_time else wagon.gap for wagon in _wagons(owner)]
     return -np.cumsum([0.0, *gaps])
+
+
+def wheelbases(owner):
+    """Return the wheelbase of each member, a list: of the owner's settings first, then of the wagons' entries."""
+    return [owner.motus.path.wheelbase, *(wagon.wheelbase for wagon in _wagons(owner))]
 
 
 def _wagons(owner):
@@ -46,7 +72,8 @@ def is_wagon(obj):
 
 def take_out(leader, index):
     """Remove a wagon from its leader's list; the gap of the next wagon grows, so that the wagons behind keep their places."""
-    wagons = leader.motus.path.wagons
-    if index + 1 < len(wagons):
-        wagons[index + 1].gap += wagons[index].gap
-    wagons.remove(index)
+    entries = leader.motus.path.wagons
+    if index + 1 < len(entries):
+        entries[index + 1].gap += entries[index].gap
+        entries[index + 1].delay += entries[index].delay
+    entries.remove(index)

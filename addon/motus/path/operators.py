@@ -83,11 +83,12 @@ class MOTUS_OT_path_follow_add(FindsValues, NewFollowKeywords, bpy.types.Operato
         curve = targets.curve_for(context, self.curve, *owners)
         keywords = self.given(KEYWORDS)
         check_finite(self, keywords)
+        rail = targets.rail_for(self.rail, owners)
         for owner in owners:
             targets.check_free(owner, curve)
             targets.check_settings(owner, curve, keywords)
         for owner in owners:
-            setup.attach(owner, curve, for_new(context, owner, curve, keywords))
+            setup.attach(owner, curve, for_new(context, owner, curve, keywords) | rail)
         self.show_used(owners[0].motus.path, KEYWORDS)
         self.curve = curve.name
         if not self.object:

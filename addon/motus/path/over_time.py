@@ -15,6 +15,7 @@ from ..core.animation.reason import Reason
 from ..core.animation.strips import together
 from ..core.declare import Context
 from ..core.evaluated import copies
+from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.measures import scene_time
@@ -22,7 +23,7 @@ from ..core.tracks import world_track
 from ..core.tracks.solved import placed
 from . import curves, members, solve
 
-CHOICES = tuple(name for name in solve.SHARED if name not in {"influence", "pins"})
+CHOICES = tuple(name for name in solve.SHARED if name not in {"influence", "pins", "speeds"})
 
 
 def over_time(owner, thing, scene):
@@ -56,15 +57,26 @@ class OverTime:
         curve = pointed(self._settings, "curve")
         return world_track(curve, self._scene) if curve and curve.type == 'CURVE' else None
 
+    @functools.cached_property
+    def _rail(self):
+        rail = pointed(self._settings, "rail") if chosen(self._settings, "orientation") == 'RAIL' else None
+        return world_track(rail, self._scene) if rail and rail.type == 'CURVE' else None
+
+    @property
+    def _curves(self):
+        """[(track, name of the setting)] of the curves that are read."""
+        return [(track, name) for track, name in ((self._curve, "curve"), (self._rail, "rail")) if track]
+
     @property
     def reason(self):
         """Reason why the transforms at other frames are unknown; None if they are known."""
         settings, thing = self._settings, self._thing.name
         if not self._channel("influence").is_constant or settings.influence != 1.0:
             return Reason(Reason.INFLUENCE, thing=thing, name=self._owner.name)
-        if self._curve and _changes_shape(pointed(settings, "curve")):
-            return Reason(Reason.GEOMETRY, thing=thing, name=pointed(settings, "curve").name)
-        tracks = [*self._numbers.values(), *([self._curve] if self._curve else [])]
+        for _, name in self._curves:
+            if _changes_shape(pointed(settings, name)):
+                return Reason(Reason.GEOMETRY, thing=thing, name=pointed(settings, name).name)
+        tracks = [*self._numbers.values(), *(track for track, _ in self._curves)]
         return next((track.reason for track in tracks if track.reason), None)
 
     def applied(self, times, matrices):
@@ -81,11 +93,11 @@ class OverTime:
         """
         offsets, count = members.offsets(self._owner), len(times)
         values = np.stack([track.values(times) for track in self._numbers.values()], axis=1).tolist()
-        matrices = self._curve.values(times) if self._curve else [None] * count
+        curve, rail = (track.values(times) if track else [None] * count for track in (self._curve, self._rail))
         locations, rotations, acts = np.zeros((count, 3)), np.zeros((count, 4)), np.zeros(count, bool)
         told = np.zeros(len(solve.OUTPUTS))
         poses = native.module.PoseBuffer(len(offsets), told)
-        for row, (time, numbers, matrix) in enumerate(zip(times.tolist(), values, matrices)):
+        for row, (time, numbers, matrix, rail_matrix) in enumerate(zip(times.tolist(), values, curve, rail)):
             context = Context(
                 self._settings,
                 self._owner,
@@ -100,6 +112,9 @@ class OverTime:
                 None if matrix is None else Matrix(matrix),
                 self._curve and pointed(self._settings, "curve").data.splines,
                 None,
+                None if rail_matrix is None else Matrix(rail_matrix),
+                self._rail and pointed(self._settings, "rail").data.splines,
+                None,
                 **dict(zip(self._numbers, numbers)),
             )
             acts[row] = problem is None or not problem.blocking
@@ -113,8 +128,7 @@ class OverTime:
         The times are whole frames, and the times at which a setting or the curve's transform may bend.
         """
         found = [track.bounds(first, last) for track in self._numbers.values()]
-        if self._curve:
-            found.append(self._curve.bounds(first, last))
+        found += [track.bounds(first, last) for track, _ in self._curves]
         return union([[first, *whole(first, last), last], *found])
 
     @property
@@ -134,16 +148,18 @@ class OverTime:
                 settings.influence,
                 *(getattr(settings, name) for name in CHOICES),
                 *((pin.frame, pin.fraction, pin.distance) for pin in settings.pins),
+                *((one.distance, one.speed) for one in settings.speeds),
+                *members.wheelbases(self._owner),
                 *(track.stamp for track in self._numbers.values()),
-                *((self._curve.stamp, self._shape()) if self._curve else ()),
+                *(part for track, name in self._curves for part in (track.stamp, self._shape(name))),
             )
         )
 
-    def _shape(self):
-        """Hashable value of the curve's control points, closedness and tilt; a Problem if the curve cannot be read."""
-        curve = pointed(self._settings, "curve")
+    def _shape(self, name):
+        """Hashable value of a curve's control points, closedness and tilt; a Problem if it cannot be read. name: of its setting."""
+        curve, spline = pointed(self._settings, name), self._settings.spline if name == "curve" else self._settings.rail_spline
         try:
-            read = curves.read(curve, curve.data.splines, None, self._settings.spline, Matrix())
+            read = curves.read(curve, curve.data.splines, None, spline, Matrix())
         except curves.Unreadable as unreadable:
             return unreadable.problem
         return read.curve.control_points.tobytes(), read.curve.cyclic, read.tilt.tobytes()

@@ -8,8 +8,8 @@ from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.interface.overlay import Batch, Overlay, Switch
 from ..core.lazy import numpy as np
-from ..core.measures import scene_time
-from . import curves, motion, solve, targets
+from ..core.measures import axes, scene_time
+from . import curves, members, motion, solve, targets
 
 STEPS_PER_SEGMENT = 48
 LARGEST_STEPS = 4096
@@ -24,6 +24,8 @@ CURVE_COLOR = (0.98, 0.80, 0.25, 0.9)
 POLYGON_COLOR = (0.75, 0.75, 0.80, 0.45)
 POINT_COLOR = (0.95, 0.95, 1.0, 0.9)
 TANGENT_COLOR = (0.95, 0.85, 0.60, 0.9)
+RAIL_COLOR = (0.75, 0.55, 0.95, 0.9)
+BOGIE_COLOR = (0.35, 0.95, 0.55, 0.9)
 UP_COLOR = (0.30, 0.55, 1.0, 0.9)
 RIGHT_COLOR = (0.95, 0.30, 0.35, 0.9)
 
@@ -55,6 +57,7 @@ def _of_follower(scene, owner, depsgraph):
     settings = owner.motus.path
     try:
         path = curves.read_evaluated(pointed(settings, "curve").evaluated_get(depsgraph), depsgraph, settings.spline)
+        rail = _rail(settings, depsgraph)
     except curves.Unreadable:
         return []
     numbers = {name: getattr(settings, name) for name in solve.NUMBERS}
@@ -69,9 +72,45 @@ def _of_follower(scene, owner, depsgraph):
     if scene.motus.show_tangents:
         tangents = path.curve.tangent(path.curve.t_at_length(distances))
         found.append(_whiskers(path.curve, distances, tangents, size, TANGENT_COLOR))
-    if scene.motus.show_frames and chosen(settings, "orientation") != 'NONE':
-        found += _frames(path, settings, numbers, distances, speeds, size)
+    if rail and scene.motus.show_curve:
+        found.append(Batch('LINES', _pairs(rail.position(_parameters(rail).ravel()).reshape(*_parameters(rail).shape, 3)), RAIL_COLOR, 1.5))
+    if scene.motus.show_frames and chosen(settings, "orientation") not in ({'NONE'} if rail else {'NONE', 'RAIL'}):
+        space = (
+            solve.space_of(pointed(settings, "curve").evaluated_get(depsgraph).matrix_world)
+            if chosen(settings, "space") == 'PATH'
+            else None
+        )
+        found += _frames(path, rail, space, settings, numbers, distances, speeds, size)
+    if scene.motus.show_bogies:
+        found += _bogies(owner, depsgraph)
     return found
+
+
+def _rail(settings, depsgraph):
+    """The native curve of the follower's rail, in world space; None if the orientation reads none. Raises Unreadable."""
+    rail = pointed(settings, "rail") if chosen(settings, "orientation") == 'RAIL' else None
+    if rail is None or rail.type != 'CURVE':
+        return None
+    return curves.read_evaluated(rail.evaluated_get(depsgraph), depsgraph, settings.rail_spline).curve
+
+
+def _bogies(owner, depsgraph):
+    """Batches of the lines between the two bogies of each member that has a wheelbase."""
+    settings = owner.motus.path
+    if chosen(settings, "orientation") == 'NONE':
+        return []
+    forward = np.array(axes.vector(chosen(settings, "forward_axis")))
+    found = []
+    for member, wheelbase in zip(members.members(owner.original), members.wheelbases(owner.original)):
+        if wheelbase > 0.0:
+            matrix = np.array(member.evaluated_get(depsgraph).matrix_world)
+            along = matrix[:3, :3] @ forward
+            half = 0.5 * wheelbase * along / max(np.linalg.norm(along), 1e-12)
+            found.append((matrix[:3, 3] - half, matrix[:3, 3] + half))
+    if not found:
+        return []
+    strips = np.array(found)
+    return [Batch('LINES', _pairs(strips), BOGIE_COLOR, 2.0), Batch('POINTS', strips.reshape(-1, 3).astype(np.float32), BOGIE_COLOR, 8.0)]
 
 
 def _curve_batches(shown, curve, speeds):
@@ -136,14 +175,16 @@ def _speed_profile(settings, moving, length):
     return distances[order], speeds[order]
 
 
-def _frames(path, settings, numbers, distances, speeds, size):
-    options = solve.mode_options(settings, numbers, path.tilt)
+def _frames(path, rail, space, settings, numbers, distances, speeds, size):
+    into = np.eye(4) if space is None else np.array(space.inverted())
+    options = solve.mode_options(settings, numbers, path.tilt, rail and rail.transformed(into))
     if settings.orientation == 'BANKING':
         options["speed"] = np.interp(distances, *speeds)
-    quaternions = native.module.frames(path.curve, distances, chosen(settings, "orientation").lower(), **options)
+    quaternions = native.module.frames(path.curve.transformed(into), distances, chosen(settings, "orientation").lower(), **options)
     w, x, y, z = quaternions.T
     right = np.column_stack((1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)))
     up = np.column_stack((2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)))
+    up, right = up @ into[:3, :3], right @ into[:3, :3]  # the transposed inverse of a rotation is the rotation
     return [_whiskers(path.curve, distances, up, size, UP_COLOR), _whiskers(path.curve, distances, right, 0.6 * size, RIGHT_COLOR)]
 
 
@@ -160,6 +201,7 @@ overlay = Overlay(
         Switch("show_control_points", "Control Points", "Draw the control polygon"),
         Switch("show_tangents", "Tangents", "Draw the tangent at equal distances", default=False),
         Switch("show_frames", "Path Frames", "Draw the orientation at equal distances"),
+        Switch("show_bogies", "Bogies", "Draw the points of the path that carry wagons"),
         Switch("show_speed", "Speed", "Colour the curve by the follower's speed"),
     ),
 )

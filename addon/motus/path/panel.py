@@ -126,11 +126,22 @@ def draw_timing(layout, context):
     rows.TIMING.draw(ui.split(layout), settings)
     if settings.timing == 'PINS':
         ui.draw_list(layout, "MOTUS_UL_path_pins", settings, "pins", "active_pin", "motus.path_pin_add", "motus.path_pin_remove")
+    if settings.timing == 'PLACES':
+        ui.draw_list(layout, "MOTUS_UL_path_speeds", settings, "speeds", "active_speed", "motus.path_speed_add", "motus.path_speed_remove")
+        layout.operator("motus.path_speeds_from_bends", icon='CURVE_PATH')
 
 
 def draw_orientation(layout, context):
     """Draw the settings of the follower's orientation along the path."""
-    rows.ORIENTATION.draw(ui.split(layout), context.object.motus.path)
+    column, settings = ui.split(layout), context.object.motus.path
+    if settings.orientation == 'RAIL':
+        column.prop(settings, "rail")
+    rows.ORIENTATION.draw(column, settings)
+
+
+def draw_placement(layout, context):
+    """Draw the settings of what stands between the path and the follower: its bogies, and the distance beside the path."""
+    rows.PLACEMENT.draw(ui.split(layout), context.object.motus.path)
 
 
 def draw_train(layout, context):
@@ -145,10 +156,16 @@ def draw_train(layout, context):
     if not settings.wagons:
         return
     column = ui.split(layout)
+    column.prop(settings, "gaps_by")
+    by_time = settings.gaps_by == 'TIME'
     if 0 <= settings.active_wagon < len(settings.wagons):
-        column.prop(settings.wagons[settings.active_wagon], "gap")
-    column.prop(settings, "gap_of_all")
-    layout.operator("motus.path_wagons_touch", icon='FIXED_SIZE')
+        wagon = settings.wagons[settings.active_wagon]
+        column.prop(wagon, "delay" if by_time else "gap")
+        column.prop(wagon, "wheelbase")
+    column.prop(settings, "delay_of_all" if by_time else "gap_of_all")
+    column.prop(settings, "wheelbase_of_all")
+    if not by_time:
+        layout.operator("motus.path_wagons_touch", icon='FIXED_SIZE')
 
 
 class MOTUS_UL_path_pins(bpy.types.UIList):
@@ -156,6 +173,13 @@ class MOTUS_UL_path_pins(bpy.types.UIList):
         row = layout.row(align=True)
         row.prop(pin, "frame", text="", emboss=False)
         row.prop(pin, "fraction" if settings.pins_by == 'FRACTION' else "distance", text="", emboss=False)
+
+
+class MOTUS_UL_path_speeds(bpy.types.UIList):
+    def draw_item(self, _context, layout, _settings, place, _icon, _active, _name, _index):
+        row = layout.row(align=True)
+        row.prop(place, "distance", text="", emboss=False)
+        row.prop(place, "speed", text="", emboss=False)
 
 
 class MOTUS_UL_path_wagons(bpy.types.UIList):
@@ -179,6 +203,7 @@ PANEL = panels.SystemPanel(
     parts=(
         panels.Part("timing", "Timing", draw_timing, is_open=True),
         panels.Part("orientation", "Orientation", draw_orientation, is_open=True),
+        panels.Part("placement", "Placement", draw_placement),
         panels.Part("train", "Train", draw_train, is_open=True),
     ),
     readouts=draw_readouts,
@@ -189,4 +214,4 @@ PANEL = panels.SystemPanel(
     draw_about=draw_about,
 )
 
-classes = (MOTUS_UL_path_pins, MOTUS_UL_path_wagons, *panels.classes(PANEL))
+classes = (MOTUS_UL_path_pins, MOTUS_UL_path_speeds, MOTUS_UL_path_wagons, *panels.classes(PANEL))

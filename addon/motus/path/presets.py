@@ -7,7 +7,18 @@ from ..core.interface.presets import Preset
 from .properties import KEYWORDS
 
 # A preset leaves out settings that belong to one shot, such as frames and distances.
-OF_THE_SHOT = {"spline", "start_frame", "offset", "distance_factor", "influence"}
+OF_THE_SHOT = {
+    "spline",
+    "start_frame",
+    "offset",
+    "distance_factor",
+    "distance",
+    "rail_spline",
+    "side",
+    "height",
+    "wheelbase",
+    "influence",
+}
 
 BROUGHT = (
     Preset(
@@ -37,6 +48,12 @@ BROUGHT = (
         "Roller Coaster",
         "Up points to the middle of each bend, also in loopings",
         {"timing": 'SPEED', "speed": 8.0, "orientation": 'CURVATURE', "bank_smoothing": 3.0},
+    ),
+    Preset(
+        'RAILS',
+        "Coaster on Two Rails",
+        "The path is the left rail, and the curve that is chosen as Rail the right one",
+        {"timing": 'SPEED', "speed": 8.0, "orientation": 'RAIL', "rail_side": 'RIGHT'},
     ),
     Preset('CAMERA', "Camera Move", "Soft at both ends, never rolling", {"ease_in": 0.3, "ease_out": 0.3}),
     Preset('BEAD', "Bead on a String", "Turned as little as possible along the path", {"orientation": 'MINIMAL'}),

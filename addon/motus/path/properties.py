@@ -7,16 +7,20 @@ import bpy
 from ..core.file.pointers import to_object
 from ..core.measures.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
-from ..core.settings.declared import choice, number
+from ..core.settings.declared import choice, number, whole
 
 EASE_TOLERANCE = 1e-6  # in single precision 0.7 + 0.3 exceeds 1
 DEFAULT_GAP = 2.0  # gap between objects without extent, m
+DEFAULT_DELAY = 1.0  # gap by time, s
+SLOWEST = 1e-3  # least speed at a place, m/s: at 0 the follower would never leave
 
 TIMINGS = (
     ('DURATION', "Duration", "The whole path takes a given time"),
     ('SPEED', "Speed", "The object goes at a speed, which may be keyed"),
     ('PINS', "Pins", "Pins say where the object is at given frames"),
     ('MANUAL', "Manual", "The distance is keyed or driven as a fraction of the path"),
+    ('DISTANCE', "Distance", "The distance is keyed or driven in metres"),
+    ('PLACES', "Speed by Place", "The speed depends on the place: a list gives it at distances along the path"),
 )
 EXTENDS = (
     ('CLAMP', "Stop", "Stay at the end of the path"),
@@ -36,10 +40,32 @@ ORIENTATIONS = (
     ('BANKING', "Banking", "Lean into the bends like an aircraft, by speed and curvature"),
     ('CURVATURE', "Curvature", "Up points to the centre of the bend, as in a loop"),
     ('TILT', "Curve Tilt", "Up is turned by the tilt of the curve's points"),
+    ('RAIL', "Rail", "Up points to a second curve, or is across to it, as between the two rails of a roller coaster"),
 )
 LAGS = (
     ('ACCELERATION', "Acceleration", "Turns lag more on large curves and long handles; Curvature depends on the shape alone"),
     ('CURVATURE', "Curvature", "Turns lag by the curvature, which depends on the shape of the curve alone"),
+)
+GAP_UNITS = (
+    ('DISTANCE', "Distance", "Each wagon keeps a distance along the path to the object in front"),
+    ('TIME', "Time", "Each wagon is where the object in front was some seconds before"),
+)
+SIDES_BY = (
+    ('FRAME', "Frame", "Side and Height lean along with the orientation"),
+    ('LEVEL', "Level", "Side is level and Height upright, whatever the orientation"),
+)
+SPACES = (
+    ('WORLD', "World", "Up is the world's Z axis, and gravity acts along it"),
+    ('PATH', "Path", "Up is the Z axis of the curve object: on a ship that rolls, followers roll with it"),
+)
+RAIL_POINTS = (
+    ('SHARE', "Same Share", "The point at the same share of the rail's length"),
+    ('NEAREST', "Nearest", "The point of the rail that is nearest to the place on the path"),
+)
+RAIL_SIDES = (
+    ('ABOVE', "Above", "The rail lies above the path: up points to it"),
+    ('RIGHT', "Right", "The rail lies to the right of the path"),
+    ('LEFT', "Left", "The rail lies to the left of the path"),
 )
 PIN_UNITS = (
     ('FRACTION', "Fraction", "Pins give a fraction of the path's length"),
@@ -90,6 +116,7 @@ class FollowKeywords:
     distance_factor: _number(
         "Fraction", "Fraction of the path's length at which the object is", 0.0, soft_min=0.0, soft_max=1.0, subtype='FACTOR'
     )
+    distance: _number("Distance", "Distance along the path at which the object is, to be keyed or driven", 0.0, subtype='DISTANCE')
     ease_in: _number(
         "Ease In", "Fraction of the time that is used to gain speed", 0.0, min=0.0, max=1.0, subtype='FACTOR', update=_push_ease_out
     )
@@ -121,6 +148,21 @@ class FollowKeywords:
     bank_limit: _number("Limit", "Largest roll; 180 degrees is no limit", 3.1415927, min=0.0, max=3.1415927, subtype='ANGLE')
     bank_smoothing: _number("Smoothing", "Length of path over which the bend is averaged", 0.0, min=0.0, soft_max=50.0, subtype='DISTANCE')
     gravity: _number("Gravity", "Acceleration that the bank is measured against", 9.81, min=1e-3, soft_max=30.0, unit='ACCELERATION')
+    space: choice("Space", "Space in which up and gravity are meant, if the path itself is moved", SPACES, 'WORLD')
+    rail_spline: whole("Rail Spline", "Index of the rail's spline; -1 takes all of them, one after another", 0, options=ANIMATED, min=-1)
+    rail_by: choice("Rail By", "Which point of the rail belongs to a place on the path", RAIL_POINTS, 'SHARE')
+    rail_side: choice("Rail Is", "Where the rail lies, seen along the path", RAIL_SIDES, 'ABOVE')
+
+    side: _number("Side", "Distance to the right of the path; the speed along the path stays the same", 0.0, subtype='DISTANCE')
+    height: _number("Height", "Distance above the path; the speed along the path stays the same", 0.0, subtype='DISTANCE')
+    side_by: choice("Side By", "What Side and Height are measured along", SIDES_BY, 'FRAME')
+    wheelbase: _number(
+        "Wheelbase",
+        "Straight distance between two points of the path that carry the object, as the bogies of a wagon do; 0 is one point",
+        0.0,
+        min=0.0,
+        subtype='DISTANCE',
+    )
     influence: _number(
         "Influence", "How much the path moves the object; 0 leaves it at its own transform", 1.0, min=0.0, max=1.0, subtype='FACTOR'
     )
@@ -142,6 +184,9 @@ class NewFollowKeywords(FollowKeywords):
         EXTENDS,
         'CLAMP',
         options={'SKIP_SAVE'},
+    )
+    rail: bpy.props.StringProperty(
+        name="Rail", description="Name of the curve object that is the rail; empty keeps the present one", options={'SKIP_SAVE'}
     )
 
 
@@ -175,6 +220,11 @@ class MOTUS_PG_path_pin(bpy.types.PropertyGroup):
     )
 
 
+class MOTUS_PG_path_speed(bpy.types.PropertyGroup):
+    distance: number("Distance", "Distance from the start of the path", 0.0, subtype='DISTANCE')
+    speed: number("Speed", "Speed at this place", 5.0, min=SLOWEST, soft_max=100.0, unit='VELOCITY')
+
+
 class MOTUS_PG_path_wagon(bpy.types.PropertyGroup):
     object: to_object(name="Object", description="Object that is this wagon of the train", update=rewire, override=OVERRIDABLE)
     gap: bpy.props.FloatProperty(
@@ -185,6 +235,14 @@ class MOTUS_PG_path_wagon(bpy.types.PropertyGroup):
         options=set(),
         update=touch,
         override=OVERRIDABLE,
+    )
+    delay: number("Delay", "Seconds after the object in front", DEFAULT_DELAY, min=0.0, subtype='TIME_ABSOLUTE')
+    wheelbase: number(
+        "Wheelbase",
+        "Straight distance between the two points of the path that carry this wagon; 0 is one point",
+        0.0,
+        min=0.0,
+        subtype='DISTANCE',
     )
 
 
@@ -197,10 +255,35 @@ def _set_gap_of_all(settings, gap):
         wagon.gap = gap
 
 
+def _delay_of_all(settings):
+    return settings.wagons[0].delay if settings.wagons else DEFAULT_DELAY
+
+
+def _set_delay_of_all(settings, delay):
+    for wagon in settings.wagons:
+        wagon.delay = delay
+
+
+def _set_wheelbase_of_all(settings, wheelbase):
+    settings.wheelbase = wheelbase
+    for wagon in settings.wagons:
+        wagon.wheelbase = wheelbase
+
+
 class MOTUS_PG_path(SystemSettings, FollowKeywords, bpy.types.PropertyGroup):
     curve: to_object('CURVE', name="Curve", description="Curve to follow", update=rewire, override=OVERRIDABLE)
+    rail: to_object(
+        'CURVE',
+        name="Rail",
+        description="Second curve, towards which up points; the followed curve itself is the rail if its second spline is",
+        update=rewire,
+        override=OVERRIDABLE,
+    )
     pins: bpy.props.CollectionProperty(type=MOTUS_PG_path_pin, name="Pins", override=EXTENDABLE)
     active_pin: bpy.props.IntProperty(name="Active Pin", options=set())
+    speeds: bpy.props.CollectionProperty(type=MOTUS_PG_path_speed, name="Speeds", override=EXTENDABLE)
+    active_speed: bpy.props.IntProperty(name="Active Speed", options=set())
+    gaps_by: choice("Gaps By", "What the wagons of the train keep", GAP_UNITS, 'DISTANCE')
     wagons: bpy.props.CollectionProperty(type=MOTUS_PG_path_wagon, name="Wagons", override=EXTENDABLE)
     active_wagon: bpy.props.IntProperty(name="Active Wagon", options=set())
     gap_of_all: bpy.props.FloatProperty(
@@ -210,4 +293,21 @@ class MOTUS_PG_path(SystemSettings, FollowKeywords, bpy.types.PropertyGroup):
         options={'SKIP_SAVE'},
         get=_gap_of_all,
         set=_set_gap_of_all,
+    )
+    delay_of_all: bpy.props.FloatProperty(
+        name="Delay of All",
+        description="Seconds from each wagon to the object in front, the same for all wagons",
+        subtype='TIME_ABSOLUTE',
+        options={'SKIP_SAVE'},
+        get=_delay_of_all,
+        set=_set_delay_of_all,
+    )
+    wheelbase_of_all: bpy.props.FloatProperty(
+        name="Wheelbase of All",
+        description="Wheelbase of the leader and of all wagons",
+        min=0.0,
+        subtype='DISTANCE',
+        options={'SKIP_SAVE'},
+        get=lambda settings: settings.wheelbase,
+        set=_set_wheelbase_of_all,
     )

@@ -4,17 +4,19 @@ from ..core.interface.rows import Row, Rows, is_not, is_one_of, is_positive
 from ..core.translations import OWN_SENSE
 
 _IS_TURNED = is_not("orientation", 'NONE')
+_HAS_RAIL = is_one_of("orientation", 'RAIL')
 
-PATH = Rows((Row("spline", text="Spline", text_ctxt=OWN_SENSE), "influence", "extend"), title="Path")
+PATH = Rows((Row("spline", text="Spline", text_ctxt=OWN_SENSE), "influence", "extend", "space"), title="Path")
 TIMING = Rows(
     (
         "timing",
-        Row("start_frame", when=is_one_of("timing", 'DURATION', 'SPEED')),
+        Row("start_frame", when=is_one_of("timing", 'DURATION', 'SPEED', 'PLACES')),
         Row("duration", when=is_one_of("timing", 'DURATION')),
         Row("ease_in", when=is_one_of("timing", 'DURATION')),
         Row("ease_out", when=is_one_of("timing", 'DURATION')),
         Row("speed", when=is_one_of("timing", 'SPEED')),
         Row("distance_factor", when=is_one_of("timing", 'MANUAL')),
+        Row("distance", when=is_one_of("timing", 'DISTANCE')),
         Row("pins_by", when=is_one_of("timing", 'PINS')),
         Row("offset", text="Offset", text_ctxt=OWN_SENSE),
     ),
@@ -25,6 +27,9 @@ ORIENTATION = Rows(
         Row("orientation", text="Mode"),
         Row("forward_axis", when=_IS_TURNED),
         Row("up_axis", when=_IS_TURNED),
+        Row("rail_spline", when=_HAS_RAIL),
+        Row("rail_by", when=_HAS_RAIL),
+        Row("rail_side", when=_HAS_RAIL),
         Row("curvature_outward", when=is_one_of("orientation", 'CURVATURE')),
         Row("bank_strength", when=is_one_of("orientation", 'BANKING')),
         Row("bank_limit", when=is_one_of("orientation", 'BANKING')),
@@ -35,4 +40,8 @@ ORIENTATION = Rows(
     ),
     title="Orientation",
 )
-ALL = (PATH, TIMING, ORIENTATION)
+PLACEMENT = Rows(
+    ("wheelbase", "side", "height", Row("side_by", when=_IS_TURNED)),
+    title="Placement",
+)
+ALL = (PATH, TIMING, ORIENTATION, PLACEMENT)

@@ -18,7 +18,7 @@ def system():
 def attach(owner, curve, keywords, wagons=None):
     """Let `owner` follow `curve`.
 
-    keywords: {name: value} of path settings. wagons: list of (object, gap); None keeps the present wagons.
+    keywords: {name: value} of path settings. wagons: list of members.Wagon; None keeps the present wagons.
     """
     settings = owner.motus.path
     if settings.is_active:
@@ -27,7 +27,7 @@ def attach(owner, curve, keywords, wagons=None):
     settings.curve = curve
     for name, value in keywords.items():
         setattr(settings, name, value)
-    for obj in (owner, *(wagon for wagon, _ in wagons or ())):
+    for obj in (owner, *(wagon.object for wagon in wagons or ())):
         if is_stray(obj):
             wiring.release(system(), obj)
     if wagons is not None:
@@ -74,14 +74,13 @@ def uncouple(leader, index):
 
 def _replace_wagons(owner, wagons):
     entries = owner.motus.path.wagons
-    kept = {wagon for wagon, _ in wagons}
+    kept = {wagon.object for wagon in wagons}
     for entry in entries:
         wagon = pointed(entry, "object")
         if wagon and wagon not in kept:
             reset(wagon)
     entries.clear()
-    for wagon, gap in wagons:
+    for wagon in wagons:
         entry = entries.add()
-        entry.name = wagon.name
-        entry.object = wagon
-        entry.gap = gap
+        entry.name = wagon.object.name
+        entry.object, entry.gap, entry.delay, entry.wheelbase = wagon

@@ -1,7 +1,12 @@
 """Solver of Follow Path: declares its inputs, and has the native module place all followers of a solver and their wagons in one call."""
 
+from dataclasses import dataclass
+from typing import Any
+
+import mathutils
+
 from ..core import native
-from ..core.declare import Context, Deformed, Matrix, Problem, Setting, Splines
+from ..core.declare import AlsoDeformed, Context, Deformed, Matrix, Problem, Setting, Splines
 from ..core.file import deleted
 from ..core.file.choices import chosen
 from ..core.lazy import numpy as np
@@ -10,8 +15,10 @@ from . import curves, members, motion
 
 NO_CURVE = Problem("Choose a curve to follow")
 CURVE_DELETED = Problem("The curve is in no collection any more: choose another one")
+NO_RAIL = Problem("Choose the curve that is the rail")
+RAIL_DELETED = Problem("The rail is in no collection any more: choose another one")
 AXES_NOT_ACROSS = Problem("The forward axis and the up axis must be perpendicular to each other")
-PROBLEMS = (NO_CURVE, CURVE_DELETED, AXES_NOT_ACROSS) + curves.PROBLEMS + motion.PROBLEMS
+PROBLEMS = (NO_CURVE, CURVE_DELETED, NO_RAIL, RAIL_DELETED, AXES_NOT_ACROSS) + curves.PROBLEMS + motion.PROBLEMS
 
 NUMBERS = (
     "spline",
@@ -28,12 +35,36 @@ NUMBERS = (
     "gravity",
     "lag_rate",
     "curvature_outward",
+    "distance",
+    "rail_spline",
+    "side",
+    "height",
+    "wheelbase",
 )
-SHARED = ("influence", "timing", "extend", "orientation", "forward_axis", "up_axis", "lag_by", "pins", "pins_by")
+SHARED = (
+    "influence",
+    "timing",
+    "extend",
+    "orientation",
+    "forward_axis",
+    "up_axis",
+    "lag_by",
+    "pins",
+    "pins_by",
+    "speeds",
+    "space",
+    "rail_by",
+    "rail_side",
+    "side_by",
+    "gaps_by",
+)
 INPUTS = (
     Matrix("matrix", of="curve"),
     Splines("splines", of="curve"),
     Deformed("deformed", of="curve"),
+    Matrix("rail_matrix", of="rail"),
+    Splines("rail_splines", of="rail"),
+    AlsoDeformed("rail_deformed", of="rail"),
     *(Setting(name) for name in NUMBERS),
 )
 
@@ -41,42 +72,64 @@ HALF_TURNS = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 OUTPUTS = ("parameter", "fraction", "distance", "speed", "length")
 
 
-def solve(context, matrix, splines, deformed, **numbers):
+@dataclass(frozen=True, eq=False)
+class Course:
+    """What a follower rides: its curve, and what belongs to the curve.
+
+    path: curves.WorldCurve, in `space`. space: matrix without scale of the space in which the frames are computed; None for the world. rail:
+    curves.WorldCurve of the rail, in `space`; None if the orientation reads none.
+    """
+
+    path: Any
+    space: Any = None
+    rail: Any = None
+
+    def told(self, reads_length, reads_tilt):
+        """Return what a plan of followers is made from; see WorldCurve.told(). A rail is a part of the plan itself."""
+        return *self.path.told(reads_length, reads_tilt), self.rail
+
+
+def solve(context, matrix, splines, deformed, rail_matrix, rail_splines, rail_deformed, **numbers):
     """Write the world-space poses of the owner and its wagons at the context's frame into context.locations and context.rotations.
 
-    matrix, splines, deformed: evaluated inputs from the curve object. numbers: numeric settings by name.
+    matrix, splines, deformed: evaluated inputs from the curve object; those of the rail likewise. numbers: numeric settings by name.
     Returns a Problem or None; a user's error never raises an exception.
     """
-    path = _path(context, matrix, splines, int(numbers["spline"]))
-    if path.__class__ is Problem:
-        return path
+    which = _which(context.settings, numbers)
+    course = _course(context, which, (matrix, splines), (rail_matrix, rail_splines))
+    if course.__class__ is Problem:
+        return course
     reads, is_mirrored_owner = context.kept("fixed", None, lambda: _fixed(context))
     if is_mirrored_owner is None:
         is_mirrored_owner = is_mirrored(context.owner)
     found = context.kept(
-        "made", (path, context.fps, is_mirrored_owner), lambda: _kept_plan(context, numbers, path, reads, is_mirrored_owner)
+        "made",
+        (course.path, course.rail, context.fps, is_mirrored_owner),
+        lambda: _kept_plan(context, numbers, course, reads, is_mirrored_owner),
     )
     if found.__class__ is Problem:
         return found
     plan, problem, mirrored = found
-    _follow(plan, context, [path])
+    _follow(plan, context, [course])
     if mirrored:
         _turn_mirrored(context.rotations, mirrored, context.settings)
     return problem
 
 
-def solve_rows(context, rows, matrix, splines, deformed):
+def solve_rows(context, rows, matrix, splines, deformed, rail_matrix, rail_splines, rail_deformed):
     """Do for all owners that share a solver what solve() does for one of them; see System.solve_rows."""
     reads = context.kept("reads", None, lambda: _reads_of_rows(rows))
-    paths = [_path(context, matrix, splines, index) for index in reads]
-    key = context.fps, *(path if path.__class__ is Problem else path.told(*read) for path, read in zip(paths, reads.values()))
-    plan, problems = context.kept("plan", key, lambda: _plan_of_rows(context, rows, list(reads), paths))
-    _follow(plan, context, paths)
+    courses = [_course(context, which, (matrix, splines), (rail_matrix, rail_splines)) for which in reads]
+    key = context.fps, *(one if one.__class__ is Problem else one.told(*read) for one, read in zip(courses, reads.values()))
+    plan, problems = context.kept("plan", key, lambda: _plan_of_rows(context, rows, list(reads), courses))
+    _follow(plan, context, courses)
     return problems
 
 
-def _spline_of(row):
-    return int(row.inputs["spline"])
+def _which(settings, numbers):
+    """Return what tells one Course on a curve from another: (spline, whether it is in the path's own space, the rail's spline or None)."""
+    rail = int(numbers["rail_spline"]) if chosen(settings, "orientation") == 'RAIL' else None
+    return int(numbers["spline"]), chosen(settings, "space") == 'PATH', rail
 
 
 def _reads(settings):
@@ -88,40 +141,41 @@ def _reads(settings):
 
 
 def _reads_of_rows(rows):
-    """Return {index of a spline: what _reads() says of all followers of the spline together}. rows: as in solve_rows()."""
+    """Return {result of _which(): what _reads() says of all its followers together}. rows: as in solve_rows()."""
     found = {}
     for row in filter(None, rows):
-        before, now = found.get(_spline_of(row), (False, False)), _reads(row.settings)
-        found[_spline_of(row)] = before[0] or now[0], before[1] or now[1]
+        which = _which(row.settings, row.inputs)
+        before, now = found.get(which, (False, False)), _reads(row.settings)
+        found[which] = before[0] or now[0], before[1] or now[1]
     return found
 
 
-def _kept_plan(context, numbers, path, reads, is_mirrored_owner):
+def _kept_plan(context, numbers, course, reads, is_mirrored_owner):
     """Return what _plan() returns; it is kept for a path that only moves, if what the plan reads of the path stays the same."""
-    key = path.told(*reads), context.fps, is_mirrored_owner
-    return context.kept("plan", key, lambda: _plan(context, numbers, path))
+    key = course.told(*reads), context.fps, is_mirrored_owner
+    return context.kept("plan", key, lambda: _plan(context, numbers, course))
 
 
-def _plan(context, numbers, path):
+def _plan(context, numbers, course):
     """Return (native FollowPlan of the owner and its wagons, Problem or None, indices of mirrored objects); a Problem if it blocks."""
     plan = native.module.FollowPlan()
-    still = _still(context, numbers, path.curve.length())
+    still = _still(context, numbers, course.path.curve.length())
     if isinstance(still, Problem):
         return still
-    _add_to(plan, 0, path, still, numbers)
+    _add_to(plan, 0, course, still, numbers)
     moving, _, _, mirrored = still
     return plan, moving.problem, mirrored
 
 
-def _plan_of_rows(context, rows, indices, paths):
+def _plan_of_rows(context, rows, indices, courses):
     """Return (native FollowPlan of the owners in these rows, tuple with a Problem, an exception or None for each row)."""
     plan, problems = native.module.FollowPlan(), []
     for row in rows:
         problem = None
         if row is not None:
-            place = indices.index(_spline_of(row))
+            place = indices.index(_which(row.settings, row.inputs))
             try:
-                problem = _add_row(plan, context, row, place, paths[place])
+                problem = _add_row(plan, context, row, place, courses[place])
             except Exception as error:  # of this row alone
                 problem = error
         if row is None or isinstance(problem, Exception) or (problem is not None and problem.blocking):
@@ -130,57 +184,89 @@ def _plan_of_rows(context, rows, indices, paths):
     return plan, tuple(problems)
 
 
-def _add_row(plan, context, row, place, path):
+def _add_row(plan, context, row, place, course):
     """Add the owner of a row to a plan, unless a Problem blocks it; returns the Problem or None."""
-    if isinstance(path, Problem):
-        return path
-    length = path.curve.length()
+    if isinstance(course, Problem):
+        return course
+    length = course.path.curve.length()
     its = Context(row.settings, None, context.frame, context.depsgraph, member_data=row.member_data, memo=row.memo)
     key = length if motion.reads_length(row.settings) else None, context.fps
     still = its.kept("still", key, lambda: _still(its, row.inputs, length))
     if isinstance(still, Problem):
         return still
-    _add_to(plan, place, path, still, row.inputs)
+    _add_to(plan, place, course, still, row.inputs)
     return still[0].problem
 
 
-def _add_to(plan, place, path, still, numbers):
-    """Add a follower to a native FollowPlan. place: index of its path in the list that the plan is given. still: result of _still()."""
-    moving, options, offsets, _ = still
+def _add_to(plan, place, course, still, numbers):
+    """Add a follower to a native FollowPlan. place: index of its course in the list that the plan is given. still: result of _still()."""
+    moving, options, members_at, _ = still
     clock = {"time": moving.time} if moving.clock is None else moving.clock
-    tilt = {"tilt": path.tilt} if "tilt" in options else {}
-    plan.add(place, moving.timing, offsets, moved=moving.offset, offset=numbers["offset"], **(options | clock | tilt))
+    curves_of = {"tilt": course.path.tilt} if "tilt" in options else {"rail": course.rail.curve} if "rail" in options else {}
+    plan.add(place, moving.timing, moved=moving.offset, offset=numbers["offset"], **(options | members_at | clock | curves_of))
 
 
-def _follow(plan, context, paths):
-    plan.solve([None if path.__class__ is Problem else path.curve for path in paths], context.frame, context.fps, context.poses)
+def _follow(plan, context, courses):
+    found = [None if course.__class__ is Problem else course for course in courses]
+    spaces = [course and course.space for course in found]
+    plan.solve(
+        [course and course.path.curve for course in found], context.frame, context.fps, context.poses, spaces if any(spaces) else None
+    )
 
 
-def _path(context, matrix, splines, index):
-    """Convert the followed curve into a curves.WorldCurve; returns a Problem if the curve cannot be followed."""
+def _course(context, which, path, rail):
+    """Return the Course that is followed; a Problem if it cannot be followed.
+
+    which: result of _which(). path, rail: (world matrix, splines) of the curve and of the rail, as inputs give them.
+    """
+    spline, in_own_space, rail_spline = which
+    matrix = path[0]
+    space = space_of(matrix) if in_own_space and matrix is not None else None
+    found = _read(context, "curve", (NO_CURVE, CURVE_DELETED), path, spline, space)
+    if found.__class__ is Problem:
+        return found
+    if rail_spline is None:
+        return Course(found, space)
+    second = _read(context, "rail", (NO_RAIL, RAIL_DELETED), rail, rail_spline, space)
+    return second if second.__class__ is Problem else Course(found, space, second)
+
+
+def space_of(matrix):
+    """Matrix of the space that a path with this world matrix carries along: without the scale, so that metres are the world's."""
+    location, rotation, _ = matrix.decompose()
+    return mathutils.Matrix.LocRotScale(location, rotation, None)
+
+
+def _read(context, name, problems, given, index, space):
+    """Convert the curve of a setting into a curves.WorldCurve; returns a Problem if that is impossible.
+
+    name: of the setting. problems: Problems for a curve that is missing, and for one that was deleted. given: (world matrix, splines).
+    space: matrix of the space of the result; None for the world.
+    """
+    matrix, splines = given
     if context.owner is None:  # what rows keep is of several evaluated copies
-        followed, is_deleted = _followed(context)
+        found, is_deleted = _found(context, name)
     else:
-        followed, is_deleted = context.kept("followed", deleted.changes(), lambda: _followed(context))
-    if matrix is None or splines is None or followed is None:
-        return NO_CURVE
+        found, is_deleted = context.kept(name, deleted.changes(), lambda: _found(context, name))
+    if matrix is None or splines is None or found is None:
+        return problems[0]
     if is_deleted:
-        return CURVE_DELETED
+        return problems[1]
     try:
-        return curves.read(followed, splines, context.depsgraph, index, matrix)
+        return curves.read(found, splines, context.depsgraph, index, matrix if space is None else space.inverted() @ matrix)
     except curves.Unreadable as error:
         return error.problem
     except ReferenceError:  # the evaluated copy that was kept has been freed
-        del context.memo["followed"]
-        return _path(context, matrix, splines, index)
+        del context.memo[name]
+        return _read(context, name, problems, given, index, space)
 
 
-def _followed(context):
-    """Return (evaluated object that is followed, or None if it is no curve, whether it was deleted)."""
-    followed = context.target("curve")
-    if followed is None or followed.type != 'CURVE':
+def _found(context, name):
+    """Return (evaluated curve object of a setting, or None if it is no curve, whether it was deleted)."""
+    found = context.target(name)
+    if found is None or found.type != 'CURVE':
         return None, False
-    return followed, deleted.is_deleted(followed)
+    return found, deleted.is_deleted(found)
 
 
 def _fixed(context):
@@ -191,20 +277,38 @@ def _fixed(context):
 def _still(context, numbers, length):
     """Compute the values that stay constant until a setting changes, so that the result can be cached.
 
-    Returns (Motion, keyword arguments of the native follow(), offsets of the owner and its wagons along the path, indices of mirrored
-    objects). Returns a Problem if the settings have no meaning.
+    Returns (Motion, keyword arguments of the native follow(), its keyword arguments for the places of the owner and its wagons, indices of
+    mirrored objects). Returns a Problem if the settings have no meaning.
     """
     settings = context.settings
     if chosen(settings, "forward_axis")[-1] == chosen(settings, "up_axis")[-1]:
         return AXES_NOT_ACROSS
     if not (motion.is_finite(settings.influence) and np.isfinite(context.member_data).all()):
         return motion.NOT_FINITE
+    by_time = chosen(settings, "gaps_by") == 'TIME'
+    delays = -context.member_data if by_time else np.zeros(len(context.member_data))
     past = native.module.LAG_MEMORY if numbers["lag_rate"] > 0.0 else 0.0
-    moving = motion.motion(context, numbers, length, past)
+    moving = motion.motion(context, numbers, length, past, tuple(delays[delays > 0.0].tolist()))
     if isinstance(moving, Problem):
         return moving
-    offsets = context.member_data + (numbers["offset"] + moving.offset)
-    return moving, follow_options(settings, numbers, None), offsets, _mirrored(context)
+    wheelbases = np.maximum(_wheelbases(context, numbers), 0.0)
+    if not (wheelbases < motion.INFINITE).all():
+        return motion.NOT_FINITE
+    corrections = np.array([moving.behind.get(delay, 0.0) for delay in delays.tolist()])
+    members_at = {
+        "offsets": (context.member_data + delays) + corrections + (numbers["offset"] + moving.offset),
+        "delays": delays,
+        "wheelbases": wheelbases,
+        "start": moving.start,
+    }
+    return moving, follow_options(settings, numbers, None), members_at, _mirrored(context)
+
+
+def _wheelbases(context, numbers):
+    """Return the wheelbase of the owner and of each wagon. Owners that share a solver have no wagons."""
+    count = len(context.member_data)
+    found = [numbers["wheelbase"]] if count == 1 else members.wheelbases(context.owner)[:count]
+    return np.array(found + [0.0] * (count - len(found)))
 
 
 def _mirrored(context):
@@ -234,6 +338,8 @@ def _turn_mirrored(rotations, which, settings):
 def follow_options(settings, numbers, tilt):
     """Keyword arguments of the native follow() for the settings of a follower. tilt: array for the orientation Tilt, or None."""
     mode, extend = chosen(settings, "orientation"), chosen(settings, "extend")
+    if extend == 'LINE_UP' and chosen(settings, "gaps_by") == 'TIME':
+        extend = 'CLAMP'  # who is where the leader was stops where the leader stops
     options = {
         "mode": 'minimal' if mode == 'NONE' else mode.lower(),
         "rotate": mode != 'NONE',
@@ -243,15 +349,23 @@ def follow_options(settings, numbers, tilt):
         "up": axis_name(chosen(settings, "up_axis")),
         "lag_rate": max(numbers["lag_rate"], 0.0),
         "lag_by": chosen(settings, "lag_by").lower(),
+        "side": numbers["side"],
+        "height": numbers["height"],
+        "level": (mode == 'NONE' or chosen(settings, "side_by") == 'LEVEL') and bool(numbers["side"] or numbers["height"]),
     }
     return options | mode_options(settings, numbers, tilt)
 
 
-def mode_options(settings, numbers, tilt):
-    """Keyword arguments that the chosen orientation mode needs in the native functions frames() and follow()."""
+def mode_options(settings, numbers, tilt, rail=None):
+    """Keyword arguments that the chosen orientation mode needs in the native functions frames() and follow().
+
+    tilt: array for the orientation Tilt. rail: native curve for the orientation Rail.
+    """
     mode = chosen(settings, "orientation")
     if mode == 'TILT':
         return {"tilt": tilt}
+    if mode == 'RAIL':
+        return {"rail": rail, "rail_point": chosen(settings, "rail_by").lower(), "rail_side": chosen(settings, "rail_side").lower()}
     if mode not in {'BANKING', 'CURVATURE'}:
         return {}
     smoothing = {"smoothing": max(numbers["bank_smoothing"], 0.0)}

@@ -21,16 +21,32 @@ def named_list(names):
 def curve_for(context, name, *owners):
     """Return the curve object of this name; without a name the active or a selected curve, or the curve that owners[0] follows."""
     if name:
-        found = named(name)
-        if found.type != 'CURVE':
-            raise Refused(tr("{object} is not a curve").format(object=name))
-        return found
+        return curve_named(name)
     selected = [found for found in [context.object, *context.selected_objects] if found and found.type == 'CURVE']
     if selected:
         return selected[0]
     if owners and pointed(owners[0].motus.path, "curve"):
         return pointed(owners[0].motus.path, "curve")
     raise Refused(tr("Choose a curve to follow"))
+
+
+def rail_for(name, owners):
+    """Return {"rail": the curve object of this name}, for the settings of the owners; {} without a name."""
+    if not name:
+        return {}
+    rail = curve_named(name)
+    for owner in owners:
+        if curve_depends_on(rail, owner):
+            raise Refused(tr("{curve} is moved by {object}, so {object} cannot follow it").format(curve=name, object=owner.name))
+    return {"rail": rail}
+
+
+def curve_named(name):
+    """Return the curve object of this name. Raises Refused if there is none."""
+    found = named(name)
+    if found.type != 'CURVE':
+        raise Refused(tr("{object} is not a curve").format(object=name))
+    return found
 
 
 def selected_followers(context):

@@ -4,13 +4,14 @@ import bpy
 
 from ..core import wiring
 from ..core.interface.operators import OBJECT_MODE, FindsValues
-from ..core.interface.rows import Rows
+from ..core.interface.rows import Row, Rows, is_one_of
 from ..core.refusals import Refused, check_finite
+from ..core.settings.declared import choice
 from ..core.translations import tr
-from . import rows, setup, targets
+from . import members, rows, setup, targets
 from .gaps import touching_gaps
 from .operators import for_new, make_active
-from .properties import KEYWORDS, NewFollowKeywords
+from .properties import DEFAULT_DELAY, GAP_UNITS, KEYWORDS, NewFollowKeywords
 
 
 class MOTUS_OT_path_train_add(FindsValues, NewFollowKeywords, bpy.types.Operator):
@@ -35,8 +36,16 @@ class MOTUS_OT_path_train_add(FindsValues, NewFollowKeywords, bpy.types.Operator
         subtype='DISTANCE',
     )
 
+    gaps_by: choice("Gaps By", "What the wagons of the train keep", GAP_UNITS, 'DISTANCE')
+    delay: bpy.props.FloatProperty(
+        name="Delay", description="Seconds from each object to the next", default=DEFAULT_DELAY, min=0.0, subtype='TIME_ABSOLUTE'
+    )
+
     modes = OBJECT_MODE
-    redo = (Rows(("gap",)), *rows.ALL)
+    redo = (
+        Rows(("gaps_by", Row("gap", when=is_one_of("gaps_by", 'DISTANCE')), Row("delay", when=is_one_of("gaps_by", 'TIME')))),
+        *rows.ALL,
+    )
 
     @classmethod
     def check_offer(cls, context):
@@ -59,16 +68,19 @@ class MOTUS_OT_path_train_add(FindsValues, NewFollowKeywords, bpy.types.Operator
         leader, *wagons = train
         curve = targets.curve_for(context, self.curve, leader)
         keywords = self.given(KEYWORDS)
-        check_finite(self, (*keywords, "gap"))
+        check_finite(self, (*keywords, "gap", "delay"))
         targets.check_settings(leader, curve, keywords)
         targets.check_free(leader, curve)
         for wagon in wagons:
             targets.check_wagon(wagon, curve, leader)
+        rail = targets.rail_for(self.rail, train)
         if self.gap:
             gaps = [self.gap] * len(wagons)
         else:
             gaps = touching_gaps(train, self.forward_axis)
-        setup.attach(leader, curve, for_new(context, leader, curve, keywords, is_train=True), list(zip(wagons, gaps)))
+        entries = [members.Wagon(wagon, gap, self.delay, self.wheelbase) for wagon, gap in zip(wagons, gaps)]
+        keywords = for_new(context, leader, curve, keywords, is_train=True) | self.given(("gaps_by",)) | rail
+        setup.attach(leader, curve, keywords, entries)
         self.show_used(leader.motus.path, KEYWORDS)
         if not self.objects:
             make_active(context, leader)

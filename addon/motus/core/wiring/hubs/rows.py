@@ -84,10 +84,11 @@ def row(system, mesh, index):
 
 
 def _parsed(system, text):
+    rna, inputs = system.settings.bl_rna, [one.name for one in system.inputs if isinstance(one, Setting)]
     form = {
         "name": str,
-        "settings": lambda value: _fits(system.settings.bl_rna, system.shared, value),
-        "inputs": lambda value: _fits(system.settings.bl_rna, [one.name for one in system.inputs if isinstance(one, Setting)], value),
+        "settings": lambda value: _fits(rna, system.shared, value, may_lack=True),
+        "inputs": lambda value: _fits(rna, inputs, value, may_lack=True),
         "member_data": lambda value: value is None or stored.fits(value, [float]),
     }
     try:
@@ -95,20 +96,30 @@ def _parsed(system, text):
     except Damaged:
         return Damaged
     data = said["member_data"]
-    return Row(said["name"], _namespace(said["settings"]), said["inputs"], None if data is None else np.array(data), {})
+    settings = _completed(rna, system.shared, said["settings"])
+    return Row(said["name"], _namespace(settings), _completed(rna, inputs, said["inputs"]), None if data is None else np.array(data), {})
 
 
 _FORMS = {'FLOAT': float, 'INT': lambda value: type(value) is int and abs(value) <= stored.LARGEST_NUMBER, 'BOOLEAN': bool, 'STRING': str}
 
 
-def _fits(rna, names, value):
+def _completed(rna, names, values):
+    """Return {name: value} of all these settings: those that the text of an earlier version does not know have their defaults."""
+    return {name: values[name] if name in values else _default(rna.properties[name]) for name in names}
+
+
+def _default(prop):
+    return [] if prop.type == 'COLLECTION' else prop.default
+
+
+def _fits(rna, names, value, may_lack=False):
     """Whether a parsed value is a dictionary of exactly these settings, each with a value of its declared type.
 
-    rna: bl_rna of the PropertyGroup that declares the settings. names: identifiers of the settings.
+    rna: bl_rna of the PropertyGroup that declares the settings. names: identifiers of the settings. may_lack: whether settings may be missing.
     """
     return (
         isinstance(value, dict)
-        and value.keys() == set(names)
+        and (value.keys() <= set(names) if may_lack else value.keys() == set(names))
         and all(_fits_property(rna.properties[name], one) for name, one in value.items())
     )
 

@@ -9,6 +9,8 @@ from ...file.stored import Damaged
 from ...lazy import numpy as np
 from ..hubs import outbox
 
+NO_TARGET = 0.0
+"""What Blender passes for a driver variable whose target is gone."""
 _PLAIN = (Matrix.read, mathutils.Matrix), (Splines.read, bpy.types.bpy_prop_collection)
 """Pairs of a function that reads inputs, and the class of which it returns every value unchanged."""
 
@@ -24,14 +26,15 @@ def read_from_driver(system):
 
 
 def read(inputs, given, settings, into):
-    """Put {name: value} for inputs that the driver passes into a dictionary. Raises Damaged if the driver passes too few values.
+    """Put {name: value} for inputs that the driver passes into a dictionary. Raises Damaged if the driver passes none of them.
 
-    inputs: result of read_from_driver(). given: the passed values. settings: the owner's settings, for inputs that need them.
+    inputs: result of read_from_driver(). given: the passed values; a driver of an earlier version passes fewer, and the inputs that it does
+    not know are as those without a target. settings: the owner's settings, for inputs that need them.
     """
-    if inputs and len(given) <= inputs[-1][0]:
+    if inputs and len(given) <= inputs[0][0]:
         raise Damaged("too few arguments")
     for index, name, plain, convert in inputs:
-        value = given[index]
+        value = given[index] if index < len(given) else NO_TARGET
         into[name] = value if value.__class__ is plain else convert(value, settings)
 
 
