@@ -96,7 +96,7 @@ class Edited:
 
     def __init__(self, rig, entry, masked, names, modes):
         self._rig, self._entry, self._masked, self._names, self._modes = rig, entry, masked, names, modes
-        self._kept = None, None
+        self._kept: tuple = None, None
 
     def at(self, clip, other, frame):
         """Return (Live, rows of bones, what their own matrices are beneath the layer, (n, 16)) at a frame of the scene.

@@ -103,7 +103,7 @@ def solve(context):
     if len(wired.rows) != len(context.rotations):
         raise stored.Damaged("another number of members")
     found, basis = source.clips(), source.reader.own_basis()
-    own = None if source.edited is None else basis.copy()
+    own = basis if source.edited is None else basis.copy()
     is_edited = source.put_edited(found, basis, context.frame)
     playing, settings, some_are_off = context.kept(
         "playing", (source, *found, *source.references()), lambda: _playing(context.settings, source, found)
