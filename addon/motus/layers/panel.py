@@ -88,6 +88,7 @@ def draw_mask(layout, context):
     entry = active_entry(rig)
     if entry is None:
         return
+    layout = layout.column()
     layout.enabled = not entry.is_edited
     add, remove, _ = ui.draw_list(
         layout, "MOTUS_UL_layers_mask", entry, "mask", "active_mask", "motus.layer_mask_add", "motus.layer_mask_remove", rows=2
