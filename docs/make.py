@@ -14,6 +14,7 @@ sys.path[:0] = [str(HERE / "scripts"), str(HERE.parent / "blend_tests")]
 import chains_pictures  # noqa: E402  (found by the line above)
 import chroma_pictures  # noqa: E402
 import demo_pictures  # noqa: E402
+import drivers_pictures  # noqa: E402
 import dynamics_pictures  # noqa: E402
 import ik_pictures  # noqa: E402
 import kept_page  # noqa: E402
@@ -45,6 +46,7 @@ for render in (
     look_at_pictures.render_all,
     pull_pictures.render_all,
     lattice_pictures.render_all,
+    drivers_pictures.render_all,
     dynamics_pictures.render_all,
     chains_pictures.render_all,
     pendulum_pictures.render_all,

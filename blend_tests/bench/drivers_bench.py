@@ -29,6 +29,10 @@ EXPRESSIONS = {
     "motus_double_pendulum": "motus_double_pendulum(frame, 0, 1, 2)",
     "motus_ease": "motus_ease(frame, 1, {length}*20)",
     "motus_noise": "motus_noise(frame, {length}, 3)",
+    "motus_noise, looped": "motus_noise(frame, {length}, 3, 100)",
+    "motus_steps": "motus_steps(frame, {length}, 3)",
+    "motus_sine": "motus_sine(frame, {length})",
+    "motus_sine, written out": "sin(2 * pi * (frame * {length} / 24))",
     "motus_second_order": 'motus_second_order(self, "location", 0, frame, {length}, 0.5, 1)',
 }
 

@@ -175,9 +175,10 @@ class ChainsTest(support.SceneTestCase):
         seconds = np.linspace(1.0 / 24.0, 5.0 + 1.0 / 24.0, 1201)
         wind = np.broadcast_to((2.0, 0.0, 0.0), (1201, 3))
         for is_loop in (False, True):
-            found = motion.with_gusts(wind, seconds, 1.0, is_loop)
+            found = motion.with_gusts(wind, seconds, 1.0, 0.3, is_loop)
             self.assertGreater(np.ptp(found[:, 0]), 1.0)
             self.assertTrue((found[:, 0] >= 0.0).all())
+            self.assertFalse(np.array_equal(found, motion.with_gusts(wind, seconds, 1.0, 0.6, is_loop)))
         np.testing.assert_allclose(found[-1], found[0], atol=1e-9)
 
     def test_a_loop_closes(self):

@@ -11,14 +11,16 @@ FRAMES = (1, 15, 22.5, 40)
 
 class ChainsFilesTest(support.SceneTestCase):
     def build(self):
-        """A rig whose chain lies on a ball."""
+        """A rig whose chain lies on a ball, and whose bones take on the lengths of their links."""
         rig = cases.rope(4)
+        for bone in rig.data.bones:
+            bone.inherit_scale = 'NONE'
         ball = support.link("Ball", location=cases.place(rig, 1, "Tail 0 0") + (0.05, 0.0, -0.5))
         ball.empty_display_type, ball.empty_display_size = 'SPHERE', 0.2
         collection = bpy.data.collections.new("Solid")
         bpy.context.scene.collection.children.link(collection)
         collection.objects.link(ball)
-        cases.add(rig, frequency=0.5, colliders=collection)
+        cases.add(rig, frequency=0.5, stretch=0.05, squash=1.0, colliders=collection)
         return rig
 
     def seen(self, rig):

@@ -94,7 +94,7 @@ class MirroringTest(support.SceneTestCase):
         with self.assertRaisesRegex(RuntimeError, "Ear 0.L belongs to no chain"):
             mirror(rig, bones="Ear 0.L")
         cases.add(rig, "Ear 0.L")
-        bpy.ops.motus.dynamics_add(object=rig.name, bones="Ear 2.R")
+        bpy.ops.motus.dynamics_add(object=rig.name, bones="Ear 0.R")
         with self.assertRaisesRegex(RuntimeError, "is driven by Dynamics"):
             mirror(rig)
         self.assertNotIn("Ear 0.R", rig.motus.chains.entries)

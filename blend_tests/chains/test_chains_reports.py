@@ -99,6 +99,25 @@ class ReportsTest(support.SceneTestCase):
         handlers = [one for functions in lists if isinstance(functions, list) for one in functions]
         self.assertEqual([one for one in handlers if getattr(one, "__module__", "").startswith(support.addon("chains").__name__)], [])
 
+    def test_a_single_bone_bounces_in_place_and_keeps_its_volume(self):
+        """A belly that its parent throws up and down: it is never turned, and swings in length until it is at rest (Wiggle 2, issue 15)."""
+        rig = cases.rope(1, tilt=0.0)
+        rig.animation_data_clear()
+        cases.key(
+            rig.pose.bones["Root"], "location", {1: (0.0, 0.0, 0.0), 10: (0.0, 0.0, 0.0), 14: (0.0, 0.3, 0.0)}, interpolation='LINEAR'
+        )
+        preset = next(one for one in support.addon("chains.presets").BROUGHT if one.identifier == 'JELLY')
+        cases.add(rig, **preset.values | {"gravity": 0.0})
+        seen_axes = np.array([one[:3, :3] for one in seen(rig, range(1, 250), "Tail 0 0").values()])
+        sizes = np.linalg.norm(seen_axes, axis=1)
+        np.testing.assert_allclose(sizes.prod(axis=1), 1.0, atol=1e-6)
+        np.testing.assert_allclose(seen_axes[:, :2, 1], 0.0, atol=1e-5, err_msg="it points up")
+        self.assertLess(sizes[:, 1].min(), 0.8)
+        self.assertGreater(sizes[14:, 1].max(), 1.15, "it overshoots")
+        crossings = np.count_nonzero(np.diff(sizes[14:80, 1] > 1.0))
+        self.assertGreater(crossings, 4)
+        np.testing.assert_allclose(sizes[-1], 1.0, atol=1e-3)
+
     def test_hair_is_solved_once(self):
         """A motion for each chain, whatever frames are shown, rather than each frame anew (Wiggle 2, issue 68)."""
         rig = cases.rope(8, chains=20)

@@ -63,6 +63,13 @@ class WindTest(solved_cases.Solved, support.SceneTestCase):
             self.assertGreater(flown["age"][oldest], 0.1)
             np.testing.assert_allclose(flown["velocity"][oldest], air, atol=0.02)
         self.assertGreater(np.ptp(found.air[:, 0]), 1.0)
+        # The own wind has the same gusts, counted from the scene's frame 0.
+        emitter.motus.snow.start_frame = 0.0
+        (snowy,) = cases.made(lambda: setattr(emitter.motus.snow, "seed", 3))
+        rig.motus.chains.wind_from = None
+        rig.motus.chains.gusts, rig.motus.chains.gust_frequency = 0.7, 0.5
+        (own,) = cases.made(lambda: setattr(rig.motus.chains, "wind", (2.0, 1.0, 0.0)))
+        np.testing.assert_allclose(own.air, snowy.air, atol=1e-5)
 
     def test_an_edit_of_the_snow_is_felt(self):
         rig = cases.still_rope(3)

@@ -111,10 +111,18 @@ def add(system, kind, beside=""):
     elif name == "chains":
         operators.chains_add(object=owner, bones="UpperArm.L" if is_first else "Thigh.L", frequency=1.0)
     elif kind == "rig" and how != "object":
-        bones = BONES_OF.get(beside, "UpperArm.L,Chest") if is_first else "Thigh.L,Shin.L"
+        bones = bones_beside(system, kind, beside)
         operators.dynamics_add(object=owner, bones=bones, style='FLOPPY', follow='OWN' if how == "own" else 'WORLD')
     else:
         operators.dynamics_add(object=owner, style='BOUNCY')
+
+
+def bones_beside(system, kind, beside):
+    """The bones that are given dynamics beside another system, which is all that add() does otherwise beside another one; "" for other systems."""
+    name, _, how = system.partition(" ")
+    if name != "dynamics" or kind != "rig" or how == "object":
+        return ""
+    return BONES_OF.get(beside, "UpperArm.L,Chest") if how != "again" else "Thigh.L,Shin.L"
 
 
 def sentences(owner):

@@ -4,6 +4,7 @@ import json
 import math
 
 import bpy
+import numpy as np
 
 import support
 
@@ -16,6 +17,11 @@ EXPRESSIONS = {
     "motus_double_pendulum(frame, 3, 2.0, 1.0, 0, 0, 1, 0.5)": lambda n, t: n.double_pendulum(t, 2.0, 1.0, mass2=0.5)[3],
     "0.5 + 2 * motus_ease(frame, 24, 48, 0.2, 0.4)": lambda n, t: 0.5 + 2.0 * n.ease(t - 1.0, 0.2, 0.4),
     "motus_noise(frame, 1.5, 7)": lambda n, t: n.noise1(t * 1.5, 7),
+    "3 * motus_sine(frame, 0.7, 0.25)": lambda n, t: 3.0 * math.cos(2.0 * math.pi * 0.7 * t),
+    "motus_triangle(frame, 0.7)": lambda n, t: math.asin(math.sin(2.0 * math.pi * 0.7 * t)) * 2.0 / math.pi,
+    "motus_saw(frame, 0.7, 0.1)": lambda n, t: 2.0 * ((0.7 * t + 0.1) % 1.0) - 1.0,
+    "motus_square(frame, 0.7, 0, 0.3)": lambda n, t: 1.0 if 0.7 * t % 1.0 < 0.3 else -1.0,
+    "motus_steps(frame, 0.7, 3, 0.25)": lambda n, t: n.steps(0.7 * t, 3, 0.25),
 }
 """(native module, time in seconds at 24 frames a second) -> value."""
 
@@ -80,6 +86,29 @@ class Functions(DriverTestCase):
                     with self.subTest(expression, frame=frame, fps=fps):
                         self.assertAlmostEqual(found[cube.name], wanted(native(), frame * base / fps), 4)
 
+    def test_steps_and_jumps_come_on_their_frames(self):
+        """At 24 frames a second seconds are not exact, but waves and steps that take whole frames are."""
+        for index, expression in enumerate(("motus_steps(frame, 2, 5)", "motus_saw(frame, 2)", "motus_square(frame, 2)")):
+            self.cube.driver_add("location", index).driver.expression = expression
+        for step in range(60):
+            found = [[self.value(12 * step + frame, index=index) for index in range(3)] for frame in (0, 11, 11.75)]
+            self.assertEqual(found[0][0], found[2][0])
+            self.assertAlmostEqual(found[0][0], native().steps(step, 5), 6)
+            self.assertEqual([row[1] for row in found], [-1.0, np.float32(2 * 11 / 12 - 1), np.float32(2 * 11.75 / 12 - 1)])
+            self.assertEqual([row[2] for row in found], [1.0, -1.0, -1.0])
+
+    def test_noise_that_loops(self):
+        self.cube.driver_add("location", 0).driver.expression = "motus_noise(frame, 2, 7, 100)"
+        for frame in (1, 30.5, 77, 99.75):
+            self.assertEqual(self.value(frame), self.value(frame + 100))
+            self.assertEqual(self.value(frame), self.value(frame + 2300))
+        self.assertNotAlmostEqual(self.value(20), self.value(70), 2)
+        # 100 frames are 4.17 seconds, and 8 units of noise, which is nowhere else than it would be without a loop.
+        self.assertAlmostEqual(self.value(30), native().noise1(30 / 100 * 8.0, 7), 5)
+        slopes = [(self.value(frame + 0.125) - self.value(frame - 0.125)) / 0.25 for frame in (99.75, 100, 100.25)]
+        self.assertAlmostEqual(slopes[0], slopes[2], delta=0.01)
+        self.assertAlmostEqual(slopes[1], (slopes[0] + slopes[2]) / 2.0, delta=1e-3)
+
     def test_without_auto_run(self):
         driven_cubes()
         frames = [30, 1, 77.5]
@@ -109,6 +138,11 @@ class Functions(DriverTestCase):
             ("motus_ease(frame, 10, 5, 0.9, 0.9)", 1.0),
             ("motus_ease(frame, 1, 50, 0.9, 0.9)", 0.0),
             ("motus_noise(frame, 1, -3)", 0.0),
+            ("motus_noise(frame, 1e12, 3, 100)", 0.0),
+            ("motus_noise(frame, 1, 3, 'a')", 0.0),
+            ("motus_sine(frame, 1e400)", 0.0),
+            ("motus_square(frame, 1, 0, 2)", 0.0),
+            ("motus_steps(frame, 1, 3, -1)", 0.0),
         ):
             with self.subTest(bad):
                 driver.expression = bad
@@ -262,6 +296,265 @@ class Add(DriverTestCase):
         self.refused("is linked from another file", datablock="Cube", data_path="location", index=0)
 
 
+class Tried(DriverTestCase):
+    """What acts while the dialog is open (drivers/trial.py)."""
+
+    def described(self):
+        animation = self.cube.animation_data
+        drivers = animation and [
+            (one.data_path, one.array_index, one.driver.type, one.driver.use_self, one.driver.expression) for one in animation.drivers
+        ]
+        return drivers, [*self.cube.location, *self.cube.rotation_euler, *self.cube.scale], self.cube.rotation_mode
+
+    def test_taken_back_exactly(self):
+        places = support.addon("drivers.places")
+        self.cube.location = 0.1, 0.2, 0.3
+        self.cube.rotation_mode = 'ZYX'
+        self.cube.rotation_euler = 0.4, 0.5, 0.6
+        for is_driven in (False, True):
+            if is_driven:
+                bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=1, function='PENDULUM')
+                self.cube.driver_add("scale", 2).driver.type = 'MAX'
+                support.go_to(9)
+            before = self.described()
+            tried = support.addon("drivers.trial").Trial()
+            for frame in (3, 20, 9):
+                tried.take_back()
+                for path, index in (("location", -1), ("rotation_euler", 1), ("scale", 2)):
+                    for place in places.find(self.cube, path, index):
+                        tried.put(place, f"motus_noise(frame, 2, {frame})")
+                self.assertAlmostEqual(self.value(frame, index=1), native().noise1(frame / 12.0, frame), 5)
+            self.assertNotEqual(self.described(), before)
+            tried.end()
+            support.go_to(9)
+            self.assertEqual(self.described(), before)
+
+
+class WriteOut(DriverTestCase):
+    """motus.driver_write_out."""
+
+    FRAMES = 1, 7.25, 30, 59.5, 100, -20
+
+    def added(self, function, index=0, **keywords):
+        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=index, function=function, **keywords)
+
+    def written(self, index=0, **keywords):
+        bpy.ops.motus.driver_write_out(datablock="Cube", data_path="location", index=index, **keywords)
+        return self.cube.animation_data.drivers.find("location", index=index)
+
+    def test_waves_and_ease_become_expressions_without_python(self):
+        scene = bpy.context.scene
+        for fps, base in ((24, 1.0), (30, 1.001)):
+            scene.render.fps, scene.render.fps_base = fps, base
+            for function, keywords in (
+                ('SINE', {"frequency": 0.7, "phase": 0.2, "start": 5.5}),
+                ('SINE', {}),
+                ('TRIANGLE', {"frequency": 1.3, "start": -3.0}),
+                ('SAW', {"frequency": 0.9}),
+                ('SQUARE', {"frequency": 0.8, "share": 0.3, "phase": 0.6}),
+                ('EASE', {"frame_start": 10.0, "frame_end": 60.0}),
+                ('EASE', {"frame_start": 10.0, "frame_end": 60.0, "ease_in": 0.0, "ease_out": 1.0}),
+                ('EASE', {"frame_start": 10.0, "frame_end": 60.0, "ease_in": 0.0, "ease_out": 0.0}),
+                ('EASE', {"frame_start": 60.0, "frame_end": 10.0}),
+            ):
+                with self.subTest(function, fps=fps, **keywords):
+                    self.added(function, base=2.0, amplitude=-3.0, **keywords)
+                    wanted = [self.value(frame) for frame in self.FRAMES]
+                    driver = self.written().driver
+                    self.assertNotIn("motus", driver.expression)
+                    self.assertTrue(driver.is_simple_expression, driver.expression)
+                    for frame, value in zip(self.FRAMES, wanted):
+                        self.assertAlmostEqual(self.value(frame), value, 5)
+                    self.cube.driver_remove("location", 0)
+
+    def test_other_motions_become_few_keys(self):
+        for function, keywords in (
+            ('NOISE', {"speed": 2.0, "seed": 3}),
+            ('PENDULUM', {"theta": 1.0, "damping": 0.2}),
+            ('DOUBLE_PENDULUM', {}),
+            ('STEPS', {"frequency": 2.0, "blend": 0.4}),
+        ):
+            counts = []
+            for tolerance in (0.0005, 0.02):
+                with self.subTest(function, tolerance=tolerance):
+                    self.added(function, amplitude=2.0, **keywords)
+                    frames = [1.0 + step * 0.625 for step in range(190)]
+                    wanted = [self.value(frame) for frame in frames]
+                    self.assertIsNone(self.written(tolerance=tolerance, frame_start=1, frame_end=120))
+                    curve = support.addon("core.blender.actions").find(self.cube, "location", 0)
+                    counts.append(len(curve.keyframe_points))
+                    found = [self.value(frame) for frame in frames]
+                    np.testing.assert_allclose(found, wanted, atol=1.25 * tolerance)
+                    self.cube.animation_data_clear()
+                    self.cube.location.x = 0.0
+            self.assertLess(counts[1], 0.8 * counts[0])
+            self.assertLess(counts[0], 120)
+
+    def test_steps_become_a_held_key_each(self):
+        self.added('STEPS', frequency=1.6, seed=2, start=4.0)
+        frames = [1.0 + step * 0.25 for step in range(480)]
+        wanted = [self.value(frame) for frame in frames]
+        self.written(frame_start=1, frame_end=120)
+        curve = support.addon("core.blender.actions").find(self.cube, "location", 0)
+        self.assertEqual([key.co.x for key in curve.keyframe_points], [1.0, *(4.0 + 15.0 * step for step in range(8))])
+        self.assertEqual([self.value(frame) for frame in frames], wanted)
+
+    def test_a_loop_becomes_one_cycle(self):
+        self.added('NOISE', loop=48, seed=5)
+        frames = [3.0, 20.5, 47.0, 200.0, 1001.25, -77.0]
+        wanted = [self.value(frame) for frame in frames]
+        self.written(tolerance=1e-4)
+        curve = support.addon("core.blender.actions").find(self.cube, "location", 0)
+        self.assertEqual([modifier.type for modifier in curve.modifiers], ['CYCLES'])
+        self.assertEqual(curve.keyframe_points[-1].co.x - curve.keyframe_points[0].co.x, 48.0)
+        np.testing.assert_allclose([self.value(frame) for frame in frames], wanted, atol=2e-4)
+
+    def test_all_of_an_object_in_one_pass(self):
+        """Also what was written by hand, what follows keys that stand on the property itself, and where time is stretched."""
+        bpy.context.scene.render.frame_map_new = 150
+        for frame, place in ((1, 0.0), (30, 2.0), (50, 0.0)):
+            self.cube.location.z = place
+            self.cube.keyframe_insert("location", index=2, frame=frame)
+        self.added('SECOND_ORDER', index=2)
+        self.added('SAW', index=1)
+        driver = self.cube.driver_add("scale", 0).driver
+        driver.expression = "1 + motus_noise(frame, 2) * motus_sine(frame, 1)"
+        bpy.context.scene.frame_start, bpy.context.scene.frame_end = 1, 100
+        frames = [1, 20, 50.5, 99]
+        wanted = [[self.value(frame, path, index) for path, index in (("location", 2), ("location", 1), ("scale", 0))] for frame in frames]
+        support.go_to(17)
+        bpy.ops.motus.driver_write_out(datablock="Cube", tolerance=1e-4)
+        self.assertEqual(bpy.context.scene.frame_current, 17)
+        self.assertEqual([curve.data_path for curve in self.cube.animation_data.drivers], ["location"])
+        for frame, values in zip(frames, wanted):
+            found = [self.value(frame, path, index) for path, index in (("location", 2), ("location", 1), ("scale", 0))]
+            np.testing.assert_allclose(found, values, atol=3e-4)
+        self.assertEqual(support.addon("drivers.places").of_object(self.cube), [])
+
+    def test_a_node_of_a_material(self):
+        paint = bpy.data.materials.new("Paint")
+        paint.use_nodes = True
+        self.link("Ball", bpy.data.meshes.new("Ball")).data.materials.append(paint)
+        name = paint.node_tree.nodes[0].name
+        path = next(
+            f'nodes["{name}"].inputs[{index}].default_value' for index, one in enumerate(paint.node_tree.nodes[0].inputs) if one.type == 'VALUE'
+        )
+        names = {"collection": 'materials', "datablock": "Paint"}
+        bpy.ops.motus.driver_add(data_path=f"node_tree.{path}", function='NOISE', **names)
+        wanted = [self.value(frame, path, -1, paint.node_tree) for frame in (5, 40.5)]
+        bpy.ops.motus.driver_write_out(tolerance=1e-4, **names)
+        self.assertFalse(paint.node_tree.animation_data.drivers)
+        np.testing.assert_allclose([self.value(frame, path, -1, paint.node_tree) for frame in (5, 40.5)], wanted, atol=2e-4)
+
+    def test_keys_where_expressions_are_not_wanted_and_on_whole_numbers(self):
+        self.cube["count"] = 3
+        bpy.ops.motus.driver_add(datablock="Cube", data_path='["count"]', function='SINE', base=5.0, amplitude=4.0)
+        wanted = [self.value(frame, '["count"]', -1) for frame in range(1, 60)]
+        bpy.ops.motus.driver_write_out(datablock="Cube", data_path='["count"]', as_keys=True, frame_start=1, frame_end=60)
+        self.assertFalse(self.cube.animation_data.drivers)
+        self.assertEqual([self.value(frame, '["count"]', -1) for frame in range(1, 60)], wanted)
+
+    def test_refused(self):
+        write = bpy.ops.motus.driver_write_out
+        self.refused("Cube has no motion driver", write, datablock="Cube")
+        self.added('NOISE')
+        for sentence, keywords in (
+            ("The end must come after the start", {"frame_start": 10, "frame_end": 10}),
+            ("At most 20000 frames", {"frame_start": 1, "frame_end": 100000}),
+            ("has no motion driver", {"data_path": "scale"}),
+            ("is not a finite number", {"tolerance": math.nan}),
+        ):
+            self.refused(sentence, write, datablock="Cube", **keywords)
+        self.cube.hide_viewport = True
+        self.refused("does not evaluate Cube", write, datablock="Cube")
+        self.cube.hide_viewport = False
+        self.cube.hide_set(True)
+        self.refused("does not evaluate Cube", write, datablock="Cube")
+        self.cube.hide_set(False)
+        paint = bpy.data.materials.new("Paint")
+        bpy.ops.motus.driver_add(collection='materials', datablock="Paint", data_path="roughness", function='NOISE')
+        self.refused("does not evaluate Paint", write, collection='materials', datablock="Paint")
+        self.assertTrue(paint.animation_data.drivers)
+        self.added('STEPS', index=1, frequency=1e6)
+        self.refused("More than 20000 steps", write, datablock="Cube")
+        self.assertEqual(len(self.cube.animation_data.drivers), 2)
+
+
+class CopyToSelected(DriverTestCase):
+    """motus.driver_copy."""
+
+    def setUp(self):
+        super().setUp()
+        self.others = [self.link(f"Other {number}") for number in range(3)]
+        for number, obj in enumerate((self.cube, *self.others)):
+            obj.select_set(True)
+            obj.location = number, 0.0, 0.0
+
+    def expression(self, obj, path="location", index=0):
+        return obj.animation_data.drivers.find(path, index=index).driver.expression
+
+    def test_to_objects_with_seeds_bases_and_delays_of_their_own(self):
+        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", function='NOISE', speed=2.0, seed=4)
+        bpy.ops.motus.driver_copy(datablock="Cube", data_path="location", delay=3.0)
+        for number, obj in enumerate(self.others, start=1):
+            self.assertEqual(self.expression(obj), f"{number} + motus_noise(frame - {3 * number}, 2, {4 + 16 * number})")
+            self.assertEqual(self.expression(obj, index=2), f"motus_noise(frame - {3 * number}, 2, {6 + 16 * number})")
+        bpy.ops.motus.driver_copy(datablock="Cube", data_path="location[0]", own_base=False, own_seeds=False)
+        self.assertEqual({self.expression(obj) for obj in self.others}, {"motus_noise(frame, 2, 4)"})
+        bpy.ops.motus.driver_add(datablock="Cube", data_path="scale", index=0, function='EASE')
+        bpy.ops.motus.driver_copy(datablock="Cube", data_path="scale", index=0, delay=10.0)
+        self.assertEqual(self.expression(self.others[1], "scale"), "1 + motus_ease(frame, 21, 70)")
+
+    def test_to_data_and_not_twice_to_what_is_shared(self):
+        lights = [bpy.data.lights.new(name, 'POINT') for name in ("A", "B")]
+        lamps = [self.link(f"Lamp {number}", lights[number // 2]) for number in range(4)]
+        for lamp in lamps:
+            lamp.select_set(True)
+        lights[0].energy, lights[1].energy = 10.0, 20.0
+        bpy.context.view_layer.objects.active = lamps[0]
+        names = {"collection": 'lights', "datablock": "A", "data_path": "energy"}
+        bpy.ops.motus.driver_add(function='SINE', amplitude=5.0, **names)
+        bpy.ops.motus.driver_copy(**names)
+        self.assertEqual(self.expression(lights[1], "energy"), "20 + 5 * motus_sine(frame)")
+        self.assertEqual(self.expression(lights[0], "energy"), "10 + 5 * motus_sine(frame)")
+
+    def test_to_bones(self):
+        rig = self.link("Rig", bpy.data.armatures.new("Rig"))
+        bpy.context.view_layer.objects.active = rig
+        bpy.ops.object.mode_set(mode='EDIT')
+        for name in ('a', 'b "c"'):
+            bone = rig.data.edit_bones.new(name)
+            bone.tail = 0.0, 0.0, 1.0
+        bpy.ops.object.mode_set(mode='POSE')
+        for bone in rig.pose.bones:
+            bone.rotation_mode = 'XYZ'
+        bpy.ops.pose.select_all(action='SELECT')
+        path = 'pose.bones["a"].rotation_euler'
+        bpy.ops.motus.driver_add(datablock="Rig", data_path=path, index=1, function='STEPS', frequency=2.0)
+        bpy.ops.motus.driver_copy(datablock="Rig", data_path=path, index=1)
+        self.assertEqual(self.expression(rig, rig.pose.bones[1].path_from_id("rotation_euler"), 1), "motus_steps(frame, 2, 16)")
+        bpy.ops.object.mode_set(mode='OBJECT')
+
+    def test_what_follows_keys_follows_its_own(self):
+        for obj in (self.cube, self.others[0]):
+            for frame, place in ((1, 0.0), (20, 2.0)):
+                obj.location.x = place
+                obj.keyframe_insert("location", index=0, frame=frame)
+        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=0, function='SECOND_ORDER')
+        bpy.ops.motus.driver_copy(datablock="Cube", data_path="location", index=0)
+        self.assertEqual(self.expression(self.others[0]), self.expression(self.cube))
+        self.assertFalse(any(obj.animation_data for obj in self.others[1:]))
+
+    def test_refused(self):
+        copy = bpy.ops.motus.driver_copy
+        self.refused("location has no motion driver", copy, datablock="Cube", data_path="location")
+        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=0, function='SINE')
+        for obj in self.others:
+            obj.driver_add("location", 0).driver.expression = "7"
+        self.refused("Nothing else that is selected", copy, datablock="Cube", data_path="location", index=0)
+        self.assertEqual({self.expression(obj) for obj in self.others}, {"7"})
+
+
 class FollowedKeys(DriverTestCase):
     """motus_second_order."""
 
@@ -345,6 +638,41 @@ class FollowedKeys(DriverTestCase):
 
 @support.in_one_blender
 class Expressions(DriverTestCase):
+    def test_the_graph_shows_what_the_functions_give(self):
+        """Each function as an expression, and in the dialog's graph."""
+        preview, expressions = support.addon("drivers.preview"), support.addon("drivers.expressions")
+        own = {"theta": 0.7, "length": 2.0, "theta1": 1.0, "theta2": 2.0, "which": 'THETA2', "frame_start": 10.0, "frame_end": 60.0}
+        frames = [0.0, 12.0, 40.5, 100.0]
+        for function in expressions.FUNCTIONS:
+            if function.follows:
+                continue
+            for loop in (0, 50) if "loop" in function.arguments else (0,):
+                with self.subTest(function.identifier, loop=loop):
+                    first = len(function.arguments) - len(function.defaults)
+                    keywords = dict(zip(function.arguments[first:], function.defaults)) | own | {"function": function.identifier, "loop": loop}
+                    shown = preview.sample(keywords, frames, 1.0 / 24.0)
+                    self.cube.driver_remove("location", 0)
+                    keywords |= {"start": 0.0, "amplitude": 1.0, "base": 0.0}
+                    self.cube.driver_add("location", 0).driver.expression = expressions.compose(keywords)
+                    for frame, value in zip(frames, shown):
+                        self.assertAlmostEqual(self.value(frame), value, 4)
+
+    def test_round_numbers_on_the_axes(self):
+        ticks = support.addon("core.interface.view.graph").ticks
+        for (low, high), wanted in (
+            ((-1.0, 1.0), [-1.0, -0.5, 0.0, 0.5, 1.0]),
+            ((0.0, 1.0), [0.0, 0.25, 0.5, 0.75, 1.0]),
+            ((-28.6, 28.6), [-30.0, -15.0, 0.0, 15.0, 30.0]),
+            ((3.0, 3.0), None),
+            ((0.0, 0.0), None),
+            ((99.97, 100.04), [99.96, 99.98, 100.0, 100.02, 100.04]),
+        ):
+            with self.subTest(low=low, high=high):
+                found = ticks(low, high)
+                self.assertTrue(found[0] <= low + 1e-9 and high - 1e-9 <= found[-1] and len(set(found)) == 5, found)
+                if wanted:
+                    np.testing.assert_allclose(found, wanted, atol=1e-9)
+
     def test_expressions_are_composed_and_parsed(self):
         expressions = support.addon("drivers.expressions")
         for text in (
@@ -353,6 +681,9 @@ class Expressions(DriverTestCase):
             "0.1 + 0.5 * motus_noise(frame + 3, 2, 5)",
             "-1 + motus_ease(frame, 1, 50, 0.25)",
             "motus_double_pendulum(frame, 3, 2, -1, 0, 0, 1, 0.5)",
+            "2 + motus_square(frame - 1, 2, 0.5, 0.25)",
+            "motus_steps(frame, 0.5, 9)",
+            "motus_noise(frame, 1, 0, 48)",
             "motus_second_order(self, 'pose.bones[\"a\\'b\"].location', 2, frame, 2, 0.5, -1)",
         ):
             with self.subTest(text):

@@ -13,6 +13,7 @@ BONES, LENGTH = 8, 0.12  # of a chain, m
 MOVES = ((1, 0.35, 0.0), (25, 0.35, 0.0), (33, 0.0, 0.5), (60, 0.0, 0.5))  # frame, and where the hook is then along X and Z, m
 SHOWN = (29, 33, 37, 41, 45)  # frames, the last one darkest
 HOOK = 0.045
+JELLY = 0.5  # length of the single bone that shows the preset for such, m
 
 
 def render_all(folder):
@@ -30,7 +31,7 @@ def _render_presets(file):
     rigs = []
     for index, preset in enumerate(presets):
         x = (index - (len(presets) - 1) / 2) * SPACING
-        rig = _build(preset.label, x)
+        rig = _build(preset.label, x, *((1, JELLY, (0.0, 0.0, -1.0)) if preset.identifier == 'JELLY' else (BONES, LENGTH, (1.0, 0.0, 0.0))))
         bpy.ops.motus.chains_add(object=rig.name, bones="Bone 1", **preset.values)
         if preset.identifier == 'CAPE':
             rig.motus.chains.wind = (2.0, 0.0, 0.0)
@@ -42,23 +43,23 @@ def _render_presets(file):
         color = [value + 0.8 * fade * (shown - value) for value, shown in zip((0.05, 0.16, 0.36), (0.52, 0.60, 0.68))]
         material = stage.glossy_material(f"Shape {frame}", (*color, 1.0), 0.5)
         for rig in rigs:
-            places = _places(rig)
-            stage.add_tube([(x, y - 0.02 * step, z) for x, y, z in places], 0.012 + 0.012 * (1.0 - fade), material)
+            places = [place - Vector((0.0, 0.02 * step, 0.0)) for place in _places(rig)]
+            stage.add_tube(places if len(places) > 2 else _jelly(*places), 0.012 + 0.012 * (1.0 - fade), material)
             if frame == SHOWN[-1]:
                 _add_hook(places[0])
     stage.add_camera(scene, (0.3, -9.0, -0.22), (0.3, 0.0, -0.22), width=SPACING * len(presets) + 0.2)
     return stage.render(scene, file, (1280, 330), samples=64)
 
 
-def _build(name, x):
-    """A rig whose bones lie along X, and whose object is pulled by keys."""
+def _build(name, x, count, length, way):
+    """A rig whose `count` bones of a length lie along a way, and whose object is pulled by keys."""
     rig = stage.link(bpy.data.objects.new(name, bpy.data.armatures.new(name)))
     bpy.context.view_layer.objects.active = rig
     bpy.ops.object.mode_set(mode='EDIT')
     parent = None
-    for index in range(BONES):
+    for index in range(count):
         bone = rig.data.edit_bones.new(f"Bone {index + 1}")
-        bone.head, bone.tail = (index * LENGTH, 0.0, 0.0), ((index + 1) * LENGTH, 0.0, 0.0)
+        bone.head, bone.tail = index * length * Vector(way), (index + 1) * length * Vector(way)
         bone.parent, bone.use_connect = parent, parent is not None
         parent = bone
     bpy.ops.object.mode_set(mode='OBJECT')
@@ -73,6 +74,14 @@ def _places(rig):
     seen = rig.evaluated_get(bpy.context.evaluated_depsgraph_get())
     bones = seen.pose.bones
     return [seen.matrix_world @ bones[0].head, *(seen.matrix_world @ bone.tail for bone in bones)]
+
+
+def _jelly(head, tail):
+    """The outline of a ball between the ends of a bone, as flat as the bone is short, as points in the plane of X and Z."""
+    along = (tail - head) / 2.0
+    across = along.cross(Vector((0.0, 1.0, 0.0))).normalized() * 0.4 * JELLY * (JELLY / (2.0 * along.length)) ** 0.5
+    turns = [math.tau * step / 48 for step in range(49)]
+    return [head + (1.0 - math.cos(turn)) * along + math.sin(turn) * across for turn in turns]
 
 
 def _add_hook(place):

@@ -30,6 +30,7 @@ void bind_strand(pybind11::module_& m);
 void bind_stereo(pybind11::module_& m);
 void bind_pendulum(pybind11::module_& m);
 void bind_second_order(pybind11::module_& m);
+void bind_wave(pybind11::module_& m);
 void bind_thread_state(pybind11::module_& m);
 void bind_instruction_set(pybind11::module_& m);
 void bind_memory(pybind11::module_& m);

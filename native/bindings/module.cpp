@@ -43,6 +43,7 @@ curve's interval never raise: extend = "clamp" | "extrapolate" | "loop" | "ping_
     bind_stereo(m);
     bind_pendulum(m);
     bind_second_order(m);
+    bind_wave(m);
     bind_thread_state(m);
     bind_instruction_set(m);
     bind_memory(m);

@@ -11,7 +11,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'stereo_points', 'vertical_parallax', 'walker_gait', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'wave', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -1417,6 +1417,15 @@ def frames(curve: Curve, lengths: numpy.typing.ArrayLike, mode: typing.Literal['
     Returns (m, 4), or (4,) for a number. Continuous along the curve wherever its tangent is; the identity on a curve of zero
     length.  Raises TypeError for an option that the mode does not read, ValueError for values outside these domains.
     """
+def gusts(times: numpy.typing.ArrayLike, frequency: float, period: float = 0.0) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    How much the wind rises and falls in gusts, in [-1, 1]: four sine waves whose rates have no common period.
+    
+    times: (m,), s.  frequency: of the first and highest wave, 1/s, above 0, at most 1000.  period: time after which the gusts
+    begin again, s, from 1e-6 to 1e30, for which the frequencies are changed a little; 0 for none.
+    Returns (m,) float64, the gusts of snow's wind if times are those since its start. The same bits by the same compiler.
+    Raises ValueError if a number is outside of its domain, or a shape is wrong.
+    """
 def instruction_set() -> str:
     """
     The widest instruction set that inner loops run with on this processor, such as AVX2 or NEON.
@@ -1473,12 +1482,13 @@ def matrix_products(left: numpy.typing.NDArray[numpy.float64], right: numpy.typi
     left: (n, k, k) or (1, k, k).  right: (n, k, m) or (1, k, m).  Both aligned and C-contiguous.
     Raises ValueError or TypeError that names the argument.
     """
-def noise1(x: numpy.typing.ArrayLike, seed: int = 0) -> typing.Any:
+def noise1(x: numpy.typing.ArrayLike, seed: int = 0, period: int = 0) -> typing.Any:
     """
     Smooth noise of one variable, in [-1, 1]: two continuous derivatives, no period, most of its power below one wave a unit.
     
     x: a float, taken in double precision, or (m,), taken in float32.  seed: a whole number from 0 to 2^32 - 1; different
-    seeds give independent noises.
+    seeds give independent noises.  period: 0, or whole units after which the noise repeats without a seam, to 2^28; x is
+    then taken in double precision, and the result is float64.
     Returns a float or (m,) float32; beyond 2^30 the noise is constant. The same bits by the same compiler.
     Raises ValueError if a value is not finite, also as float32, or a shape is wrong.
     """
@@ -1705,6 +1715,14 @@ def step_response(times: numpy.typing.ArrayLike, frequency: float, damping: floa
     
     times: s, a number or (m,).  Returns a float or (m,).  Other arguments and errors as SecondOrder().
     """
+def steps(x: numpy.typing.ArrayLike, seed: int = 0, blend: float = 0.0) -> typing.Any:
+    """
+    A random number in [-1, 1] for each unit of x, held until the next one.
+    
+    x: a number or (m,).  seed: a whole number from 0 to 2^32 - 1.  blend: fraction of a unit, from 0 to 1, in which it
+    goes over from the number before by a smooth step.
+    Returns a float or (m,) float64.  Raises ValueError if a value is not finite or outside its domain.
+    """
 def stereo_points(points: numpy.typing.ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float, mode: typing.Literal['off_axis', 'parallel', 'toe_in'] = 'off_axis') -> typing.Any:
     """
     Image positions at which both eyes see points.
@@ -1728,6 +1746,14 @@ def walker_gait(gait: typing.Literal['tripod', 'tetrapod', 'ripple', 'wave', 'tr
     half of a side with the rear half of the other; 'pace', all left legs, then all right legs.
     rest (n, 3), 1 to 256 legs in any order: where feet stand when the body rests, in the space of forward and up (3,).
     Raises ValueError or TypeError that names the argument.
+    """
+def wave(shape: str, x: numpy.typing.ArrayLike, share: float = 0.5) -> typing.Any:
+    """
+    A wave of the length 1 at x, in [-1, 1].
+    
+    shape: "sine" and "triangle", which are 0 and rise where x is whole; "saw", which rises from -1 to 1; "square", which is
+    1, then -1.  x: a number or (m,).  share: fraction of a wave, from 0 to 1, for which a square is 1.
+    Returns a float or (m,).  Raises ValueError if a value is not finite or outside its domain, or the shape is unknown.
     """
 def window_violations(x: numpy.typing.ArrayLike, depths: numpy.typing.ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float, tolerance: float = 0.0, mode: typing.Literal['off_axis', 'parallel', 'toe_in'] = 'off_axis') -> tuple[float, float]:
     """

@@ -1,7 +1,7 @@
 """Chains: bones, objects in a row and points of curves that hang, swing and touch, solved once for the whole scene."""
 
 from ..core.declare import System
-from . import curves, groups, naming, operators, over_time, overlay, panel, presets, properties, solve, steps
+from . import along, groups, naming, operators, over_time, overlay, panel, presets, properties, setup, solve, steps
 
 SYSTEM = System(
     name="chains",
@@ -16,7 +16,8 @@ SYSTEM = System(
     entry_settings=properties.KEYWORDS,
     groups=groups.groups,
     entries=groups.entries,
-    prepare=curves.prepare,
+    prepare=setup.prepare,
+    take_over=along.take_over,
     bone_renamed=naming.bone_renamed,
     over_time=over_time.over_time,
     settle=steps.settle,

@@ -9,7 +9,7 @@ from ..core.interface import bone_entries
 from ..core.interface.operators import named_or_active
 from ..core.refusals import Refused, check_local, check_unbaked, named
 from ..core.translations import tr
-from . import curves, groups, naming, properties, setup
+from . import curves, groups, naming, setup
 
 
 class Wanted(NamedTuple):
@@ -99,14 +99,12 @@ def _in_order(context):
 
 
 def _check_bones(rig, tops):
-    entries = rig.motus.chains.entries if rig.is_property_set("motus") else ()
-    present = [entry.name for entry in entries if properties.is_bone(entry) and not groups.is_missing(rig, entry)]
-    bones = {top: [bone.name for bone in groups.bones_of(rig, top)] for top in dict.fromkeys((*present, *tops))}
-    bone_entries.check_apart(bones)
+    ends = {*tops, *(groups.ends_of(rig) if rig.is_property_set("motus") else ())}
+    bone_entries.check_free(rig, tops, setup.system())
     for top in tops:
-        bone_entries.check_free(rig, bones[top], setup.system())
+        bones = [bone.name for bone in groups.bones_of(rig, top, ends)]
         parent = rig.pose.bones[top].parent
-        if wiring.depends(rig, parent.name if parent else "", rig, bones[top]):
+        if wiring.depends(rig, parent.name if parent else "", rig, bones):
             raise Refused(tr("What {bone} hangs on moves with it").format(bone=top))
 
 

@@ -72,7 +72,7 @@ def anchors(owner, entry):
 
 
 def prepare(owner):
-    """Give each spline of an owner that hangs its anchors, where its points are now, and hooks. This is the function System.prepare."""
+    """Give each spline of an owner that hangs its anchors, where its points are now, and hooks."""
     if owner.type != 'CURVE' or owner.motus.chains.is_baked:
         return
     with unwired(owner.motus.chains) as settings:

@@ -1,13 +1,14 @@
 """Declare what chains drive: bones of a rig, or objects in a row, in groups that are solved together.
 
 Each entry in the owner's list of chains is a chain. Its links name objects: a row, whose root is the owner, or the anchors of a spline's
-points, the root's first. Without links it is the bone of the entry's name, with all bones below it.
+points, the root's first. Without links it is the bone of the entry's name, with all bones below it that neither another chain nor a different
+system takes over.
 """
 
 import json
 
 from ..core import rigs, wiring
-from ..core.declare import Entry, Group, Transform, registered
+from ..core.declare import Entry, Group, Transform, has_settings, registered, systems
 from ..core.evaluated.question import answered
 from ..core.file import deleted, libraries
 from ..core.file.pointers import pointed
@@ -24,16 +25,38 @@ MISSING = "missing"
 """Key of a group's data: number of entries whose bones or objects do not exist."""
 PARTED = "parted"
 """Key of a group's data: whether chains that are to touch each other are in different groups."""
-BELOW = "below"
-"""Key of a group's data: number of entries whose bones belong to a different entry's chain."""
 
 
-def bones_of(rig, top):
-    """List a pose bone of a rig and all below it, parents first. top: name of the bone."""
+def bones_of(rig, top, ends):
+    """List a pose bone of a rig and those below it, parents first. top: name of the bone.
+
+    ends: names of the bones that are left out, with all below them.
+    """
     found = [rig.pose.bones[top]]
     for bone in found:
-        found += [rig.pose.bones[child.name] for child in bone.bone.children]
+        found += [rig.pose.bones[child.name] for child in bone.bone.children if child.name not in ends]
     return found
+
+
+def ends_of(rig):
+    """Names of the bones at which chains of a rig end, as a set: where another chain begins, and what a different system drives."""
+    return answered((hash(rig), "chains", "ends"), lambda: _tops(rig) | _taken(rig))
+
+
+def _tops(rig):
+    return {entry.name for entry in rig.motus.chains.entries if is_bone(entry)}
+
+
+def _taken(rig):
+    own = registered["chains"]
+    return {
+        name
+        for system in systems()
+        if system.entries is not None and system != own and not system.lays_pose and has_settings(system, rig)
+        for entry in system.entries(rig)
+        for name in entry.drives
+        if isinstance(name, str)
+    }
 
 
 def objects_of(owner, entry):
@@ -57,12 +80,16 @@ def is_left(obj):
     return is_stray(obj) or (leader is not None and deleted.is_deleted(leader))
 
 
-def chain_of(owner, entry):
-    """Return the chain of an entry, a Bones or Row; None if something of it does not exist. owner: original or evaluated, as the chain is then."""
+def chain_of(owner, entry, names=None):
+    """Return the chain of an entry, a Bones or Row; None if something of it does not exist. owner: original or evaluated, as the chain is then.
+
+    names: of the bones that the chain had when it was wired; None for those that it has now.
+    """
     if is_missing(owner, entry):
         return None
     if is_bone(entry):
-        return Bones(entry, tuple(bones_of(owner, entry.name)))
+        ends = ends_of(owner) if names is None else set(owner.pose.bones.keys()).difference(names)
+        return Bones(entry, tuple(bones_of(owner, entry.name, ends)))
     if entry.spline >= 0:
         root, *things = curves.anchors(owner, entry)
         return Row(entry, root, tuple(things))
@@ -70,12 +97,12 @@ def chain_of(owner, entry):
 
 
 def chains(owner):
-    """List the chains of an owner. Entries of missing things, and of bones that belong to a different chain, are skipped."""
+    """List the chains of an owner. Entries of missing things are skipped."""
     return answered((hash(owner), "chains"), lambda: _chains(owner))
 
 
 def _chains(owner):
-    present = {entry.name: entry for entry in owner.motus.chains.entries if not is_below(owner, entry)}
+    present = {entry.name: entry for entry in owner.motus.chains.entries}
     return [chain for chain in (chain_of(owner, entry) for entry in present.values()) if chain is not None]
 
 
@@ -88,19 +115,12 @@ def is_missing(owner, entry):
     return owner.pose is None or entry.name not in owner.pose.bones
 
 
-def is_below(owner, entry):
-    """Whether the bone of an entry belongs to the chain of a different entry."""
-    if not is_bone(entry) or is_missing(owner, entry):
-        return False
-    entries = owner.motus.chains.entries
-    above = [entries[bone.name] for bone in owner.data.bones[entry.name].parent_recursive if bone.name in entries]
-    return any(map(is_bone, above))
-
-
 def entries(owner):
     """List an Entry with what it reads and drives for each chain; the order of evaluation is found from them."""
     touched = colliders.reads(owner.motus.chains)
-    return [Entry(chain.entry.name, (*chain.reads, *touched, *held_by(owner, chain)), chain.drives) for chain in chains(owner)]
+    return [
+        Entry(chain.entry.name, (*chain.reads, *touched, *held_by(owner, chain)), chain.drives, chain.yields) for chain in chains(owner)
+    ]
 
 
 def held_by(owner, chain):
@@ -116,7 +136,7 @@ def load(settings):
 
 def _count(owner, entry):
     if is_bone(entry):
-        return 0 if is_missing(owner, entry) else 1 + len(owner.data.bones[entry.name].children_recursive)
+        return 0 if is_missing(owner, entry) else len(bones_of(owner, entry.name, _tops(owner)))
     return len(entry.links)
 
 
@@ -135,7 +155,6 @@ def _groups(owner):
     wrong = {
         LOOPED: sum(level is None for level, _ in placed),
         MISSING: sum(is_missing(owner, entry) for entry in owner.motus.chains.entries),
-        BELOW: sum(is_below(owner, entry) for entry in owner.motus.chains.entries),
         PARTED: int(owner.motus.chains.use_touch and len(by_level) > 1),
     }
     parts = [by_level[level] for level in sorted(by_level)] or [[]]  # an empty group still reports problems

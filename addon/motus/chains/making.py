@@ -13,15 +13,14 @@ from ..core.measures import scene_time
 from ..core.settings import entry_keys
 from ..core.tracks import solved
 from ..core.tracks.inputs import BAD_NUMBERS, of_unknown, stamp_of_known
-from . import air, colliders, groups, motion, pins, spaces
-from .properties import KEYWORDS
+from . import air, colliders, groups, motion, pins, spaces, squash
+from .properties import NUMBERS, is_bone
 
 LOOP_IS_OPEN = Problem("A chain does not come back to where its loop began", blocking=False)
 CONSTRAINED = Problem(
     "Bones or objects of a chain have constraints of their own, which the chain does not follow, and which may undo its motion",
     blocking=False,
 )
-BELOW_ANOTHER = Problem("Some chains begin within another chain, which moves them: remove them from the list", blocking=False)
 COLLIDER_NOT_KNOWN = Problem("The motion of a collider is not known on other frames: chains pass through it", blocking=False)
 GRAVITY_NOT_KNOWN = Problem("The scene's gravity is not known on other frames: chains move without it", blocking=False)
 WIND_NOT_KNOWN = Problem("The wind is not known on other frames: chains move without it", blocking=False)
@@ -39,6 +38,9 @@ PIN_NOT_KNOWN = Problem("The motion of what holds a pin is not known on other fr
 PIN_WEIGHT_NOT_KNOWN = Problem("The weight of a pin is not known on other frames: the pin does not hold", blocking=False)
 CHAINS_PARTED = Problem("Chains that wait for each other, as by a pin or a collider, do not touch each other", blocking=False)
 TOO_LONG = Problem("The scene is too long for so many chains, which come to a stop before its end: split it, or mute some", blocking=False)
+KEEPS_LENGTHS = Problem(
+    "Bones keep their lengths whose children inherit their scale: set Inherit Scale of the children to None", blocking=False
+)
 CUT = "cut"
 """Beginning of the names of the markers at which chains start anew."""
 
@@ -109,7 +111,7 @@ class Part(NamedTuple):
     """A chain of a group with its motion. entry: index of its entry. rows: of its members in the group.
 
     moved: motion.Motion, of which the slice `particles` are the chain's. kept: what can be kept of the chain between evaluations, its
-    of_bones.Kept or of_objects.Kept.
+    of_bones.Kept or of_objects.Kept. rests: squash.Rests of the chain.
     """
 
     moved: Any
@@ -117,6 +119,7 @@ class Part(NamedTuple):
     entry: int
     rows: range
     kept: Any
+    rests: squash.Rests
 
 
 class Ready(NamedTuple):
@@ -144,7 +147,7 @@ class Making:
         ready = []
         for name, names in plan:
             index = self._settings.entries.find(name)
-            chain = None if index < 0 else groups.chain_of(self._owner, self._settings.entries[index])
+            chain = None if index < 0 else groups.chain_of(self._owner, self._settings.entries[index], names)
             if chain is None or not chain.is_as_wired(names):
                 raise KeyError(name)
             source = chain.source(self._surroundings.scene)
@@ -161,9 +164,11 @@ class Making:
             self.problems.append(CONSTRAINED)
         if not source.is_known and not entry.is_muted:
             self.problems.append(of_unknown(source))
-        if not all(math.isfinite(getattr(entry, name)) for name in (*KEYWORDS, "weight")):
+        if not all(math.isfinite(getattr(entry, name)) for name in NUMBERS):
             self.problems.append(BAD_NUMBERS)
             return False
+        if is_bone(entry) and entry.squash > 0.0 and any(map(squash.first_inheriting, chain.things)):
+            self.problems.append(KEEPS_LENGTHS)
         return source.is_known
 
     def _solve(self, ready):
@@ -244,7 +249,8 @@ class Making:
         start = 0
         for one, strand in some:
             particles = slice(start, start + len(strand.parents))
-            self.parts.append(Part(moved, particles, one.entry, one.rows, one.chain.kept(one.source)))
+            rests = squash.Rests(times.seconds, strand.poses, world.space)
+            self.parts.append(Part(moved, particles, one.entry, one.rows, one.chain.kept(one.source), rests))
             start = particles.stop
 
     def _space(self, times):
@@ -271,7 +277,7 @@ class Making:
         """List the winds (m, 3) at the Times that are known: the own one, and that of an emitter of snow."""
         settings, around = self._settings, self._surroundings
         own = self._over_time(around.wind, times, WIND_NOT_KNOWN)
-        found = [] if own is None else [motion.with_gusts(own, times.seconds, settings.gusts, settings.use_loop)]
+        found = [] if own is None else [motion.with_gusts(own, times.seconds, settings.gusts, settings.gust_frequency, settings.use_loop)]
         if air.is_missing(settings):
             self.problems.append(NO_SNOW)
         snowy = around.snowy

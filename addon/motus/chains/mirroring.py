@@ -50,14 +50,14 @@ def check(rig, found):
     """Raise Refused if Sides cannot be mirrored: bones are driven already, or move what would hold them."""
     chosen.Wanted(rig, [side.other for side in found], {}, {}).check_free()
     for side in found:
-        names = [bone.name for bone in groups.bones_of(rig, side.other)]
+        names = [bone.name for bone in groups.bones_of(rig, side.other, groups.ends_of(rig))]
         for bone, changes in _pins(rig, side).items():
             pins.check_holds(rig, bone, names, changes["target"], changes["target_bone"])
 
 
 def _pins(rig, side):
     """Return {bone of the other side: settings of its pin} for each pin of a Side's chain that has a target, and another side."""
-    found, names = {}, {bone.name for bone in groups.bones_of(rig, side.name)}
+    found, names = {}, {bone.name for bone in groups.bones_of(rig, side.name, groups.ends_of(rig))}
     for pin in rig.motus.chains.pins:
         goal, other = pins.goal(pin), _flipped(rig, pin.name)
         if goal and pin.name in names and other != pin.name:

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from ..core import keeping, native
 from ..core.lazy import numpy as np
 from ..core.measures import bounds, scene_time
+from . import along
 
 RATE = 240.0
 """Samples a second of what chains read: times that do not depend on the frame rate, every second one of the solver's steps."""
@@ -31,8 +32,6 @@ SUDDEN = 1.0 / 64.0
 """Time in frames, before a cut, at which what chains read is still that of the shot before."""
 CLOSED = 1e-3
 """Tolerance of a closed loop, as a part of the chain's length."""
-GUSTS = ((0.31, 0.0), (0.53, 1.3), (1.13, 2.1))
-"""Frequency in Hz and phase of the sine waves whose mean is a gust."""
 LARGEST_MEMORY = 1 << 28  # bytes
 
 _MOTIONS = keeping.OfFile(
@@ -98,17 +97,12 @@ def settling(wanted, step, beginnings, share):
     return min(wanted, SETTLING * bounds.MANY_AT_ONCE * share / max(STEPS * step * beginnings, 1.0))
 
 
-def with_gusts(wind, seconds, gusts, is_loop):
-    """Return a wind (m, 3) with gusts at times (m,), s. Gusts of a loop close."""
+def with_gusts(wind, seconds, gusts, frequency, is_loop):
+    """Return a wind (m, 3) with gusts of a frequency, 1/s, at times (m,), s: those of snow. Gusts of a loop close."""
     if gusts <= 0.0:
         return wind
-    duration = seconds[-1] - seconds[0]
-    at, waves = seconds - seconds[0] if is_loop else seconds, np.zeros(len(seconds))
-    for frequency, phase in GUSTS:
-        if is_loop:
-            frequency = max(round(frequency * duration), 1) / duration
-        waves += np.sin(math.tau * frequency * at + phase)
-    return wind * (1.0 + gusts * waves[:, None] / len(GUSTS))
+    period = float(seconds[-1] - seconds[0]) if is_loop else 0.0
+    return wind * (1.0 + gusts * native.module.gusts(seconds, frequency, period)[:, None])
 
 
 class Motion:
@@ -134,8 +128,7 @@ class Motion:
         patience: for how long, s, the motion may be solved up to there; None is returned if that was not enough, and the next call goes on.
         """
         end = time.perf_counter() + patience
-        if self._last is not None:
-            seconds = self._first + (seconds - self._first) % (self._last - self._first)
+        seconds = self.within(seconds)
         while True:
             left = end - time.perf_counter()
             if not self._lock.acquire(timeout=-1 if math.isinf(patience) else max(left, 0.0)):
@@ -149,6 +142,10 @@ class Motion:
                 self._go_on()
             finally:
                 self._lock.release()
+
+    def within(self, seconds):
+        """Return the time of the first cycle, s, at which a loop is as at a time; that time itself if the motion is no loop."""
+        return seconds if self._last is None else self._first + (seconds - self._first) % (self._last - self._first)
 
     def _go_on(self):
         """Solve for about SLICE, with the lock."""
@@ -232,7 +229,7 @@ class Strand(NamedTuple):
         numbers, depths = self.numbers, [0]
         for parent in self.parents[1:]:
             depths.append(depths[parent] + 1)
-        shares = (np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1)) ** numbers.tip_shape
+        shares = along.shares(np.maximum(np.array(depths) - 1.0, 0.0) / max(max(depths) - 1, 1), numbers)
         frequency = numbers.frequency * (1.0 + (numbers.tip_frequency - 1.0) * shares)
         found = {
             "frequency": np.minimum(frequency, STEPS / 8.0),

@@ -3,13 +3,14 @@
 from typing import Any, NamedTuple
 
 from ..core import rigs
-from ..core.declare import BonesOwn, Member, Transform, registered
+from ..core.declare import BonesOwn, Member, Transform
 from ..core.lazy import numpy as np
 from ..core.tracks import own_track
 from ..core.tracks.inputs import Tails, stamp_of_carrier, stamp_of_known
-from . import uneven
+from . import squash, uneven
 
 TURN = frozenset({"rotation"})
+SQUASH = frozenset({"rotation", "scale"})
 
 
 class Bones(NamedTuple):
@@ -37,6 +38,11 @@ class Bones(NamedTuple):
         return self.names
 
     @property
+    def yields(self):
+        """Names of all bones but the topmost one: where a different system takes one over the chain ends, and so the system follows it."""
+        return self.names[1:]
+
+    @property
     def hangs_on(self):
         """Name of the bone on which the chain hangs; "" if there is none."""
         parent = self.things[0].parent
@@ -55,8 +61,9 @@ class Bones(NamedTuple):
 
     @property
     def members(self):
-        """Members of the Group: the bones, which turn on top of their own transforms."""
-        return tuple(Member(bone, TURN, 'LOCAL', is_relative=True) for bone in self.things)
+        """Members of the Group: the bones, which turn, and with Squash are scaled, on top of their own transforms."""
+        channels = SQUASH if self.entry.squash > 0.0 else TURN
+        return tuple(Member(bone, channels, 'LOCAL', is_relative=True) for bone in self.things)
 
     @property
     def parents(self):
@@ -75,7 +82,7 @@ class Bones(NamedTuple):
 
     def kept(self, _source):
         """The Kept."""
-        return Kept(self.names, self.links)
+        return Kept(self.names, self.links, squash.shares(self.things, self.entry.squash))
 
     @property
     def ends(self):
@@ -90,7 +97,7 @@ class Bones(NamedTuple):
 
     def source(self, scene):
         """Make the input (core/tracks/inputs.py) with the places of the particles in the animation."""
-        return Tails(self.things, scene, registered["chains"])
+        return Tails(self.things, scene, None)
 
 
 class Carrier(NamedTuple):
@@ -100,7 +107,7 @@ class Carrier(NamedTuple):
 
     def stamp(self, owner, scene):
         """Hashable value that changes whenever that motion may; None if changes cannot be detected."""
-        return stamp_of_carrier(owner, self.name, scene, registered["chains"])
+        return stamp_of_carrier(owner, self.name, scene, None)
 
 
 class Laid(NamedTuple):
@@ -114,19 +121,33 @@ class Laid(NamedTuple):
 
 
 class Kept(NamedTuple):
-    """What is kept of a chain between evaluations. names: of its bones. links: the bones as links."""
+    """What is kept of a chain between evaluations. names: of its bones. links: the bones as links. shares: squash.shares() of them."""
 
     names: tuple
     links: uneven.Links
+    shares: Any
+
+    def aimed(self, particles, part, seconds, weight, axes):
+        """Return (where the tails of the bones come to, their scales), both (n, 3), at a time, s.
+
+        particles: places (n + 1, 3). part: the making.Part. axes: uneven.axes_of() the rig.
+        """
+        parents = self.links.parents
+        scales = np.ones((len(self.names), 3))
+        if self.shares:
+            taken = [share * weight for share in self.shares]
+            scales = squash.scales(particles, part.rests.at(part.moved.within(seconds)), parents, taken, axes)
+        return uneven.tails(particles, self.links, axes, scales[:, 1]), scales
 
     @staticmethod
     def fill(context, text, parts):
-        """Turn bones of the context's owner to their particles. text: stands for what the rig was when it was wired.
+        """Turn and scale bones of the context's owner to their particles. text: stands for what the rig was when it was wired.
 
-        parts: [(Kept, rows of its bones in the group, places (n + 1, 3) of its particles, weight)].
+        parts: [(making.Part, places (n + 1, 3) of its particles, weight)].
         """
-        members = tuple(pair for chain, rows, *_ in parts for pair in zip(chain.names, rows))
-        axes = uneven.axes_of(context.owner.matrix_world)
-        places = np.concatenate([uneven.tails(particles, chain.links, axes) for chain, _, particles, _ in parts])
-        influences = np.concatenate([np.full(len(rows), weight) for _, rows, _, weight in parts])
-        rigs.turn(context, text, members, places, influences)
+        members = tuple(pair for part, *_ in parts for pair in zip(part.kept.names, part.rows))
+        axes, seconds = uneven.axes_of(context.owner.matrix_world), context.frame / context.fps
+        aims = [part.kept.aimed(particles, part, seconds, weight, axes) for part, particles, weight in parts]
+        places, scales = (np.concatenate(found) for found in zip(*aims))
+        influences = np.concatenate([np.full(len(part.rows), weight) for part, _, weight in parts])
+        rigs.turn(context, text, members, places, influences, scales)

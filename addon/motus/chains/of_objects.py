@@ -55,6 +55,11 @@ class Row(NamedTuple):
         return self.things
 
     @property
+    def yields(self):
+        """What a different system may take over: nothing."""
+        return ()
+
+    @property
     def reads(self):
         """((object, name of a bone or ""), ...) of each transform that the chain needs: of the root, and of what the objects hang on."""
         parents = [(obj.parent, obj.parent_bone if obj.parent_type == 'BONE' else "") for obj in self.things if obj.parent]
@@ -279,13 +284,14 @@ class Kept(NamedTuple):
     def fill(context, _text, parts):
         """Move and turn the objects of rows to their particles.
 
-        parts: [(Kept, rows of its objects in the group, places (k + 1, 3) of its particles, weight)].
+        parts: [(making.Part, places (k + 1, 3) of its particles, weight)].
         """
         now = np.array([context.frame], float)
-        for (read, still), rows, particles, weight in parts:
+        for part, particles, weight in parts:
+            read, still = part.kept
             source = Origins(read.root, read.things, context.depsgraph.scene, still)
-            moves, turns, axes = (part[:, 0] for part in source.moved(now, particles[None], weight))
-            places = slice(rows.start, rows.stop)
+            moves, turns, axes = (one[:, 0] for one in source.moved(now, particles[None], weight))
+            places = slice(part.rows.start, part.rows.stop)
             context.locations[places] = [_along_channels(*pair) for pair in zip(read.things, moves)]
             context.rotations[places] = rotations.product(axes * (1.0, -1.0, -1.0, -1.0), rotations.product(turns, axes))
 

@@ -14,7 +14,7 @@ from ..core.refusals import (
     check_no_tweak_mode,
     named,
 )
-from ..core.settings import entries, targets
+from ..core.settings import drawn_curves, entries, targets
 from ..core.settings.declared import factor
 from ..core.translations import counted, tr
 from . import chosen, groups, mirroring, pins, properties, rows, setup, told
@@ -77,6 +77,7 @@ class MOTUS_OT_chains_add(FindsValues, properties.ChainsKeywords, bpy.types.Oper
         found = chosen.wanted(context, self.object, self.bones, self.objects, self.spline)
         found.check_free()
         check_finite(self, KEYWORDS)
+        drawn_curves.check(self.curve)
         owner, names = found.owner, found.names
         setup.add(owner, names, self.given(KEYWORDS), found.rows, found.splines)
         self.show_used(owner.motus.chains.entries[names[0]], KEYWORDS)

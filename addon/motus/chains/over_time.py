@@ -95,19 +95,22 @@ class _Hanging:
         entry = self._chain.entry
         return 0.0 if entry.is_muted else self._owner.motus.chains.influence * entry.weight
 
-    def _particles(self, times):
-        """Places (n, particles, 3) in the world at times (n,) of the scene; None if the chain has no motion."""
+    def _part(self, times):
+        """The making.Part of the chain; None if it has no motion at times (n,) of the scene."""
         if self._weight <= 0.0 or len(times) == 0:
             return None
         found = making.Making(self._owner, self._owner.motus.chains, self._around, 1.0)
         found.make([(chain.entry.name, chain.names) for chain in self._together])
         own = self._owner.motus.chains.entries.find(self._chain.entry.name)
-        part = next((part for part in found.parts if part.entry == own), None)
-        if part is None:
-            return None
-        return np.stack(
-            [part.moved.places(seconds)[part.particles] for seconds in scene_time.seconds(self._scene, np.asarray(times, float))]
-        )
+        return next((part for part in found.parts if part.entry == own), None)
+
+    def _seconds(self, times):
+        return scene_time.seconds(self._scene, np.asarray(times, float))
+
+    @staticmethod
+    def _particles(part, seconds):
+        """Places (n, particles, 3) of a Part in the world at times (n,), s."""
+        return np.stack([part.moved.places(at)[part.particles] for at in seconds])
 
 
 class _Bone(_Hanging):
@@ -124,18 +127,25 @@ class _Bone(_Hanging):
 
     def applied(self, times, transforms):
         """Transforms of the bone in its chain, from `transforms` of its own channels, at times (n,) of the scene."""
-        turns = once(self._owner, self._name, times, lambda: self._turns(times))
-        return transforms if turns is None else transforms._replace(rotations=rotations.product(transforms.rotations, turns[:, self._row]))
+        found = once(self._owner, self._name, times, lambda: self._changes(times))
+        if found is None:
+            return transforms
+        turns, scales = (one[:, self._row] for one in found)
+        return transforms._replace(rotations=rotations.product(transforms.rotations, turns), scales=transforms.scales * scales)
 
-    def _turns(self, times):
-        """Quaternions (n, bones, 4) that the chain adds to its bones at times (n,) of the scene; None if it has no motion."""
-        particles, names = self._particles(times), self._chain.names
-        if particles is None:
+    def _changes(self, times):
+        """(quaternions (n, bones, 4), scales (n, bones, 3)) that the chain adds to its bones at times (n,); None if it has no motion."""
+        part, names = self._part(times), self._chain.names
+        if part is None:
             return None
+        seconds = self._seconds(times)
         worlds = self._rig.worlds(times).reshape(-1, 4, 4).swapaxes(1, 2)
-        links = self._chain.links
-        places = np.stack([uneven.tails(found, links, uneven.axes_of(world)) for found, world in zip(particles, worlds)])
-        return self._rig.turns(times, names, places, np.full(len(names), self._weight))
+        aims = [
+            part.kept.aimed(particles, part, at, self._weight, uneven.axes_of(world))
+            for particles, at, world in zip(self._particles(part, seconds), seconds, worlds)
+        ]
+        places, scales = (np.stack(found) for found in zip(*aims))
+        return self._rig.turns(times, names, places, np.full(len(names), self._weight), scales), scales
 
     @property
     def stamp(self):
@@ -158,8 +168,10 @@ class _Object(_Hanging):
         return found
 
     def _moved(self, times):
-        particles = self._particles(times)
-        return None if particles is None else self._input.moved(np.asarray(times, float), particles, self._weight)
+        part = self._part(times)
+        if part is None:
+            return None
+        return self._input.moved(np.asarray(times, float), self._particles(part, self._seconds(times)), self._weight)
 
     @property
     def stamp(self):
@@ -169,6 +181,7 @@ class _Object(_Hanging):
         shared = (
             settings.influence,
             settings.gusts,
+            settings.gust_frequency,
             settings.settle,
             settings.use_loop,
             settings.friction,

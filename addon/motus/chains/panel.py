@@ -4,6 +4,7 @@ import bpy
 
 from ..core.interface import bone_entries, panels, ui
 from ..core.interface.tracks import panel as track_panel
+from ..core.settings import drawn_curves
 from ..core.settings.entries import active
 from ..core.translations import OWN_SENSE, counted, tr
 from . import colliders, making, pins, presets, rows, setup, steps, told
@@ -42,15 +43,24 @@ def _icon_of(entry):
     return 'CURVE_DATA' if entry.spline >= 0 else 'OBJECT_DATA' if entry.links else 'BONE_DATA'
 
 
-def _draw_of_entry(group):
-    """Return the function that draws a group of rows for the shown chain."""
+def draw_limits(layout, context):
+    """Draw how the shown chain stretches, bends, and is kept from others."""
+    entry = active(context.object, "chains")
+    if entry:
+        rows.LIMITS.draw(ui.split(layout), entry)
 
-    def draw(layout, context):
-        entry = active(context.object, "chains")
-        if entry:
-            group.draw(ui.split(layout), entry)
 
-    return draw
+def draw_forces(layout, context):
+    """Draw what pulls the shown chain, how that changes along it, and the widget of the curve that was drawn for this."""
+    entry = active(context.object, "chains")
+    if not entry:
+        return
+    rows.FORCES.draw(ui.split(layout), entry)
+    node = drawn_curves.node(entry) if entry.use_curve else None
+    if node:
+        layout.template_curve_mapping(node, "mapping")
+    elif entry.use_curve:
+        ui.draw_message(layout, tr("The curve's widget is missing: press Refresh"), 'INFO')
 
 
 def draw_world(layout, context):
@@ -147,8 +157,8 @@ PANEL = panels.SystemPanel(
     is_used=lambda obj: len(obj.motus.chains.entries) > 0,
     draw=draw_main,
     parts=(
-        panels.Part("forces", "Forces", _draw_of_entry(rows.FORCES), is_open=True),
-        panels.Part("limits", "Limits", _draw_of_entry(rows.LIMITS)),
+        panels.Part("forces", "Forces", draw_forces, is_open=True),
+        panels.Part("limits", "Limits", draw_limits),
         panels.Part("pins", "Pins", draw_pins, is_shown=lambda context: context.object.type == 'ARMATURE'),
         panels.Part("world", "Surroundings", draw_world),
         panels.Part("time", "Time", draw_time),

@@ -69,6 +69,17 @@ BROUGHT = (
         drag=3.0,
         bend_limit=math.radians(50.0),
     ),
+    _preset(
+        'JELLY',
+        "Jelly",
+        "Single bones that bounce in place and keep their volume: bellies, cheeks, slime",
+        frequency=2.5,
+        damping=0.15,
+        gravity=0.3,
+        drag=0.2,
+        stretch=1.0,
+        squash=1.0,
+    ),
 )
 
 classes = OPERATOR, PANEL, _ = presets.classes(

@@ -7,12 +7,27 @@ import bpy
 
 from ..core.file.pointers import pointed, to_object
 from ..core.interface import bone_entries
-from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire
+from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, drawn_curves, rewire, touch
 from ..core.settings.declared import factor, number, switch, vector
-from . import air
+from . import air, along
 
 # The motion at a frame depends on the whole past, so a setting that changed over time would have to be known at all times.
 _number = partial(number, tells_no_keys=True)
+
+
+def _change_squash(item, context):
+    # Bones that are not scaled need fewer drivers, so a change from 0 or to 0 wires the rig again.
+    if isinstance(item, bpy.types.PropertyGroup) and item.is_scaled != (item.squash > 0.0):
+        item.is_scaled = item.squash > 0.0
+        rewire(item, context)
+    touch(item, context)
+
+
+_use_curve, _curve = drawn_curves.keywords(
+    "Shape by Curve",
+    "Draw a curve that says how much of the tip's values is reached along the chain, from its root at the left to its tip, in place of Tip Shape",
+    along.show,
+)
 
 
 class ChainsKeywords:
@@ -55,19 +70,32 @@ class ChainsKeywords:
         soft_max=4.0,
         step=5,
     )
+    use_curve: _use_curve
+    curve: _curve
     drag: _number("Air Drag", "How fast the chain takes on the air's velocity, per second", 0.5, min=0.0, max=1000.0, soft_max=10.0, step=5)
     tip_mass: _number(
         "Tip Mass", "Mass of the last bone, as a part of that of the first one", 1.0, min=0.01, max=100.0, soft_max=10.0, step=5
     )
     stretch: _number(
         "Stretch",
-        "Part of its length by which a bone's own weight would lengthen it; bones keep their lengths, and point to where longer ones would end",
+        "Part of its length by which a bone's own weight would lengthen it; without Squash bones keep their lengths, and point to where longer "
+        "ones would end",
         0.0,
         min=0.0,
         max=100.0,
         soft_max=1.0,
         subtype='FACTOR',
         precision=3,
+    )
+    squash: _number(
+        "Squash",
+        "How much bones show that Stretch lengthens and shortens them: they are scaled along their length, up to five times, and across, so that "
+        "they keep their volume. Bones whose children inherit their scale keep their lengths",
+        0.0,
+        min=0.0,
+        max=1.0,
+        subtype='FACTOR',
+        update=_change_squash,
     )
     bend_limit: _number(
         "Bend Limit",
@@ -97,15 +125,20 @@ class ChainsKeywords:
 
 KEYWORDS = tuple(name for name in ChainsKeywords.__annotations__ if name not in ("weight", "hold_end"))
 """Settings of an entry that presets and To All Selected copy."""
+NUMBERS = (*(name for name in KEYWORDS if name != "curve"), "weight")
+"""Settings of an entry that are numbers."""
 
 
 class MOTUS_PG_chains_link(bpy.types.PropertyGroup):
     object: to_object(name="Object", description="Object of a row, which hangs on the one before it", update=rewire, override=OVERRIDABLE)
 
 
-class MOTUS_PG_chains_entry(ChainsKeywords, bpy.types.PropertyGroup):
+class MOTUS_PG_chains_entry(ChainsKeywords, drawn_curves.DrawnCurve, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(
-        name="Bone", description="Topmost bone of the chain, which has all bones below it", update=rewire, override=OVERRIDABLE
+        name="Bone",
+        description="Topmost bone of the chain, which has the bones below it, down to where another chain or system begins",
+        update=rewire,
+        override=OVERRIDABLE,
     )
     links: bpy.props.CollectionProperty(type=MOTUS_PG_chains_link, name="Objects", override=EXTENDABLE)
     spline: bpy.props.IntProperty(
@@ -116,6 +149,7 @@ class MOTUS_PG_chains_entry(ChainsKeywords, bpy.types.PropertyGroup):
         options=set(),
     )
     is_muted: switch("Mute", "Switch this chain off", options=ANIMATED)
+    is_scaled: bpy.props.BoolProperty(name="Scaled", description="Squash is not 0", options={'HIDDEN'}, override=OVERRIDABLE)
 
 
 def is_bone(entry):
@@ -161,6 +195,9 @@ class MOTUS_PG_chains(SystemSettings, bpy.types.PropertyGroup):
     influence: factor("Influence", "How much all chains of the object act; 0 leaves all to its animation", 1.0, options=ANIMATED)
     wind: vector("Wind", "Velocity of the air, which chains with Air Drag feel", options=ANIMATED, subtype='VELOCITY', unit='VELOCITY')
     gusts: _number("Gusts", "How much the wind rises and falls: 1 lets it fall to a calm at times", 0.0, min=0.0, max=2.0, subtype='FACTOR')
+    gust_frequency: _number(
+        "Gust Frequency", "Approximate number of gusts per second", 0.3, min=0.001, max=1000.0, soft_max=5.0, precision=3, step=5
+    )
     wind_from: to_object(
         name="Wind From",
         description="Emitter of snow whose wind, with its gusts, the chains feel beside their own",

@@ -18,9 +18,24 @@ SPRING = Rows(
     ),
     title="Spring",
 )
-FORCES = Rows(("gravity", "drag", "tip_mass", Row("tip_shape", active=_has_tip)), title="Forces")
-LIMITS = Rows(("stretch", "bend_limit", "side_limit", "thickness", "tip_thickness", "hold_end"), title="Limits")
-WORLD = Rows(("wind", "gusts", "wind_from", "colliders", "use_touch", "friction", "inherit"), title="Surroundings")
+FORCES = Rows(
+    (
+        "gravity",
+        "drag",
+        "tip_mass",
+        Row("tip_shape", active=lambda settings: _has_tip(settings) and not settings.use_curve),
+        Row("use_curve", active=_has_tip),
+    ),
+    title="Forces",
+)
+LIMITS = Rows(
+    ("stretch", Row("squash", active=is_positive("stretch")), "bend_limit", "side_limit", "thickness", "tip_thickness", "hold_end"),
+    title="Limits",
+)
+WORLD = Rows(
+    ("wind", "gusts", Row("gust_frequency", active=is_positive("gusts")), "wind_from", "colliders", "use_touch", "friction", "inherit"),
+    title="Surroundings",
+)
 TIME = Rows(("settle", "use_loop", Row("use_cuts", active=lambda settings: not settings.use_loop)), title="Time")
 PINNING = Rows((Row("weight", text="Weight", text_ctxt=OWN_SENSE),))
 ADDING = (SPRING, FORCES, LIMITS, AMOUNT)

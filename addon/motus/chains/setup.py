@@ -5,13 +5,19 @@ from ..core.declare import registered
 from ..core.declare.forgetting import forget
 from ..core.file import libraries
 from ..core.file.pointers import pointed
-from ..core.settings import entries, entry_keys, targets
-from . import curves, groups, naming, pins, properties
+from ..core.settings import drawn_curves, entries, entry_keys, targets
+from . import along, curves, groups, naming, pins, properties
 
 
 def system():
     """Return the System of chains from the registry, because this module cannot import the package that imports it."""
     return registered["chains"]
+
+
+def prepare(owner):
+    """Make what only an owner of its own has: anchors of its splines' points, and curves that were drawn. This is the function System.prepare."""
+    curves.prepare(owner)
+    along.take_over(owner)
 
 
 def add(owner, names, changes, rows, splines):
@@ -62,12 +68,14 @@ def remove(owner, indices):
     """Remove entries of an owner by their indices, with the pins of their chains."""
     settings = owner.motus.chains
     gone = {settings.entries[index].name for index in indices}
+    drawn = drawn_curves.trees(settings.entries[index] for index in indices)
     bones = {name for chain in groups.chains(owner) if chain.entry.name in gone for name in chain.pinnable}
     had_anchors = any(entry.spline >= 0 for entry in settings.entries)
     is_last = len(gone) == len(settings.entries)
     kept = libraries.count_from_library(owner, pins.PATH)
     unpin(owner, [index for index, one in enumerate(settings.pins) if index >= kept and (is_last or one.name in bones)])
     entries.remove(system(), owner, indices, "chosen_entry")
+    drawn_curves.remove_unused(drawn)
     if had_anchors:
         curves.tidy(owner)
 

@@ -18,7 +18,7 @@ import bpy
 
 from ..core import keeping, native, tracks, wiring
 from ..core.animation import strips
-from ..core.declare import laying_systems, registered
+from ..core.declare import laying_systems
 from ..core.evaluated.question import answered
 from ..core.lazy import numpy as np
 from ..core.scenery import meshes
@@ -134,7 +134,7 @@ class Skeleton:
 
     def __init__(self, bones, scene):
         self._bones = bones
-        self._source = inputs.Tails(bones, scene, registered["chains"])
+        self._source = inputs.Tails(bones, scene, None)
         self.count = len(bones)
 
     @property

@@ -12,14 +12,14 @@ from ..core.file import deleted, stored
 from ..core.settings import entries
 from ..core.tracks import inputs
 from . import air, colliders, curves, making, pins, steps
-from .groups import BELOW, LOOPED, MISSING, PARTED, PLAN
+from .groups import LOOPED, MISSING, PARTED, PLAN
 from .making import (
-    BELOW_ANOTHER,
     CHAINS_PARTED,
     COLLIDER_NOT_KNOWN,
     CONSTRAINED,
     DEFORMED_COLLIDER,
     GRAVITY_NOT_KNOWN,
+    KEEPS_LENGTHS,
     LARGE_COLLIDER,
     LOOP_IS_OPEN,
     LOOPED_CHAINS,
@@ -41,7 +41,6 @@ PROBLEMS = (
     inputs.BAD_NUMBERS,
     LOOP_IS_OPEN,
     CONSTRAINED,
-    BELOW_ANOTHER,
     COLLIDER_NOT_KNOWN,
     DEFORMED_COLLIDER,
     LARGE_COLLIDER,
@@ -56,6 +55,7 @@ PROBLEMS = (
     THINGS_MISSING,
     THINGS_CHANGED,
     ROOT_DELETED,
+    KEEPS_LENGTHS,
     pins.WITHOUT_TARGET,
     pins.WITHOUT_TARGET_BONE,
     pins.WITHOUT_CHAIN,
@@ -110,7 +110,7 @@ def solve(context, obstacles, snowy):
         if part.moved not in found:  # chains that touch each other have one motion
             found[part.moved] = steps.places(context, part.entry, part.moved, context.frame / context.fps)
         if found[part.moved] is not None:
-            acting.setdefault(type(part.kept), []).append((part.kept, part.rows, found[part.moved][part.particles], weight))
+            acting.setdefault(type(part.kept), []).append((part, found[part.moved][part.particles], weight))
     for kind, parts in acting.items():
         answered(object(), functools.partial(kind.fill, context, context.data[PLAN], parts))
     is_open = any(part.moved.is_open for part in made.parts)
@@ -119,7 +119,7 @@ def solve(context, obstacles, snowy):
 
 def _wrong(data):
     """Return the Problem with the list of chains of a group's data; None if there is none."""
-    told = ((LOOPED, LOOPED_CHAINS), (MISSING, THINGS_MISSING), (BELOW, BELOW_ANOTHER), (PARTED, CHAINS_PARTED))
+    told = ((LOOPED, LOOPED_CHAINS), (MISSING, THINGS_MISSING), (PARTED, CHAINS_PARTED))
     return next((problem for key, problem in told if data.get(key)), None)
 
 

@@ -38,11 +38,16 @@ class Space(NamedTuple):
 
     def outside(self, places, seconds):
         """Return places (n, 3) in this space as they are in the world, at one time, s."""
-        above = int(np.clip(np.searchsorted(self.seconds, seconds), 1, len(self.seconds) - 1))
-        lower, upper = self.seconds[above - 1 : above + 1]
-        part = np.clip((seconds - lower) / (upper - lower), 0.0, 1.0)
+        above, part = between(self.seconds, seconds)
         turn = rotations.matrices(rotations.mixed(self.turns[above - 1 : above], self.turns[above : above + 1], np.array([part])))[0]
         return places @ turn.T + (1.0 - part) * self.shifts[above - 1] + part * self.shifts[above]
+
+
+def between(times, at):
+    """Return (index of the first of rising times (m,) behind a time, by which part that lies between this one and the one before, 0 to 1)."""
+    above = int(np.clip(np.searchsorted(times, at), 1, len(times) - 1))
+    lower, upper = times[above - 1 : above + 1]
+    return above, np.clip((at - lower) / (upper - lower), 0.0, 1.0)
 
 
 _INSIDE = {

@@ -2,7 +2,8 @@
 
 from ..core.tracks.inputs import NEEDS_RECORDING, NOT_KNOWN, of_unknown
 from ..core.translations import tr
-from . import groups, making
+from . import groups, making, squash
+from .of_bones import Bones
 
 
 def input_of(owner, name, scene):
@@ -21,9 +22,12 @@ def sentence(owner, problem, scene):
         )
     if gone and not gone.links:
         return tr("{object} has no bone {bone}: remove it from the list").format(object=owner.name, bone=gone.name)
-    if problem == making.BELOW_ANOTHER:
-        name = next((entry.name for entry in entries if groups.is_below(owner, entry)), "")
-        return tr("{bone} belongs to another chain, which moves it: remove it from the list").format(bone=name)
+    if problem == making.KEEPS_LENGTHS:
+        bones = [bone for chain in groups.chains(owner) if isinstance(chain, Bones) and chain.entry.squash > 0.0 for bone in chain.things]
+        bone, child = next((bone, child) for bone in bones for child in [squash.first_inheriting(bone)] if child)
+        return tr("{bone} keeps its length, since {child} inherits its scale: set Inherit Scale of {child} to None").format(
+            bone=bone.name, child=child.name
+        )
     for chain in groups.chains(owner) if problem in (NEEDS_RECORDING, NOT_KNOWN) else ():
         source = chain.source(scene)
         if not chain.entry.is_muted and not source.is_known and of_unknown(source) == problem:

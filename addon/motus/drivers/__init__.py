@@ -10,5 +10,5 @@ FEATURE = Feature(
     hand_over='PLAIN',
     classes=(*operators.classes, *panel.classes),
     extras=(functions, menu, graph),
-    object_menu=("motus.driver_add", "motus.driver_remove"),
+    object_menu=("motus.driver_add", "motus.driver_write_out", "motus.driver_remove"),
 )

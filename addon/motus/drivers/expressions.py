@@ -29,6 +29,37 @@ class Function:
 
 
 FUNCTIONS = (
+    Function('SINE', "motus_sine", "Sine", "Swing up and down evenly and softly", ("frequency", "phase"), (1.0, 0.0)),
+    Function(
+        'TRIANGLE', "motus_triangle", "Triangle", "Go straight up and straight down again", ("frequency", "phase"), (1.0, 0.0)
+    ),
+    Function('SAW', "motus_saw", "Saw", "Go straight up, and jump back", ("frequency", "phase"), (1.0, 0.0)),
+    Function(
+        'SQUARE',
+        "motus_square",
+        "Square",
+        "Jump between two values, on and off",
+        ("frequency", "phase", "share"),
+        (1.0, 0.0, 0.5),
+    ),
+    Function(
+        'STEPS',
+        "motus_steps",
+        "Random Steps",
+        "Hold a random value between -1 and 1, then another one",
+        ("frequency", "seed", "blend"),
+        (1.0, 0, 0.0),
+    ),
+    Function('NOISE', "motus_noise", "Noise", "Wander smoothly between -1 and 1", ("speed", "seed", "loop"), (1.0, 0, 0)),
+    Function(
+        'EASE',
+        "motus_ease",
+        "Ease",
+        "Go from 0 to 1 with a soft start and a soft stop",
+        ("frame_start", "frame_end", "ease_in", "ease_out"),
+        (0.3, 0.3),
+        has_start=False,
+    ),
     Function(
         'PENDULUM',
         "motus_pendulum",
@@ -45,16 +76,6 @@ FUNCTIONS = (
         ("which", "theta1", "theta2", "omega1", "omega2", "mass1", "mass2", "length1", "length2", "gravity", "damping", "speed"),
         (0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 9.81, 0.0, 1.0),
     ),
-    Function(
-        'EASE',
-        "motus_ease",
-        "Ease",
-        "Go from 0 to 1 with a soft start and a soft stop",
-        ("frame_start", "frame_end", "ease_in", "ease_out"),
-        (0.3, 0.3),
-        has_start=False,
-    ),
-    Function('NOISE', "motus_noise", "Noise", "Wander smoothly between -1 and 1", ("speed", "seed"), (1.0, 0)),
     Function(
         'SECOND_ORDER',
         "motus_second_order",
@@ -89,8 +110,16 @@ def compose(keywords):
     while len(values) > first_default and values[-1] == _text(function.defaults[len(values) - 1 - first_default]):
         values.pop()
     start = keywords["start"] if function.has_start else 0.0
-    frame = "frame" if start == 0.0 else f"frame - {_text(start)}" if start > 0.0 else f"frame + {_text(-start)}"
-    call = f"{function.name}({', '.join([frame, *values])})"
+    return scaled(f"{function.name}({', '.join([frame_since(start), *values])})", keywords)
+
+
+def frame_since(start):
+    """Expression of the number of frames since the frame `start`."""
+    return "frame" if start == 0.0 else f"frame - {_text(start)}" if start > 0.0 else f"frame + {_text(-start)}"
+
+
+def scaled(call, keywords):
+    """Expression of `base` plus `amplitude` times an expression. keywords: with these two."""
     if keywords["amplitude"] != 1.0:
         call = f"{_text(keywords['amplitude'])} * {call}"
     return call if keywords["base"] == 0.0 else f"{_text(keywords['base'])} + {call}"

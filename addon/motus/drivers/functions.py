@@ -30,6 +30,12 @@ def seconds(frame):
     return scene_time.seconds(bpy.app.driver_namespace["depsgraph"].scene, frame)
 
 
+def waves(frame, frequency):
+    """Number of waves or steps up to a frame, at so many per second: exact at frames where it is a whole number."""
+    render = bpy.app.driver_namespace["depsgraph"].scene.render
+    return frame * frequency * render.fps_base / render.fps
+
+
 def motus_pendulum(frame, theta, length, omega=0.0, gravity=9.81, damping=0.0, speed=1.0):
     """Angle of a pendulum, in radians from hanging down, that starts at frame 0 with angle theta and angular velocity omega.
 
@@ -88,13 +94,64 @@ def motus_ease(frame, start, end, ease_in=0.3, ease_out=0.3):
         return _at_rest("motus_ease", error, 0.0)
 
 
-def motus_noise(frame, speed=1.0, seed=0):
-    """Smooth noise in [-1, 1] at a frame. speed: approximate number of ups and downs per second. seed: chooses the noise."""
+def motus_noise(frame, speed=1.0, seed=0, loop=0.0):
+    """Smooth noise in [-1, 1] at a frame.
+
+    speed: approximate number of ups and downs per second. seed: chooses the noise. loop: frames after which the noise repeats; 0 never.
+    """
     try:
         keep_state()
+        if loop > 0.0:
+            return native.module.noise1(*looped(frame, loop, seconds(loop) * speed, seed))
         return native.module.noise1(seconds(frame) * speed, seed)
     except Exception as error:
         return _at_rest("motus_noise", error, 0.0)
+
+
+def looped(frame, loop, units, seed):
+    """Arguments with which the native noise1 repeats after `loop` frames. units: of noise in a loop, which are rounded to whole ones."""
+    whole = max(1, round(abs(units)))
+    return frame % loop / loop * whole, seed, whole
+
+
+def motus_sine(frame, frequency=1.0, phase=0.0):
+    """Sine in [-1, 1], which rises from 0 at frame 0. frequency: waves per second. phase: fraction of a wave that it is ahead."""
+    return _wave("sine", frame, frequency, phase)
+
+
+def motus_triangle(frame, frequency=1.0, phase=0.0):
+    """Straight ups and downs in [-1, 1], which rise from 0 at frame 0. Arguments as motus_sine()."""
+    return _wave("triangle", frame, frequency, phase)
+
+
+def motus_saw(frame, frequency=1.0, phase=0.0):
+    """Straight rise from -1 to 1 in each wave, and a jump back. Arguments as motus_sine()."""
+    return _wave("saw", frame, frequency, phase)
+
+
+def motus_square(frame, frequency=1.0, phase=0.0, share=0.5):
+    """1 in the first part of each wave, and then -1. share: fraction of a wave that the part is; further arguments as motus_sine()."""
+    return _wave("square", frame, frequency, phase, share)
+
+
+def _wave(shape, frame, frequency, phase, share=0.5):
+    try:
+        keep_state()
+        return native.module.wave(shape, waves(frame, frequency) + phase, share)
+    except Exception as error:
+        return _at_rest(f"motus_{shape}", error, 0.0)
+
+
+def motus_steps(frame, frequency=1.0, seed=0, blend=0.0):
+    """Random number in [-1, 1], and another one `frequency` times per second. seed: chooses the numbers.
+
+    blend: fraction of a step in which the value goes over smoothly from the number before; 0 jumps.
+    """
+    try:
+        keep_state()
+        return native.module.steps(waves(frame, frequency), seed, blend)
+    except Exception as error:
+        return _at_rest("motus_steps", error, 0.0)
 
 
 def motus_second_order(self, data_path, index, frame, f=1.0, zeta=0.5, r=0.0):
@@ -128,7 +185,21 @@ def _at_rest(name, error, value):
     return float(value) if isinstance(value, (int, float)) and math.isfinite(value) else 0.0
 
 
-FUNCTIONS = {one.__name__: one for one in (motus_pendulum, motus_double_pendulum, motus_ease, motus_noise, motus_second_order)}
+FUNCTIONS = {
+    one.__name__: one
+    for one in (
+        motus_sine,
+        motus_triangle,
+        motus_saw,
+        motus_square,
+        motus_steps,
+        motus_noise,
+        motus_ease,
+        motus_pendulum,
+        motus_double_pendulum,
+        motus_second_order,
+    )
+}
 
 
 @persistent

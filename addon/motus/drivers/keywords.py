@@ -20,6 +20,7 @@ class DriverKeywords:
         name="Motion",
         description="Motion that the property is given",
         items=[(one.identifier, one.label, one.description) for one in expressions.FUNCTIONS],
+        default='PENDULUM',
     )
     base: bpy.props.FloatProperty(
         name="Base", description="Value that the motion is added to; by default the property's own value", options={'SKIP_SAVE'}
@@ -86,7 +87,29 @@ class DriverKeywords:
         name="Source Index", description="Component of the source, if the source is an array", default=0, min=0
     )
     frequency: bpy.props.FloatProperty(
-        name="Frequency", description="Frequency, in swings per second", default=1.0, min=0.0, soft_min=0.1, soft_max=10.0
+        name="Frequency",
+        description="Frequency: swings, waves or steps per second",
+        default=1.0,
+        min=0.0,
+        soft_min=0.1,
+        soft_max=10.0,
+    )
+    phase: bpy.props.FloatProperty(
+        name="Phase", description="Fraction of a wave by which the motion is ahead", default=0.0, soft_min=0.0, soft_max=1.0
+    )
+    share: bpy.props.FloatProperty(
+        name="Share", description="Fraction of a wave in which the value is the higher one", subtype='FACTOR', default=0.5, min=0.0, max=1.0
+    )
+    blend: bpy.props.FloatProperty(
+        name="Blend",
+        description="Fraction of a step in which the value goes over smoothly from the step before; 0 jumps",
+        subtype='FACTOR',
+        default=0.0,
+        min=0.0,
+        max=1.0,
+    )
+    loop: bpy.props.IntProperty(
+        name="Loop", description="Frames after which the noise repeats without a seam; 0 never repeats", default=0, min=0
     )
     damping_ratio: bpy.props.FloatProperty(
         name="Damping Ratio", description="Damping: 0 swings for ever, 1 comes to rest without a swing", default=0.5, min=0.0, soft_max=2.0
@@ -98,7 +121,9 @@ class DriverKeywords:
         soft_min=-2.0,
         soft_max=3.0,
     )
-    seed: bpy.props.IntProperty(name="Seed", description="Seed of the noise: each number gives a different noise", default=0, min=0)
+    seed: bpy.props.IntProperty(
+        name="Seed", description="Seed of the random values: each number gives a different motion", default=0, min=0
+    )
 
 
 NAMES = tuple(DriverKeywords.__annotations__)
@@ -123,8 +148,12 @@ _ORDER = (
     "ease_in",
     "ease_out",
     "speed",
-    "seed",
     "frequency",
+    "phase",
+    "share",
+    "blend",
+    "seed",
+    "loop",
     "damping_ratio",
     "response",
 )

@@ -4,7 +4,7 @@ import bpy
 
 from ..core.interface.view import hovered
 from . import expressions
-from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
+from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_copy, MOTUS_OT_driver_remove, MOTUS_OT_driver_write_out
 
 
 def _draw(menu, context):
@@ -22,6 +22,8 @@ def _draw(menu, context):
     layout.operator_context = 'INVOKE_DEFAULT'
     layout.operator(MOTUS_OT_driver_add.bl_idname, text="Edit Motion Driver" if is_ours else "Add Motion Driver", icon='DRIVER')
     if is_ours:
+        layout.operator(MOTUS_OT_driver_copy.bl_idname, icon='COPYDOWN')
+        layout.operator(MOTUS_OT_driver_write_out.bl_idname, icon='KEYFRAME')
         layout.operator(MOTUS_OT_driver_remove.bl_idname, icon='X')
 
 

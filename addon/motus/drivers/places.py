@@ -53,9 +53,25 @@ class Place:
         return animation and animation.drivers.find(self.path, index=max(self.index, 0))
 
     @property
+    def unit(self):
+        """Unit of the property, as Blender names it, such as 'ROTATION'; 'NONE' for a custom property."""
+        return getattr(self.struct.bl_rna.properties.get(self.name), "unit", 'NONE')
+
+    @property
     def value(self):
         """Present value of the property, or of the component of an array."""
         return _at(_values(self.struct, self.name), self.index)
+
+    @property
+    def is_moved(self):
+        """Whether a motion driver drives the property."""
+        return self.curve is not None and expressions.names_ours(self.curve.driver.expression)
+
+    @property
+    def base(self):
+        """Value that a motion is added to: the base of the motion driver that the property has, otherwise the present value."""
+        known = self.curve and expressions.read(self.curve.driver.expression)
+        return known.get("base", 0.0) if known else float(self.value)
 
     def rest_at(self, number):
         """Assign a value to the property, or to the component of an array."""
@@ -74,17 +90,25 @@ class Place:
             return self.value
 
     def add(self, expression):
-        """Add a driver with this expression to the property, in place of the driver that the property has."""
+        """Add a driver with this expression to the property, in place of the driver that it has. Raises Refused if it cannot be driven."""
         if self.curve:
             self.remove()
-        made = self.struct.driver_add(self.name, self.index)
+        try:
+            made = self.struct.driver_add(self.name, self.index)
+        except TypeError as error:
+            raise Refused(str(error)) from error
         while made.modifiers:
             made.modifiers.remove(made.modifiers[0])
         for key in reversed(made.keyframe_points):
             made.keyframe_points.remove(key)
-        made.driver.type = 'SCRIPTED'
-        made.driver.use_self = "(self" in expression
-        made.driver.expression = expression
+        self.set_expression(expression)
+
+    def set_expression(self, expression):
+        """Change the expression of the driver of the property."""
+        driver = self.curve.driver
+        driver.type = 'SCRIPTED'
+        driver.use_self = "(self" in expression
+        driver.expression = expression
 
     def remove(self):
         """Remove the driver of the property."""
@@ -213,11 +237,16 @@ class Found:
         return find(self.datablock, self.path, self.index)
 
 
+def holders(obj):
+    """{role: datablock} of an object, its data, its shape keys and its materials; the same role means the same on different objects."""
+    found = {"object": obj, "data": obj.data, "shape keys": getattr(obj.data, "shape_keys", None)}
+    found |= {f"material {index}": slot.material for index, slot in enumerate(obj.material_slots)}
+    return {role: datablock for role, datablock in found.items() if datablock}
+
+
 def of_object(obj):
     """Return the motion drivers (Found) on an object, its data, its shape keys and its materials."""
-    data = obj.data
-    holders = obj, data, getattr(data, "shape_keys", None), *(slot.material for slot in obj.material_slots)
-    return [one for datablock in dict.fromkeys(holders) if datablock for one in on(datablock)]
+    return [one for datablock in dict.fromkeys(holders(obj).values()) for one in on(datablock)]
 
 
 def on(datablock):

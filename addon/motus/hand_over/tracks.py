@@ -1,13 +1,12 @@
 """What is recorded of the scene frame by frame, and written as F-curves: transforms of objects and bones, and driven numbers."""
 
-from ..core.animation import channel
+from ..core.animation import channel, fitted_keys
 from ..core.bake import keys as bake_keys
 from ..core.bake.sampling import Track, basis
 from ..core.blender import actions
 from ..core.lazy import numpy as np
 from ..core.measures.handedness import scale_is_mirrored
 from ..core.refusals import Refused
-from . import fit
 
 
 class Moved(Track):
@@ -103,45 +102,14 @@ def write(id_data, tracks, time_of):
                 bag.fcurves.remove(curve)
             curve = actions.new_fcurve(bag, path, index, track.group)
             if isinstance(track, Driven) and not track.is_smooth:
-                _write_steps(curve, samples, times)
+                fitted_keys.write_steps(curve, times, samples)
             else:
-                _write_pieces(curve, samples, times)
+                fitted_keys.write(curve, times, samples)
     # Drivers go before keys: Blender ignores keys of a driven property.
     written = {path for track in tracks for path, *_ in track.curves()}
     animation = id_data.animation_data
     for driver in [one for one in animation.drivers if one.data_path in written]:
         animation.drivers.remove(driver)
-
-
-def _write_pieces(curve, samples, times):
-    places, inner = fit.keys(times, samples)
-    frames, values = times[places], np.asarray(samples, float)[places]
-    points = curve.keyframe_points
-    points.add(len(places))
-    third = np.diff(frames) / 3.0
-    left, right = np.stack((frames, values), axis=1), np.stack((frames, values), axis=1)
-    # Handles at thirds of a piece: its time is then linear in the parameter, and its value the fitted cubic in time.
-    right[:-1] += np.stack((third, inner[:, 0] - values[:-1]), axis=1)
-    left[1:] += np.stack((-third, inner[:, 1] - values[1:]), axis=1)
-    if len(places) > 1:
-        left[0], right[-1] = 2.0 * left[0] - right[0], 2.0 * right[-1] - left[-1]
-    else:
-        left[0, 0], right[0, 0] = left[0, 0] - 1.0, right[0, 0] + 1.0
-    for point in points:  # foreach_set() does not reach types of handles (3.4)
-        point.interpolation, point.handle_left_type, point.handle_right_type = 'BEZIER', 'FREE', 'FREE'
-    for name, rows in (("co", np.stack((frames, values), axis=1)), ("handle_left", left), ("handle_right", right)):
-        points.foreach_set(name, rows.astype(np.float32).ravel())
-    curve.update()
-
-
-def _write_steps(curve, samples, times):
-    changes = [0, *(index for index in range(1, len(samples)) if samples[index] != samples[index - 1])]
-    points = curve.keyframe_points
-    points.add(len(changes))
-    points.foreach_set("co", np.array([(times[index], samples[index]) for index in changes], np.float32).ravel())
-    for point in points:
-        point.interpolation = 'CONSTANT'
-    curve.update()
 
 
 def transforms(channels, sinks):

@@ -103,5 +103,5 @@ def driven_elsewhere(rig, name):
         bone: (system.label, entry.name)
         for system, entry in entries_on(rig)
         if (system.name, entry.name) != ("ik", name)
-        for bone in entry.drives
+        for bone in (entry.drives if system.name == "ik" else entry.keeps)
     }

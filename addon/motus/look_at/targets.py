@@ -124,7 +124,7 @@ def spine_for(rig, head, wanted, up, taken):
 def check_free(rig, head, driven):
     """Refuse bones, by the names in `driven`, that a different entry or a different Motus system drives already."""
     for system, entry in _entries_beside(rig, head):
-        shared = set(driven) & set(entry.drives)
+        shared = set(driven) & set(entry.drives if system.name == "look_at" else entry.keeps)
         if shared:
             raise Refused(
                 tr("{bone} is driven by {system} of {other} already").format(bone=min(shared), system=tr(system.label), other=entry.name)

@@ -2,8 +2,8 @@
 
 import bpy
 
-from ..core.file.pointers import to_node_tree
 from ..core.interface.view import viewports
+from ..core.settings import drawn_curves
 from . import falloff_curve
 from .falloff_curve import CURVE_SAMPLES
 
@@ -182,7 +182,7 @@ class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
     fitted_strength: bpy.props.FloatProperty(
         name="Fitted Strength", description="The strength that was set by an object's size", options={'HIDDEN'}
     )
-    curve_nodes: to_node_tree(name="Curve Nodes", description="Hidden node group that holds the falloff's curve")
+    curve_nodes: drawn_curves.pointer()
     use_pressure_strength: bpy.props.BoolProperty(
         name="Strength Pressure", description="The pen's pressure sets the strength", default=True, options=set()
     )

@@ -1,17 +1,14 @@
 """The air in which flakes fly, which snow offers to systems whose things are blown by it too (Feature.offers)."""
 
-import math
 from typing import NamedTuple
 
+from ..core import native
 from ..core.animation.strips import together
 from ..core.declare import Variable, is_owner, registered
 from ..core.file import deleted
 from ..core.lazy import numpy as np
 from ..core.tracks.inputs import stamp_of_known
 from . import births
-
-WAVES = ((0.4, 1.0), (0.3, 1.618033988749895), (0.2, 2.414213562373095), (0.1, 3.302775637731995))
-"""Height of each sine wave of the gusts, and its rate in gust frequencies; the phase is its index, in radians: native/src/snow/air.cpp."""
 
 
 class Air(NamedTuple):
@@ -43,13 +40,8 @@ class Air(NamedTuple):
         wind = np.stack([track.values(frames) for track in self.along], axis=1)
         if self.gusts <= 0.0:
             return wind
-        seconds, gust = (frames - self.start) / fps, np.zeros(len(frames))
-        for index, (height, rate) in enumerate(WAVES):
-            frequency = self.frequency * rate
-            if period > 0.0:
-                frequency = max(round(frequency * period), 1) / period
-            gust += height * np.sin(math.tau * frequency * seconds + index)
-        return wind * (1.0 + self.gusts * gust[:, None])
+        gusts = native.module.gusts((frames - self.start) / fps, self.frequency, period)
+        return wind * (1.0 + self.gusts * gusts[:, None])
 
 
 def blows(obj):

@@ -121,3 +121,49 @@ def test_a_long_motion_is_solved_while_blender_goes_on():
     assert colors() == {overlay.LINK_COLOR}, colors()
     assert shown() != former
     bpy.ops.object.mode_set(mode='OBJECT')
+
+
+def test_a_curve_along_the_chain_is_drawn_with_the_mouse():
+    rig = build()
+    entry = rig.motus.chains.entries[1]
+    entry.tip_mass, entry.use_curve = 3.0, True
+    view = bpy.context.preferences.view
+    view.ui_scale = 0.6  # the widget is to be seen
+    try:
+        yield from window_support.open_tab("Motus")
+        left, right, low, high = yield from widget(entry)
+        entry.curve = "0 0, 1 1"
+        yield from window_support.picture("chains_curve")
+        before = cases.matrix(rig, 20, "Tail 1 5")
+        x, y = (left + right) // 2, (low + high) // 2
+        send = window_support.window().event_simulate
+        window_support.move(x, y)
+        yield
+        send(type='LEFTMOUSE', value='PRESS', x=x, y=y)
+        yield
+        for _ in range(5):
+            y += (high - low) // 16
+            window_support.move(x, y)
+            yield
+        send(type='LEFTMOUSE', value='RELEASE', x=x, y=y)
+        yield
+        yield from window_support.picture("chains_curve_drawn")
+    finally:
+        view.ui_scale = 1.0
+    points = support.addon("core.settings.drawn_curves").points_in(entry.curve)
+    assert len(points) == 3 and points[1][1] > 0.6, entry.curve
+    assert abs(cases.matrix(rig, 20, "Tail 1 5") - before).max() > 1e-3
+    bpy.ops.object.mode_set(mode='OBJECT')
+
+
+def widget(entry):
+    """Generator: where the widget of an entry's curve is, (left, right, low, high) in pixels of the window: what the curve changes of the sidebar."""
+    seen, start = [], window_support.region('UI').x
+    for text in ("0 0, 1 1", "0 1, 1 0"):
+        entry.curve = text
+        window_support.draw_all()
+        yield from window_support.picture("chains_curve")
+        seen.append(window_support.screen().astype(int))
+    rows, columns = (abs(seen[0] - seen[1])[:, start:].max(axis=2) > 40).nonzero()
+    height = len(seen[0])
+    return tuple(map(int, (start + columns.min(), start + columns.max(), height - 1 - rows.max(), height - 1 - rows.min())))

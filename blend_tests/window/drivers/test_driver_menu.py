@@ -76,3 +76,46 @@ def test_a_second_one_from_the_sidebar_leaves_the_first():
     yield from window_support.until(lambda: len(lamp.animation_data.drivers) == 3)
     expressions = {driven.array_index: driven.driver.expression for driven in lamp.animation_data.drivers}
     assert expressions[1] == "frame * 0.01" and all("motus_pendulum" in expressions[index] for index in (0, 2)), expressions
+
+
+def open_dialog(**keywords):
+    """Generator: the dialog of the rotation about Y, and the scene playing behind it."""
+    x, y = window_support.centre()
+    window_support.move(x, y)
+    yield
+    scene = bpy.context.scene
+    scene.frame_set(20)
+    with window_support.override():
+        bpy.ops.motus.driver_add('INVOKE_DEFAULT', datablock="Lamp", data_path="rotation_euler", index=1, **keywords)
+    seen = set()
+    yield from window_support.until(lambda: seen.add((scene.frame_current, bpy.data.objects["Lamp"].rotation_euler[1])) or len(seen) > 4)
+    return x, y, seen
+
+
+def test_the_motion_is_seen_behind_the_dialog_and_taken_back():
+    lamp = build()
+    bpy.ops.ed.undo_push(message="Before")
+    x, y, seen = yield from open_dialog(function='SINE', frequency=2.0)
+    assert len({frame for frame, _ in seen}) > 2 and len({turn for _, turn in seen}) > 2, seen
+    assert "motus_sine(frame, 2)" in lamp.animation_data.drivers[0].driver.expression
+    yield from window_support.picture("driver_live")
+    window_support.press('ESC', x, y)
+    yield from window_support.until(lambda: not bpy.context.screen.is_animation_playing)
+    assert lamp.animation_data is None and lamp.rotation_euler[1] == 0.25, (lamp.animation_data, lamp.rotation_euler)
+    assert bpy.context.scene.frame_current == 20
+
+
+def test_what_is_accepted_is_one_step_of_undo():
+    build()
+    bpy.ops.ed.undo_push(message="Before")
+    x, y, _ = yield from open_dialog(function='SINE', frequency=2.0)
+    window_support.press('RET', x, y)
+    yield from window_support.until(lambda: not bpy.context.screen.is_animation_playing)
+    assert bpy.context.scene.frame_current == 20
+    (driven,) = bpy.data.objects["Lamp"].animation_data.drivers
+    assert driven.driver.expression == "0.25 + motus_sine(frame, 2)", driven.driver.expression
+    with window_support.override():
+        bpy.ops.ed.undo()
+    yield
+    lamp = bpy.data.objects["Lamp"]
+    assert lamp.animation_data is None and lamp.rotation_euler[1] == 0.25

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <utility>
@@ -37,17 +38,27 @@ struct Coordinate {
 
 // --- Along a line ------------------------------------------------------------------------------------------
 
+[[nodiscard]] std::uint32_t hash_of(std::uint32_t name, std::uint32_t seed) noexcept {
+    return mixed(mixed(seed) + name * name_step);
+}
+
+/// A number in [-1, 1], spread evenly.
+[[nodiscard]] float height_of(std::uint32_t hash) noexcept {
+    return static_cast<float>(hash >> 16U) * (2.0F / 65535.0F) - 1.0F;
+}
+
 /// Calls add(height, slope, from, rest) for each bump that reaches the place: (1 - r^2)^3 times height +
 /// slope r, the distance r from its middle, and 1 - r^2. First those of whole numbers, then those halfway
-/// between them, whose names are odd.
-template <class Add>
-void for_each_bump(double place, std::uint32_t seed, const Add& add) noexcept {
+/// between them, whose names are odd. name_of(count) is the name of a bump that stands so many halves after
+/// 0.
+template <class NameOf, class Add>
+void for_each_bump(double place, std::uint32_t seed, const NameOf& name_of, const Add& add) noexcept {
     const Coordinate x(place);
     const bool is_beyond = x.within >= 0.5;
-    const auto add_both = [&](std::uint32_t name, double within) {
+    const auto add_both = [&](std::uint32_t halves, double within) {
         for (const std::uint32_t side : {0U, 1U}) {
-            const std::uint32_t hash = mixed(mixed(seed) + (name + 2 * side) * name_step);
-            const float height = static_cast<float>(hash >> 16U) * (2.0F / 65535.0F) - 1.0F;
+            const std::uint32_t hash = hash_of(name_of(halves + 2 * side), seed);
+            const float height = height_of(hash);
             const float from = static_cast<float>(within) - static_cast<float>(side);
             const float rest = 1.0F - from * from;
             if (rest > 0.0F) add(height, turned(hash, sign_bit, line::steepness), from, rest);
@@ -57,17 +68,22 @@ void for_each_bump(double place, std::uint32_t seed, const Add& add) noexcept {
     add_both(2 * x.whole + (is_beyond ? 1U : -1U), x.within + (is_beyond ? -0.5 : 0.5));
 }
 
-[[nodiscard]] float value_at(double place, std::uint32_t seed) noexcept {
+template <class NameOf>
+[[nodiscard]] float value_at(double place, std::uint32_t seed, const NameOf& name_of) noexcept {
     float sum = 0.0F;
-    for_each_bump(place, seed, [&](float height, float slope, float from, float rest) {
+    for_each_bump(place, seed, name_of, [&](float height, float slope, float from, float rest) {
         sum += rest * rest * rest * (height + slope * from);
     });
     return sum * (1.0F / line::bound);
 }
 
+[[nodiscard]] float value_at(double place, std::uint32_t seed) noexcept {
+    return value_at(place, seed, std::identity());
+}
+
 [[nodiscard]] float slope_at(double place, std::uint32_t seed) noexcept {
     float sum = 0.0F;
-    for_each_bump(place, seed, [&](float height, float slope, float from, float rest) {
+    for_each_bump(place, seed, std::identity(), [&](float height, float slope, float from, float rest) {
         sum += rest * rest * rest * slope - 6.0F * rest * rest * (height + slope * from) * from;
     });
     return sum * (1.0F / line::bound);
@@ -273,6 +289,27 @@ float value(const glm::dvec2& place, std::uint32_t seed) noexcept {
 float value(const glm::dvec3& place, std::uint32_t seed) noexcept {
     if (has_nan(place)) return not_a_number;
     return in_ieee_floats([&] { return value_at(numbers(place), seed); });
+}
+
+float looped(double place, std::uint32_t period, std::uint32_t seed) {
+    require(period > 0 && period <= longest_period, "period: must be from 1 to 2^28");
+    if (!std::isfinite(place)) return not_a_number;
+    const double within = std::fmod(place, period);
+    const std::uint32_t halves = 2 * period;
+    return in_ieee_floats([&] {
+        return value_at(within < 0.0 ? within + period : within, seed,
+                        [&](std::uint32_t name) { return (name + halves) % halves; });
+    });
+}
+
+double steps(double place, double blend, std::uint32_t seed) {
+    require(blend >= 0.0 && blend <= 1.0, "blend: must be from 0 to 1");
+    if (std::isnan(place)) return place;
+    const Coordinate at(place);
+    const double now = height_of(hash_of(at.whole, seed));
+    if (at.within >= blend) return now;
+    const double before = height_of(hash_of(at.whole - 1U, seed));
+    return before + (now - before) * smooth_step(at.within / blend);
 }
 
 float gradient(double place, std::uint32_t seed) noexcept {

@@ -40,13 +40,7 @@ Relaxation relaxation(double age, double drag) {
 }
 
 Air::Air(const glm::dvec3& acceleration, double drag, const glm::dvec3& wind, double gusts, double frequency)
-    : steady_(acceleration + drag * wind), drag_(drag), gusty_(gusts * wind) {
-    // Rates without a common period.
-    constexpr std::array<double, waves> rates{1.0, 1.618033988749895, 2.414213562373095, 3.302775637731995};
-    constexpr std::array<double, waves> heights{0.4, 0.3, 0.2, 0.1};
-    for (std::size_t i = 0; i < waves; ++i)
-        waves_[i] = {heights[i], 2.0 * std::numbers::pi * frequency * rates[i], static_cast<double>(i)};
-}
+    : steady_(acceleration + drag * wind), drag_(drag), gusty_(gusts * wind), waves_(frequency) {}
 
 Air::Air(const glm::dvec3& acceleration, double drag, std::span<const double> times,
          std::span<const glm::dvec3> winds, double gusts, double frequency)
@@ -75,7 +69,7 @@ Air::Air(const glm::dvec3& acceleration, double drag, std::span<const double> ti
 /// t sin. The same for integrals.
 Air::Flow Air::gusty_formula(const Key& key, double time) const {
     double value = 0.0, relaxed = 0.0, twice_relaxed = 0.0, way = 0.0, later_way = 0.0;
-    for (const Wave& wave : waves_) {
+    for (const noise::Gusts::Wave& wave : waves_.waves()) {
         const auto [sine, cosine] = sine_cosine(wave.rate * time + wave.phase);
         // A sine is the imaginary part of e^{i w t}; relaxing divides by k + i w, integrating by i w.
         const double k = drag_, w = wave.rate, square = k * k + w * w;
@@ -128,7 +122,7 @@ Air::Flow Air::flow_at(double time) const {
 
 Air::Gusts Air::gusts_at(double time) const {
     Gusts sum;
-    for (const Wave& wave : waves_) {
+    for (const noise::Gusts::Wave& wave : waves_.waves()) {
         const auto [sine, cosine] = sine_cosine(wave.rate * time + wave.phase);
         sum.value += wave.height * sine;
         sum.integral -= wave.height * cosine / wave.rate;

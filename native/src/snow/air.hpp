@@ -1,11 +1,11 @@
 // What drag, gravity and wind do to a flake by its age, at one time for all. Private to the library.
 #pragma once
-#include <array>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "kernel.hpp"
+#include "motus/noise/gusts.hpp"
 
 namespace motus::snow {
 
@@ -19,9 +19,9 @@ struct Relaxation {
 };
 [[nodiscard]] Relaxation relaxation(double age, double drag);
 
-/// Solves c' = g + k (W(t) - c), c = 0 at birth, with W(t) = wind (1 + gusts n(t)), n a sum of sines. The
-/// wind is one for all times, or goes evenly from key to key. With keys c = F(t) - e^{-ka} F(birth), F a
-/// solution for all times, which is known at each key, and so is its integral.
+/// Solves c' = g + k (W(t) - c), c = 0 at birth, with W(t) = wind (1 + gusts n(t)), n that of
+/// noise::Gusts. The wind is one for all times, or goes evenly from key to key. With keys c = F(t) - e^{-ka}
+/// F(birth), F a solution for all times, which is known at each key, and so is its integral.
 class Air {
   public:
     Air(const glm::dvec3& acceleration, double drag, const glm::dvec3& wind, double gusts, double frequency);
@@ -44,12 +44,6 @@ class Air {
     [[nodiscard]] State at(double time, double age, const Relaxation& r) const;
 
   private:
-    static constexpr std::size_t waves = 4;
-    struct Wave {
-        double height = 0.0;
-        double rate = 0.0;  ///< rad/s
-        double phase = 0.0;
-    };
     struct Gusts {
         double value = 0.0;     ///< n
         double integral = 0.0;  ///< of n
@@ -77,7 +71,7 @@ class Air {
     glm::dvec3 steady_;  ///< g + k W
     double drag_;
     glm::dvec3 gusty_;  ///< wind times gusts
-    std::array<Wave, waves> waves_{};
+    noise::Gusts waves_;
     double gusts_ = 0.0;
     std::vector<Key> keys_;
 };

@@ -5,6 +5,7 @@
 #include "motus/core/executor.hpp"
 #include "motus/core/memory.hpp"
 #include "motus/core/numeric.hpp"
+#include "motus/noise/gusts.hpp"
 #include "motus/noise/noise.hpp"
 
 namespace motus::contracts {
@@ -134,6 +135,16 @@ void add_noise(Table& table) {
     row(
         "noise::gradient(place, seed)", [](const glm::dvec3& place) { return noise::gradient(place, 7); },
         glm::dvec3(0.3));
+    add(
+        table, "noise::looped(place, period, seed)",
+        [](double place, std::uint32_t period) { return noise::looped(place, period, 7); },
+        arg("place", 0.3, any()), arg("period", 5U, from(1.0, 0x1p28)))
+        .costs("O(1), some 100 ns");
+    add(
+        table, "noise::steps(place, blend, seed)",
+        [](double place, double blend) { return noise::steps(place, blend, 7); }, arg("place", 0.3, any()),
+        arg("blend", 0.5, from(0.0, 1.0)))
+        .costs("O(1)");
     const auto rows = [&]<class Element>(std::vector<Element> places) {
         add(
             table, "noise::values(places, seed, out)",
@@ -144,6 +155,23 @@ void add_noise(Table& table) {
     rows(std::vector<float>(5, 0.3F));
     rows(std::vector<glm::vec2>(5, glm::vec2(0.3F)));
     rows(std::vector<glm::vec3>(5, glm::vec3(0.3F)));
+    add(
+        table, "Gusts::Gusts(frequency, period)",
+        [](double frequency, double period) { return noise::Gusts(frequency, period).value(0.7); },
+        arg("frequency", 0.3, numbers("> 0 to 1000", [](double x) { return x > 0.0 && x <= 1000.0; })),
+        arg("period", 2.0,
+            numbers("0, or 1e-06 to 1e+30", [](double x) { return x == 0.0 || (x >= 1e-6 && x <= 1e30); })))
+        .costs("O(1)");
+    add(
+        table, "Gusts::value(time)", [](double time) { return noise::Gusts(0.3).value(time); },
+        arg("time", 0.7, any().unbounded()))
+        .costs("O(1), some 50 ns");
+    add(
+        table, "noise::values(gusts, times, out)",
+        [](const auto& times, auto found) { noise::values(noise::Gusts(0.3), times, found); },
+        arg("times", std::vector<double>(5, 0.3), any().unbounded(), as_many_as("`out`")),
+        out<double>("out", 5, "`times`"))
+        .costs("O(n), some 50 ns a time");
 }
 
 }  // namespace motus::contracts

@@ -2,6 +2,7 @@
 #include "contracts/samples.hpp"
 #include "motus/dynamics/double_pendulum.hpp"
 #include "motus/dynamics/track.hpp"
+#include "motus/dynamics/wave.hpp"
 
 namespace motus::contracts {
 
@@ -304,6 +305,11 @@ void add_tracks(Table& table) {
 }  // namespace
 
 void add_dynamics(Table& table) {
+    add(
+        table, "dynamics::wave(shape, place, share)",
+        [](double place, double share) { return wave(Wave::square, place, share); }, arg("place", 0.3, any()),
+        arg("share", 0.5, from(0.0, 1.0)))
+        .costs("O(1)");
     add_single(table);
     add_double(table);
     add_filters(table);

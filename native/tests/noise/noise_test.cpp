@@ -207,3 +207,57 @@ TEST_CASE("noise of many places is the same as place by place, and places may be
         CHECK(std::abs(noise::value(glm::dvec3(far, 0.0, -far), 0)) <= 1.0F);
     }
 }
+
+TEST_CASE("noise that is looped repeats itself, and goes on without a seam", "[noise]") {
+    test::Random random(8);
+    for (const std::uint32_t period : {1U, 3U, 100U, noise::longest_period}) {
+        CAPTURE(period);
+        for (int i = 0; i < 300; ++i) {
+            const double place = std::round(256.0 * random.between(0.0, 100.0)) / 256.0;
+            CHECK(noise::looped(place, period, 4) == noise::looped(place + period, period, 4));
+            CHECK(noise::looped(place, period, 4) == noise::looped(place - 3.0 * period, period, 4));
+        }
+        // What passes the seam is the noise that has the same heights: its derivatives are continuous too.
+        constexpr double step = 1e-3;
+        const auto at = [&](double place) { return static_cast<double>(noise::looped(place, period, 4)); };
+        const double before = (at(0.0) - at(-step)) / step, after = (at(step) - at(0.0)) / step;
+        CHECK(std::abs(before - after) < 0.05);
+    }
+    for (int i = 0; i < 300; ++i) {
+        const double place = random.between(1.0, 999.0);
+        CHECK(noise::looped(place, 1000, 4) == noise::value(place, 4));
+    }
+}
+
+TEST_CASE("steps hold a number a unit, which fill the range evenly", "[noise]") {
+    test::Random random(9);
+    double mean = 0.0, square = 0.0;
+    constexpr int count = 100000;
+    for (int i = 0; i < count; ++i) {
+        const double one = noise::steps(i - 50000.0, 0.0, 3);
+        mean += one / count;
+        square += one * one / count;
+        if (i % 100 == 0) CHECK(one == noise::steps(i - 50000.0 + random.between(0.0, 0.999), 0.0, 3));
+    }
+    CHECK(std::abs(mean) < 0.01);
+    CHECK(square == Approx(1.0 / 3.0).margin(0.01));
+    CHECK(noise::steps(2.0, 0.0, 3) != noise::steps(2.0, 0.0, 4));
+}
+
+TEST_CASE("steps go over by a smooth step", "[noise]") {
+    const double before = noise::steps(6.9, 0.0, 1), after = noise::steps(7.0, 0.0, 1);
+    CHECK(noise::steps(7.0, 0.5, 1) == before);
+    CHECK(noise::steps(7.1, 0.5, 1) == Approx(before + (after - before) * (3.0 * 0.04 - 2.0 * 0.008)));
+    CHECK(noise::steps(7.5, 0.5, 1) == after);
+    CHECK(noise::steps(7.9, 0.5, 1) == after);
+    CHECK(noise::steps(7.5, 1.0, 1) == Approx(0.5 * (before + after)));
+}
+
+TEST_CASE("what loops and steps refuse", "[noise]") {
+    CHECK_THROWS_WITH(noise::looped(0.5, 0, 1), "period: must be from 1 to 2^28");
+    CHECK_THROWS_WITH(noise::looped(0.5, noise::longest_period + 1, 1), "period: must be from 1 to 2^28");
+    CHECK_THROWS_WITH(noise::steps(0.5, -0.1, 1), "blend: must be from 0 to 1");
+    CHECK_THROWS_WITH(noise::steps(0.5, std::nan(""), 1), "blend: must be from 0 to 1");
+    CHECK(std::isnan(noise::looped(std::nan(""), 3, 1)));
+    CHECK(std::isnan(noise::steps(std::nan(""), 0.5, 1)));
+}

@@ -89,12 +89,19 @@ class Entry:
     """Declaration of what an entry, an item in an owner's list of settings, reads and drives; it sorts entries by their dependencies.
 
     name: of the entry. reads: (object, name of the bone or "") of each transform that the entry needs evaluated. drives: names of the
-    owner's bones, and other objects. core/wiring/attaching/levels.py computes the order.
+    owner's bones, and other objects. core/wiring/attaching/levels.py computes the order. yields: what of `drives` an entry of a different
+    system may take over, after which this entry drives it no more.
     """
 
     name: str
     reads: tuple[tuple[Any, str], ...] = ()
     drives: tuple[Any, ...] = ()
+    yields: tuple[Any, ...] = ()
+
+    @property
+    def keeps(self) -> tuple[Any, ...]:
+        """What of `drives` no entry of a different system may drive."""
+        return tuple(one for one in self.drives if one not in self.yields)
 
 
 @dataclass(frozen=True)

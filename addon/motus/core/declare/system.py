@@ -66,6 +66,8 @@ class System(Feature):
     makes_points: Points that solve() makes, by a modifier; None if it makes none. dress: called with the owner if Blender has lost what
     the modifier was given, such as by wiring.set_points_material().
     prepare: called with the owner before it is wired, to make what its groups need, such as objects that are members of it alone.
+    take_over: called with the owner after an edit of node groups, and when undo, redo or loading has brought them: takes over curves that the
+    user has drawn (core/settings/drawn_curves.py).
     settle: called with the owner after an evaluation in which solve() has set Context.wants_to_settle. rebuild: called with the owner by
     the operator *Refresh*, in place of wiring.refresh(). over_time: called with the owner, a driven object and the scene; returns the
     object's motion at any times, for core/tracks/solved.py, or None. unbakeable: sentence that says why there is nothing to bake, or "".
@@ -102,6 +104,7 @@ class System(Feature):
     settle: Callable[..., Any] | None = None
     rebuild: Callable[..., Any] | None = None
     prepare: Callable[..., Any] | None = None
+    take_over: Callable[..., Any] | None = None
     over_time: Callable[..., Any] | None = None
     unbakeable: str = ""
     load: Callable[[Any], float] | None = None

@@ -88,9 +88,9 @@ def check_apart(found):
 
 
 def check_free(rig, names, system):
-    """Raise Refused if a system other than `system` drives one of a rig's bones. names: of the bones."""
+    """Raise Refused if a system other than `system` drives one of a rig's bones, and keeps it (Entry.keeps). names: of the bones."""
     for other, entry in entries_on(rig):
-        shared = set(names) & {one for one in entry.drives if isinstance(one, str)}
+        shared = set(names) & {one for one in entry.keeps if isinstance(one, str)}
         if shared and other != system:
             raise Refused(
                 tr("{bone} is driven by {system} of {other} already").format(bone=min(shared), system=tr(other.label), other=entry.name)

@@ -5,12 +5,15 @@ Blender stores lengths in units. The scene's Unit Scale says how many metres a u
 
 from __future__ import annotations
 
+import math
 from collections.abc import Container
+from dataclasses import dataclass
 from typing import Any
 
 import bpy
 
 LENGTHS = {'LENGTH', 'VELOCITY', 'ACCELERATION'}
+FOOT = 0.3048  # metres
 FACTORY_GRAVITY = 0.0, 0.0, -9.81
 """Gravity that Blender gives every new scene, whatever the scene's unit is."""
 
@@ -46,3 +49,27 @@ def defaults(scene: bpy.types.Scene, item: Any, names: Container[str]) -> dict[s
 def is_gravity_meant(scene: Any) -> bool:
     """Whether the scene's gravity fits the scene's unit: the unit is a metre, or the user has changed gravity from Blender's default."""
     return metres(scene) == 1.0 or any(abs(one - own) > 1e-4 for one, own in zip(scene.gravity, FACTORY_GRAVITY))
+
+
+@dataclass(frozen=True)
+class Shown:
+    """How Blender's interface shows values of a unit. factor: of a shown number to the value. sign: text behind the number."""
+
+    factor: float = 1.0
+    sign: str = ""
+
+    def text(self, number: float) -> str:
+        """A number, which is a value times the factor, as text with its unit."""
+        return f"{number + 0.0:.6g}{self.sign}"
+
+
+def shown(scene: bpy.types.Scene, unit: str) -> Shown:
+    """How the interface shows values of a property. unit: of the property, as Blender names it, such as 'ROTATION'."""
+    settings = scene.unit_settings
+    if unit == 'ROTATION' and settings.system_rotation == 'DEGREES':
+        return Shown(math.degrees(1.0), "°")
+    if unit == 'LENGTH' and settings.system == 'METRIC':
+        return Shown(settings.scale_length, " m")
+    if unit == 'LENGTH' and settings.system == 'IMPERIAL':
+        return Shown(settings.scale_length / FOOT, "'")
+    return Shown()

@@ -20,6 +20,7 @@ from .arrays import (
     parents,
     poses,
     read,
+    scaled,
     still,
     world,
 )
@@ -50,6 +51,7 @@ __all__ = (
     "plan",
     "poses",
     "read",
+    "scaled",
     "source",
     "still",
     "turn",

@@ -153,6 +153,16 @@ def basis(rig, known):
     return _lay_over(own_basis(rig, known), copies.of(rig))
 
 
+def scaled(basis, rows, scales):
+    """Own transforms (B, 16) of bones, those in k rows scaled by (k, 3) along the bones' own axes; the same array without scales."""
+    if scales is None:
+        return basis
+    found, factors = basis.copy(), np.ones((len(rows), 4, 1), np.float32)
+    factors[:, :3, 0] = scales
+    found[rows] = (found[rows].reshape(-1, 4, 4) * factors).reshape(-1, 16)
+    return found
+
+
 def _lay_over(found, copy):
     """Replace rows of `found`, own transforms (B, 16), by the transforms that lay() has stored for them. copy: the rig's Copy."""
     laid = _LAID.on(copy)

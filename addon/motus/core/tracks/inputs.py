@@ -39,7 +39,7 @@ def carrier(obj, scene):
 def stamp_of_carrier(owner, name, scene, system):
     """Return a hashable value that changes whenever the motion of a carrier may. name: of a bone, "" for the rig, or PARENT.
 
-    system: the System that reads the carrier, and acts on top of its motion.
+    system: the System that reads the carrier, and whose effect on it is left out; None to leave out none.
     """
     if name is PARENT:
         reason = in_world.of_parent(owner)
@@ -126,8 +126,8 @@ class Input:
 class Tails(Input):
     """Input that is the motion of bones' tails in world space, from the animation of their rig and of the rig's parents.
 
-    bones: all bones of one chain that follow, topmost first. Parent bones of the chain may be moved by different systems of Motus.
-    system: the System by which they follow, whose effect is left out.
+    bones: all bones of one chain that follow, topmost first. Parent bones of the chain may be moved by systems of Motus.
+    system: a System whose effect on these parent bones is left out; None to leave out none.
     """
 
     def __init__(self, bones, scene, system):
@@ -224,8 +224,9 @@ class Tails(Input):
         return strips.together((*(in_world.rest_stamp(bones[name]) for name in self._read), *(track.stamp for track in self.tracks)))
 
     def _is_turned(self, bone):
-        """Whether a PoseBone or one of its parents has constraints that do not belong to the system."""
-        return any(not wiring.is_sink(self._system, one) for above in (bone, *bone.parent_recursive) for one in above.constraints)
+        """Whether a PoseBone or one of its parents has constraints whose effect is not left out."""
+        acting = (one for above in (bone, *bone.parent_recursive) for one in above.constraints)
+        return any(self._system is None or not wiring.is_sink(self._system, one) for one in acting)
 
     def places(self, frames):
         """Return world positions (n, 3) at frames (n,): of the head of the topmost bone, then of the tail of each bone."""

@@ -108,20 +108,21 @@ class RigInputs:
                 poses[places[self._above]] = hung[index]
             yield poses, basis
 
-    def turns(self, times, bones, places, shares):
+    def turns(self, times, bones, places, shares, scales=None):
         """Quaternions (n, k, 4) that point the tails of k bones to places in the world at times (n,), on top of their own pose.
 
-        bones: their names, parents first, all among those of the inputs. places: (n, k, 3). shares: (k,), 0 to 1, by how much.
+        bones: their names, parents first, all among those of the inputs. places: (n, k, 3). shares: (k,), 0 to 1, by how much. scales:
+        (n, k, 3), by which the bones are scaled along their own axes; None scales no bone.
         """
         names = rigs.names_of(self._rig)
         still, worlds = rigs.still(self._rig, names), self.worlds(times)
-        plan = native.module.TailPlan(rigs.parents(self._rig, list(names)), [names.index(name) for name in bones])
-        return np.stack(
-            [
-                plan.solve(still.rest, poses, basis, still.inheritance, worlds[index], places[index], shares)
-                for index, (poses, basis) in enumerate(self.rows(times, names))
-            ]
-        )
+        rows = [names.index(name) for name in bones]
+        plan = native.module.TailPlan(rigs.parents(self._rig, list(names)), rows)
+        found = []
+        for index, (poses, basis) in enumerate(self.rows(times, names)):
+            basis = rigs.scaled(basis, rows, None if scales is None else scales[index])
+            found.append(plan.solve(still.rest, poses, basis, still.inheritance, worlds[index], places[index], shares))
+        return np.stack(found)
 
 
 class SolvedBone:

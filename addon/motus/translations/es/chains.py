@@ -51,7 +51,7 @@ INTERFACE = {
     "Names of the topmost bones of the chains, with commas between; empty takes the selected bones": "Nombres de los huesos superiores de las cadenas, separados por comas; vacío toma los huesos seleccionados",
     "Select the topmost bones of the chains": "Selecciona los huesos superiores de las cadenas",
     "{object} has these chains from its library, so that they cannot be removed here: mute them": "{object} tiene estas cadenas de su biblioteca, así que no se pueden quitar aquí: siléncialas",
-    "Topmost bone of the chain, which has all bones below it": "Hueso superior de la cadena, que tiene todos los huesos que hay debajo",
+    "Topmost bone of the chain, which has the bones below it, down to where another chain or system begins": "Hueso superior de la cadena, que tiene los huesos que hay debajo, hasta donde empieza otra cadena u otro sistema",
     "Switch this chain off": "Desactivar esta cadena",
     "Blend from the animation (0) to the hanging chain (1)": "Mezcla de la animación (0) a la cadena que cuelga (1)",
     "Swings per second around the animated pose; 0 for a limp chain"
@@ -67,14 +67,27 @@ INTERFACE = {
     "How late along the chain it takes on the values of its tip: early below 1, evenly at 1, near its end above 1"
     + NO_KEYS: "A qué altura de la cadena toma los valores de su punta: pronto por debajo de 1, por igual con 1, cerca del final por encima de 1"
     + _NO_KEYS_ES,
+    "Shape by Curve": "Forma por curva",
+    "Draw a curve that says how much of the tip's values is reached along the chain, from its root at the left to its tip, in place of Tip Shape"
+    + NO_KEYS: "Dibuja una curva que dice cuánto de los valores de la punta se alcanza a lo largo de la cadena, de su raíz a la izquierda a su punta, en lugar de Forma de la punta"
+    + _NO_KEYS_ES,
+    "The curve's widget is missing: press Refresh": "Falta el control de la curva: pulsa Actualizar",
     "Tip Thickness": "Grosor de la punta",
     "Thickness of the last bone, as a part of that of the first one" + NO_KEYS: "Grosor del último hueso, como parte del del primero"
     + _NO_KEYS_ES,
     "Mass of the last bone, as a part of that of the first one" + NO_KEYS: "Masa del último hueso, como parte de la del primero"
     + _NO_KEYS_ES,
-    "Part of its length by which a bone's own weight would lengthen it; bones keep their lengths, and point to where longer ones would end"
-    + NO_KEYS: "Parte de su longitud en la que alargaría a un hueso su propio peso; los huesos conservan su longitud y apuntan a donde acabarían los alargados"
+    "Part of its length by which a bone's own weight would lengthen it; without Squash bones keep their lengths, and point to where longer ones would end"
+    + NO_KEYS: "Parte de su longitud en la que alargaría a un hueso su propio peso; sin Aplastar los huesos conservan su longitud y apuntan a donde acabarían los alargados"
     + _NO_KEYS_ES,
+    "Squash": "Aplastar",
+    "How much bones show that Stretch lengthens and shortens them: they are scaled along their length, up to five times, and across, so that they keep their volume. Bones whose children inherit their scale keep their lengths"
+    + NO_KEYS: "Cuánto muestran los huesos que Estirar los alarga y acorta: se escalan a lo largo, hasta cinco veces, y a lo ancho, para conservar su volumen. Los huesos cuyos hijos heredan su escala conservan su longitud"
+    + _NO_KEYS_ES,
+    "Bones keep their lengths whose children inherit their scale: set Inherit Scale of the children to None": "Conservan su longitud los huesos cuyos hijos heredan su escala: pon Heredar escala de los hijos en Ninguno",
+    "{bone} keeps its length, since {child} inherits its scale: set Inherit Scale of {child} to None": "{bone} conserva su longitud, pues {child} hereda su escala: pon Heredar escala de {child} en Ninguno",
+    "Scaled": "Escalada",
+    "Squash is not 0": "Aplastar no es 0",
     "Bend Limit": "Límite de flexión",
     "Largest angle to where a bone would be if it followed its parent; 180 degrees for no limit"
     + NO_KEYS: "Mayor ángulo respecto a donde estaría un hueso si siguiera a su padre; 180 grados para ningún límite" + _NO_KEYS_ES,
@@ -92,6 +105,7 @@ INTERFACE = {
     "Velocity of the air, which chains with Air Drag feel": "Velocidad del aire, que notan las cadenas con resistencia del aire",
     "How much the wind rises and falls: 1 lets it fall to a calm at times" + NO_KEYS: "Cuánto sube y baja el viento: con 1 se calma a veces"
     + _NO_KEYS_ES,
+    "Approximate number of gusts per second" + NO_KEYS: "Número aproximado de ráfagas por segundo" + _NO_KEYS_ES,
     "Settle": "Asentar",
     "Time, at most, in which chains come to rest in their first pose before the scene begins"
     + NO_KEYS: "Tiempo, como máximo, en el que las cadenas llegan al reposo en su primera pose antes de que empiece la escena"
@@ -135,8 +149,6 @@ INTERFACE = {
     "Surroundings": "Entorno",
     "A chain does not come back to where its loop began": "Una cadena no vuelve adonde empezó su bucle",
     "Bones or objects of a chain have constraints of their own, which the chain does not follow, and which may undo its motion": "Huesos u objetos de una cadena tienen restricciones propias, que la cadena no sigue y que pueden anular su movimiento",
-    "Some chains begin within another chain, which moves them: remove them from the list": "Algunas cadenas empiezan dentro de otra, que las mueve: quítalas de la lista",
-    "{bone} belongs to another chain, which moves it: remove it from the list": "{bone} pertenece a otra cadena, que lo mueve: quítalo de la lista",
     "The motion of a collider is not known on other frames: chains pass through it": "El movimiento de un colisionador no se conoce en otros fotogramas: las cadenas lo atraviesan",
     "The scene's gravity is not known on other frames: chains move without it": "La gravedad de la escena no se conoce en otros fotogramas: las cadenas se mueven sin ella",
     "The wind is not known on other frames: chains move without it": "El viento no se conoce en otros fotogramas: las cadenas se mueven sin él",
@@ -156,6 +168,8 @@ INTERFACE = {
     "Limp, with a heavy end": "Floja, con el extremo pesado",
     "Tentacle": "Tentáculo",
     "Follows slowly, as in water": "Sigue despacio, como en el agua",
+    "Jelly": "Gelatina",
+    "Single bones that bounce in place and keep their volume: bellies, cheeks, slime": "Huesos sueltos que rebotan en su sitio y conservan su volumen: barrigas, mejillas, babosas",
 }
 
 OPERATORS = {

@@ -1,4 +1,4 @@
-// Smooth noise of one, two and three variables.
+// Smooth noise of one, two and three variables, and random steps along a line.
 //
 // A sum of planes, each around a lattice point, whose heights and slopes are drawn from a hash of the point:
 // Perlin, "An Image Synthesizer" (1985). In two and three dimensions, whose lattice is that of the whole
@@ -26,6 +26,16 @@ namespace motus::noise {
 [[nodiscard]] float value(double place, std::uint32_t seed) noexcept;
 [[nodiscard]] float value(const glm::dvec2& place, std::uint32_t seed) noexcept;
 [[nodiscard]] float value(const glm::dvec3& place, std::uint32_t seed) noexcept;
+
+/// As value(double), but the same again every `period` units, seamless to the second derivative: from 1 to
+/// longest_period, or it throws std::invalid_argument. Places that are not finite give NaN.
+[[nodiscard]] float looped(double place, std::uint32_t period, std::uint32_t seed);
+inline constexpr std::uint32_t longest_period = 1U << 28U;
+
+/// A random number in [-1, 1] for each unit, held until the next one; in the first `blend` of a unit (0:
+/// none, 1: all of it) it goes over from the number before, by a smooth step. Throws std::invalid_argument if
+/// `blend` is outside [0, 1]. If the place is NaN, it is NaN; beyond 2^30 it is constant.
+[[nodiscard]] double steps(double place, double blend, std::uint32_t seed);
 
 /// The derivatives of value() by the place, per unit.
 [[nodiscard]] float gradient(double place, std::uint32_t seed) noexcept;

@@ -1,5 +1,7 @@
 """Small graphs for panels and dialogs, drawn into the pixels of an icon: Blender lets add-ons draw nothing else there."""
 
+import math
+
 import bpy
 import bpy.utils.previews
 
@@ -8,6 +10,12 @@ from ...lazy import numpy as np
 
 WIDTH, HEIGHT = 256, 256  # icons are square
 PAD = 8  # pixels above and below
+TICKS = 5  # numbers beside a graph that has numbers
+ROWS = 2 * TICKS - 1
+"""Height of a graph with numbers, in lines of text: a number, and an empty line between two."""
+BESIDE = 4.0
+"""Width of the numbers beside a graph, in heights of a line."""
+_ROUND = 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0
 LINE, AXIS, LEVEL = (0.95, 0.55, 0.20), (0.55, 0.55, 0.55), (0.40, 0.62, 0.90)
 
 _graphs = []
@@ -15,39 +23,87 @@ _graphs = []
 _shown = keeping.OfProcess("hashes of the values of the graphs that icons show", "name of the icon's place in the interface", most=256)
 
 
-def icon(name, values, levels=(0.0,), marks=()):
+def draw(layout, name, values, heights, columns):
+    """Draw a graph of values (n,) with numbers on its axes.
+
+    name: as of icon(). heights: {height: text} of TICKS evenly spaced heights, rising, between which all values lie. columns: three texts,
+    for the left end, the middle and the right end.
+    """
+    whole = layout.column(align=True)
+    row = _centred(whole)
+    numbers = row.column(align=True)
+    numbers.ui_units_x = BESIDE
+    for number, text in enumerate(reversed(heights.values())):
+        if number:
+            numbers.label()
+        line = numbers.row()
+        line.alignment = 'RIGHT'
+        line.label(text=text, translate=False)
+    row.template_icon(icon(name, values, tuple(heights), pad=HEIGHT / ROWS / 2.0), scale=ROWS)
+    row = _centred(whole)
+    corner = row.column()
+    corner.ui_units_x = BESIDE
+    corner.label()
+    for text, alignment in zip(columns, ('LEFT', 'CENTER', 'RIGHT')):
+        column = row.column()
+        column.ui_units_x = ROWS / len(columns)
+        line = column.row()
+        line.alignment = alignment
+        line.label(text=text, translate=False)
+
+
+def _centred(layout):
+    row = layout.row(align=True)
+    row.alignment = 'CENTER'
+    return row
+
+
+def ticks(low, high):
+    """TICKS evenly spaced round numbers around the range from low to high, rising."""
+    least = max((high - low) / (TICKS - 1), 1e-6 * max(abs(low), abs(high), 1e-3))
+    power = 10.0 ** math.floor(math.log10(least))
+    for factor in (*_ROUND, *(10.0 * one for one in _ROUND[1:])):
+        step = factor * power
+        first = math.floor(low / step + 1e-9)
+        if (first + TICKS - 1) * step >= high - 1e-9 * step:
+            break
+    return [(first + number) * step for number in range(TICKS)]
+
+
+def icon(name, values, levels=(0.0,), marks=(), pad=PAD):
     """Icon of a graph of values (n,) from left to right, for UILayout.template_icon.
 
     name: of the place in the interface that shows the graph; each place has one graph at a time. levels: heights of thin horizontal lines.
-    marks: further arrays (n,) of values, drawn behind the first.
+    marks: further arrays (n,) of values, drawn behind the first. pad: pixels above and below.
     """
     if not _graphs:
         _graphs.append(bpy.utils.previews.new())
     previews = _graphs[0]
     preview = previews.get(name) or previews.new(name)
     values = [np.nan_to_num(np.asarray(one, dtype=float)) for one in (values, *marks)]
-    key = hash((tuple(levels), *(one.tobytes() for one in values)))
+    key = hash((tuple(levels), pad, *(one.tobytes() for one in values)))
     if _shown.get(name) != key:
         preview.image_size = (WIDTH, HEIGHT)
-        preview.image_pixels_float = pixels(values[0], levels, values[1:]).ravel().tolist()
+        preview.image_pixels_float = pixels(values[0], levels, values[1:], pad).ravel().tolist()
         _shown.add(name, key)
     return preview.icon_id
 
 
-def pixels(values, levels=(0.0,), marks=()):
+def pixels(values, levels=(0.0,), marks=(), pad=PAD):
     """Draw a graph as pixels: (HEIGHT, WIDTH, 4) floats in [0, 1], the bottom row first.
 
     values: (n,) from left to right. levels: heights of thin horizontal lines. marks: further arrays (n,), drawn behind the first.
+    pad: pixels above and below.
     """
     every = np.concatenate([values, *marks, np.asarray(levels, dtype=float)])
     low, high = every.min(), every.max()
-    scale = (HEIGHT - 2 * PAD - 1) / max(high - low, 1e-12)
+    scale = (HEIGHT - 2 * pad - 1) / max(high - low, 1e-12)
     picture = np.zeros((HEIGHT, WIDTH, 4))
     for level in levels:
-        _draw(picture, np.full(WIDTH, PAD + (level - low) * scale), AXIS, 0.5)
+        _draw(picture, np.full(WIDTH, pad + (level - low) * scale), AXIS, 0.5)
     for curve, colour, width in (*((mark, LEVEL, 1.0) for mark in marks), (values, LINE, 1.6)):
         at = np.linspace(0.0, len(curve) - 1.0, WIDTH)
-        _draw(picture, PAD + (np.interp(at, np.arange(len(curve)), curve) - low) * scale, colour, width)
+        _draw(picture, pad + (np.interp(at, np.arange(len(curve)), curve) - low) * scale, colour, width)
     return picture
 
 

@@ -270,6 +270,17 @@ def _settle(places, _event):
         system.settle(owner)
 
 
+def _with_drawn_curves(event):
+    if event.moment == EDIT and not event.has_updated('NODETREE'):
+        return []
+    return [(system, owner) for system, owner in _attached() if system.take_over is not None]
+
+
+def _take_over(found, _event):
+    for system, owner in found:
+        system.take_over(owner)
+
+
 def _with_other_collection(event):
     if not noticed.gathering or not event.have_collections_changed:
         return []
@@ -469,6 +480,7 @@ TABLE = (
     ),
     Repair("An object whose points are moved was given another mesh", AFTER_EVALUATION, _with_other_mesh, _refresh_each),
     Repair("A solver has asked for its system to settle the owner after the evaluation", AFTER_EVALUATION, _unsettled, _settle),
+    Repair("A curve was drawn in a node group, or undone", (EDIT, LOADED, ARRIVED), _with_drawn_curves, _take_over, needs_use=False),
     Repair("Objects came into a collection that a solver reads, or left it", AFTER_EVALUATION, _with_other_collection, _refresh_each),
     Repair(
         "A rig was joined into another one: its sinks came along, but not its settings", AFTER_EVALUATION, _grown_armatures, _release_joined
