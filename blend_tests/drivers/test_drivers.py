@@ -399,6 +399,13 @@ class WriteOut(DriverTestCase):
         self.assertEqual([key.co.x for key in curve.keyframe_points], [1.0, *(4.0 + 15.0 * step for step in range(8))])
         self.assertEqual([self.value(frame) for frame in frames], wanted)
 
+    def test_steps_between_frames_have_the_values_that_are_shown(self):
+        self.added('STEPS', frequency=0.7, seed=2, start=0.3)
+        frames = [1.0 + step * 0.25 for step in range(480)]
+        wanted = [self.value(frame) for frame in frames]
+        self.written(frame_start=1, frame_end=120)
+        self.assertEqual([self.value(frame) for frame in frames], wanted)
+
     def test_a_loop_becomes_one_cycle(self):
         self.added('NOISE', loop=48, seed=5)
         frames = [3.0, 20.5, 47.0, 200.0, 1001.25, -77.0]
@@ -437,7 +444,9 @@ class WriteOut(DriverTestCase):
         self.link("Ball", bpy.data.meshes.new("Ball")).data.materials.append(paint)
         name = paint.node_tree.nodes[0].name
         path = next(
-            f'nodes["{name}"].inputs[{index}].default_value' for index, one in enumerate(paint.node_tree.nodes[0].inputs) if one.type == 'VALUE'
+            f'nodes["{name}"].inputs[{index}].default_value'
+            for index, one in enumerate(paint.node_tree.nodes[0].inputs)
+            if one.type == 'VALUE'
         )
         names = {"collection": 'materials', "datablock": "Paint"}
         bpy.ops.motus.driver_add(data_path=f"node_tree.{path}", function='NOISE', **names)
@@ -649,7 +658,9 @@ class Expressions(DriverTestCase):
             for loop in (0, 50) if "loop" in function.arguments else (0,):
                 with self.subTest(function.identifier, loop=loop):
                     first = len(function.arguments) - len(function.defaults)
-                    keywords = dict(zip(function.arguments[first:], function.defaults)) | own | {"function": function.identifier, "loop": loop}
+                    keywords = (
+                        dict(zip(function.arguments[first:], function.defaults)) | own | {"function": function.identifier, "loop": loop}
+                    )
                     shown = preview.sample(keywords, frames, 1.0 / 24.0)
                     self.cube.driver_remove("location", 0)
                     keywords |= {"start": 0.0, "amplitude": 1.0, "base": 0.0}
@@ -698,6 +709,9 @@ class Expressions(DriverTestCase):
             "motus_pendulum(frame, 0.5, 2, key=1)",
             "(" * 5000,
             "motus_double_pendulum(frame, 9, 1, 1)",
+            "motus_noise(frame, 1, 2.5)",
+            "motus_noise(frame, 1, 3, 48.5)",
+            "motus_noise(frame, 1, 1e400)",
         ):
             with self.subTest(text[:40]):
                 self.assertIsNone(expressions.read(text))

@@ -227,6 +227,40 @@ class Editing(KeyingTestCase):
             while self.rig.motus.layers.entries:
                 bpy.ops.motus.layer_remove(object="Rig")
 
+    def test_keys_by_hand_take_bones_into_a_layer_without_keys(self):
+        for mode, weight, steady in itertools.product(('OVERRIDE', 'ADDITIVE'), (0.3, 1.0), (False, True)):
+            with self.subTest(mode=mode, weight=weight, steady=steady):
+                before = {}
+                for frame in (9, 5):
+                    self.go_to(frame)
+                    before[frame] = self.seen()
+                self.assertEqual(bpy.ops.motus.layer_new(object="Rig", bones="Chest", mode=mode), {'FINISHED'})
+                entry = self.rig.motus.layers.entries[-1]
+                entry.mask[0].weight, entry.in_armature = weight, steady
+                self.edit()
+                for frame, poses in before.items():
+                    self.go_to(frame)
+                    self.assertSeen(poses, f"nothing {frame}")
+                self.go_to(9)
+                bend(self.rig, ARM, 0.4)
+                bpy.context.view_layer.update()
+                wanted = self.seen()
+                self.assertNotEqual(wanted["LowerArm.L"], before[9]["LowerArm.L"])
+                for name in ARM:
+                    self.insert(name)
+                self.go_to(5)
+                self.go_to(9)
+                self.assertSeen(wanted, "edited")
+                self.edit()
+                self.go_to(5)
+                self.go_to(9)
+                self.assertSeen(wanted, "left")
+                actions = set(bpy.data.actions.keys())
+                bpy.ops.motus.layer_remove(object="Rig")
+                bpy.data.actions.remove(bpy.data.actions["Rig Layer"])
+                self.assertEqual(actions - set(bpy.data.actions.keys()), {"Rig Layer"})
+                self.assertFalse([name for name in actions if name.startswith("Walk.")])
+
     def test_poses_are_keyed_into_an_edited_layer(self):
         mine = turning("Mine", {"UpperArm.L": (0.3, 0.2, 0.0)})
         entry = self.add(action=mine.name, bones="Chest", mode='ADDITIVE', reference='REST')
@@ -345,6 +379,11 @@ class Editing(KeyingTestCase):
         self.edit()
         self.assertRefused("tweak mode", bpy.ops.motus.layer_duplicate, object="Rig")
         self.edit()
+        entry.mode, entry.reference = 'ADDITIVE', 'REST'
+        track = self.rig.animation_data.nla_tracks.new()
+        track.strips.new("Walk", 1, self.walk)
+        self.assertRefused("Strips of the NLA move bones", bpy.ops.motus.layer_edit, object="Rig")
+        self.rig.animation_data.nla_tracks.remove(track)
         self.rig.animation_data.use_nla = False
         self.assertRefused("switched off", bpy.ops.motus.layer_edit, object="Rig")
         self.assertIsNone(self.actions.find(self.rig, "location"))

@@ -37,6 +37,16 @@ class OverTime(LayerTestCase):
         self.add(bones="UpperArm.L", mode='ADDITIVE', weight=0.5)
         self.check("LowerArm.L")
 
+    def test_no_other_times_are_known_while_a_layer_is_edited(self):
+        tracks = support.addon("core.tracks")
+        self.add(bones="Chest", mode='ADDITIVE', reference='REST')
+        for kind, words in (("SOLVED", ""), ("RECORDED", "not known ahead"), ("SOLVED", "")):
+            track = tracks.world_track(self.evaluated().pose.bones["LowerArm.L"], self.scene)
+            self.assertEqual(track.kind.name, kind)
+            self.assertIn(words, track.sentence)
+            self.assertEqual(bpy.ops.motus.layer_edit(object="Rig"), {'FINISHED'})
+            bpy.context.view_layer.update()
+
     def test_an_edited_action_changes_the_stamp(self):
         self.add(bones="Chest")
         tracks = support.addon("core.tracks")

@@ -36,7 +36,9 @@ def copies(sources, target, changed):
         found = places.find(*target)
         if len(found) != len(sources):
             return []
-        return [(place, _expression(source, place, changed)) for source, place in zip(sources, found) if source.is_moved and _is_free(place)]
+        return [
+            (place, _expression(source, place, changed)) for source, place in zip(sources, found) if source.is_moved and _is_free(place)
+        ]
     except Refused:
         return []
 

@@ -30,9 +30,7 @@ class Function:
 
 FUNCTIONS = (
     Function('SINE', "motus_sine", "Sine", "Swing up and down evenly and softly", ("frequency", "phase"), (1.0, 0.0)),
-    Function(
-        'TRIANGLE', "motus_triangle", "Triangle", "Go straight up and straight down again", ("frequency", "phase"), (1.0, 0.0)
-    ),
+    Function('TRIANGLE', "motus_triangle", "Triangle", "Go straight up and straight down again", ("frequency", "phase"), (1.0, 0.0)),
     Function('SAW', "motus_saw", "Saw", "Go straight up, and jump back", ("frequency", "phase"), (1.0, 0.0)),
     Function(
         'SQUARE',
@@ -92,6 +90,8 @@ BY_NAME = {one.name: one for one in FUNCTIONS}
 _CALL = re.compile(r"motus_\w+\(")
 _ENUMS = {"which": ('THETA1', 'THETA2', 'OMEGA1', 'OMEGA2')}
 """Items of the enum keywords that an expression writes as a number: the index of the item."""
+_WHOLE = {"seed", "loop"}
+"""Keywords that are whole numbers."""
 
 
 def names_ours(expression):
@@ -161,6 +161,9 @@ def read(expression):
             if value not in range(len(_ENUMS[name])):
                 return None
             value = _ENUMS[name][int(value)]
+        elif name in _WHOLE:
+            if not isinstance(value, int) or not 0 <= value < 2**31:
+                return None
         keywords[name] = value
     return keywords
 

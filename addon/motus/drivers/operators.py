@@ -264,9 +264,7 @@ class MOTUS_OT_driver_copy(_OnProperty, Operator, bpy.types.Operator):  # type: 
     own_base: bpy.props.BoolProperty(
         name="Own Base", description="Each copy moves about the value that its property has; otherwise about the same one", default=True
     )
-    own_seeds: bpy.props.BoolProperty(
-        name="Own Seeds", description="Each copy has its own seed, so that no two wander alike", default=True
-    )
+    own_seeds: bpy.props.BoolProperty(name="Own Seeds", description="Each copy has its own seed, so that no two wander alike", default=True)
     delay: bpy.props.FloatProperty(
         name="Delay", description="Frames by which each copy starts later than the one before, in the order of the names"
     )
@@ -308,9 +306,7 @@ class MOTUS_OT_driver_copy(_OnProperty, Operator, bpy.types.Operator):  # type: 
 class MOTUS_OT_driver_write_out(_OnProperty, Operator, bpy.types.Operator):  # type: ignore[misc]
     bl_idname = "motus.driver_write_out"
     bl_label = "Write Out Motion Driver"
-    bl_description = (
-        "Make motion drivers plain Blender, which needs no Motus: expressions that Blender evaluates without Python, or keys"
-    )
+    bl_description = "Make motion drivers plain Blender, which needs no Motus: expressions that Blender evaluates without Python, or keys"
     needs_native = True
     redo = (Rows(("as_keys", "tolerance", "frame_start", "frame_end")),)
     for_scripts = ("channel",)

@@ -109,7 +109,9 @@ def draw(layout, keywords, scene, unit):
     else:
         values = keywords["base"] + keywords["amplitude"] * values
     shown = units.shown(scene, unit)
-    heights = {height / shown.factor: shown.text(height) for height in graph.ticks(values.min() * shown.factor, values.max() * shown.factor)}
+    heights = {
+        height / shown.factor: shown.text(height) for height in graph.ticks(values.min() * shown.factor, values.max() * shown.factor)
+    }
     graph.draw(layout, "drivers", values, heights, [f"{frame:.5g}" for frame in (first, (first + last) / 2.0, last)])
 
 

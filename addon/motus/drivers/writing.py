@@ -95,14 +95,16 @@ class Keys:
     """
 
     def __init__(self, place, scene, first, last):
-        keywords = expressions.read(place.curve.driver.expression)
+        keywords = expressions.read(place.curve.driver.expression) or {}
         self._place = place
-        self._is_held = keywords is not None and keywords["function"] == 'STEPS' and keywords["blend"] == 0.0
-        self._loops = keywords is not None and keywords.get("loop", 0) > 0
+        self._is_held = keywords.get("function") == 'STEPS' and keywords["blend"] == 0.0
+        self._loops = 0 < keywords.get("loop", 0) <= MOST
         if self._is_held:
-            self.times = [first, *_jumps(keywords, scene, first, last)]
+            jumps, length = _jumps(keywords, scene, first, last)
+            # Recorded in the middle of each step, since rounding may put a jump on either side of its own frame.
+            self._keys, self.times = [first, *jumps], [first, *(jump + length / 2.0 for jump in jumps)]
         else:
-            self.times = _samples(first, first + min(keywords["loop"], MOST) if self._loops else last)
+            self._keys = self.times = _samples(first, first + keywords["loop"] if self._loops else last)
         self._values = {}
 
     def record(self, depsgraph, time):
@@ -111,10 +113,10 @@ class Keys:
 
     def write(self, tolerance):
         """Replace the driver by keys; returns their number. tolerance: largest error, in units of the property."""
-        place, times = self._place, np.array(self.times)
+        place, times = self._place, np.array(self._keys)
         samples = np.array([self._values[time] for time in self.times], dtype=float)
         place.remove()
-        curve = _emptied(place, self.times[0])
+        curve = _emptied(place, self._keys[0])
         if self._loops:  # before the keys: Blender does not evaluate a modifier that comes after everything else
             curve.modifiers.new('CYCLES')
         if self._is_held or channel.number(place.holder, place.path, place.index).type != 'FLOAT':
@@ -130,14 +132,15 @@ def _samples(first, last):
 
 
 def _jumps(keywords, scene, first, last):
-    """Times after `first` up to `last` at which random steps jump."""
+    """Times after `first` up to `last` at which random steps jump, and the length of a step, both in frames."""
     length = scene_time.fps(scene) / keywords["frequency"] if keywords["frequency"] > 0.0 else math.inf
     start = keywords["start"]
     if not (last - first) / length <= MOST:
         raise Refused(tr("More than {most} steps: lower the frequency, or choose fewer frames").format(most=MOST))
     if math.isinf(length):
-        return []
-    return [start + number * length for number in range(math.floor((first - start) / length) + 1, math.floor((last - start) / length) + 1)]
+        return [], length
+    numbers = range(math.floor((first - start) / length) + 1, math.floor((last - start) / length) + 1)
+    return [start + number * length for number in numbers], length
 
 
 def _emptied(place, time):

@@ -5,6 +5,8 @@ An action is read once and cached until its keys are edited.
 
 import math
 
+from mathutils import Euler, Quaternion
+
 from ..core import keeping, native
 from ..core.animation import native_keys
 from ..core.blender import actions
@@ -131,6 +133,22 @@ def pose_of(clip, bones, frame):
     places = {bone: place for place, bone in enumerate(clip.native.bones)}
     pose = clip.reference(frame)
     return np.array([pose[places[bone]] if bone in places else REST for bone in bones]).reshape(-1, len(REST))
+
+
+def numbers_of(row, mode, near=None):
+    """Return the numbers of location, rotation and scale of a row of pose_of(), with the rotation in a mode.
+
+    near: numbers of a rotation in this mode; Euler angles and quaternions near to these are chosen.
+    """
+    turn = Quaternion(row[3:7])
+    if mode == 'QUATERNION':
+        is_far = near is not None and turn.dot(Quaternion(near)) < 0.0
+        turned = [-part for part in turn] if is_far else turn[:]
+    elif mode == 'AXIS_ANGLE':
+        turned = [turn.angle, *turn.axis[:]]
+    else:
+        turned = (turn.to_euler(mode) if near is None else turn.to_euler(mode, Euler(near, mode)))[:]
+    return row[:3], turned, row[7:]
 
 
 def clip_of(action, slot, names, modes):

@@ -6,7 +6,9 @@ read from the rig's own action, which a strip on a track below plays meanwhile.
 
 from contextlib import suppress
 
-from ..core.blender import actions
+import bpy
+
+from ..core.blender import actions, capabilities
 from ..core.file import stored
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
@@ -14,7 +16,7 @@ from ..core.measures import scene_time
 from ..core.refusals import Refused, check_no_tweak_mode
 from ..core.settings import entries
 from ..core.translations import tr
-from . import clips, live, nla, solve, targets
+from . import clips, live, mask, nla, solve, targets
 from .setup import system
 
 MOST_REPEATS = 1000.0
@@ -35,6 +37,14 @@ def check(rig, index):
     animation = rig.animation_data
     if animation and not animation.use_nla:
         raise Refused(tr("The NLA of {object} is switched off: switch it on first").format(object=rig.name))
+    if (
+        animation
+        and entry.mode == 'ADDITIVE'
+        and any(_moves(strip, rig, entry) for track in animation.nla_tracks for strip in track.strips)
+    ):
+        raise Refused(
+            tr("Strips of the NLA move bones beneath the additive layer {layer}: key poses into it instead").format(layer=entry.name)
+        )
     if animation and any(track.is_solo for track in animation.nla_tracks):
         raise Refused(tr("A track in the NLA of {object} is played alone: end that first").format(object=rig.name))
     for name, channels in clips.curves_of_bones(action, entry.slot, rig.pose.bones.keys()).items():
@@ -46,6 +56,11 @@ def check(rig, index):
             )
 
 
+def _moves(strip, rig, entry):
+    """Whether an NLA strip may move bones in the mask of a layer."""
+    return strip.type != 'CLIP' or actions.animates(actions.curves_of(strip), mask.names(rig, entry))
+
+
 def enter(scene, rig, index):
     """Begin to edit a layer of a rig by its keys. Raises Refused, and changes nothing, if what lies beneath could not be found."""
     entry = rig.motus.layers.entries[index]
@@ -53,16 +68,40 @@ def enter(scene, rig, index):
     live.keep_channels(rig)
     if animation.action:
         nla.play_own(scene, animation, live.BENEATH)
-    reason = live.Beneath(rig, {bone.name: live.channels_of(bone) for bone in rig.pose.bones}).reason
+    reason = live.Beneath(rig, rig.pose.bones.keys()).reason
     if reason:
         _remove_tracks(animation)
         rig.motus.layers.kept_channels = ""
         raise Refused(tr("What lies beneath the layer is not known: {reason}").format(reason=reason.sentence))
+    if entry.mode == 'ADDITIVE':
+        _free_the_masked(scene, rig, entry)
     _tweak(scene, rig, entry)
     with entries.at_once(system(), rig) as settings:
         settings.entries[index].is_edited = True
         settings.active_entry = index
     rig.update_tag()
+
+
+def _free_the_masked(scene, rig, entry):
+    """Let nothing but the layer's action set the own channels of the bones in an additive layer's mask, and set these to what adds nothing."""
+    animation, masked = rig.animation_data, mask.names(rig, entry)
+    if animation.action:
+        strip = nla.play_own(scene, animation, live.BESIDE)
+        animation.nla_tracks[live.BENEATH].mute = True
+        slot = strip.action_slot.identifier if capabilities.has_slotted_actions() and strip.action_slot else ""
+        strip.action = strip.action.copy()
+        if slot:
+            strip.action_slot = strip.action.slots[slot]
+        curves = actions.curves_of(strip)
+        for curve in [one for one in curves if actions.bone_of(one) in masked]:
+            curves.remove(curve)
+    names = tuple(rig.pose.bones.keys())
+    other = pointed(entry, "reference_action")
+    compared = clips.Clip(other, "", names, [bone.rotation_mode for bone in rig.pose.bones]) if other else None
+    bones = [rig.pose.bones[name] for name in masked]
+    for bone, neutral in zip(bones, live.neutral_numbers(entry, compared, bones, [names.index(name) for name in masked])):
+        for name, numbers in neutral.items():
+            setattr(bone, name, numbers)
 
 
 def leave(rig):
@@ -110,10 +149,15 @@ def _tweak(scene, rig, entry):
 
 
 def _remove_tracks(animation):
-    for name in (live.BENEATH, live.TWEAKED):
+    for name in (live.BENEATH, live.BESIDE, live.TWEAKED):
         track = animation.nla_tracks.get(name)
-        if track:
-            animation.nla_tracks.remove(track)
+        if track is None:
+            continue
+        copies = [strip.action for strip in track.strips] if name == live.BESIDE else []
+        animation.nla_tracks.remove(track)
+        for action in copies:
+            if action and action.users == 0:
+                bpy.data.actions.remove(action)
 
 
 def _let_go(entry):

@@ -3,7 +3,6 @@
 from typing import Any, NamedTuple
 
 import bpy
-from mathutils import Euler, Quaternion
 
 from ..core import native
 from ..core.blender import actions
@@ -74,7 +73,7 @@ def find(context, rig, index, names):
             if own.reason is None:
                 base[row] = own.values(np.array([moment.frame])).matrices[0].T.ravel()
     else:
-        base[rows] = live.Beneath(evaluated, {name: live.channels_of(evaluated.pose.bones[name]) for name in names}).matrices(moment.frame)
+        base[rows] = live.Beneath(evaluated, names).matrices(moment.frame)
     return Found(at, names, *moment.sources(base, index, wanted, rows))
 
 
@@ -88,25 +87,14 @@ def write(rig, entry, found):
         bone, known = rig.pose.bones[name], present.get(name, {})
         mode = clips.mode_of(bone.rotation_mode, known)
         turning = clips.rotation_of(mode)
-        turn = _numbers(row[3:7], mode, bone, known.get(turning, {}), found.frame)
-        for flag, channel, values in ((1, "location", row[:3]), (2, turning, turn), (4, "scale", row[7:])):
+        before = known.get(turning, {})
+        near = [before[index].evaluate(found.frame) if index in before else own for index, own in enumerate(getattr(bone, turning))]
+        numbers = clips.numbers_of(row, mode, near)
+        for flag, channel, values in zip((1, 2, 4), ("location", turning, "scale"), numbers):
             if reached & flag:
                 path = f"{bone.path_from_id()}.{channel}"
                 _key(bag, path, name, known.get(channel, {}), found.frame, values, reference)
     action.update_tag()
-
-
-def _numbers(quaternion, mode, bone, curves, frame):
-    """Return the numbers of a rotation in a mode, near to those that the F-curves {index: F-curve} of the bone have at a frame."""
-    turn = Quaternion(quaternion)
-    before = [curves[index].evaluate(frame) if index in curves else None for index in range(4)]
-    if mode == 'QUATERNION':
-        near = Quaternion([1.0 - min(index, 1) if one is None else one for index, one in enumerate(before)])
-        return [-part for part in turn] if turn.dot(near) < 0.0 else turn[:]
-    if mode == 'AXIS_ANGLE':
-        return [turn.angle, *turn.axis[:]]
-    angles = Euler([bone.rotation_euler[index] if one is None else one for index, one in enumerate(before[:3])], mode)
-    return list(turn.to_euler(mode, angles)[:])
 
 
 def _key(bag, path, group, curves, frame, values, reference):

@@ -21,13 +21,10 @@ class Moment:
         self._wired = rigs.plan(evaluated, text, lambda rig, rows: solve.Wired(rig, rows, text))
         self.source = solve.Source(evaluated, copies.of(evaluated), self._wired)
         self.clips, self.places = self.source.clips(), self._wired.places
+        self.frame, self.own = scene_time.present(scene), self.source.reader.own_basis().copy()
+        self.source.put_edited(self.clips, self.own, self.frame)
         settings = evaluated.motus.layers
         self.acting, self.settings = solve.acting(settings, self.clips, settings.influence if influence is None else influence)
-        self.frame = scene_time.present(scene)
-        self.own = self.source.reader.own_basis().copy()
-        if self.source.edited is not None and self.clips[self.source.edited] is not None:
-            live = self.clips[self.source.edited]
-            self.own[live.rows] = live.beneath(self.frame)
 
     def laid(self, count):
         """Return the own matrices of all bones with the lowest `count` layers of the rig over them, (B, 16) float32."""

@@ -30,10 +30,11 @@ def fit(strip, frames, times):
 
 
 def play_own(scene, animation, name):
-    """Add a track in which a datablock's own action plays as it does by itself."""
+    """Add a track in which a datablock's own action plays as it does by itself. Returns the strip."""
     action, slot = animation.action, getattr(animation, "action_slot", None)
     first = float(round(min(scene_time.first(scene), action.frame_range[0]) - MARGIN))
     last = float(round(max(scene_time.last(scene), action.frame_range[1]) + MARGIN))
     strip = new_strip(animation, name, action, slot, first)
     fit(strip, (first, last), (first, last))
     strip.extrapolation, strip.blend_type, strip.influence = 'HOLD', animation.action_blend_type, animation.action_influence
+    return strip

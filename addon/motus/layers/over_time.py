@@ -4,6 +4,7 @@ import math
 
 from ..core import rigs
 from ..core.animation import keys
+from ..core.animation.reason import Reason
 from ..core.animation.strips import together
 from ..core.evaluated import read_keys
 from ..core.evaluated.question import answered
@@ -14,7 +15,7 @@ from ..core.tracks import rotations
 from ..core.tracks.rig_inputs import RigInputs, SolvedBone, kept, once
 from ..core.tracks.transforms import Own
 from ..core.wiring import driven_bones
-from . import groups, solve
+from . import groups, live, solve
 
 MOST_AT_ONCE = 500_000
 """Greatest number of transforms (bones times frames) that are computed together for all masked bones of a rig."""
@@ -67,6 +68,16 @@ class OverTime(SolvedBone):
         ]
         found = {(index, name): (prefix + name, -1) for index, prefix in enumerate(prefixes) for name in _KEYED}
         return found | {"influence": ("motus.layers.influence", -1)}
+
+    @property
+    def reason(self):
+        """Reason why the bone's transform is unknown at frames other than the present one; None if it is known.
+
+        While a layer is edited, strips of the NLA stand for what lies beneath it.
+        """
+        if live.edited(self._owner) is not None:
+            return Reason(Reason.STRIPS, thing=self._owner.name)
+        return super().reason
 
     @property
     def _spans(self):

@@ -58,9 +58,9 @@ def draw_main(layout, context):
     action = pointed(entry, "action")
     if action and capabilities.has_slotted_actions() and len(action.slots) > 1:
         column.prop_search(entry, "slot", action, "slots")
-    rows.BLENDING.draw(ui.split(layout), entry)
+    rows.BLENDING.draw(_settled(layout, entry), entry)
     if is_compared(entry):
-        ui.split(layout).prop(entry, "reference_action")
+        _settled(layout, entry).prop(entry, "reference_action")
     row = layout.row(align=True)
     row.operator("motus.layer_edit", icon='FCURVE', depress=entry.is_edited).object = rig.name
     row.operator("motus.layer_key", text="Key Pose", icon='KEY_HLT').object = rig.name
@@ -68,11 +68,18 @@ def draw_main(layout, context):
         ui.draw_message(layout, tr("The editing of a layer was left in the NLA editor: press Edit Layer to end it"), 'ERROR')
 
 
+def _settled(layout, entry):
+    """Return a column for settings that stay what they are while the layer is edited by its keys."""
+    column = ui.split(layout)
+    column.enabled = not entry.is_edited
+    return column
+
+
 def draw_timing(layout, context):
     """Draw the settings of when the active layer plays, and which frames of its action."""
     entry = active_entry(context.object)
     if entry:
-        rows.TIMING.draw(ui.split(layout), entry)
+        rows.TIMING.draw(_settled(layout, entry), entry)
 
 
 def draw_mask(layout, context):
@@ -81,6 +88,8 @@ def draw_mask(layout, context):
     entry = active_entry(rig)
     if entry is None:
         return
+    layout = layout.column()
+    layout.enabled = not entry.is_edited
     add, remove, _ = ui.draw_list(
         layout, "MOTUS_UL_layers_mask", entry, "mask", "active_mask", "motus.layer_mask_add", "motus.layer_mask_remove", rows=2
     )

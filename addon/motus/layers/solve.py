@@ -61,27 +61,30 @@ class Source:
         self.modes = tuple(bone.rotation_mode for bone in rig.pose.bones)
         masks = [native.module.layer_mask(wired.parents, mask.chosen(rig, entry, wired.places), entry.feather) for entry in self.entries]
         self.masks = np.array(masks).reshape(len(masks), len(wired.places))
-        self._rig, self.edited = rig, live.edited(rig)
-        self._live: tuple = None, None
+        self.edited = live.edited(rig)
+        if self.edited is not None:
+            names, entry = wired.still.names, self.entries[self.edited]
+            masked = {name for name, weight in zip(names, self.masks[self.edited]) if weight > 0.0}
+            self._edited = live.Edited(rig, entry, masked, names, self.modes)
 
     def clips(self):
         """List the Clip of each layer; None for a layer without an action. Not cached, because an action can be edited without the rig."""
-        found = [action and clips.clip_of(action, slot, self.wired.still.names, self.modes) for action, slot in self.playing]
-        if self.edited is not None and found[self.edited] is not None:
-            found[self.edited] = self._live_of(found[self.edited])
-        return found
+        return [action and clips.clip_of(action, slot, self.wired.still.names, self.modes) for action, slot in self.playing]
 
     def references(self):
         """List the Clip of the action that each layer is compared with; None for a layer that needs none, or has none."""
         return [action and clips.clip_of(action, "", self.wired.still.names, self.modes) for action in self._compared]
 
-    def _live_of(self, clip):
-        """Return the Live of the Clip of the layer that is edited; it is cached until the action's keys are edited."""
-        known, found = self._live
-        if known is not clip:
-            found = live.Live(self._rig, clip, self.wired.still.names, self.modes)
-            self._live = clip, found
-        return found
+    def put_edited(self, found, basis, frame):
+        """Put the layer that is edited in the place of its Clip, and what lies beneath it into the own matrices of all bones.
+
+        found: Clip or None of each layer. basis: (B, 16). Returns whether a layer is edited.
+        """
+        if self.edited is None or found[self.edited] is None:
+            return False
+        found[self.edited], rows, beneath = self._edited.at(found[self.edited], self.references()[self.edited], frame)
+        basis[rows] = beneath
+        return True
 
 
 def solve(context):
@@ -99,19 +102,16 @@ def solve(context):
     wired = source.wired
     if len(wired.rows) != len(context.rotations):
         raise stored.Damaged("another number of members")
-    found = source.clips()
+    found, basis = source.clips(), source.reader.own_basis()
+    own = basis if source.edited is None else basis.copy()
+    is_edited = source.put_edited(found, basis, context.frame)
     playing, settings, some_are_off = context.kept(
         "playing", (source, *found, *source.references()), lambda: _playing(context.settings, source, found)
     )
     laid = np.empty((len(wired.rows), 16), np.float32)  # a new one, since other threads may read the present one
-    moves = context.locations, context.rotations, context.scales
-    if source.edited is None or found[source.edited] is None:
-        playing.lay(context.frame, settings, source.reader.own_basis(), *moves, laid)
-    else:
-        own, basis = source.reader.own_basis().copy(), source.reader.own_basis()
-        basis[found[source.edited].rows] = found[source.edited].beneath(context.frame)
-        playing.lay(context.frame, settings, basis, *moves, laid)
-        native.module.layer_moves(own[wired.rows], laid, *moves)
+    playing.lay(context.frame, settings, basis, context.locations, context.rotations, context.scales, laid)
+    if is_edited:
+        native.module.layer_moves(own[wired.rows], laid, context.locations, context.rotations, context.scales)
     rigs.lay(context.copy, context.group, wired.rows, laid)
     if some_are_off:
         return SOME_ARE_OFF

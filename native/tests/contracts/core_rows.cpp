@@ -156,14 +156,14 @@ void add_noise(Table& table) {
     rows(std::vector<glm::vec2>(5, glm::vec2(0.3F)));
     rows(std::vector<glm::vec3>(5, glm::vec3(0.3F)));
     add(
-        table, "Gusts::Gusts(frequency, period)",
+        table, "noise::Gusts::Gusts(frequency, period)",
         [](double frequency, double period) { return noise::Gusts(frequency, period).value(0.7); },
         arg("frequency", 0.3, numbers("> 0 to 1000", [](double x) { return x > 0.0 && x <= 1000.0; })),
         arg("period", 2.0,
             numbers("0, or 1e-06 to 1e+30", [](double x) { return x == 0.0 || (x >= 1e-6 && x <= 1e30); })))
         .costs("O(1)");
     add(
-        table, "Gusts::value(time)", [](double time) { return noise::Gusts(0.3).value(time); },
+        table, "noise::Gusts::value(time)", [](double time) { return noise::Gusts(0.3).value(time); },
         arg("time", 0.7, any().unbounded()))
         .costs("O(1), some 50 ns");
     add(

@@ -196,6 +196,14 @@ TEST_CASE("layers of arbitrary numbers are refused, or give finite bones", "[fuz
                 for (std::size_t bone = 0; bone < 3; ++bone)
                     if (is_finite(base[bone])) CHECK(is_finite(result[bone]));
             });
+            std::vector<Transform> wanted = base, said(3);
+            for (Transform& one : wanted) one = {dice.place(), dice.any_rotation(), dice.place()};
+            std::vector<unsigned> reached(3);
+            returns([&] {
+                rig.stack.find_source(frame, layers, dice.below(2), base, wanted, std::array{0, 1, 2}, said,
+                                      reached);
+                for (const Transform& one : said) CHECK(is_finite(one));
+            });
         }
     }
 }

@@ -170,6 +170,7 @@ INTERFACE = {
     "Action whose pose at the reference frame an additive layer is compared with": "Acción con cuya pose en el fotograma de referencia se compara una capa que suma",
     "Name of the action with which an additive layer is compared, if its reference is a different action": "Nombre de la acción con la que se compara una capa que suma, si su referencia es otra acción",
     "Choose the action that this layer is compared with": "Hay que elegir la acción con la que se compara esta capa",
+    "Strips of the NLA move bones beneath the additive layer {layer}: key poses into it instead": "Tiras de la NLA mueven huesos debajo de la capa que suma {layer}: en su lugar se insertan claves de poses en ella",
 }
 
 OPERATORS = {
