@@ -6,7 +6,6 @@ import bpy
 from mathutils import Quaternion
 
 import support
-
 from layers.layer_cases import LayerTestCase, new_action, turning
 from look_at.look_at_cases import BONES
 
