@@ -150,7 +150,12 @@ class Modes(LayerTestCase):
         walk, throw = (found["UpperArm.L"].to_quaternion() for found in (walk, throw))
         self.assertSameTurn(self.own("UpperArm.L"), (walk @ beyond.inverted() @ throw).to_matrix())
         self.assertEqual(bpy.ops.motus.layer_duplicate(object="Rig"), {'FINISHED'})
-        self.assertEqual(self.rig.motus.layers.entries[1].reference_action, other)
+        copy = self.rig.motus.layers.entries[1]
+        self.assertEqual(copy.reference_action, other)
+        fault = support.addon("layers.panel").fault
+        self.assertEqual(fault(self.rig, copy), "")
+        copy.reference_action = None
+        self.assertIn("is compared with", fault(self.rig, copy))
 
     def test_locations_and_scales(self):
         keys = {('pose.bones["Hips"].location', 1): [(1, 0.0), (21, 0.5)], ('pose.bones["Hips"].scale', 0): [(1, 2.0), (21, 3.0)]}

@@ -5,6 +5,7 @@ import itertools
 import bpy
 from mathutils import Quaternion
 
+import support
 from layers.layer_cases import LayerTestCase, new_action, turning
 from look_at.look_at_cases import BONES
 
@@ -310,6 +311,7 @@ class Editing(KeyingTestCase):
             self.edit()
             if by_hand:
                 self.rig.animation_data.use_tweak_mode = False
+            self.assertEqual(support.addon("layers.live").was_left(self.rig), by_hand)
             self.assertEqual(bpy.ops.motus.layer_remove(object="Rig"), {'FINISHED'})
             self.assertEqual(self.rig.animation_data.action, self.walk)
             self.assertFalse(self.rig.animation_data.nla_tracks)

@@ -107,17 +107,36 @@ class Empty(MergingTestCase):
 class Strips(MergingTestCase):
     def test_layers_become_strips(self):
         new_action("Jump", {('pose.bones["Hips"].location', index): [(1, 0.0), (21, 0.3 * index)] for index in range(3)})
+        for index in range(3):
+            self.actions.fcurves(self.rig).new('pose.bones["Hips"].location', index=index).keyframe_points.insert(1, 0.1 * index)
+        turning("Nod", {"Head": (0.4, 0.0, 0.2)})
+        self.rig.pose.bones["Head"].rotation_quaternion = (0.8, 0.6, 0.0, 0.0)  # which nothing keys
         self.add(bones="Chest", start=5.0, speed=0.5, layer="Plain")
         self.add(action="Jump", bones="Hips", mode='ADDITIVE', reference='REST', with_children=False, layer="Added")
         self.add(action="Above", bones="UpperArm.L", weight=0.4, layer="Half")
         self.add(action="Above", bones="UpperArm.L", mode='ADDITIVE', reference='REST', layer="Turned", after='STOP')
+        self.add(action="Nod", bones="Head", mode='ADDITIVE', reference='REST', start=8.0, layer="Late")
         wanted = self.seen_at()
         self.assertEqual(bpy.ops.motus.layers_to_nla(object="Rig"), {'FINISHED'})
         animation = self.rig.animation_data
         self.assertIsNone(animation.action)
-        self.assertEqual([track.name for track in animation.nla_tracks], ["Walk", "Plain", "Added", "Half", "Turned"])
+        self.assertEqual([track.name for track in animation.nla_tracks], ["Walk", "Plain", "Added", "Half", "Turned", "Late"])
         kinds = [track.strips[0].blend_type for track in animation.nla_tracks]
-        self.assertEqual(kinds, ['REPLACE', 'REPLACE', 'COMBINE', 'REPLACE', 'COMBINE'])
-        self.assertEqual(animation.nla_tracks["Half"].strips[0].action.name, "Rig Half")
+        self.assertEqual(kinds, ['REPLACE', 'REPLACE', 'COMBINE', 'REPLACE', 'COMBINE', 'REPLACE'])
+        for name in ("Half", "Late"):
+            self.assertEqual(animation.nla_tracks[name].strips[0].action.name, f"Rig {name}")
         self.assertTrue(all(entry.is_muted for entry in self.rig.motus.layers.entries))
         self.assertSeenAt(wanted)
+
+    def test_what_does_not_become_strips(self):
+        entry = self.add(bones="Chest")
+        entry.is_solo = True
+        self.assertRefused("are played alone", bpy.ops.motus.layers_to_nla, object="Rig")
+        entry.is_solo = False
+        self.rig.animation_data.use_nla = False
+        self.assertRefused("switched off", bpy.ops.motus.layers_to_nla, object="Rig")
+        self.rig.animation_data.use_nla = True
+        entry.is_muted = True
+        self.assertRefused("No layer moves a bone", bpy.ops.motus.layers_to_nla, object="Rig")
+        self.assertEqual(self.rig.animation_data.action, self.walk)
+        self.assertFalse(self.rig.animation_data.nla_tracks)

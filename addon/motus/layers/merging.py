@@ -188,8 +188,9 @@ def _is_strip(rig, index, moment):
         return False
     if entry.mode == 'ADDITIVE' and entry.reference != 'REST':
         return False
+    beneath = {(curve.data_path, curve.array_index) for curve in actions.fcurves(rig)}
     return all(
-        _is_whole(rig.pose.bones[name], channels, entry.mode)
+        _is_whole(rig.pose.bones[name], channels, entry.mode, beneath)
         for name, channels in clips.curves_of_bones(pointed(entry, "action"), entry.slot, _masked(moment, index)).items()
     )
 
@@ -198,14 +199,22 @@ def _masked(moment, index):
     return [name for name, row in moment.places.items() if moment.source.masks[index][row] > 0.0]
 
 
-def _is_whole(bone, channels, mode):
-    """Whether a strip blends the channels {name: F-curves} of a bone as a layer does."""
+def _is_whole(bone, channels, mode, beneath):
+    """Whether a strip blends the channels {name: F-curves} of a bone as a layer does.
+
+    beneath: (data path, index) of the F-curves of the rig's own action. Where no strip sets a property, it keeps the value of the frame
+    before, so that the own action has to set what the layer sets.
+    """
     turning = clips.rotation_of(bone.rotation_mode)
     if any(name.startswith("rotation") and name != turning for name in channels):
         return False
     if mode == 'ADDITIVE' and turning in channels and turning != "rotation_quaternion":
         return False  # a strip adds angles, a layer rotations
-    return all(len(curves) == clips.SIZES[name] for name, curves in channels.items())
+    return all(
+        index in curves and (f"{bone.path_from_id()}.{name}", index) in beneath
+        for name, curves in channels.items()
+        for index in range(clips.SIZES[name])
+    )
 
 
 def _add_baked(rig, name, action, slot, times):

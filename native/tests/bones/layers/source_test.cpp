@@ -69,6 +69,7 @@ struct Rig {
 
     static std::vector<glm::dquat> rests() {
         std::vector<glm::dquat> found;
+        found.reserve(4);
         for (int bone = 0; bone < 4; ++bone) found.push_back(glm::angleAxis(0.4 * bone, x));
         return found;
     }
