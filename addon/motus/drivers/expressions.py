@@ -161,9 +161,8 @@ def read(expression):
             if value not in range(len(_ENUMS[name])):
                 return None
             value = _ENUMS[name][int(value)]
-        elif name in _WHOLE:
-            if not isinstance(value, int) or not 0 <= value < 2**31:
-                return None
+        elif name in _WHOLE and not (isinstance(value, int) and 0 <= value < 2**31):
+            return None
         keywords[name] = value
     return keywords
 

@@ -36,7 +36,7 @@ def steps(strip):
     yield 0.5
     yield from hand.click("Noise")
     yield 0.5
-    yield from strip.shot(400, 235)
+    yield from strip.shot(400, 275)
 
 
 def _open_menu():
