@@ -74,8 +74,7 @@ class SquashTest(support.SceneTestCase):
                 support.empty_scene()
                 rig = bouncing(3, tilt=2.5, inherits=inherits)
                 rig.scale = scale
-                if inherits == 'AVERAGE':
-                    rig.pose.bones["Tail 0 1"].scale = (1.2, 1.2, 1.2)
+                rig.pose.bones["Tail 0 1"].scale = (1.2, 1.2, 1.2)
                 rig.pose.bones["Tail 0 1"].rotation_quaternion = (0.96, 0.0, 0.0, 0.28)
                 cases.add(rig, **SOFT | {"gravity": 0.5})
                 places = moved(rig)

@@ -7,6 +7,7 @@ import numpy as np
 
 import live_scenes
 import support
+from chains import test_chains_squash
 from hand_over import hand_over_cases, plain_state, test_hand_over_refusals
 
 
@@ -34,6 +35,16 @@ class TestHandOver(support.SceneTestCase):
         bpy.ops.wm.open_mainfile(filepath=str(path))
         self.assertEqual(hand_over_cases.differences(expected, plain_state.states(hand_over_cases.FRAMES)), [])
         self.assertEqual(plain_state.leftovers(), [])
+
+    def test_bones_that_are_scaled_by_their_chain(self):
+        rig = test_chains_squash.bouncing(3, tilt=2.5)
+        test_chains_squash.cases.add(rig, **test_chains_squash.SOFT | {"frequency": 0.7}, tip_mass=2.0, use_curve=True)
+        expected = plain_state.states(hand_over_cases.FRAMES)
+        path = hand_over_cases.handed_over(self)
+        found, left = hand_over_cases.states_without(self.folder, path)
+        self.assertEqual((hand_over_cases.differences(expected, found), left), ([], []))
+        bpy.ops.wm.open_mainfile(filepath=str(path))
+        self.assertEqual(len(bpy.data.node_groups), 0)
 
     def test_stretched_time(self):
         test_hand_over_refusals.follower()

@@ -132,12 +132,12 @@ class Kept(NamedTuple):
 
         particles: places (n + 1, 3). part: the making.Part. axes: uneven.axes_of() the rig.
         """
-        parents = self.links.parents
+        parents, lengths = self.links
         scales = np.ones((len(self.names), 3))
         if self.shares:
             taken = [share * weight for share in self.shares]
-            scales = squash.scales(particles, part.rests.at(part.moved.within(seconds)), parents, taken, axes)
-        return uneven.tails(particles, self.links, axes, scales[:, 1]), scales
+            scales, lengths = squash.sizes(particles, part.rests.at(part.moved.within(seconds)), parents, taken, axes)
+        return uneven.tails(particles, parents, lengths, axes), scales
 
     @staticmethod
     def fill(context, text, parts):
@@ -150,4 +150,4 @@ class Kept(NamedTuple):
         aims = [part.kept.aimed(particles, part, seconds, weight, axes) for part, particles, weight in parts]
         places, scales = (np.concatenate(found) for found in zip(*aims))
         influences = np.concatenate([np.full(len(part.rows), weight) for part, _, weight in parts])
-        rigs.turn(context, text, members, places, influences, scales)
+        rigs.turn(context, text, members, places, influences, scales if any(part.kept.shares for part, *_ in parts) else None)

@@ -8,6 +8,10 @@ def _has_tip(settings):
     return any(getattr(settings, name) != 1.0 for name in ("tip_frequency", "tip_mass", "tip_thickness"))
 
 
+def _is_of_bones(settings):
+    return not getattr(settings, "links", ())  # an operator has none
+
+
 AMOUNT = Rows((Row("weight", text="Weight", text_ctxt=OWN_SENSE),), title="Amount")
 SPRING = Rows(
     (
@@ -29,7 +33,7 @@ FORCES = Rows(
     title="Forces",
 )
 LIMITS = Rows(
-    ("stretch", Row("squash", active=is_positive("stretch")), "bend_limit", "side_limit", "thickness", "tip_thickness", "hold_end"),
+    ("stretch", Row("squash", active=_is_of_bones), "bend_limit", "side_limit", "thickness", "tip_thickness", "hold_end"),
     title="Limits",
 )
 WORLD = Rows(

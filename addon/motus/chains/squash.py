@@ -40,20 +40,22 @@ def shares(bones, squash):
     return [0.0 if first_inheriting(bone) else squash for bone in bones] if squash > 0.0 else ()
 
 
-def scales(places, rests, parents, taken, axes):
-    """Return the scales (n - 1, 3) of the bones of a chain along their own axes.
+def sizes(places, rests, parents, taken, axes):
+    """Return (scales (n - 1, 3) of the bones of a chain along their own axes, their lengths (n - 1)).
+
+    Lengths are those in the space of the rig, or in the world if the rig is scaled evenly.
 
     places, rests: (n, 3), where the particles are, and where the animation has them. parents: index of each particle's parent. taken: (n - 1),
     how much each bone takes on its link's length. axes: uneven.axes_of() the rig.
     """
     back = None if axes is None else [list(row) for row in axes.inverted_safe()]
-    found = np.empty((len(parents) - 1, 3))
+    scales, lengths = np.empty((len(parents) - 1, 3)), np.empty(len(parents) - 1)
     for index, (parent, share) in enumerate(zip(parents[1:], taken)):
         length, rest = (_length(one[index + 1] - one[parent], back) for one in (places, rests))
         ratio = min(max(length / rest, 1.0 / LONGEST), LONGEST) if rest > 0.0 else 1.0
         along = math.pow(ratio, share)
-        found[index] = 1.0 / math.sqrt(along), along, 1.0 / math.sqrt(along)
-    return found
+        scales[index], lengths[index] = (1.0 / math.sqrt(along), along, 1.0 / math.sqrt(along)), rest * along
+    return scales, lengths
 
 
 def _length(way, back):

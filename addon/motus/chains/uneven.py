@@ -27,16 +27,16 @@ def axes_of(world):
     return axes if max(map(abs, parts)) > EVEN * square else None
 
 
-def tails(places, links, axes, longer):
+def tails(places, parents, lengths, axes):
     """Return where the tails of the bones of a chain come to, (n - 1, 3), for the places (n, 3) of its particles.
 
     In a rig that is scaled evenly, that is to the particles. In another one each bone points along its link, from where its head has come
-    to. axes: axes_of() the rig. longer: (n - 1,), how many times longer the bones are than in the links.
+    to. parents: index of each particle's parent. lengths: (n - 1), of the bones in the rig's space. axes: axes_of() the rig.
     """
     if axes is None:
         return places[1:]
     found, forth, back = places.copy(), np.array(axes), np.array(axes.inverted_safe())
-    for index, (parent, length) in enumerate(zip(links.parents[1:], longer * links.lengths), 1):
+    for index, (parent, length) in enumerate(zip(parents[1:], lengths), 1):
         inside = back @ (places[index] - places[parent])
         found[index] = found[parent] + forth @ inside * (length / max(np.sqrt(inside @ inside), np.finfo(float).tiny))
     return found[1:]
