@@ -60,7 +60,7 @@ def _paths():
     for frame, speed in ((1, 0.1), (20, 0.4), (40, 0.9)):
         racer.motus.path.speed = speed
         racer.keyframe_insert("motus.path.speed", frame=frame)
-    bpy.ops.motus.path_train_add(objects="Engine,Wagon 1,Wagon 2", curve="Course", gap=0.7, speed=0.5)
+    bpy.ops.motus.path_train_add(objects="Engine,Wagon 1,Wagon 2", curve="Course", gap=0.7, speed=0.5, wheelbase=0.4, side=0.2)
     # What users' own drivers read of Motus: an output, and a setting.
     _drive(support.link("Gauge"), "location", "v", bpy.data.objects["Car"], '["motus_path_out"][3]', 0)
     _drive(support.link("Shadow"), "location", "v", keyed, "motus.path.distance_factor", 1)

@@ -55,7 +55,29 @@ class MOTUS_OT_path_pin_add(Operator, bpy.types.Operator):
             self.report({'INFO'}, tr("Replaced the pin at frame {frame}").format(frame=f"{self.frame:g}"))
 
 
-class MOTUS_OT_path_pin_remove(Operator, bpy.types.Operator):
+class EntryRemover(Operator):
+    """Mixin of the operators that remove an entry of a follower's list, with the keywords `object` and `index`.
+
+    Subclasses declare entries, active: names of the settings with the list and with the index of its active entry; and absent: function
+    that returns the sentence for an index that the list does not have.
+    """
+
+    entries = active = ""
+    absent = None
+
+    def run(self, context):
+        obj = follower_for(context, self.object)
+        settings = obj.motus.path
+        entries, active = getattr(settings, self.entries), getattr(settings, self.active)
+        index = active if self.index < 0 else self.index
+        if not 0 <= index < len(entries):
+            raise Refused(self.absent())
+        entries.remove(index)
+        setattr(settings, self.active, max(0, min(active, len(entries) - 1)))
+        wiring.touch(setup.system(), obj)
+
+
+class MOTUS_OT_path_pin_remove(EntryRemover, bpy.types.Operator):
     bl_idname = "motus.path_pin_remove"
     bl_label = "Remove Pin"
     bl_description = "Remove a pin of the path"
@@ -64,16 +86,8 @@ class MOTUS_OT_path_pin_remove(Operator, bpy.types.Operator):
     index: bpy.props.IntProperty(
         name="Index", description="Index of the pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'}
     )
-
-    def run(self, context):
-        obj = follower_for(context, self.object)
-        settings = obj.motus.path
-        index = settings.active_pin if self.index < 0 else self.index
-        if not 0 <= index < len(settings.pins):
-            raise Refused(tr("There is no such pin"))
-        settings.pins.remove(index)
-        settings.active_pin = max(0, min(settings.active_pin, len(settings.pins) - 1))
-        wiring.touch(setup.system(), obj)
+    entries, active = "pins", "active_pin"
+    absent = staticmethod(lambda: tr("There is no such pin"))
 
 
 class MOTUS_OT_path_speed_add(Operator, bpy.types.Operator):
@@ -104,7 +118,7 @@ class MOTUS_OT_path_speed_add(Operator, bpy.types.Operator):
         wiring.touch(setup.system(), obj)
 
 
-class MOTUS_OT_path_speed_remove(Operator, bpy.types.Operator):
+class MOTUS_OT_path_speed_remove(EntryRemover, bpy.types.Operator):
     bl_idname = "motus.path_speed_remove"
     bl_label = "Remove Speed"
     bl_description = "Remove the speed at a place of the path"
@@ -113,16 +127,8 @@ class MOTUS_OT_path_speed_remove(Operator, bpy.types.Operator):
     index: bpy.props.IntProperty(
         name="Index", description="Index of the speed; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'}
     )
-
-    def run(self, context):
-        obj = follower_for(context, self.object)
-        settings = obj.motus.path
-        index = settings.active_speed if self.index < 0 else self.index
-        if not 0 <= index < len(settings.speeds):
-            raise Refused(tr("There is no such speed"))
-        settings.speeds.remove(index)
-        settings.active_speed = max(0, min(settings.active_speed, len(settings.speeds) - 1))
-        wiring.touch(setup.system(), obj)
+    entries, active = "speeds", "active_speed"
+    absent = staticmethod(lambda: tr("There is no such speed"))
 
 
 class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):

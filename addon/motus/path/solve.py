@@ -6,7 +6,7 @@ from typing import Any
 import mathutils
 
 from ..core import native
-from ..core.declare import AlsoDeformed, Context, Deformed, Matrix, Problem, Setting, Splines
+from ..core.declare import Context, Deformed, Matrix, Problem, Setting, Splines
 from ..core.file import deleted
 from ..core.file.choices import chosen
 from ..core.lazy import numpy as np
@@ -58,13 +58,20 @@ SHARED = (
     "side_by",
     "gaps_by",
 )
+class _AlsoDeformed(Deformed):
+    """Deformed input of a further object, whose argument is None: the one variable of the first such input waits for both objects."""
+
+    def variable(self, _owner, _settings):
+        """None, since that of the first input reads the same proxy."""
+
+
 INPUTS = (
     Matrix("matrix", of="curve"),
     Splines("splines", of="curve"),
     Deformed("deformed", of="curve"),
     Matrix("rail_matrix", of="rail"),
     Splines("rail_splines", of="rail"),
-    AlsoDeformed("rail_deformed", of="rail"),
+    _AlsoDeformed("rail_deformed", of="rail"),
     *(Setting(name) for name in NUMBERS),
 )
 

@@ -1,20 +1,7 @@
 """What a system declares: its settings, inputs, members, problems and solve function; and which systems are registered."""
 
 from .context import Context
-from .inputs import (
-    AlsoDeformed,
-    BonesOwn,
-    Deformed,
-    Geometries,
-    Geometry,
-    Matrix,
-    OwnMatrix,
-    Setting,
-    Splines,
-    Transform,
-    Variable,
-    Vertices,
-)
+from .inputs import BonesOwn, Deformed, Geometries, Geometry, Matrix, OwnMatrix, Setting, Splines, Transform, Variable, Vertices
 from .members import CopyOf, Entry, Group, Member, Points, Property
 from .problem import OK, Problem
 from .registry import (
@@ -39,7 +26,6 @@ from .system import Feature, System
 
 __all__ = (
     "OK",
-    "AlsoDeformed",
     "BonesOwn",
     "Context",
     "CopyOf",

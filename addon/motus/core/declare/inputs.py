@@ -144,17 +144,6 @@ class Deformed:
 
 
 @dataclass(frozen=True)
-class AlsoDeformed(Deformed):
-    """Input like Deformed, of a further object of a system that declares a Deformed: the one variable of that input waits for both objects.
-
-    The argument of solve() is None.
-    """
-
-    def variable(self, owner: Any, settings: Any) -> None:
-        """None, since the variable of the system's Deformed reads the same proxy."""
-
-
-@dataclass(frozen=True)
 class Geometry(Deformed):
     """Input: the mesh or curve object in the setting `of`, with its geometry evaluated, modifiers included; None if there is none.
 
