@@ -58,6 +58,8 @@ SHARED = (
     "side_by",
     "gaps_by",
 )
+
+
 class _AlsoDeformed(Deformed):
     """Deformed input of a further object, whose argument is None: the one variable of the first such input waits for both objects."""
 
