@@ -148,6 +148,16 @@ class GapsByTime(PathTestCase):
         self.key(train[0], "speed", (1, 0.5), (40, 6.0), (80, 1.0))
         self.assertFollowByTime(train)
 
+    def test_a_frame_alone_is_that_of_playback_to_the_bit(self):
+        self.cubic()
+        train = self.train(timing='DISTANCE', wheelbase=1.0, side=0.5, lag_rate=0.3)
+        self.key(train[0], "distance", (1, 0.0), (40, 9.0), (80, 3.0))
+        played = {frame: [np.array(self.at(obj, frame)) for obj in train] for frame in range(1, 50)}
+        for frame in (33, 2, 49, 17):
+            self.go_to(90)
+            for obj, wanted in zip(train, played[frame]):
+                np.testing.assert_array_equal(np.array(self.at(obj, frame)), wanted)
+
     def test_a_driven_fraction_has_no_past_which_is_said(self):
         self.cubic()
         train = self.train(timing='MANUAL')

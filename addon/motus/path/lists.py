@@ -58,12 +58,14 @@ class MOTUS_OT_path_pin_add(Operator, bpy.types.Operator):
 class EntryRemover(Operator):
     """Mixin of the operators that remove an entry of a follower's list, with the keywords `object` and `index`.
 
-    Subclasses declare entries, active: names of the settings with the list and with the index of its active entry; and absent: function
-    that returns the sentence for an index that the list does not have.
+    Subclasses declare entries, active: names of the settings with the list and with the index of its active entry.
     """
 
     entries = active = ""
-    absent = None
+
+    def absent(self):
+        """Sentence for an index that the list does not have."""
+        raise NotImplementedError
 
     def run(self, context):
         obj = follower_for(context, self.object)
@@ -87,7 +89,9 @@ class MOTUS_OT_path_pin_remove(EntryRemover, bpy.types.Operator):
         name="Index", description="Index of the pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'}
     )
     entries, active = "pins", "active_pin"
-    absent = staticmethod(lambda: tr("There is no such pin"))
+
+    def absent(self):
+        return tr("There is no such pin")
 
 
 class MOTUS_OT_path_speed_add(Operator, bpy.types.Operator):
@@ -128,7 +132,9 @@ class MOTUS_OT_path_speed_remove(EntryRemover, bpy.types.Operator):
         name="Index", description="Index of the speed; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'}
     )
     entries, active = "speeds", "active_speed"
-    absent = staticmethod(lambda: tr("There is no such speed"))
+
+    def absent(self):
+        return tr("There is no such speed")
 
 
 class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):
