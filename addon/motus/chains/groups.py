@@ -8,7 +8,7 @@ system takes over.
 import json
 
 from ..core import rigs, wiring
-from ..core.declare import Entry, Group, Transform, has_settings, registered, systems
+from ..core.declare import Entry, Group, Transform, entries_on, registered
 from ..core.evaluated.question import answered
 from ..core.file import deleted, libraries
 from ..core.file.pointers import pointed
@@ -48,15 +48,7 @@ def _tops(rig):
 
 
 def _taken(rig):
-    own = registered["chains"]
-    return {
-        name
-        for system in systems()
-        if system.entries is not None and system != own and not system.lays_pose and has_settings(system, rig)
-        for entry in system.entries(rig)
-        for name in entry.drives
-        if isinstance(name, str)
-    }
+    return {name for _, entry in entries_on(rig, registered["chains"]) for name in entry.drives if isinstance(name, str)}
 
 
 def objects_of(owner, entry):

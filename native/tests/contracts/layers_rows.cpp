@@ -302,7 +302,8 @@ void add_transforms(Table& table) {
         .costs("O(1)");
     add(
         table, "bones::layers::has_whole_turn(part, weight)",
-        [](const glm::dquat& given, double by) { return has_whole_turn(given, by); }, part, weight)
+        [](const glm::dquat& given, double by) { return has_whole_turn(given, by); }, part,
+        arg("weight", 0.5, any_at_rest("any; false for NaN")))
         .costs("O(1)");
     add(
         table, "bones::layers::overridden(base, source, weight, channels)",

@@ -40,13 +40,13 @@ def laid_beneath(system: System) -> list[System]:
     return [] if system.entries is None or system.lays_pose else laying_systems()
 
 
-def entries_on(owner: Any) -> Iterator[tuple[System, Any]]:
+def entries_on(owner: Any, without: System | None = None) -> Iterator[tuple[System, Any]]:
     """Yield (system, Entry) for each Entry of an owner, an item in its list of settings that drives bones or objects.
 
-    Systems that pose bones by their own transforms (System.lays_pose) are left out.
+    Systems that pose bones by their own transforms (System.lays_pose) are left out. without: a System that is left out too.
     """
     for system in systems():
-        if system.entries and not system.lays_pose:
+        if system.entries and not system.lays_pose and system != without and has_settings(system, owner):
             for entry in system.entries(owner):
                 yield system, entry
 

@@ -69,7 +69,9 @@ glm::dquat whole_turn(const glm::dquat& part, double weight) {
     if (weight >= 1.0) return near;
     const HalfAngle half = half_angle(near);
     if (half.sine == 0.0) return no_turn;
-    const Angle whole = angle_of(half.radians < weight * quarter_turn ? half.radians / weight : quarter_turn);
+    // Written so that a weight of NaN makes the result NaN.
+    const bool is_more = weight * quarter_turn <= half.radians;
+    const Angle whole = angle_of(is_more ? quarter_turn : half.radians / weight);
     const double along = half.sine > 1e-150 ? whole.sine / half.sine : 1.0 / weight;
     return {whole.cosine, along * near.x, along * near.y, along * near.z};
 }

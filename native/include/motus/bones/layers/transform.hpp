@@ -34,7 +34,8 @@ enum Channels : std::uint8_t { no_channel = 0, location = 1, rotation = 2, scale
 [[nodiscard]] glm::dquat part_of_turn(const glm::dquat& turn, double weight);
 
 /// The turn of which part_of_turn() makes `part` by `weight` (0 to 1), at most half a turn: where it would be
-/// more, or the weight is 0, half a turn the same way. No turn is no turn by any weight.
+/// more, or the weight is 0, half a turn the same way. No turn is no turn by any weight. Of a weight that is
+/// NaN it is NaN.
 [[nodiscard]] glm::dquat whole_turn(const glm::dquat& part, double weight);
 
 /// Whether whole_turn() is at most half a turn by itself, so that its part by `weight` is `part`.
