@@ -4,7 +4,7 @@ import math
 import random
 
 import bpy
-from mathutils import Euler, Matrix, Quaternion
+from mathutils import Euler, Matrix, Quaternion, Vector
 
 import support
 from look_at.look_at_cases import BODY, EYES, LookAtTestCase, build_rig
@@ -202,6 +202,20 @@ class Limits(LookAtTestCase):
         for name in EYES:
             self.assertLess(self.yaw(name), 15.01)
             self.assertGreater(self.yaw(name), 11.9)
+
+    def test_each_direction_has_a_limit_of_its_own(self):
+        limits = {"left": 20.0, "right": 25.0, "up": 15.0, "down": 10.0}
+        seen = {"left": (70, 0), "right": (-70, 0), "up": (0, 60), "down": (0, -60)}
+        for part, bone in (("head", "Head"), ("eyes", "Eye.L")):
+            weights = {"body_weight": 0.0, "head_weight": 0.0, "eyes_weight": 0.0, f"{part}_weight": 1.0}
+            keywords = {f"{part}_{side}_limit": math.radians(angle) for side, angle in limits.items()}
+            self.look(clamp=0.0, eyes_limit=math.pi, head_limit=math.pi, **weights, **keywords)
+            for side, aim in seen.items():
+                with self.subTest(part=part, side=side):
+                    self.aim(*aim)
+                    turned = math.degrees(self.gaze(bone).angle(Vector((0.0, -1.0, 0.0))))
+                    self.assertAlmostEqual(turned, limits[side], delta=0.01)
+                    self.assertEqual(self.told("reason"), self.reasons.LIMIT)
 
     def test_clamp(self):
         self.aim(120)

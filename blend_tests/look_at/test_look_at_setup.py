@@ -38,6 +38,8 @@ class Add(LookAtTestCase):
             "body_limit": 0.5,
             "head_limit": 1.0,
             "eyes_limit": 0.25,
+            "head_left_limit": 0.75,
+            "eyes_down_limit": 0.125,
             "head_forward": 'NEG_Z',
             "eyes_forward": 'POS_Y',
             "body_length": 2,

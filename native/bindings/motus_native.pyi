@@ -531,7 +531,7 @@ class LookAtPlan:
     Raises ValueError or TypeError that names the argument.
     """
     REPORT: typing.ClassVar[tuple] = ('angle', 'reason', 'yaw', 'pitch')
-    SETTINGS: typing.ClassVar[tuple] = ('weight', 'body_weight', 'head_weight', 'eyes_weight', 'clamp', 'body_limit', 'head_limit', 'eyes_limit', 'is_on')
+    SETTINGS: typing.ClassVar[tuple] = ('weight', 'body_weight', 'head_weight', 'eyes_weight', 'clamp', 'body_limit', 'head_limit', 'eyes_limit', 'head_left_limit', 'head_right_limit', 'head_up_limit', 'head_down_limit', 'eyes_left_limit', 'eyes_right_limit', 'eyes_up_limit', 'eyes_down_limit', 'is_on')
     def __init__(self, parents: numpy.typing.ArrayLike, bodies: typing.Sequence[numpy.typing.ArrayLike], heads: numpy.typing.ArrayLike, eyes: typing.Sequence[numpy.typing.ArrayLike]) -> None:
         ...
     def solve(self, rest: numpy.typing.NDArray[numpy.float32], poses: numpy.typing.NDArray[numpy.float32], basis: numpy.typing.NDArray[numpy.float32], inheritance: numpy.typing.NDArray[numpy.int32], world: numpy.typing.ArrayLike, settings: numpy.typing.NDArray[numpy.float64], targets: numpy.typing.NDArray[numpy.float64], head_forward: numpy.typing.NDArray[numpy.float64], eyes_forward: numpy.typing.NDArray[numpy.float64], rotations: numpy.typing.NDArray[numpy.float64] | None = None, up: numpy.typing.NDArray[numpy.float64] | None = None) -> numpy.typing.NDArray[numpy.float64]:
@@ -541,7 +541,7 @@ class LookAtPlan:
         rest, poses, basis: (B, 16) float32: Bone.matrix_local, PoseBone.matrix, PoseBone.matrix_basis, column by column; of poses
         only the parent of each entry's first bone is read.  inheritance: (B,) int32: Bone.inherit_scale | 8 use_inherit_rotation
         | 16 use_local_location.  world: (16,), the rig's matrix_world, column by column.
-        settings: (C, 9), see SETTINGS and look_at().  targets: (C, 3), world space.  head_forward: (C, 3), eyes_forward: (E, 3) of
+        settings: (C, 17), see SETTINGS and look_at().  targets: (C, 3), world space.  head_forward: (C, 3), eyes_forward: (E, 3) of
         the eyes of all entries, axes of the bones that point where they look, of any length but 0.  up: (C, 3), the rig's upward
         direction at rest, in armature space, of any length but 0; None: Z.
         rotations: a C-contiguous float64 array (rows, 4) to write into, which shares no memory with other arguments; None: only the
@@ -1471,7 +1471,7 @@ def layer_moves(own: numpy.typing.NDArray[numpy.float32], laid: numpy.typing.NDA
     own and laid: (R, 16) float32, matrices column by column.  locations (R, 3), rotations (R, 4) w, x, y, z, scales (R, 3), float64:
     written into.  Raises ValueError or TypeError that names the argument.
     """
-def look_at(forward: numpy.typing.ArrayLike, targets: numpy.typing.ArrayLike, chest: numpy.typing.ArrayLike | None = None, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), weight: float = 1.0, body_weight: float = 0.3, head_weight: float = 1.0, eyes_weight: float = 0.0, clamp: float = 0.5, body_limit: float = 3.141592653589793, head_limit: float = 3.141592653589793, eyes_limit: float = 3.141592653589793) -> LookAtTurns:
+def look_at(forward: numpy.typing.ArrayLike, targets: numpy.typing.ArrayLike, chest: numpy.typing.ArrayLike | None = None, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), weight: float = 1.0, body_weight: float = 0.3, head_weight: float = 1.0, eyes_weight: float = 0.0, clamp: float = 0.5, body_limit: float = 3.141592653589793, head_limit: float = 3.141592653589793, eyes_limit: float = 3.141592653589793, head_sides: numpy.typing.ArrayLike | None = None, eyes_sides: numpy.typing.ArrayLike | None = None) -> LookAtTurns:
     """
     How body, head and eyes share the turn of a gaze to a target far away.
     
@@ -1480,6 +1480,7 @@ def look_at(forward: numpy.typing.ArrayLike, targets: numpy.typing.ArrayLike, ch
     weight: of the whole turn.  body_weight: share of the turn.  head_weight: share of what the body leaves.  eyes_weight:
     share of what the head leaves.  clamp: 0 free, 0.5 90 degrees to each side, 1 no turn.  All in [0, 1].
     body_limit, head_limit, eyes_limit: greatest turn of the gaze by each, rad, >= 0; from pi on none.
+    head_sides, eyes_sides: (4,), greatest parts of that turn to the left, to the right, up and down; None: none.
     A turn adds no roll if both gazes lie within 37 degrees of the horizon (and, unless clamp is 0 and head_limit pi, within
     73 degrees of chest).  With a clamp >= 0.5, or limits for all that turn, the result is a continuous function of the target;
     else it changes sides if the target passes straight behind the chest.

@@ -131,6 +131,7 @@ def draw_limits(layout, context):
     entry = active_entry(context.object)
     if entry:
         rows.LIMITS.draw(ui.split(layout), entry)
+        rows.SIDES.draw(ui.split(layout), entry, has_title=True)
 
 
 def draw_bones(layout, context):

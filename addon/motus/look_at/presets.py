@@ -5,11 +5,15 @@ import math
 from ..core.interface import presets
 from ..core.interface.bone_entries import selected
 from ..core.interface.presets import Preset
-from .properties import KEYWORDS
+from .properties import KEYWORDS, SIDE_LIMITS
 
 ENTRY = "bpy.context.object.motus.look_at.entries[bpy.context.object.motus.look_at.active_entry]"
 # Settings that belong to one rig or one shot, which presets and the copying of settings leave out.
 OF_THE_HEAD = {"weight", "head_forward", "eyes_forward"}
+
+
+# How far people turn their heads and eyes with ease: left, right, up, down.
+HUMAN_SIDES = {name: math.radians(angle) for name, angle in zip(SIDE_LIMITS, (70.0, 70.0, 50.0, 50.0, 35.0, 35.0, 25.0, 30.0))}
 
 
 def _degrees(body, head, eyes):
@@ -21,7 +25,7 @@ BROUGHT = (
         'PERSON',
         "Person",
         "Eyes first, then the head, and a little of the back",
-        {"body_weight": 0.25, "head_weight": 0.7, "eyes_weight": 1.0} | _degrees(50.0, 70.0, 35.0),
+        {"body_weight": 0.25, "head_weight": 0.7, "eyes_weight": 1.0} | _degrees(50.0, 70.0, 35.0) | HUMAN_SIDES,
     ),
     Preset(
         'GLANCE',

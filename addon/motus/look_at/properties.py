@@ -28,6 +28,14 @@ def _limit(name, description, degrees):
     return number(name, description, math.radians(degrees), ANIMATED, min=0.0, max=math.pi, subtype='ANGLE')
 
 
+def _side(name, description):
+    return _limit(name, description, 180.0)
+
+
+SIDE_LIMITS = tuple(f"{part}_{side}_limit" for part in ("head", "eyes") for side in ("left", "right", "up", "down"))
+"""Names of the settings that limit the parts of a turn of head and eyes in each direction."""
+
+
 class LookAtKeywords:
     """Mixin with the properties that entries and the operator motus.look_at_add share; scripts give them by these names as keywords."""
 
@@ -39,6 +47,14 @@ class LookAtKeywords:
     body_limit: _limit("Body Limit", "Largest turn of all spine bones together", 60.0)
     head_limit: _limit("Head Limit", "Largest turn of the head against the spine", 80.0)
     eyes_limit: _limit("Eyes Limit", "Largest turn of the eyes against the head", 35.0)
+    head_left_limit: _side("Head Left", "Largest part of the head's turn to its own left; 180 degrees: none but Head Limit")
+    head_right_limit: _side("Head Right", "Largest part of the head's turn to its own right; 180 degrees: none but Head Limit")
+    head_up_limit: _side("Head Up", "Largest part of the head's turn upwards; 180 degrees: none but Head Limit")
+    head_down_limit: _side("Head Down", "Largest part of the head's turn downwards; 180 degrees: none but Head Limit")
+    eyes_left_limit: _side("Eyes Left", "Largest part of the eyes' turn to the character's left; 180 degrees: none but Eyes Limit")
+    eyes_right_limit: _side("Eyes Right", "Largest part of the eyes' turn to the character's right; 180 degrees: none but Eyes Limit")
+    eyes_up_limit: _side("Eyes Up", "Largest part of the eyes' turn upwards; 180 degrees: none but Eyes Limit")
+    eyes_down_limit: _side("Eyes Down", "Largest part of the eyes' turn downwards; 180 degrees: none but Eyes Limit")
     forward: _axis("Forward", "Axis of the rig that points where the character faces at rest", AXES, facing.FORWARD)
     up: _axis("Up", "Axis of the rig that points from the feet to the head at rest", AXES, facing.UP)
     head_forward: _axis("Head Forward", "Axis of the head bone that points where the face looks", FORWARDS, 'AUTO')

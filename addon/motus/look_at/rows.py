@@ -2,6 +2,7 @@
 
 from ..core.interface.rows import Row, Rows
 from ..core.translations import OWN_SENSE
+from .properties import SIDE_LIMITS
 
 WEIGHTS = Rows(
     (
@@ -14,6 +15,7 @@ WEIGHTS = Rows(
     title="Weights",
 )
 LIMITS = Rows(("clamp", Row("body_limit", text="Body"), Row("head_limit", text="Head"), Row("eyes_limit", text="Eyes")), title="Limits")
+SIDES = Rows(SIDE_LIMITS, title="Limits by Direction")
 FACING = Rows(("forward", "up"), title="Facing")
 AXES = Rows(("head_forward", "eyes_forward"), title="Bones")
-ALL = (WEIGHTS, FACING, LIMITS, AXES)
+ALL = (WEIGHTS, FACING, LIMITS, SIDES, AXES)

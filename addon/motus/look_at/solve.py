@@ -7,6 +7,7 @@ from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from . import reasons
 from .groups import LOOPED, OUTPUTS, PLAN
+from .properties import SIDE_LIMITS
 
 SOME_ARE_OFF = Problem("Some heads have nothing to look at: the list says why", blocking=False)
 TARGET_LOOPS = Problem("The target moves with the head that looks at it: choose another one", blocking=False)
@@ -14,7 +15,7 @@ BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
 PROBLEMS = (SOME_ARE_OFF, TARGET_LOOPS, BONES_CHANGED)
 
 ANGLE, REASON = OUTPUTS.index("angle"), OUTPUTS.index("reason")
-NUMBERS = ("weight", "body_weight", "head_weight", "eyes_weight", "clamp", "body_limit", "head_limit", "eyes_limit")
+NUMBERS = ("weight", "body_weight", "head_weight", "eyes_weight", "clamp", "body_limit", "head_limit", "eyes_limit", *SIDE_LIMITS)
 
 
 _AXIS = (float, float, float)

@@ -200,6 +200,7 @@ void add_ik(Table& table) {
 void add_look_at(Table& table) {
     using look_at::GazeChart;
     using look_at::GazeSettings;
+    using look_at::SideLimits;
     const glm::dvec3 ahead(0.0, 1.0, 0.0), up(0.0, 0.0, 1.0);
     static const GazeChart chart(ahead, up);
     const Domain part{"unit, not checked; what a NaN is a part of is NaN",
@@ -265,13 +266,25 @@ void add_look_at(Table& table) {
         arg("animated", glm::dvec2(0.1, 0.0), place), target, settings)
         .costs("O(1)");
     add(
-        table, "bones::look_at::gaze_share(present, goal, target, weight, limit)",
-        [](const glm::dvec2& present, const glm::dvec2& goal, const glm::dvec2& to, double weight,
-           double limit) {
-            return look_at::gaze_share(present, {goal, false}, to, weight, limit);
+        table, "bones::look_at::side_limited_turn(from, turn, sides, target)",
+        [](const glm::dvec2& at, const glm::dvec2& turn, const SideLimits& given, const glm::dvec2& to) {
+            return look_at::side_limited_turn(at, turn, given, to);
+        },
+        start, arg("turn", glm::dvec2(0.6, 0.3), place),
+        of(SideLimits{0.5, 0.4, 0.3, 0.2}, member("left", &SideLimits::left, place),
+           member("right", &SideLimits::right, place), member("up", &SideLimits::up, place),
+           member("down", &SideLimits::down, place)),
+        target)
+        .costs("O(1)");
+    add(
+        table, "bones::look_at::gaze_share(present, goal, target, part)",
+        [](const glm::dvec2& present, const glm::dvec2& goal, const glm::dvec2& to,
+           const look_at::GazePart& given) {
+            return look_at::gaze_share(present, {goal, false}, to, given);
         },
         arg("present", glm::dvec2(0.1, 0.0), place), arg("goal", glm::dvec2(0.6, 0.3), place), target,
-        arg("weight", 0.5, place), arg("limit", 0.5, place))
+        of(look_at::GazePart{0.5, 0.5}, member("weight", &look_at::GazePart::weight, place),
+           member("limit", &look_at::GazePart::limit, place)))
         .costs("O(1)");
     add(
         table, "bones::look_at::turns_to(chart, animated, target, settings)",

@@ -62,6 +62,9 @@ class LookAt(unittest.TestCase):
         held = native.look_at(AHEAD, aside, head_limit=20 * DEGREE)
         self.assertGreaterEqual(held.residual, 22 * DEGREE)
         self.assertIs(held.reason, native.Reason.LIMIT)
+        by_side = native.look_at(AHEAD, aside, head_sides=(20 * DEGREE, 30 * DEGREE, 1.0, 1.0), body_weight=0.0)
+        self.assertAlmostEqual(by_side.residual, 30 * DEGREE, delta=1e-9)  # to the right
+        self.assertIs(by_side.reason, native.Reason.LIMIT)
         half = native.look_at(AHEAD, aside, weight=0.5)  # as it is wanted
         self.assertAlmostEqual(half.residual, 30 * DEGREE, delta=1e-14)
         self.assertIs(half.reason, native.Reason.REACHED)
@@ -82,6 +85,8 @@ class LookAt(unittest.TestCase):
             ("clamp", -0.1, ValueError),
             ("head_limit", -1.0, ValueError),
             ("eyes_weight", math.inf, ValueError),
+            ("head_sides", (1.0, 1.0), ValueError),
+            ("eyes_sides", (1.0, 1.0, -1.0, 1.0), ValueError),
             ("body_limit", [1.0], TypeError),
         ):
             arguments = {"forward": AHEAD, "targets": (1, 0, 0), name: value}
@@ -105,7 +110,7 @@ class Figure:
         self.world = np.eye(4).ravel()
         row = dict.fromkeys(native.LookAtPlan.SETTINGS, 1.0)
         row.update(body_weight=0.3, eyes_weight=0.0, clamp=0.0)
-        row.update(dict.fromkeys(("body_limit", "head_limit", "eyes_limit"), math.pi))
+        row.update({name: math.pi for name in row if name.endswith("_limit")})
         self.settings = np.tile(list(row.values()), (entries, 1))
         self.targets = np.tile((-0.5, -1.0, 2.0), (entries, 1))
         self.forward = np.tile((0.0, 0.0, 1.0), (entries, 1))

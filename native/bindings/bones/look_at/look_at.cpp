@@ -43,6 +43,18 @@ constexpr double entry_cost = 1500.0;  // ns, rough
     return value;
 }
 
+/// (4,) rad: left, right, up, down; no limits if None.
+[[nodiscard]] look_at::SideLimits side_limits(const OptionalArrayLike& object, const char* name) {
+    if (object.is_none()) return {};
+    const DoubleArray given = doubles(object, name);
+    if (given.ndim() != 1 || given.shape(0) != 4)
+        value_error(name, "must have the shape (4,), not " + shape_of(given));
+    const std::span<const double, 4> sides(given.data(), 4);
+    if (!std::ranges::all_of(sides, [](double side) { return side >= 0.0; }))
+        value_error(name, "must be >= 0");
+    return {sides[0], sides[1], sides[2], sides[3]};
+}
+
 [[nodiscard]] glm::dvec3 unit(const glm::dvec3& v, const char* name) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (largest == 0.0) value_error(name, "must have a length");
@@ -59,7 +71,8 @@ Turns look_at_targets(const py::object& reason_type, const ArrayLike& forward, c
                       const OptionalArrayLike& chest, const ArrayLike& up, const Number& weight,
                       const Number& body_weight, const Number& head_weight, const Number& eyes_weight,
                       const Number& clamp, const Number& body_limit, const Number& head_limit,
-                      const Number& eyes_limit) {
+                      const Number& eyes_limit, const OptionalArrayLike& head_sides,
+                      const OptionalArrayLike& eyes_sides) {
     const glm::dvec3 animated = unit(vector(forward, "forward"), "forward");
     const glm::dvec3 ahead = chest.is_none() ? animated : unit(vector(chest, "chest"), "chest");
     const glm::dvec3 above = unit(vector(up, "up"), "up");
@@ -73,7 +86,9 @@ Turns look_at_targets(const py::object& reason_type, const ArrayLike& forward, c
                                          fraction(clamp, "clamp"),
                                          limit(body_limit, "body_limit"),
                                          limit(head_limit, "head_limit"),
-                                         limit(eyes_limit, "eyes_limit")};
+                                         limit(eyes_limit, "eyes_limit"),
+                                         side_limits(head_sides, "head_sides"),
+                                         side_limits(eyes_sides, "eyes_sides")};
     const DoubleArray given = doubles(targets, "targets");
     const bool is_single = given.ndim() == 1;
     if (given.ndim() < 1 || given.ndim() > 2 || given.shape(given.ndim() - 1) != 3)
@@ -125,6 +140,14 @@ enum Column : std::size_t {
     body_limit,
     head_limit,
     eyes_limit,
+    head_left_limit,
+    head_right_limit,
+    head_up_limit,
+    head_down_limit,
+    eyes_left_limit,
+    eyes_right_limit,
+    eyes_up_limit,
+    eyes_down_limit,
     is_on,
     column_count
 };
@@ -132,7 +155,9 @@ constexpr std::size_t report_count = 4;
 
 [[nodiscard]] Typed<"tuple[str, ...]"> setting_names() {
     return py::make_tuple("weight", "body_weight", "head_weight", "eyes_weight", "clamp", "body_limit",
-                          "head_limit", "eyes_limit", "is_on");
+                          "head_limit", "eyes_limit", "head_left_limit", "head_right_limit", "head_up_limit",
+                          "head_down_limit", "eyes_left_limit", "eyes_right_limit", "eyes_up_limit",
+                          "eyes_down_limit", "is_on");
 }
 
 [[nodiscard]] Typed<"tuple[str, ...]"> report_names() {
@@ -171,6 +196,10 @@ constexpr std::size_t report_count = 4;
     look_at::GazeInput input;
     input.settings = {row[weight],       row[body_weight], row[head_weight], row[eyes_weight],
                       row[clamp_column], row[body_limit],  row[head_limit],  row[eyes_limit]};
+    input.settings.head_sides = {row[head_left_limit], row[head_right_limit], row[head_up_limit],
+                                 row[head_down_limit]};
+    input.settings.eyes_sides = {row[eyes_left_limit], row[eyes_right_limit], row[eyes_up_limit],
+                                 row[eyes_down_limit]};
     input.target = vector_at(targets);
     input.head_forward = vector_at(head_forward);
     if (!up.empty()) input.up = vector_at(up);
@@ -260,13 +289,16 @@ void bind_look_at(py::module_& m) {
             const ArrayLike& forward, const ArrayLike& targets, const OptionalArrayLike& chest,
             const ArrayLike& up, const Number& weight, const Number& body_weight, const Number& head_weight,
             const Number& eyes_weight, const Number& clamp, const Number& body_limit,
-            const Number& head_limit, const Number& eyes_limit) {
+            const Number& head_limit, const Number& eyes_limit, const OptionalArrayLike& head_sides,
+            const OptionalArrayLike& eyes_sides) {
             return look_at_targets(reason_type, forward, targets, chest, up, weight, body_weight, head_weight,
-                                   eyes_weight, clamp, body_limit, head_limit, eyes_limit);
+                                   eyes_weight, clamp, body_limit, head_limit, eyes_limit, head_sides,
+                                   eyes_sides);
         },
         "forward"_a, "targets"_a, "chest"_a = py::none(), "up"_a = py::make_tuple(0.0, 0.0, 1.0),
         "weight"_a = 1.0, "body_weight"_a = 0.3, "head_weight"_a = 1.0, "eyes_weight"_a = 0.0,
         "clamp"_a = 0.5, "body_limit"_a = pi, "head_limit"_a = pi, "eyes_limit"_a = pi,
+        "head_sides"_a = py::none(), "eyes_sides"_a = py::none(),
         R"(
 How body, head and eyes share the turn of a gaze to a target far away.
 
@@ -275,6 +307,7 @@ chest; forward if None.  up: (3,), the chest's up; its part across chest counts.
 weight: of the whole turn.  body_weight: share of the turn.  head_weight: share of what the body leaves.  eyes_weight:
 share of what the head leaves.  clamp: 0 free, 0.5 90 degrees to each side, 1 no turn.  All in [0, 1].
 body_limit, head_limit, eyes_limit: greatest turn of the gaze by each, rad, >= 0; from pi on none.
+head_sides, eyes_sides: (4,), greatest parts of that turn to the left, to the right, up and down; None: none.
 A turn adds no roll if both gazes lie within 37 degrees of the horizon (and, unless clamp is 0 and head_limit pi, within
 73 degrees of chest).  With a clamp >= 0.5, or limits for all that turn, the result is a continuous function of the target;
 else it changes sides if the target passes straight behind the chest.
@@ -306,7 +339,7 @@ Rotations that turn body, head and eyes of each entry to its target.
 rest, poses, basis: (B, 16) float32: Bone.matrix_local, PoseBone.matrix, PoseBone.matrix_basis, column by column; of poses
 only the parent of each entry's first bone is read.  inheritance: (B,) int32: Bone.inherit_scale | 8 use_inherit_rotation
 | 16 use_local_location.  world: (16,), the rig's matrix_world, column by column.
-settings: (C, 9), see SETTINGS and look_at().  targets: (C, 3), world space.  head_forward: (C, 3), eyes_forward: (E, 3) of
+settings: (C, 17), see SETTINGS and look_at().  targets: (C, 3), world space.  head_forward: (C, 3), eyes_forward: (E, 3) of
 the eyes of all entries, axes of the bones that point where they look, of any length but 0.  up: (C, 3), the rig's upward
 direction at rest, in armature space, of any length but 0; None: Z.
 rotations: a C-contiguous float64 array (rows, 4) to write into, which shares no memory with other arguments; None: only the

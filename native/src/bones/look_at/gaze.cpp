@@ -93,7 +93,9 @@ glm::dquat GazeChart::turn(const glm::dvec2& from, const glm::dvec2& to) const {
 }
 
 Level level_for(const GazeSettings& settings) {
-    return settings.clamp <= 0.0 && settings.head_limit >= pi ? Level::all_round : Level::in_front;
+    const double widest_side = std::max(settings.head_sides.left, settings.head_sides.right);
+    const bool turns_round = settings.clamp <= 0.0 && std::min(settings.head_limit, widest_side) >= pi;
+    return turns_round ? Level::all_round : Level::in_front;
 }
 
 GazeStep limited_turn(const glm::dvec2& from, const glm::dvec2& turn, double limit,
@@ -108,6 +110,14 @@ GazeStep limited_turn(const glm::dvec2& from, const glm::dvec2& turn, double lim
     return {factor * turn, factor < 1.0};
 }
 
+GazeStep side_limited_turn(const glm::dvec2& from, const glm::dvec2& turn, const SideLimits& sides,
+                           const glm::dvec2& target) {
+    const GazeStep across =
+        limited_turn(from, {turn.x, 0.0}, turn.x > 0.0 ? sides.left : sides.right, target);
+    const GazeStep upwards = limited_turn(from, {0.0, turn.y}, turn.y > 0.0 ? sides.up : sides.down, target);
+    return {across.by + upwards.by, across.is_limited || upwards.is_limited};
+}
+
 GazeStep gaze_goal(const glm::dvec2& animated, const glm::dvec2& target, const GazeSettings& settings) {
     const double freedom = (1.0 - share(settings.clamp)) * pi;
     const GazeStep whole = limited_turn(animated, target - animated, freedom, target);
@@ -117,11 +127,12 @@ GazeStep gaze_goal(const glm::dvec2& animated, const glm::dvec2& target, const G
     return {animated + weight * whole.by, whole.is_limited && weight > 0.0};
 }
 
-GazeStep gaze_share(const glm::dvec2& present, const GazeStep& goal, const glm::dvec2& target, double weight,
-                    double limit) {
-    const double part = share(weight);
-    const GazeStep step = limited_turn(present, part * (goal.by - present), limit, target);
-    return {step.by, step.is_limited || (goal.is_limited && part > 0.0)};
+GazeStep gaze_share(const glm::dvec2& present, const GazeStep& goal, const glm::dvec2& target,
+                    const GazePart& part) {
+    const double weight = share(part.weight);
+    const GazeStep whole = limited_turn(present, weight * (goal.by - present), part.limit, target);
+    const GazeStep step = side_limited_turn(present, whole.by, part.sides, target);
+    return {step.by, whole.is_limited || step.is_limited || (goal.is_limited && weight > 0.0)};
 }
 
 Turns turns_to(const GazeChart& chart, const glm::dvec3& animated, const glm::dvec3& target,
@@ -131,17 +142,17 @@ Turns turns_to(const GazeChart& chart, const glm::dvec3& animated, const glm::dv
     glm::dvec2 present = chart.place(animated);
     const glm::dvec2 wanted = chart.place(target);
     const GazeStep goal = gaze_goal(present, wanted, settings);
-    const auto take = [&](double weight, double limit, glm::dquat& turn) {
-        const GazeStep step = gaze_share(present, goal, wanted, weight, limit);
+    const auto take = [&](const GazePart& part, glm::dquat& turn) {
+        const GazeStep step = gaze_share(present, goal, wanted, part);
         is_limited = is_limited || step.is_limited;
         if (step.by == glm::dvec2(0.0)) return;
         const glm::dvec2 next = present + step.by;
         turn = chart.turn(present, next);
         present = next;
     };
-    take(settings.body_weight, settings.body_limit, turns.body);
-    take(settings.head_weight, settings.head_limit, turns.head);
-    take(settings.eyes_weight, settings.eyes_limit, turns.eyes);
+    take({settings.body_weight, settings.body_limit}, turns.body);
+    take({settings.head_weight, settings.head_limit, settings.head_sides}, turns.head);
+    take({settings.eyes_weight, settings.eyes_limit, settings.eyes_sides}, turns.eyes);
     turns.residual = angle_between(chart.direction(present), target);
     if (is_limited && turns.residual > reached_angle) turns.reason = Reason::limit;
     return turns;

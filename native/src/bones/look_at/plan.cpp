@@ -31,9 +31,14 @@ std::optional<glm::dvec3> towards(const glm::dvec3& place, const glm::dvec3& tar
     return direction_of(way);
 }
 
+bool has_finite_numbers(const SideLimits& s) {
+    return are_finite(s.left, s.right, s.up, s.down);
+}
+
 bool has_finite_numbers(const GazeSettings& s) {
     return are_finite(s.weight, s.body_weight, s.head_weight, s.eyes_weight, s.clamp, s.body_limit,
-                      s.head_limit, s.eyes_limit);
+                      s.head_limit, s.eyes_limit) &&
+           has_finite_numbers(s.head_sides) && has_finite_numbers(s.eyes_sides);
 }
 
 }  // namespace
@@ -85,10 +90,9 @@ class GazePlan::Solver {
     /// The step that a bone whose animated gaze is at `animated` takes of the turn from `present` to a
     /// direction.
     [[nodiscard]] GazeStep step(const glm::dvec3& direction, const glm::dvec2& animated,
-                                const glm::dvec2& present, double weight, double limit) {
+                                const glm::dvec2& present, const GazePart& part) {
         const glm::dvec2 target = chart_->place(direction);
-        const GazeStep result =
-            gaze_share(present, gaze_goal(animated, target, settings_), target, weight, limit);
+        const GazeStep result = gaze_share(present, gaze_goal(animated, target, settings_), target, part);
         is_limited_ = is_limited_ || result.is_limited;
         return result;
     }
@@ -98,7 +102,7 @@ class GazePlan::Solver {
         if (entry_.turning == 0) return animated;
         const std::optional<glm::dvec3> direction = towards(animated.place(), input_.target);
         if (!direction) return animated;
-        const glm::dvec2 by = step(*direction, from, from, settings_.body_weight, settings_.body_limit).by;
+        const glm::dvec2 by = step(*direction, from, from, {settings_.body_weight, settings_.body_limit}).by;
         if (by == glm::dvec2(0.0)) return animated;
         glm::dmat4 pose = base_;
         glm::dquat last = chart_->level(from);
@@ -125,7 +129,7 @@ class GazePlan::Solver {
         report_.yaw = seen.x;
         report_.pitch = seen.y;
         report_.angle = turn(head, entry_.head, input_.head_forward, *direction, from,
-                             {settings_.head_weight, settings_.head_limit});
+                             {settings_.head_weight, settings_.head_limit, settings_.head_sides});
         return true;
     }
 
@@ -145,23 +149,18 @@ class GazePlan::Solver {
             const std::optional<glm::dvec3> direction = towards(eye.place(), input_.target);
             if (!from || !eye.gaze(*forward) || !direction) continue;
             const double angle = turn(eye, last, *forward, *direction, chart_->place(*from),
-                                      {settings_.eyes_weight, settings_.eyes_limit});
+                                      {settings_.eyes_weight, settings_.eyes_limit, settings_.eyes_sides});
             worst = std::max(worst.value_or(0.0), angle);
         }
         report_.angle = worst.value_or(report_.angle);
         return true;
     }
 
-    struct Share {
-        double weight = 0.0;
-        double limit = 0.0;
-    };
-
     /// Turns the head or an eye; returns the angle that is left to the target.
     double turn(GazeBone& bone, const Link& link, const glm::dvec3& axis, const glm::dvec3& direction,
-                const glm::dvec2& animated, const Share& share) {
+                const glm::dvec2& animated, const GazePart& part) {
         const glm::dvec2 present = chart_->place(*bone.gaze(axis));
-        const glm::dvec2 by = step(direction, animated, present, share.weight, share.limit).by;
+        const glm::dvec2 by = step(direction, animated, present, part).by;
         if (by != glm::dvec2(0.0)) write(link, bone.turn(chart_->turn(present, present + by), axis));
         return angle_between(bone.gaze(axis).value_or(direction), direction);
     }

@@ -227,6 +227,43 @@ TEST_CASE("clamp and limits hold, and begin smoothly", "[look_at]") {
     CHECK(last == Approx(60 * degree));
 }
 
+TEST_CASE("head and eyes have limits of their own to the left, to the right, up and down", "[look_at]") {
+    GazeSettings settings = free_head();
+    settings.head_sides = {40 * degree, 30 * degree, 20 * degree, 10 * degree};
+    const GazeChart chart(ahead, {0.0, 0.0, 1.0});
+    const auto place = [&](const glm::dvec3& target) {
+        return chart.place(gaze_after(turns_to(ahead, target, settings), ahead)) / degree;
+    };
+    CHECK(place(towards(90 * degree, 0.0)).x == Approx(40.0));
+    CHECK(place(towards(-90 * degree, 0.0)).x == Approx(-30.0));
+    CHECK(place(towards(0.0, 80 * degree)).y == Approx(20.0));
+    CHECK(place(towards(0.0, -80 * degree)).y == Approx(-10.0));
+    const glm::dvec2 aside = place(chart.direction({15 * degree, 60 * degree}));
+    CHECK(aside.x == Approx(15.0));  // one part does not shorten the other
+    CHECK(aside.y == Approx(20.0));
+    CHECK(turns_to(ahead, towards(60 * degree, 0.0), settings).reason == Reason::limit);
+    CHECK(turns_to(ahead, towards(5 * degree, 5 * degree), settings).residual < 1e-12);
+
+    // Slope of the place to the left over that of the target: 1 at first, no corner, no way back.
+    constexpr double step = 0.01;  // degrees
+    double last = 0.0, last_speed = 1.0;
+    for (double yaw = step; yaw < 120.0; yaw += step) {
+        const double left = place(chart.direction({yaw * degree, -3 * degree})).x;
+        const double speed = (left - last) / step;
+        CHECK(speed > -1e-8);
+        CHECK(std::abs(speed - last_speed) < 2e-3);
+        last = left;
+        last_speed = speed;
+    }
+
+    settings = {};
+    settings.clamp = settings.body_weight = settings.head_weight = 0.0;
+    settings.eyes_weight = 1.0;
+    settings.eyes_sides.up = 0.0;
+    CHECK(place(towards(0.0, 30 * degree)) == glm::dvec2(0.0));
+    CHECK(place(towards(0.0, -30 * degree)).y == Approx(-30.0));
+}
+
 TEST_CASE("a clamped gaze has no jump anywhere, straight behind included", "[look_at]") {
     // Of `ahead`, which has a name, Catch2 would take a reference, and the others for references too.
     const glm::dvec3 animated =

@@ -62,6 +62,14 @@ class GazeChart {
     Level level_;
 };
 
+/// Greatest parts of a turn in the chart's directions, rad; pi and more: none. Clamped to >= 0.
+struct SideLimits {
+    double left = std::numbers::pi;
+    double right = std::numbers::pi;
+    double up = std::numbers::pi;
+    double down = std::numbers::pi;
+};
+
 /// How a turn is shared and limited. Weights are clamped to [0, 1], limits to >= 0.
 struct GazeSettings {
     double weight = 1.0;       ///< of the whole turn
@@ -72,9 +80,12 @@ struct GazeSettings {
     double body_limit = std::numbers::pi;  ///< greatest turn of the gaze by the body, rad; pi and more: none
     double head_limit = std::numbers::pi;  ///< by the head
     double eyes_limit = std::numbers::pi;  ///< by each eye
+    SideLimits head_sides{};               ///< of the head, within head_limit
+    SideLimits eyes_sides{};               ///< of each eye, within eyes_limit
 };
 
-/// all_round if nothing keeps the head from turning right round: no clamp, and no limit of the head.
+/// all_round if nothing keeps the head from turning right round: no clamp, no limit of the head, and none to
+/// one of the two sides at least.
 [[nodiscard]] Level level_for(const GazeSettings& settings);
 
 /// A place in the chart, or a step from one to another, and whether a limit made it shorter.
@@ -90,14 +101,27 @@ struct GazeStep {
 [[nodiscard]] GazeStep limited_turn(const glm::dvec2& from, const glm::dvec2& turn, double limit,
                                     const glm::dvec2& target);
 
+/// `turn` with its part across limited by left or right, and its part upwards by up or down, each as
+/// limited_turn() does, so that a part that is not limited stays as it is. A limit of 0 is a wall: the turn
+/// has a corner there.
+[[nodiscard]] GazeStep side_limited_turn(const glm::dvec2& from, const glm::dvec2& turn,
+                                         const SideLimits& sides, const glm::dvec2& target);
+
 /// The end of the whole turn that starts at the animated gaze: the target, or nearer by weight and clamp.
 /// `by` is that place in the chart.
 [[nodiscard]] GazeStep gaze_goal(const glm::dvec2& animated, const glm::dvec2& target,
                                  const GazeSettings& settings);
 
-/// The step from the present gaze that one part takes, by its weight and limit.
+/// The weight and the limits of one part: body, head or eye.
+struct GazePart {
+    double weight = 1.0;
+    double limit = std::numbers::pi;
+    SideLimits sides{};
+};
+
+/// The step from the present gaze that one part takes.
 [[nodiscard]] GazeStep gaze_share(const glm::dvec2& present, const GazeStep& goal, const glm::dvec2& target,
-                                  double weight, double limit);
+                                  const GazePart& part);
 
 inline constexpr double reached_angle = 1e-6;  ///< rad; a smaller angle between gaze and target counts as 0
 
