@@ -7,7 +7,7 @@ import bpy
 from mathutils import Euler, Matrix, Quaternion, Vector
 
 import support
-from look_at.look_at_cases import BODY, EYES, LookAtTestCase, build_rig
+from look_at.look_at_cases import BODY, EYES, FAR, LookAtTestCase, build_rig, direction
 
 HIT = 2e-3  # degrees: what single precision leaves of a matrix' direction
 FRAMES = [1, 61, 33, 40.5, 12, 50.25, 21, 3]
@@ -237,6 +237,66 @@ class Limits(LookAtTestCase):
                 worst = max(worst, math.degrees(gaze.angle(last)))
             last = gaze
         self.assertLess(worst, 4.0)
+
+
+class Targets(LookAtTestCase):
+    def setUp(self):
+        super().setUp()
+        self.aim(40)
+        self.other = self.link("Other", location=self.rig.data.bones["Head"].head_local + FAR * direction(-20))
+        self.entry = self.look(body_weight=0.0)
+        self.assertEqual(bpy.ops.motus.look_at_target_add(object="Rig", bone="Head", target="Other"), {'FINISHED'})
+
+    def test_the_mean_by_weight(self):
+        for first, second, wanted in ((1.0, 1.0, 10.0), (1.0, 0.0, 40.0), (0.0, 1.0, -20.0), (0.25, 0.25, 5.0), (0.0, 0.0, 0.0)):
+            with self.subTest(first=first, second=second):
+                self.entry.target_weight, self.entry.extra_targets[0].weight = first, second
+                self.assertAlmostEqual(self.yaw("Head"), wanted, delta=5e-3)
+
+    def test_opposed_targets(self):
+        self.aim(100)
+        self.other.location = self.rig.data.bones["Head"].head_local + FAR * direction(-100)
+        self.assertAlmostEqual(self.yaw("Head"), 0.0, delta=5e-3)
+        self.assertEqual(self.told("reason"), self.reasons.REACHED)
+
+    def test_keyed_weights_in_any_order(self):
+        support.key(self.entry, "target_weight", {1: 1.0, 21: 0.0})
+        support.key(self.entry.extra_targets[0], "weight", {1: 0.0, 21: 1.0})
+        self.assertInAnyOrder()
+
+    def assertInAnyOrder(self):
+        found = {}
+        for frame in (1, 6, 11, 16, 21):
+            self.scene.frame_set(frame)
+            found[frame] = self.yaw("Head")
+        self.assertAlmostEqual(found[1], 40.0, delta=5e-3)
+        self.assertAlmostEqual(found[11], 10.0, delta=5e-3)
+        self.assertAlmostEqual(found[21], -20.0, delta=5e-3)
+        for frame in (16, 1, 21, 6, 11):
+            self.scene.frame_set(frame)
+            self.assertEqual(self.yaw("Head"), found[frame])
+
+    def test_a_further_target_that_is_missing_has_no_weight(self):
+        bpy.data.objects.remove(self.other)
+        self.assertAlmostEqual(self.yaw("Head"), 40.0, delta=5e-3)
+
+    def test_removing_restores_and_takes_its_keys_along(self):
+        self.assertEqual(bpy.ops.motus.look_at_target_add(object="Rig", bone="Head", target="Other"), {'FINISHED'})
+        for number in range(2):
+            support.key(self.entry.extra_targets[number], "weight", {1: float(number), 21: 0.5})
+        self.assertEqual(bpy.ops.motus.look_at_target_remove(object="Rig", bone="Head", index=0), {'FINISHED'})
+        paths = [curve.data_path for curve in support.addon("core.blender.actions").curves_of(self.rig.animation_data)]
+        self.assertEqual(paths, ["motus.look_at.entries[0].extra_targets[0].weight"])
+        self.scene.frame_set(1)
+        self.assertAlmostEqual(self.entry.extra_targets[0].weight, 1.0, delta=1e-6)
+        bpy.ops.motus.look_at_target_remove(object="Rig", bone="Head")
+        self.assertAlmostEqual(self.yaw("Head"), 40.0, delta=5e-3)
+        with self.assertRaisesRegex(RuntimeError, "no such target"):
+            bpy.ops.motus.look_at_target_remove(object="Rig", bone="Head")
+
+    def test_a_target_on_the_head_is_refused(self):
+        with self.assertRaisesRegex(RuntimeError, "cannot look at it"):
+            bpy.ops.motus.look_at_target_add(object="Rig", bone="Head", target="Rig", target_bone="Eye.L")
 
 
 class Time(LookAtTestCase):

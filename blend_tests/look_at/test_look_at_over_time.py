@@ -1,5 +1,7 @@
 """Heads that look at something are known at any times, for systems that need their past."""
 
+import bpy
+
 import solved_cases
 import support
 from look_at.look_at_cases import LookAtTestCase
@@ -24,6 +26,15 @@ class LookAtOverTime(solved_cases.Solved, LookAtTestCase):
         support.key(entry, "weight", {1: 0.0, 40: 1.0})
         support.key(entry, "clamp", {1: 0.0, 40: 0.6})
         support.key(self.rig.pose.bones["Neck"], "rotation_quaternion", {1: (1.0, 0.0, 0.0, 0.0), 50: (0.9, 0.2, 0.1, 0.3)})
+        self.assertSolved(self.rig.pose.bones["Head"])
+
+    def test_further_targets_with_keyed_weights(self):
+        other = self.link("Other", location=(-1.0, -2.0, 1.0))
+        entry = self.look(body_length=2)
+        for name in (other.name, ""):  # the second one stays without an object
+            bpy.ops.motus.look_at_target_add(object="Rig", bone="Head", target=name)
+        support.key(entry, "target_weight", {1: 1.0, 40: 0.2})
+        support.key(entry.extra_targets[0], "weight", {1: 0.0, 40: 0.7})
         self.assertSolved(self.rig.pose.bones["Head"])
 
     def test_without_a_target(self):

@@ -534,16 +534,19 @@ class LookAtPlan:
     SETTINGS: typing.ClassVar[tuple] = ('weight', 'body_weight', 'head_weight', 'eyes_weight', 'clamp', 'body_limit', 'head_limit', 'eyes_limit', 'head_left_limit', 'head_right_limit', 'head_up_limit', 'head_down_limit', 'eyes_left_limit', 'eyes_right_limit', 'eyes_up_limit', 'eyes_down_limit', 'is_on')
     def __init__(self, parents: numpy.typing.ArrayLike, bodies: typing.Sequence[numpy.typing.ArrayLike], heads: numpy.typing.ArrayLike, eyes: typing.Sequence[numpy.typing.ArrayLike]) -> None:
         ...
-    def solve(self, rest: numpy.typing.NDArray[numpy.float32], poses: numpy.typing.NDArray[numpy.float32], basis: numpy.typing.NDArray[numpy.float32], inheritance: numpy.typing.NDArray[numpy.int32], world: numpy.typing.ArrayLike, settings: numpy.typing.NDArray[numpy.float64], targets: numpy.typing.NDArray[numpy.float64], head_forward: numpy.typing.NDArray[numpy.float64], eyes_forward: numpy.typing.NDArray[numpy.float64], rotations: numpy.typing.NDArray[numpy.float64] | None = None, up: numpy.typing.NDArray[numpy.float64] | None = None) -> numpy.typing.NDArray[numpy.float64]:
+    def solve(self, rest: numpy.typing.NDArray[numpy.float32], poses: numpy.typing.NDArray[numpy.float32], basis: numpy.typing.NDArray[numpy.float32], inheritance: numpy.typing.NDArray[numpy.int32], world: numpy.typing.ArrayLike, settings: numpy.typing.NDArray[numpy.float64], targets: numpy.typing.NDArray[numpy.float64], head_forward: numpy.typing.NDArray[numpy.float64], eyes_forward: numpy.typing.NDArray[numpy.float64], rotations: numpy.typing.NDArray[numpy.float64] | None = None, up: numpy.typing.NDArray[numpy.float64] | None = None, target_weights: numpy.typing.NDArray[numpy.float64] | None = None, target_counts: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
         """
         Rotations that turn body, head and eyes of each entry to its target.
         
         rest, poses, basis: (B, 16) float32: Bone.matrix_local, PoseBone.matrix, PoseBone.matrix_basis, column by column; of poses
         only the parent of each entry's first bone is read.  inheritance: (B,) int32: Bone.inherit_scale | 8 use_inherit_rotation
         | 16 use_local_location.  world: (16,), the rig's matrix_world, column by column.
-        settings: (C, 17), see SETTINGS and look_at().  targets: (C, 3), world space.  head_forward: (C, 3), eyes_forward: (E, 3) of
+        settings: (C, 17), see SETTINGS and look_at().  targets: (T, 3), world space.  head_forward: (C, 3), eyes_forward: (E, 3) of
         the eyes of all entries, axes of the bones that point where they look, of any length but 0.  up: (C, 3), the rig's upward
         direction at rest, in armature space, of any length but 0; None: Z.
+        target_counts: (C,), how many of the targets, in order, each entry has, at least one; None: one each.  target_weights: (T,), less
+        than 0 counts as 0; None: 1.  An entry looks in the mean by weight of its targets' directions; of weights that sum up to less than 1
+        the animated gaze takes the rest.
         rotations: a C-contiguous float64 array (rows, 4) to write into, which shares no memory with other arguments; None: only the
         report.  Its rows are w, x, y, z and come on top of each bone's own rotation; the identity if nothing turns.
         Returns (C, 4), see REPORT: angle between gaze and target, rad; reason (a Reason: REACHED or LIMIT; -1 if an input is not

@@ -11,6 +11,7 @@ SYSTEM = System(
     classes=(
         # Blender requires that a property group is registered before the group that contains it.
         properties.MOTUS_PG_look_at_eye,
+        properties.MOTUS_PG_look_at_target,
         properties.MOTUS_PG_look_at_entry,
         properties.MOTUS_PG_look_at,
         *operators.classes,

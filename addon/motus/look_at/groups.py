@@ -63,6 +63,9 @@ def bone_renamed(owner, rig, old, new):
                 item.name = new
         if pointed(entry, "target") == rig and entry.target_bone == old:
             entry.target_bone = new
+        for extra in entry.extra_targets:
+            if pointed(extra, "object") == rig and extra.bone == old:
+                extra.bone = new
 
 
 def shared_bone(owner, entry):
@@ -93,14 +96,24 @@ def _eyes(owner, entry):
     return [eye.name for eye in entry.eyes if eye.name in below]
 
 
+def goals(entry):
+    """(object or None, bone or "") of each target of an entry: of its target, then of its further targets."""
+    return [(pointed(entry, "target"), entry.target_bone), *((pointed(extra, "object"), extra.bone) for extra in entry.extra_targets)]
+
+
+def weights(entry):
+    """Weights of an entry's targets, in the order of goals()."""
+    return [entry.target_weight, *(extra.weight for extra in entry.extra_targets)]
+
+
 def _reads(owner, entry, bones):
-    """(object, bone or "") whose evaluated transforms a head's solver reads: the parent of the lowest turned bone, and the target."""
+    """(object, bone or "") whose evaluated transforms a head's solver reads: the parent of the lowest turned bone, and the targets."""
     lowest = owner.data.bones[bones[0]].parent
     reads = [(owner, lowest.name if lowest else "")]
-    target = pointed(entry, "target")
-    if target:
-        has_bone = target.pose and entry.target_bone in target.pose.bones
-        reads.append((target, entry.target_bone if has_bone else ""))
+    for target, bone in goals(entry):
+        if target:
+            has_bone = target.pose and bone in target.pose.bones
+            reads.append((target, bone if has_bone else ""))
     return reads
 
 

@@ -11,6 +11,7 @@ from ..core.measures.axes import AXES, LABELS
 from ..core.refusals import Refused, check_bone, check_finite, check_no_tweak_mode
 from ..core.translations import tr
 from . import anatomy, facing, names, rows, setup, targets
+from .groups import driven_bones
 from .properties import ANY_BODY_LENGTH, KEYWORDS, LookAtKeywords
 
 
@@ -224,6 +225,48 @@ class MOTUS_OT_look_at_eye_remove(OfAHead, bpy.types.Operator):
         return [eye for eye in eyes if eye != self.eye]
 
 
+class MOTUS_OT_look_at_target_add(OfAHead, bpy.types.Operator):
+    bl_idname = "motus.look_at_target_add"
+    bl_label = "Add Further Target"
+    bl_description = "Give the head a further target, between which and the others it looks by their weights"
+
+    target: bpy.props.StringProperty(
+        name="Target", description="Name of the object; empty takes what is selected along with the rig", options={'SKIP_SAVE'}
+    )
+    target_bone: bpy.props.StringProperty(name="Target Bone", description="Name of a bone of the target", options={'SKIP_SAVE'})
+
+    def run(self, context):
+        rig = targets.looking_rig(context, self.object)
+        targets.check_editable(rig)
+        entry = rig.motus.look_at.entries[targets.entry_for(context, rig, self.bone)]
+        target = targets.target_for(context, self, rig)
+        targets.check_target(target, self.target_bone)
+        targets.check_loop(rig, entry.name, driven_bones(rig, entry), target, self.target_bone)
+        setup.add_target(rig, entry, target, self.target_bone)
+
+
+class MOTUS_OT_look_at_target_remove(OfAHead, bpy.types.Operator):
+    bl_idname = "motus.look_at_target_remove"
+    bl_label = "Remove Further Target"
+    bl_description = "Take a further target off the head"
+
+    index: bpy.props.IntProperty(
+        name="Index", description="Index of the further target; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'}
+    )
+
+    def run(self, context):
+        rig = targets.looking_rig(context, self.object)
+        targets.check_editable(rig)
+        place = targets.entry_for(context, rig, self.bone)
+        entry = rig.motus.look_at.entries[place]
+        index = entry.active_extra_target if self.index < 0 else self.index
+        if not 0 <= index < len(entry.extra_targets):
+            raise Refused(tr("There is no such target"))
+        targets.check_target_removable(rig, entry, index)
+        check_no_tweak_mode(rig)
+        setup.remove_target(rig, place, index)
+
+
 def change_eyes(operator, context, change):
     """Replace the eyes of an entry by the list of names that `change` returns. Raises Refused if a new eye does not fit.
 
@@ -248,4 +291,6 @@ classes = (
     MOTUS_OT_look_at_turn,
     MOTUS_OT_look_at_eye_add,
     MOTUS_OT_look_at_eye_remove,
+    MOTUS_OT_look_at_target_add,
+    MOTUS_OT_look_at_target_remove,
 )

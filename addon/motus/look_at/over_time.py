@@ -7,7 +7,6 @@ from ..core import rigs
 from ..core.animation.strips import together
 from ..core.evaluated.question import answered
 from ..core.file import deleted
-from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.settings import entry_keys
 from ..core.tracks import rotations
@@ -64,30 +63,36 @@ class _Head:
         self._owner, self._index, self._bones = owner, index, bones
         self._entry = entry = owner.motus.look_at.entries[index]
         lowest = owner.data.bones[bones[0]].parent
-        self._target = _target(entry)
+        self._targets = [_present(*goal) for goal in groups.goals(entry)]
         self.inputs = RigInputs(
             owner,
             scene,
             ("look_at", index),
             dict.fromkeys(groups.read_bones(owner, entry, bones)),
             lowest.name if lowest else "",
-            [self._target],
+            self._targets,
             self._paths,
         )
 
     def _paths(self):
         entries = self._owner.motus.look_at.entries
         prefix = entry_keys.animated_prefix(self._owner, "motus.look_at.entries", entries, self._index)
-        paths = {name: (prefix + name, -1) for name in (*solve.NUMBERS, "is_muted")}
+        names = (*solve.NUMBERS, "is_muted", *self._weight_names)
+        paths = {name: (prefix + name, -1) for name in names}
         return paths | {"influence": ("motus.look_at.influence", -1)}
+
+    @property
+    def _weight_names(self):
+        """Data paths in the entry of its targets' weights."""
+        return ["target_weight", *(f"extra_targets[{number}].weight" for number in range(len(self._targets) - 1))]
 
     @property
     def stamp(self):
         """Hashable value that changes whenever the head's motion may change; None if changes cannot be detected.
 
-        It holds whether the head has a target, and the stamp of the solver's inputs.
+        It holds which targets the head has, and the stamp of the solver's inputs.
         """
-        return together((self._target is not None, self.inputs.stamp))
+        return together((tuple(target is not None for target in self._targets), self.inputs.stamp))
 
     def turns(self, times):
         """Turns that the solver gives the head's bones at times (n,): quaternions w, x, y, z, (n, bones, 4).
@@ -99,9 +104,15 @@ class _Head:
     def _solved(self, times):
         found = np.zeros((len(times), len(self._bones), 4))
         found[:, :, 0] = 1.0
-        (target,) = self.inputs.goals(times)
-        if target is None:
+        if self._targets[0] is None:
             return found
+        worlds_of_targets = self.inputs.goals(times)
+        targets = np.zeros((len(times), len(worlds_of_targets), 3))
+        weights = np.zeros(targets.shape[:2])
+        numbers = self.inputs.numbers(times)
+        for number, (one, name) in enumerate(zip(worlds_of_targets, self._weight_names)):
+            if one is not None:
+                targets[:, number], weights[:, number] = one[:, 12:15], numbers[name]
         owner, text = self._owner, groups.plan_of(self._owner, [(self._entry, self._bones)])
         wired = rigs.plan(owner, text, lambda rig, rows: solve.Wired(rig, rows, text))
         settings, worlds, still = self._settings(wired, times), self.inputs.worlds(times), wired.still
@@ -113,11 +124,13 @@ class _Head:
                 still.inheritance,
                 worlds[index],
                 settings[index : index + 1],
-                target[index : index + 1, 12:15],
+                targets[index],
                 wired.head_forward,
                 wired.eyes_forward,
                 rotations=found[index],
                 up=wired.up,
+                target_weights=weights[index],
+                target_counts=[len(self._targets)],
             )
         return found
 
@@ -131,9 +144,8 @@ class _Head:
         return found
 
 
-def _target(entry):
-    """(object, bone or "") at which a head looks; None if there is no target, it was deleted, or it lacks the target bone."""
-    target, bone = pointed(entry, "target"), entry.target_bone
+def _present(target, bone):
+    """(object, bone or "") of a target; None if there is no target, it was deleted, or it lacks the bone."""
     if target is None or deleted.is_deleted(target) or (target.pose and bone and bone not in target.pose.bones):
         return None
     return target, bone if target.pose else ""

@@ -6,11 +6,10 @@ A gaze that misses the target is red.
 from mathutils import Vector
 
 from ..core.file.choices import chosen
-from ..core.file.pointers import pointed
 from ..core.interface.overlay import Batch, Overlay
 from ..core.lazy import numpy as np
 from ..core.measures import axes
-from . import anatomy, panel, reasons
+from . import anatomy, groups, panel, reasons
 
 GAZE_COLOR = (0.25, 0.85, 0.45, 0.9)
 OFF_COLOR = (0.95, 0.25, 0.30, 0.9)
@@ -32,23 +31,25 @@ def _batches_of(context, owner):
     found = []
     for entry in rig.motus.look_at.entries:
         told = panel.outputs_of(context, owner, entry.name)
-        point = _target_of(entry)
-        if told is None or point is None or told["reason"] < reasons.REACHED or entry.name not in rig.pose.bones:
+        points = _targets_of(entry)
+        if told is None or points[0] is None or told["reason"] < reasons.REACHED or entry.name not in rig.pose.bones:
             continue
-        found += _batches(rig, entry, point)
+        found += _batches(rig, entry, [point for point in points if point is not None], told["angle"])
     return found
 
 
-def _batches(rig, entry, point):
+def _batches(rig, entry, points, angle):
+    """Batches of a head that looks at points. angle: radians that are left to the direction between several points."""
     names = [eye.name for eye in entry.eyes if eye.name in rig.pose.bones] if entry.eyes_weight > 0.0 else []
     forwards = anatomy.eyes_forward(rig, entry, names)
-    eyes = [_gaze(rig, name, forward, point, EYES_REACH) for name, forward in zip(names, forwards)]
-    head = _gaze(rig, entry.name, anatomy.head_forward(rig, entry), point, 1.0)
+    shared = angle if len(points) > 1 else None
+    eyes = [_gaze(rig, name, forward, points[0], EYES_REACH, shared) for name, forward in zip(names, forwards)]
+    head = _gaze(rig, entry.name, anatomy.head_forward(rig, entry), points[0], 1.0, shared)
     if eyes and head.colors == OFF_COLOR and all(eye.colors == GAZE_COLOR for eye in eyes):
         head = head._replace(colors=ON_THE_WAY_COLOR)
     return [
-        Batch('LINES', _array(_place(rig, entry.name), point), TARGET_COLOR, TARGET_WIDTH),
-        Batch('POINTS', _array(point), TARGET_COLOR, POINT_SIZE),
+        *(Batch('LINES', _array(_place(rig, entry.name), point), TARGET_COLOR, TARGET_WIDTH) for point in points),
+        Batch('POINTS', _array(*points), TARGET_COLOR, POINT_SIZE),
         head,
         *eyes,
         _face(rig, entry),
@@ -66,9 +67,13 @@ def _face(rig, entry):
     return Batch('LINES', _array(place, tip, tip, ends[0], tip, ends[1], tip, tip + HEAD_SIZE * up), FACE_COLOR, FACE_WIDTH)
 
 
-def _target_of(entry):
-    """World position of the target of an evaluated entry; None if there is no target, or if the target lacks the chosen bone."""
-    target, bone = pointed(entry, "target"), entry.target_bone
+def _targets_of(entry):
+    """World positions of the target of an evaluated entry, and of its further targets of weight; None for a target that is missing."""
+    goals = zip(groups.goals(entry), groups.weights(entry))
+    return [_point(*goal) for number, (goal, weight) in enumerate(goals) if weight > 0.0 or number == 0]
+
+
+def _point(target, bone):
     if target is None:
         return None
     if not bone or target.pose is None:
@@ -80,16 +85,17 @@ def _place(rig, bone):
     return rig.matrix_world @ rig.pose.bones[bone].head
 
 
-def _gaze(rig, bone, forward, point, reach):
+def _gaze(rig, bone, forward, point, reach, angle):
     """Batch with the line along which a bone looks; its color says whether the bone looks at the target.
 
     forward: unit vector in the bone's space. point: world position of the target. reach: length of the line, as a share of the
-    distance from the bone to the target.
+    distance from the bone to the target. angle: radians by which the bone misses what it looks at; None measures the angle to the point.
     """
     pose = rig.matrix_world @ rig.pose.bones[bone].matrix
     along = (pose.to_3x3() @ forward).normalized()
     way = point - pose.translation
-    color = OFF_COLOR if along.angle(way, 0.0) >= reasons.SLIGHT else GAZE_COLOR
+    missed = along.angle(way, 0.0) if angle is None else angle
+    color = OFF_COLOR if missed >= reasons.SLIGHT else GAZE_COLOR
     return Batch('LINES', _array(pose.translation, pose.translation + reach * way.length * along), color, GAZE_WIDTH)
 
 

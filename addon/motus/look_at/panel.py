@@ -126,6 +126,34 @@ def _degrees(angle):
     return f"{abs(math.degrees(angle)):.1f}°"
 
 
+def draw_targets(layout, context):
+    """Draw the list of the selected head's further targets, and the weights between which it looks."""
+    rig = context.object
+    entry = active_entry(rig)
+    if entry is None:
+        return
+    layout.use_property_split = False
+    add, remove, _ = ui.draw_list(
+        layout,
+        "MOTUS_UL_look_at_targets",
+        entry,
+        "extra_targets",
+        "active_extra_target",
+        "motus.look_at_target_add",
+        "motus.look_at_target_remove",
+        rows=2,
+    )
+    for button in (add, remove):
+        _for_entry(button, rig, entry)
+    if not entry.extra_targets:
+        return
+    extra = entry.extra_targets[min(entry.active_extra_target, len(entry.extra_targets) - 1)]
+    ui.draw_goal(layout.column(), extra, "object", "bone")
+    column = ui.split(layout)
+    column.prop(entry, "target_weight")
+    column.prop(extra, "weight", text_ctxt=OWN_SENSE)
+
+
 def draw_limits(layout, context):
     """Draw the limits of how far spine, head and eyes may turn."""
     entry = active_entry(context.object)
@@ -165,6 +193,14 @@ class MOTUS_UL_look_at_entries(bpy.types.UIList):
         row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
 
 
+class MOTUS_UL_look_at_targets(bpy.types.UIList):
+    def draw_item(self, _context, layout, _entry, extra, _icon, _active, _name, index):
+        named = pointed(extra, "object")
+        row = layout.row(align=True)
+        row.label(text=f"{index + 1}  {named.name if named else '-'}  {extra.bone}", translate=False)
+        row.prop(extra, "weight", text="", emboss=False)
+
+
 PANEL = panels.SystemPanel(
     name="look_at",
     prefix="MOTUS_PT_look_at",
@@ -174,7 +210,11 @@ PANEL = panels.SystemPanel(
     suits=lambda obj: obj.type == 'ARMATURE',
     is_used=lambda rig: rig.motus.look_at.is_active,
     draw=draw_main,
-    parts=(panels.Part("limits", "Limits", draw_limits), panels.Part("bones", "Bones", draw_bones)),
+    parts=(
+        panels.Part("targets", "Further Targets", draw_targets),
+        panels.Part("limits", "Limits", draw_limits),
+        panels.Part("bones", "Bones", draw_bones),
+    ),
     readouts=draw_readouts,
     actions=draw_actions,
     refresh=panels.REFRESH,
@@ -182,4 +222,4 @@ PANEL = panels.SystemPanel(
     draw_add=draw_add,
 )
 
-classes = (MOTUS_UL_look_at_entries, *panels.classes(PANEL))
+classes = (MOTUS_UL_look_at_entries, MOTUS_UL_look_at_targets, *panels.classes(PANEL))

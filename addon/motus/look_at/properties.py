@@ -68,12 +68,34 @@ class MOTUS_PG_look_at_eye(bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(name="Eye", description="Bone of the eye, below the head", update=rewire, override=OVERRIDABLE)
 
 
+_target_weight = partial(
+    number,
+    default=1.0,
+    options=ANIMATED,
+    min=0.0,
+    soft_max=1.0,
+)
+
+
+class MOTUS_PG_look_at_target(bpy.types.PropertyGroup):
+    object: to_object(name="Object", description="Object to look at as well", update=rewire, override=OVERRIDABLE)
+    bone: bpy.props.StringProperty(
+        name="Bone", description="Bone of the target to look at; empty takes its origin", update=rewire, override=OVERRIDABLE
+    )
+    weight: _target_weight("Weight", "Share of this target in the direction that is looked in, against those of the other targets")
+
+
 class MOTUS_PG_look_at_entry(LookAtKeywords, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(name="Head", description="Bone of the head", update=rewire, override=OVERRIDABLE)
     target: to_object(name="Target", description="Object to look at", update=rewire, override=OVERRIDABLE)
     target_bone: bpy.props.StringProperty(
         name="Bone", description="Bone of the target to look at; empty takes its origin", update=rewire, override=OVERRIDABLE
     )
+    target_weight: _target_weight(
+        "Target Weight", "Share of the target in the direction that is looked in, against those of the further targets"
+    )
+    extra_targets: bpy.props.CollectionProperty(type=MOTUS_PG_look_at_target, name="Further Targets", override=EXTENDABLE)
+    active_extra_target: bpy.props.IntProperty(name="Active Further Target", options=set())
     body_length: bpy.props.IntProperty(
         name="Spine Bones",
         description="How many bones below the head turn along, the neck among them",

@@ -3,7 +3,7 @@
 from ..core.declare import registered
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
-from ..core.settings import entries, targets
+from ..core.settings import entries, entry_keys, targets
 from . import anatomy, facing
 
 DISTANCE = 6.0  # from the head to a new target, in lengths of the head bone
@@ -49,6 +49,24 @@ def remove(rig, index):
     target = pointed(rig.motus.look_at.entries[index], "target")
     entries.remove(system(), rig, [index], "active_entry")
     remove_unneeded(target)
+
+
+def add_target(rig, entry, target, bone):
+    """Give an entry a further target: an object, or None, which the user replaces in the list, and its bone or ""."""
+    with entries.at_once(system(), rig):
+        extra = entry.extra_targets.add()
+        extra.object, extra.bone = target, bone
+        entry.active_extra_target = len(entry.extra_targets) - 1
+
+
+def remove_target(rig, place, index):
+    """Remove the further target at an index, with keys and drivers of its weight, from the entry at a place in the list of heads."""
+    with entries.at_once(system(), rig) as settings:
+        entry = settings.entries[place]
+        for prefix in entry_keys.prefixes("motus.look_at.entries", settings.entries, place):
+            entry_keys.forget(rig, f"{prefix}extra_targets", entry.extra_targets, index)
+        entry.extra_targets.remove(index)
+        entry.active_extra_target = max(0, min(entry.active_extra_target, len(entry.extra_targets) - 1))
 
 
 def remove_unneeded(target):

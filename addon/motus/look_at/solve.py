@@ -3,10 +3,9 @@
 from ..core import native, rigs
 from ..core.declare import Problem
 from ..core.file import deleted, stored
-from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from . import reasons
-from .groups import LOOPED, OUTPUTS, PLAN
+from .groups import LOOPED, OUTPUTS, PLAN, goals, weights
 from .properties import SIDE_LIMITS
 
 SOME_ARE_OFF = Problem("Some heads have nothing to look at: the list says why", blocking=False)
@@ -82,7 +81,8 @@ class _Source:
         if -1 in self.places:
             raise KeyError
         entries = [every[place] for place in self.places]
-        self.targets = [(pointed(entry, "target"), entry.target_bone) for entry in entries]
+        self.targets = [goals(entry) for entry in entries]
+        self.target_counts = [len(targets) for targets in self.targets]
 
 
 def solve(context):
@@ -106,8 +106,11 @@ def _solve(context, source):
     wired, count = source.wired, len(source.targets)
     if (wired.members, count * len(OUTPUTS)) != (len(context.rotations), len(context.outputs)):
         raise stored.Damaged("another number of members or outputs")
-    points, off = _places(source.targets)
-    settings, muted = context.kept("heads", source, lambda: _settings(context.settings, source.places, wired.columns))
+    points, off, absent = _places(source.targets)
+    settings, target_weights, muted = context.kept("heads", source, lambda: _settings(context.settings, source.places, wired.columns))
+    if absent:
+        target_weights = target_weights.copy()
+        target_weights[absent] = 0.0
     if off:
         settings = settings.copy()
         settings[list(off), wired.columns["is_on"]] = 0.0
@@ -123,6 +126,8 @@ def _solve(context, source):
         wired.eyes_forward,
         rotations=context.rotations,
         up=wired.up,
+        target_weights=target_weights,
+        target_counts=source.target_counts,
     )
     told = context.outputs.reshape(count, len(OUTPUTS))
     report.take(wired.told, axis=1, out=told, mode='clip')  # mode 'raise' would copy the array first
@@ -138,8 +143,9 @@ def _solve(context, source):
 
 
 def _settings(settings, places, columns):
-    """(settings of the heads as LookAtPlan.solve() reads them, (heads, len(LookAtPlan.SETTINGS)) float64, list of the muted heads).
+    """(settings of the heads, weights of all their targets, list of the muted heads).
 
+    Settings are as LookAtPlan.solve() reads them, (heads, len(LookAtPlan.SETTINGS)) float64; so are weights, (targets,) float64.
     places: index of each head's entry. columns: {name of a setting: column}.
     """
     entries = settings.entries
@@ -153,24 +159,35 @@ def _settings(settings, places, columns):
     muted = muted[places]
     values[:, columns["is_on"]] = ~muted
     values[:, columns["weight"]] *= settings.influence
-    return values, np.flatnonzero(muted).tolist()
+    target_weights = np.array([weight for place in places for weight in weights(entries[place])])
+    return values, target_weights, np.flatnonzero(muted).tolist()
 
 
 def _places(targets):
-    """World positions of the heads' targets, (heads, 3), and {row of a head that has none: reason}.
+    """World positions of all heads' targets, (targets, 3); {row of a head without its first target: reason}; rows of further targets that are missing.
 
-    targets: (evaluated object or None, name of its bone or "") of each head.
+    targets: for each head, the (evaluated object or None, name of its bone or "") of each of its targets.
     """
-    points, off = np.zeros((len(targets), 3)), {}
-    for row, (target, bone) in enumerate(targets):
-        if target is None:
-            off[row] = reasons.NO_TARGET
-        elif deleted.is_deleted(target):
-            off[row] = reasons.TARGET_DELETED
-        elif not bone or target.pose is None:  # on an object without bones, a bone's name is left from an earlier target
-            points[row] = target.matrix_world.translation
-        elif bone in target.pose.bones:
-            points[row] = target.matrix_world @ target.pose.bones[bone].head
-        else:
-            off[row] = reasons.NO_TARGET_BONE
-    return points, off
+    points, off, absent = [], {}, []
+    for row, goals_of_head in enumerate(targets):
+        for number, (target, bone) in enumerate(goals_of_head):
+            point, reason = _place(target, bone)
+            if reason and number:
+                absent.append(len(points))
+            elif reason:
+                off[row] = reason
+            points.append(point)
+    return np.array(points, dtype=float), off, absent  # Blender 5.2 gives vectors as single precision
+
+
+def _place(target, bone):
+    """(world position of a target, reason why the target is missing or 0.0)."""
+    if target is None:
+        return (0.0, 0.0, 0.0), reasons.NO_TARGET
+    if deleted.is_deleted(target):
+        return (0.0, 0.0, 0.0), reasons.TARGET_DELETED
+    if not bone or target.pose is None:  # on an object without bones, a bone's name is left from an earlier target
+        return target.matrix_world.translation, 0.0
+    if bone in target.pose.bones:
+        return target.matrix_world @ target.pose.bones[bone].head, 0.0
+    return (0.0, 0.0, 0.0), reasons.NO_TARGET_BONE

@@ -169,6 +169,12 @@ def check_removable(rig, index):
         )
 
 
+def check_target_removable(rig, entry, index):
+    """Refuse to remove the further target at an index if the rig is a library override that has it from its library."""
+    if index < libraries.count_from_library(rig, f"{entry.path_from_id()}.extra_targets"):
+        raise Refused(tr("This target is from the library of {object} and cannot be removed here").format(object=rig.name))
+
+
 def check_editable(rig):
     """Refuse a rig whose settings cannot be changed: it is linked from a different file, or baked."""
     check_local(rig)

@@ -178,6 +178,17 @@ class Plan(unittest.TestCase):
         self.assertGreater(report["angle"], 0.1)
         self.assertEqual(report["reason"], 3.0)
 
+    def test_several_targets(self):
+        self.figure.set(body_weight=0.0, clamp=0.0)
+        aside = np.array([(-5.0, 0.0, 1.5), (5.0, 0.0, 1.5)])
+        self.solve(targets=aside, target_counts=[2])
+        np.testing.assert_allclose(self.gaze()[1], AHEAD, atol=1e-12)
+        self.solve(targets=aside, target_counts=[2], target_weights=np.array((0.0, 1.0)))
+        np.testing.assert_allclose(self.gaze()[1], (1.0, 0.0, 0.0), atol=1e-12)
+        for name, value in (("targets", aside), ("target_counts", [0]), ("target_counts", [1, 1]), ("target_weights", np.ones(3))):
+            with self.subTest(name), self.assertRaisesRegex(ValueError, name):
+                self.solve(**{name: value})
+
     def test_weight_0_and_off_are_the_identity(self):
         for name in ("weight", "is_on"):
             self.figure.set(weight=1.0, is_on=1.0)

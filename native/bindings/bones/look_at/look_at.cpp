@@ -187,7 +187,6 @@ constexpr std::size_t report_count = 4;
 }
 
 [[nodiscard]] look_at::GazeInput input_at(std::size_t entry, std::span<const double> settings,
-                                          std::span<const double> targets,
                                           std::span<const double> head_forward, std::span<const double> up) {
     const std::span<const double> row = settings.subspan(entry * column_count, column_count);
     const auto vector_at = [entry](std::span<const double> rows) {
@@ -200,7 +199,6 @@ constexpr std::size_t report_count = 4;
                                  row[head_down_limit]};
     input.settings.eyes_sides = {row[eyes_left_limit], row[eyes_right_limit], row[eyes_up_limit],
                                  row[eyes_down_limit]};
-    input.target = vector_at(targets);
     input.head_forward = vector_at(head_forward);
     if (!up.empty()) input.up = vector_at(up);
     input.is_on = row[is_on] != 0.0;
@@ -211,13 +209,25 @@ DoubleArray solve_plan(const look_at::GazePlan& plan, const Float32Array& rest, 
                        const Float32Array& basis, const Int32Array& inheritance, const ArrayLike& world,
                        const Float64Array& settings, const Float64Array& targets,
                        const Float64Array& head_forward, const Float64Array& eyes_forward,
-                       const OptionalFloat64Array& rotations, const OptionalFloat64Array& up) {
+                       const OptionalFloat64Array& rotations, const OptionalFloat64Array& up,
+                       const OptionalFloat64Array& target_weights, const OptionalArrayLike& target_counts) {
     const std::size_t count = plan.size();
     const CopiedRig rig(plan.parents(), rest, poses, basis, inheritance);
     const glm::dmat4 to_world = matrix_of_columns(world, "world");
     const std::span<const double> setting_rows =
         elements<double>(settings, "settings", {count, column_count});
-    const std::span<const double> target_rows = elements<double>(targets, "targets", {count, 3});
+    const std::vector<int> targets_of =
+        target_counts.is_none() ? std::vector<int>(count, 1) : whole_numbers(target_counts, "target_counts");
+    if (targets_of.size() != count) value_error("target_counts", "must have as many rows as settings");
+    if (!std::ranges::all_of(targets_of, [](int targets_of_one) { return targets_of_one >= 1; }))
+        value_error("target_counts", "must be >= 1");
+    const auto target_count =
+        std::accumulate(targets_of.begin(), targets_of.end(), std::size_t{0},
+                        [](std::size_t sum, int one) { return sum + static_cast<std::size_t>(one); });
+    const std::span<const double> target_rows = elements<double>(targets, "targets", {target_count, 3});
+    const std::span<const double> weight_rows =
+        target_weights.is_none() ? std::span<const double>()
+                                 : elements<double>(target_weights, "target_weights", {target_count});
     const std::span<const double> head_axes = elements<double>(head_forward, "head_forward", {count, 3});
     const std::size_t eye_count =
         std::accumulate(plan.eye_counts().begin(), plan.eye_counts().end(), std::size_t{0});
@@ -229,6 +239,7 @@ DoubleArray solve_plan(const look_at::GazePlan& plan, const Float32Array& rest, 
     const std::span<double> row_values = values_of(rows);
     require_apart(setting_rows, "settings", row_values, "rotations");
     require_apart(target_rows, "targets", row_values, "rotations");
+    require_apart(weight_rows, "target_weights", row_values, "rotations");
     require_apart(head_axes, "head_forward", row_values, "rotations");
     require_apart(eyes_axes, "eyes_forward", row_values, "rotations");
     require_apart(ups, "up", row_values, "rotations");
@@ -241,11 +252,22 @@ DoubleArray solve_plan(const look_at::GazePlan& plan, const Float32Array& rest, 
         eyes.emplace_back(eyes_axes[3 * i], eyes_axes[3 * i + 1], eyes_axes[3 * i + 2]);
     std::vector<look_at::GazeInput> inputs;
     inputs.reserve(count);
-    std::span<const glm::dvec3> further = eyes;
+    std::vector<look_at::GazeTarget> aims;
+    for (std::size_t i = 0; i < target_count; ++i) {
+        aims.push_back({{target_rows[3 * i], target_rows[3 * i + 1], target_rows[3 * i + 2]},
+                        weight_rows.empty() ? 1.0 : weight_rows[i]});
+    }
+    std::span<const glm::dvec3> later_eyes = eyes;
+    std::span<const look_at::GazeTarget> later_aims = aims;
     for (std::size_t i = 0; i < count; ++i) {
-        inputs.push_back(input_at(i, setting_rows, target_rows, head_axes, ups));
-        inputs.back().eyes_forward = further.first(plan.eye_counts()[i]);
-        further = further.subspan(plan.eye_counts()[i]);
+        look_at::GazeInput& input = inputs.emplace_back(input_at(i, setting_rows, head_axes, ups));
+        input.eyes_forward = later_eyes.first(plan.eye_counts()[i]);
+        later_eyes = later_eyes.subspan(plan.eye_counts()[i]);
+        const auto own = static_cast<std::size_t>(targets_of[i]);
+        input.target = later_aims.front().place;
+        input.target_weight = later_aims.front().weight;
+        input.further = later_aims.subspan(1, own - 1);
+        later_aims = later_aims.subspan(own);
     }
     {
         const ReleaseGil released(count, entry_cost);
@@ -333,15 +355,19 @@ Raises ValueError or TypeError that names the argument.)");
     plan.attr("REPORT") = report_names();
     plan.def("solve", &solve_plan, "rest"_a, "poses"_a, "basis"_a, "inheritance"_a, "world"_a, "settings"_a,
              "targets"_a, "head_forward"_a, "eyes_forward"_a, "rotations"_a = py::none(), "up"_a = py::none(),
+             "target_weights"_a = py::none(), "target_counts"_a = py::none(),
              R"(
 Rotations that turn body, head and eyes of each entry to its target.
 
 rest, poses, basis: (B, 16) float32: Bone.matrix_local, PoseBone.matrix, PoseBone.matrix_basis, column by column; of poses
 only the parent of each entry's first bone is read.  inheritance: (B,) int32: Bone.inherit_scale | 8 use_inherit_rotation
 | 16 use_local_location.  world: (16,), the rig's matrix_world, column by column.
-settings: (C, 17), see SETTINGS and look_at().  targets: (C, 3), world space.  head_forward: (C, 3), eyes_forward: (E, 3) of
+settings: (C, 17), see SETTINGS and look_at().  targets: (T, 3), world space.  head_forward: (C, 3), eyes_forward: (E, 3) of
 the eyes of all entries, axes of the bones that point where they look, of any length but 0.  up: (C, 3), the rig's upward
 direction at rest, in armature space, of any length but 0; None: Z.
+target_counts: (C,), how many of the targets, in order, each entry has, at least one; None: one each.  target_weights: (T,), less
+than 0 counts as 0; None: 1.  An entry looks in the mean by weight of its targets' directions; of weights that sum up to less than 1
+the animated gaze takes the rest.
 rotations: a C-contiguous float64 array (rows, 4) to write into, which shares no memory with other arguments; None: only the
 report.  Its rows are w, x, y, z and come on top of each bone's own rotation; the identity if nothing turns.
 Returns (C, 4), see REPORT: angle between gaze and target, rad; reason (a Reason: REACHED or LIMIT; -1 if an input is not

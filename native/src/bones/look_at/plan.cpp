@@ -41,14 +41,39 @@ bool has_finite_numbers(const GazeSettings& s) {
            has_finite_numbers(s.head_sides) && has_finite_numbers(s.eyes_sides);
 }
 
+bool has_finite_numbers(const GazeTarget& target) {
+    return is_finite(target.place) && std::isfinite(target.weight);
+}
+
+double weight_of(double weight) {
+    return std::max(weight, 0.0);
+}
+
+double weight_of(const GazeTarget& target) {
+    return weight_of(target.weight);
+}
+
+double sum_of_weights(const GazeInput& input) {
+    double sum = weight_of(input.target_weight);
+    for (const GazeTarget& target : input.further) sum += weight_of(target);
+    return sum;
+}
+
 }  // namespace
 
 /// The solver of one entry at one moment.
 class GazePlan::Solver {
   public:
     /// input: its head_forward and up are unit, its target is in the rig's space.
-    Solver(const RigView& rig, const Entry& entry, const GazeInput& input, std::span<glm::dquat> rotations)
-        : rig_(rig), entry_(entry), input_(input), settings_(input.settings), rotations_(rotations) {}
+    /// to_rig: from the world, of further targets.
+    Solver(const RigView& rig, const Entry& entry, const GazeInput& input, const glm::dmat4& to_rig,
+           std::span<glm::dquat> rotations)
+        : rig_(rig),
+          entry_(entry),
+          input_(input),
+          to_rig_(to_rig),
+          settings_(input.settings),
+          rotations_(rotations) {}
 
     /// None if something is not finite, or a bone that looks has no size.
     [[nodiscard]] std::optional<GazeDiagnostics> run() {
@@ -73,6 +98,24 @@ class GazePlan::Solver {
     [[nodiscard]] glm::dmat4 carried(std::span<const Link> links, glm::dmat4 pose) const {
         for (const Link& link : links) pose = GazeBone(rig_, link.bone, pose).pose();
         return pose;
+    }
+
+    /// Direction from a place to look in; none if no target of weight lies apart from the place.
+    [[nodiscard]] std::optional<glm::dvec3> wanted(const glm::dvec3& place) const {
+        if (input_.further.empty()) return towards(place, input_.target);
+        glm::dvec2 sum(0.0);
+        double weights = 0.0;
+        const auto add = [&](const glm::dvec3& target, double weight) {
+            const std::optional<glm::dvec3> direction = towards(place, target);
+            if (!direction || weight == 0.0) return;
+            sum += weight * chart_->place(*direction);
+            weights += weight;
+        };
+        add(input_.target, weight_of(input_.target_weight));
+        for (const GazeTarget& target : input_.further)
+            add(glm::dvec3(to_rig_ * glm::dvec4(target.place, 1.0)), weight_of(target));
+        if (weights == 0.0) return std::nullopt;
+        return chart_->direction(sum / weights);
     }
 
     [[nodiscard]] bool set_chart(const GazeBone& head) {
@@ -100,7 +143,7 @@ class GazePlan::Solver {
     /// Turns the body; returns the head as the turned body carries it.
     [[nodiscard]] GazeBone turn_body(const GazeBone& animated, const glm::dvec2& from) {
         if (entry_.turning == 0) return animated;
-        const std::optional<glm::dvec3> direction = towards(animated.place(), input_.target);
+        const std::optional<glm::dvec3> direction = wanted(animated.place());
         if (!direction) return animated;
         const glm::dvec2 by = step(*direction, from, from, {settings_.body_weight, settings_.body_limit}).by;
         if (by == glm::dvec2(0.0)) return animated;
@@ -121,7 +164,7 @@ class GazePlan::Solver {
     }
 
     [[nodiscard]] bool turn_head(GazeBone& head, const glm::dvec2& from) {
-        const std::optional<glm::dvec3> direction = towards(head.place(), input_.target);
+        const std::optional<glm::dvec3> direction = wanted(head.place());
         const std::optional<glm::dvec3> gaze = head.gaze(input_.head_forward);
         if (!head.is_finite() || !gaze) return false;
         if (!direction) return true;
@@ -146,7 +189,7 @@ class GazePlan::Solver {
             GazeBone eye(rig_, last.bone, carried(between, head.pose()));
             if (!animated.is_finite() || !eye.is_finite()) return false;
             const std::optional<glm::dvec3> from = animated.gaze(*forward);
-            const std::optional<glm::dvec3> direction = towards(eye.place(), input_.target);
+            const std::optional<glm::dvec3> direction = wanted(eye.place());
             if (!from || !eye.gaze(*forward) || !direction) continue;
             const double angle = turn(eye, last, *forward, *direction, chart_->place(*from),
                                       {settings_.eyes_weight, settings_.eyes_limit, settings_.eyes_sides});
@@ -168,6 +211,7 @@ class GazePlan::Solver {
     const RigView& rig_;
     const Entry& entry_;
     const GazeInput& input_;
+    const glm::dmat4& to_rig_;
     const GazeSettings& settings_;
     std::span<glm::dquat> rotations_;
     glm::dmat4 base_{1.0};
@@ -265,10 +309,16 @@ void GazePlan::solve(const RigView& rig, const glm::dmat4& world, std::span<cons
         const std::optional<glm::dvec3> head_forward = direction_of(input.head_forward);
         const std::optional<glm::dvec3> up = direction_of(input.up);
         input.target = glm::dvec3(to_rig * glm::dvec4(input.target, 1.0));
-        if (!has_finite_numbers(input.settings) || !is_finite(input.target) || !head_forward || !up) continue;
+        if (!has_finite_numbers(input.settings) ||
+            !has_finite_numbers(GazeTarget{input.target, input.target_weight}) ||
+            !std::ranges::all_of(input.further,
+                                 [](const GazeTarget& one) { return has_finite_numbers(one); }) ||
+            !head_forward || !up)
+            continue;
+        input.settings.weight *= std::min(sum_of_weights(input), 1.0);
         input.head_forward = *head_forward;
         input.up = *up;
-        if (const std::optional<GazeDiagnostics> report = Solver(rig, entry, input, rows).run())
+        if (const std::optional<GazeDiagnostics> report = Solver(rig, entry, input, to_rig, rows).run())
             reports[i] = *report;
         else
             std::fill(rows.begin(), rows.end(), no_turn);

@@ -125,6 +125,49 @@ TEST_CASE("eyes take what the head leaves, each from its own place", "[rig_look_
     CHECK(limited.report.reason == Reason::limit);
 }
 
+TEST_CASE("several targets are blended by weight, opposed ones too", "[rig_look_at]") {
+    Figure figure(0);
+    const glm::dvec3 head(0.0, 0.0, 1.0);
+    const auto at = [&](double yaw) { return head + 5.0 * glm::dvec3(std::sin(yaw), -std::cos(yaw), 0.0); };
+    const auto turned_by = [&] { return in_pose(figure, solve(figure), figure.bones.head); };
+    const auto about_z = [](double angle) { return glm::angleAxis(angle, glm::dvec3(0, 0, 1)); };
+    figure.input.target = at(60 * degree);
+    std::vector<GazeTarget> further{{at(-20 * degree), 1.0}};
+    figure.input.further = further;
+    CHECK(angle_between(turned_by(), about_z(20 * degree)) < 1e-7);
+    figure.input.target_weight = 3.0;  // only the ratio counts above a sum of 1
+    CHECK(angle_between(turned_by(), about_z(40 * degree)) < 1e-7);
+    figure.input.target_weight = 0.0;
+    CHECK(angle_between(turned_by(), about_z(-20 * degree)) < 1e-7);
+    further[0].weight = 0.25;  // the animated gaze takes the rest
+    CHECK(angle_between(turned_by(), about_z(-5 * degree)) < 1e-7);
+    further[0].weight = -1.0;
+    CHECK(is_still(solve(figure)));
+
+    further[0] = {at(-120 * degree), 1.0};
+    figure.input.target = at(120 * degree);
+    figure.input.target_weight = 1.0;
+    CHECK(angle_between(turned_by(), about_z(0.0)) < 1e-7);
+    CHECK(solve(figure).report.angle < 1e-9);
+
+    further[0].weight = std::numeric_limits<double>::quiet_NaN();
+    CHECK(is_still(solve(figure)));
+    CHECK(!solve(figure).report.reason);
+}
+
+TEST_CASE("a further target without weight changes nothing", "[rig_look_at]") {
+    Randomness random(11);
+    for (int i = 0; i < 50; ++i) {
+        Figure figure = animated(3, random, 0.1);
+        const Result alone = solve(figure);
+        const std::vector<GazeTarget> further{{random.around_origin(4.0), 0.0}};
+        figure.input.further = further;
+        const Result with_further = solve(figure);
+        for (std::size_t row = 0; row < alone.rotations.size(); ++row)
+            CHECK(angle_between(alone.rotations[row], with_further.rotations[row]) < 1e-7);
+    }
+}
+
 TEST_CASE("without a turn every row is the identity, bit for bit", "[rig_look_at]") {
     Randomness random(3);
     for (int i = 0; i < 300; ++i) {

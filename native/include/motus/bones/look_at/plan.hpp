@@ -25,10 +25,23 @@ struct GazeBones {
     std::vector<int> eyes;  ///< above the head, in any order; may be empty
 };
 
+/// A further target of a head.
+struct GazeTarget {
+    glm::dvec3 place{0.0};  ///< world space
+    double weight = 0.0;    ///< >= 0; less counts as 0
+};
+
 /// What one head looks at.
+///
+/// Several targets are blended for each bone that looks: their directions from the bone are places in the
+/// chart, and the mean of these by weight is the direction looked in. So two targets that are opposed to each
+/// other are well defined: a head between equal ones to its left and right looks ahead. Weights that sum up
+/// to less than 1 leave the rest to the animated gaze.
 struct GazeInput {
     GazeSettings settings;
-    glm::dvec3 target{0.0};  ///< world space
+    glm::dvec3 target{0.0};               ///< world space
+    double target_weight = 1.0;           ///< as in GazeTarget
+    std::span<const GazeTarget> further;  ///< beside `target`
     glm::dvec3 head_forward{0.0, 0.0,
                             1.0};  ///< axis of the head bone that points where the face does; not zero
     std::span<const glm::dvec3> eyes_forward;  ///< axis of each eye bone that points where the eye looks, in
