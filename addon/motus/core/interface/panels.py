@@ -14,7 +14,7 @@ from .. import native
 from ..bake import state
 from ..declare import described, registered, title
 from ..translations import tr
-from . import overlay, ui
+from . import copying, overlay, ui
 from .view import first_steps, offering
 
 REFRESH = "motus.refresh"
@@ -134,7 +134,8 @@ def _common(panel):
 def _menu(panel, name):
     """Generate the menu *More* of a panel, with actions that users seldom need, such as Refresh."""
 
-    def draw(self, _context):
+    def draw(self, context):
+        copying.draw_menu(offering.offer(self.layout), registered[panel.name], panel.owner(context))
         button = offering.offer(self.layout).operator(panel.refresh, icon='FILE_REFRESH')
         if panel.refresh == REFRESH:
             button.system = panel.name
