@@ -260,7 +260,12 @@ class Panels(support.SceneTestCase):
                 menu = getattr(bpy.types, f"{panel.prefix.replace('_PT_', '_MT_')}_more")
                 layout = Layout()
                 menu.draw(types.SimpleNamespace(layout=layout), bpy.context)
-                self.assertEqual(layout.named("operator"), [panel.refresh])
+                copying = (
+                    [panels.COPY, panels.PASTE, "motus.to_selected"]
+                    if getattr(system.registered[panel.name], "copied_settings", ())
+                    else []
+                )
+                self.assertEqual(layout.named("operator"), [*copying, panel.refresh])
         for one in system.systems():
             self.assertTrue(any(panel.refresh for panel in panels.described(one)), f"{one.name} has no Refresh")
 

@@ -6,7 +6,8 @@ from . import bake, declare, keeping, settings, translations, wiring
 from .blender import handlers
 from .evaluated import read_keys, shares
 from .file import deleted
-from .interface import baking, copying, menus, overlay, panels, refreshing, ui
+from .interface import menus, overlay, panels, ui
+from .interface.any_system import baking, copying, refreshing
 from .interface.tracks import operators as track_operators, panel as track_panel
 from .interface.view import first_steps, playback, viewports
 

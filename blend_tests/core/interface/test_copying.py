@@ -39,7 +39,7 @@ class Copying(support.SceneTestCase):
     def text(self, system="path", source="One"):
         """What Copy Settings makes, as JSON."""
         bpy.ops.motus.settings_copy(object=source, system=system)
-        copying = support.addon("core.interface.copying")
+        copying = support.addon("core.interface.any_system.copying")
         return json.loads(copying._WITHOUT_CLIPBOARD.find(""))
 
     def paste(self, said, target="Two", **keywords):

@@ -1,7 +1,8 @@
 """Copies of a system's settings, with their keys, as a text that is checked whole before anything is set.
 
 An item is the property group whose settings are copied: an entry of a list, if the system has a list `entries`, or else the settings of
-an owner.
+an owner. System.copied_settings names the item's settings that can be copied, and System.shot_settings those of them that are copied on
+request alone, since they belong to one shot, such as places and frames.
 """
 
 import json

@@ -2,14 +2,14 @@
 
 import bpy
 
-from .. import keeping
-from ..declare import is_owner, leader_of, of_owner, registered
-from ..refusals import Refused
-from ..settings import copied, entries
-from ..translations import counted, tr
-from . import bone_entries
-from .operators import OBJECT_OR_POSE_MODE, Operator, named_or_active, object_keyword
-from .rows import Rows
+from ... import keeping
+from ...declare import is_owner, leader_of, of_owner, registered
+from ...refusals import Refused
+from ...settings import copied, entries
+from ...translations import counted, tr
+from .. import bone_entries, panels
+from ..operators import OBJECT_OR_POSE_MODE, Operator, named_or_active, object_keyword
+from ..rows import Rows
 
 _WITHOUT_CLIPBOARD = keeping.OfProcess("copied settings, where Blender has no window and so no clipboard", "nothing", most=1)
 
@@ -122,7 +122,7 @@ class MOTUS_OT_to_selected(_Copying, bpy.types.Operator):
 
 
 class MOTUS_OT_settings_copy(Operator, bpy.types.Operator):
-    bl_idname = "motus.settings_copy"
+    bl_idname = panels.COPY
     bl_label = "Copy Settings"
     bl_description = "Copy the settings that are shown, and their keys, to the clipboard as a text"
     bl_options = {'REGISTER'}
@@ -144,7 +144,7 @@ class MOTUS_OT_settings_copy(Operator, bpy.types.Operator):
 
 
 class MOTUS_OT_settings_paste(_Copying, bpy.types.Operator):
-    bl_idname = "motus.settings_paste"
+    bl_idname = panels.PASTE
     bl_label = "Paste Settings"
     bl_description = "Give the settings that are shown the values that Copy Settings has put into the clipboard"
 
@@ -165,17 +165,6 @@ class MOTUS_OT_settings_paste(_Copying, bpy.types.Operator):
 
     def _clipboard(self, context):
         return _WITHOUT_CLIPBOARD.find("", "") if bpy.app.background else context.window_manager.clipboard
-
-
-def draw_menu(layout, system, owner):
-    """Draw the buttons that copy and paste the settings of a system on an owner, which a panel shows. system: the Feature."""
-    if not getattr(system, "copied_settings", ()):
-        return
-    for operator, icon in ((MOTUS_OT_settings_copy, 'COPYDOWN'), (MOTUS_OT_settings_paste, 'PASTEDOWN')):
-        button = layout.operator(operator.bl_idname, icon=icon)
-        button.system, button.object = system.name, owner.name
-    layout.operator(MOTUS_OT_to_selected.bl_idname).system = system.name
-    layout.separator()
 
 
 classes = (MOTUS_OT_to_selected, MOTUS_OT_settings_copy, MOTUS_OT_settings_paste)
