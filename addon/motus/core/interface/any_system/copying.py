@@ -31,8 +31,8 @@ def _refuse_missing(system):
 
 
 def _owner(system, obj):
-    """The object whose settings of a system count for an object: itself, or its leader. Raises Refused if there is none."""
-    found = obj if is_owner(system, obj) else leader_of(system, obj)
+    """The object whose settings of a system count for an object: itself, its leader, or whom it belongs to. Raises Refused without one."""
+    found = obj if is_owner(system, obj) else leader_of(system, obj) or (system.owner_of and system.owner_of(obj))
     if found is None or not is_owner(system, found):
         _refuse_missing(system)
     return found
