@@ -260,9 +260,31 @@ class Panels(support.SceneTestCase):
                 menu = getattr(bpy.types, f"{panel.prefix.replace('_PT_', '_MT_')}_more")
                 layout = Layout()
                 menu.draw(types.SimpleNamespace(layout=layout), bpy.context)
-                self.assertEqual(layout.named("operator"), [panel.refresh])
+                copying = (
+                    [panels.COPY, panels.PASTE, "motus.to_selected"]
+                    if getattr(system.registered[panel.name], "copied_settings", ())
+                    else []
+                )
+                self.assertEqual(layout.named("operator"), [*copying, panel.refresh])
         for one in system.systems():
             self.assertTrue(any(panel.refresh for panel in panels.described(one)), f"{one.name} has no Refresh")
+
+    def test_settings_are_copied_as_text_and_pasted(self):
+        copied, copying = support.addon("core.settings.copied"), support.addon("core.interface.any_system.copying")
+        found = {panel.name: owner for panel, owner in self.owners() if getattr(system.registered[panel.name], "copied_settings", ())}
+        self.assertGreaterEqual(len(found), 11)
+
+        def taken(one, owner):
+            """Values of the settings that have no keys, and the keys of the others."""
+            values, keys = copied.take(one, copying._item(bpy.context, one, owner.name, ""))[1:]
+            return {name: value for name, value in values.items() if name not in keys}, keys
+
+        for name, owner in found.items():
+            with self.subTest(name):
+                before = taken(system.registered[name], owner)
+                bpy.ops.motus.settings_copy(object=owner.name, system=name)
+                bpy.ops.motus.settings_paste(object=owner.name, system=name, with_keys=True, with_shot=True)
+                self.assertEqual(taken(system.registered[name], owner), before)
 
     def test_what_is_not_used_is_only_in_the_short_panel(self):
         for kind in (None, 'MESH', 'ARMATURE', 'CURVE', 'LATTICE'):

@@ -6,7 +6,8 @@ from . import bake, declare, keeping, settings, translations, wiring
 from .blender import handlers
 from .evaluated import read_keys, shares
 from .file import deleted
-from .interface import baking, bone_entries, menus, overlay, panels, refreshing, ui
+from .interface import menus, overlay, panels, ui
+from .interface.any_system import baking, copying, refreshing
 from .interface.tracks import operators as track_operators, panel as track_panel
 from .interface.view import first_steps, playback, viewports
 
@@ -49,7 +50,7 @@ def _register(systems, languages, extra_classes, extra_add_menu):
         + first_steps.classes
         + track_operators.classes
         + panels.classes_of_core
-        + bone_entries.classes
+        + copying.classes
         + menus.classes
         + extra_classes
     )

@@ -6,7 +6,7 @@ from ..core.interface.presets import Preset
 from .properties import KEYWORDS
 
 ENTRY = "bpy.context.object.motus.ik.entries[bpy.context.object.motus.ik.active_entry]"
-# Settings that belong to one chain or one shot, which presets and the copying of settings leave out.
+# Settings that belong to one chain or one shot, which presets leave out, and copying unless asked.
 OF_THE_CHAIN = {
     "chain_length",
     "use_tail",
@@ -28,6 +28,8 @@ BROUGHT = (
 )
 
 STYLE = tuple(name for name in KEYWORDS if name not in OF_THE_CHAIN)
+COPIED = tuple(name for name in KEYWORDS if name not in {"chain_length", "use_tail"})
+"""Settings of a chain that are copied to other chains, which keep the bones that they have."""
 
 classes = OPERATOR, PANEL, _ = presets.classes(
     "ik", "Inverse Kinematics", (f"{ENTRY}.{name}" for name in STYLE), BROUGHT, lambda context: selected(context, "ik")

@@ -23,6 +23,8 @@ SYSTEM = System(
     ),
     owner_types=frozenset({'ARMATURE'}),
     solve=solve.solve,
+    copied_settings=properties.KEYWORDS,
+    shot_settings=frozenset(properties.KEYWORDS) - set(presets.OF_A_STYLE),
     problems=solve.PROBLEMS,
     reads_keys=True,
     lays_pose=True,

@@ -8,7 +8,7 @@ from ..core.interface.presets import Preset
 from .properties import KEYWORDS, SIDE_LIMITS
 
 ENTRY = "bpy.context.object.motus.look_at.entries[bpy.context.object.motus.look_at.active_entry]"
-# Settings that belong to one rig or one shot, which presets and the copying of settings leave out.
+# Settings that belong to one rig or one shot, which presets leave out, and copying unless asked.
 OF_THE_HEAD = {"weight", "head_forward", "eyes_forward"}
 
 

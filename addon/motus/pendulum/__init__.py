@@ -23,6 +23,8 @@ SYSTEM = System(
     ),
     inputs=solve.INPUTS,
     solve=solve.solve,
+    copied_settings=properties.KEYWORDS,
+    shot_settings=frozenset(presets.OF_THE_SHOT),
     problems=solve.PROBLEMS,
     reads_keys=True,
     outputs=solve.OUTPUTS,

@@ -23,6 +23,7 @@ SYSTEM = System(
     inputs=solve.INPUTS,
     owner_types=frozenset({'CAMERA'}),
     solve=solve.solve,
+    copied_settings=properties.KEYWORDS,
     problems=solve.PROBLEMS,
     outputs=rig.OUTPUTS,
     groups=rig.groups,

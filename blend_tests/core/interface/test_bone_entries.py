@@ -82,7 +82,8 @@ class BoneEntries(support.SceneTestCase):
     def test_refusals(self):
         for sentence, given in (
             ("no system", {"system": "nothing"}),
-            ("no system", {"system": "path"}),
+            ("no system", {"system": "drivers"}),
+            ("Nothing here has Follow Path", {"system": "path"}),
             ("Nothing else", {"system": "dynamics"}),
             ("no bone", {"object": "Rig", "system": "dynamics", "bone": "d", "bones": "a"}),
             ("no object", {"object": "None", "system": "dynamics"}),

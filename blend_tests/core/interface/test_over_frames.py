@@ -68,7 +68,7 @@ def steps_that_raise(error, after, closed):
 
 def operators():
     return (
-        support.addon("core.interface.baking").MOTUS_OT_bake,
+        support.addon("core.interface.any_system.baking").MOTUS_OT_bake,
         support.addon("ik.checking.operators").MOTUS_OT_ik_check,
         support.addon("ik.matching.operators").MOTUS_OT_ik_match_fk,
         support.addon("core.interface.tracks.operators").MOTUS_OT_track_record,

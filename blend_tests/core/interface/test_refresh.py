@@ -11,7 +11,7 @@ class Refresh(support.SceneTestCase):
     def setUp(self):
         super().setUp()
         self.wiring = support.addon("core.wiring")
-        self.refreshing = support.addon("core.interface.refreshing")
+        self.refreshing = support.addon("core.interface.any_system.refreshing")
 
     def refreshed(self, **keywords):
         """The (system, owner) names that the operator wires anew."""

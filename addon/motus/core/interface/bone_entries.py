@@ -3,11 +3,12 @@
 import bpy
 
 from ..declare import entries_on, has_settings, of_owner, registered
-from ..refusals import Refused, check_bone, check_local, check_unbaked, named
+from ..refusals import Refused, check_bone
 from ..settings import entries
-from ..translations import counted, tr
-from .operators import OBJECT_OR_POSE_MODE, Operator, object_keyword
+from ..translations import tr
 from .view import offering
+
+TO_SELECTED = "motus.to_selected"
 
 
 def active_property(label, index_of):
@@ -50,11 +51,16 @@ def selected(context, name):
     first = entries.active(context.object, name) if context.object and _uses(context.object, name) else None
     if first is None:
         return []
-    if context.mode == 'POSE':
+    if context.mode == 'POSE' and are_of_bones(of_owner(registered[name], first.id_data)):
         found = [_entry_of(bone, name) for bone in context.selected_pose_bones or ()]
     else:
         found = [entries.active(obj, name) for obj in context.selected_objects if _uses(obj, name)]
     return [first, *(entry for entry in found if entry is not None and entry != first)]
+
+
+def are_of_bones(settings):
+    """Whether the entries in a list of settings are of bones, of which the active bone's entry is shown (active_property)."""
+    return settings.bl_rna.properties["active_entry"].is_skip_save
 
 
 def posed(context):
@@ -128,78 +134,8 @@ def _entry_of(bone, name):
     return of_owner(registered[name], rig).entries.get(bone.name) if _uses(rig, name) else None
 
 
-class MOTUS_OT_to_selected(Operator, bpy.types.Operator):
-    bl_idname = "motus.to_selected"
-    bl_label = "To All Selected"
-    bl_description = (
-        "Give the settings of the active bone to all selected bones that have the same system, in Object Mode to all selected objects"
-    )
-    modes = OBJECT_OR_POSE_MODE
-
-    object: object_keyword("Name of the object; empty takes the active one, and the selected bones or objects")
-    system: bpy.props.StringProperty(
-        name="System", description="Name of the system whose settings are copied, such as dynamics", options={'SKIP_SAVE'}
-    )
-    bone: bpy.props.StringProperty(
-        name="Bone", description="Name of the bone whose settings are copied; empty takes the active one", options={'SKIP_SAVE'}
-    )
-    bones: bpy.props.StringProperty(
-        name="Bones",
-        description="Names of the bones that are given the settings, with commas between; empty takes the selected ones",
-        options={'SKIP_SAVE'},
-    )
-
-    @classmethod
-    def check_offer(cls, context):
-        if len(context.selected_pose_bones or () if context.mode == 'POSE' else context.selected_objects) < 2:
-            raise Refused(tr("Select what shall be given these settings too"))
-
-    def run(self, context):
-        system = registered.get(self.system)
-        if system is None or not system.entry_settings:
-            raise Refused(tr("There is no system {system}").format(system=self.system))
-        first, *others = self._entries(context, system)
-        if not others:
-            raise Refused(tr("Nothing else that is selected has {system}").format(system=bpy.app.translations.pgettext_iface(system.label)))
-        values = {name: getattr(first, name) for name in system.entry_settings}
-        for owner in dict.fromkeys(entry.id_data for entry in others):
-            check_local(owner)
-            check_unbaked(owner, of_owner(system, owner))
-        for entry in others:
-            _give(system, entry, values)
-        self.report({'INFO'}, counted(len(others), tr("Settings copied to 1 other"), tr("Settings copied to {count} others")))
-
-    def _entries(self, context, system):
-        """List of the entry whose settings are copied, followed by the entries that receive them. Raises Refused if one is missing."""
-        if not (self.object or self.bone or self.bones):
-            found = selected(context, system.name)
-            if not found:
-                raise Refused(tr("Nothing here has {system}").format(system=bpy.app.translations.pgettext_iface(system.label)))
-            return found
-        owner = named(self.object) if self.object else context.object
-        settings = of_owner(system, owner)
-        bones = [name.strip() for name in self.bones.split(",") if name.strip()]
-        first = settings.entries.get(self.bone) if self.bone else entries.active(owner, system.name)
-        found = [first, *(settings.entries.get(name) for name in bones)]
-        for name, entry in zip((self.bone, *bones), found):
-            if entry is None:
-                raise Refused(tr("{object} has no bone {bone}").format(object=owner.name, bone=name))
-        return found
-
-
-def _give(system, entry, values):
-    """Set settings of an entry, {name: value}; the entry's owner is wired (drivers and constraints updated) once at the end."""
-    owner = entry.id_data
-    with entries.at_once(system, owner):
-        for name, value in values.items():
-            setattr(entry, name, value)
-
-
 def draw_shown(layout, system, label, icon='BONE_DATA'):
     """Draw the name of the bone whose settings are drawn below, and the button *To All Selected*. system: name of the system."""
     row = offering.offer(layout.row(align=True))
     row.label(text=label, icon=icon, translate=False)
-    row.operator(MOTUS_OT_to_selected.bl_idname).system = system.name
-
-
-classes = (MOTUS_OT_to_selected,)
+    row.operator(TO_SELECTED).system = system.name

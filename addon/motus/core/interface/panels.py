@@ -14,10 +14,10 @@ from .. import native
 from ..bake import state
 from ..declare import described, registered, title
 from ..translations import tr
-from . import overlay, ui
+from . import bone_entries, overlay, ui
 from .view import first_steps, offering
 
-REFRESH = "motus.refresh"
+COPY, PASTE, REFRESH = "motus.settings_copy", "motus.settings_paste", "motus.refresh"
 
 
 @dataclass(frozen=True)
@@ -132,10 +132,17 @@ def _common(panel):
 
 
 def _menu(panel, name):
-    """Generate the menu *More* of a panel, with actions that users seldom need, such as Refresh."""
+    """Generate the menu *More* of a panel: what copies the system's settings, and Refresh."""
 
-    def draw(self, _context):
-        button = offering.offer(self.layout).operator(panel.refresh, icon='FILE_REFRESH')
+    def draw(self, context):
+        layout = offering.offer(self.layout)
+        if getattr(registered[panel.name], "copied_settings", ()):
+            for operator, icon in ((COPY, 'COPYDOWN'), (PASTE, 'PASTEDOWN')):
+                button = layout.operator(operator, icon=icon)
+                button.system, button.object = panel.name, panel.owner(context).name
+            layout.operator(bone_entries.TO_SELECTED).system = panel.name
+            layout.separator()
+        button = layout.operator(panel.refresh, icon='FILE_REFRESH')
         if panel.refresh == REFRESH:
             button.system = panel.name
 

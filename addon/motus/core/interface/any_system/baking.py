@@ -2,12 +2,12 @@
 
 import bpy
 
-from ..bake import job
-from ..declare import title
-from ..refusals import Refused
-from ..translations import counted, tr
-from .operators import Operator, named_or_active, object_keyword
-from .over_frames import OverFrames
+from ...bake import job
+from ...declare import title
+from ...refusals import Refused
+from ...translations import counted, tr
+from ..operators import Operator, named_or_active, object_keyword
+from ..over_frames import OverFrames
 
 
 def _objects(count):

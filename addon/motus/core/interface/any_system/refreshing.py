@@ -2,11 +2,11 @@
 
 import bpy
 
-from .. import wiring
-from ..declare import wired_on
-from ..refusals import Refused, check_local
-from ..translations import tr
-from .operators import OBJECT_OR_POSE_MODE, Operator, named_or_active, object_keyword
+from ... import wiring
+from ...declare import wired_on
+from ...refusals import Refused, check_local
+from ...translations import tr
+from ..operators import OBJECT_OR_POSE_MODE, Operator, named_or_active, object_keyword
 
 
 def _owner_and_systems(thing, name):

@@ -1,0 +1,1 @@
+"""Operators that work with any system: Bake, Refresh, Copy Settings and the like."""
