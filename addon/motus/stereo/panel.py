@@ -13,6 +13,7 @@ from .solve import depth_of
 
 MOST_RULERS = 3
 BAR = 8  # points of the graph for each column of the histogram
+POINTS = 128  # of a graph over frames
 
 
 def draw_main(layout, context):
@@ -52,7 +53,7 @@ def draw_readouts(layout, context):
         ui.draw_readouts(layout, [*_of_eyes(context, settings, eyes, screen), *_rulers(context, owner, eyes)])
         if settings.convergence == 'BUDGET':
             _draw_strain(layout, settings, screen)
-    _draw_check(layout, owner)
+    _draw_check(layout, context, owner, screen)
 
 
 def _of_eyes(context, settings, eyes, screen):
@@ -89,7 +90,7 @@ def _rulers(context, owner, eyes):
             yield ui.Readout(text=obj.name, value=f"{100.0 * found:+.2f} %  {pixels * found:+.1f} px")
 
 
-def _draw_check(layout, owner):
+def _draw_check(layout, context, owner, screen):
     found = results.of(owner)
     if found is None:
         return
@@ -102,6 +103,34 @@ def _draw_check(layout, owner):
         row.label(text=f"{100.0 * found.highest:+.2f} %", translate=False)
     for sentence in found.sentences:
         ui.draw_message(box, sentence, 'ERROR')
+    if found.verdict:
+        ui.draw_message(box, found.verdict, 'CHECKMARK')
+    if len(found.frames) > 1:
+        _draw_over_frames(box, context, found, screen)
+        if owner.motus.stereo.convergence == 'BUDGET':
+            button = box.row().operator("motus.stereo_measure", text="Key Shot", icon='DECORATE_KEYFRAME')
+            button.object, button.frame_start, button.frame_end = owner.name, round(found.frames[0]), round(found.frames[-1])
+
+
+def _draw_over_frames(box, context, found, screen):
+    """Draw graphs of a check's frames: the farthest and nearest parallax with the screen's limits, and the convergence distance.
+
+    Frames with a fault are red.
+    """
+    first, last = found.frames[0], found.frames[-1]
+    frames = np.linspace(first, last, POINTS)
+    flags = found.is_faulty[np.abs(frames[:, None] - found.frames).argmin(axis=1)]
+    columns = [f"{frame:.5g}" for frame in (first, (first + last) / 2.0, last)]
+    nearest, farthest, convergence = (np.interp(frames, found.frames, one) for one in (found.nearest, found.farthest, found.convergence))
+    heights = {one: f"{100.0 * one:+.2f} %" for one in graph.ticks(nearest.min(), farthest.max())}
+    near, far = native.module.comfortable_parallax(**screen) if screens.is_sound(screen) else (math.inf, math.inf)
+    limits = [np.full(POINTS, one) for one in (-near, far) if min(heights) <= one <= max(heights)]
+    box.label(text="Parallax over Frames")
+    graph.draw(box, "stereo_parallax", farthest, heights, columns, (nearest, *limits), flags)
+    if np.isfinite(convergence).all():
+        heights = {one: ui.length(context, one) for one in graph.ticks(convergence.min(), convergence.max())}
+        box.label(text="Convergence over Frames")
+        graph.draw(box, "stereo_convergence", convergence, heights, columns, (), flags)
 
 
 def draw_actions(layout, context):
