@@ -90,6 +90,39 @@ class Check(StereoTestCase):
         self.assertIn("left edge", left)
         self.assertIn("frames 11-20", left)
 
+    def test_a_floating_window_takes_its_violations_away(self):
+        obj = self.add(interocular=0.065, distance=8.0, screen='PHONE')
+        pillar = square("Pillar", (0.0, 4.0, 0.0), 0.6)
+        edge = 0.5 * 36.0 / 35.0 * 4.0
+        for frame, x in ((1, 0.0), (20, 0.0), (21, -edge), (30, -edge), (31, 0.0)):
+            pillar.location.x = x
+            pillar.keyframe_insert("location", frame=frame)
+        self.assertTrue(any("window" in one for one in self.check(frame_start=1, frame_end=50)))
+        self.assertEqual(bpy.ops.motus.stereo_window(object="Camera", frame_start=1, frame_end=50, ahead=4), {'FINISHED'})
+        self.assertFalse([one for one in self.check(frame_start=1, frame_end=50) if "window" in one])
+        find = support.addon("core.blender.actions").find
+        curve = find(obj, "motus.stereo.window_left")
+        parallax = -100.0 * native().parallax(4.0, 0.065, 35.0, 36.0, 8.0)
+        for frame in range(21, 31):
+            self.assertGreater(curve.evaluate(frame), parallax - 1e-4)
+            self.assertLess(curve.evaluate(frame), parallax + 0.1)
+        self.assertAlmostEqual(curve.evaluate(1), 0.0, 3)
+        self.assertLess(len(curve.keyframe_points), 20)
+        self.assertEqual(len(find(obj, "motus.stereo.window_right").keyframe_points), 1)
+        bpy.ops.motus.stereo_rig_remove(object="Camera")
+        self.assertIsNone(find(obj, "motus.stereo.window_left"))
+
+    def test_a_window_of_one_frame(self):
+        obj = self.add(interocular=0.065, distance=8.0, screen='PHONE')
+        edge = 0.5 * 36.0 / 35.0 * 4.0
+        square("Pillar", (edge, 4.0, 0.0), 0.6)
+        bpy.context.view_layer.update()
+        bpy.ops.motus.stereo_window(object="Camera", range='CURRENT')
+        parallax = -100.0 * native().parallax(4.0, 0.065, 35.0, 36.0, 8.0)
+        self.assertAlmostEqual(obj.motus.stereo.window_right, parallax, 4)
+        self.assertEqual(obj.motus.stereo.window_left, 0.0)
+        self.assertEqual(self.check(range='CURRENT'), ())
+
     def test_toe_in_moves_corners(self):
         self.add(mode='TOE', interocular=0.3, distance=3.0, screen='PHONE')
         self.assertTrue(any("Corners" in one for one in self.check(range='CURRENT')))

@@ -27,7 +27,14 @@ class _Found:
         eyes, lens = rig.eyes(scene, camera, depsgraph)
         if eyes is None:
             return
-        seen = judging.judge(eyes, lens, self.screen, rig.width_in_pixels(scene.render), *samples.take(scene, camera, depsgraph))
+        seen = judging.judge(
+            eyes,
+            lens,
+            self.screen,
+            rig.window(camera, depsgraph),
+            rig.width_in_pixels(scene.render),
+            *samples.take(scene, camera, depsgraph),
+        )
         self.on_frames.append(results.OnFrame(frame, seen.parallax, eyes["convergence"], bool(seen.faults)))
         for kind, value in seen.faults.items():
             self.faults.setdefault(kind, []).append((frame, value))

@@ -12,13 +12,11 @@ from ..core.blender.frames import Kept, go_to, ranges, spoken
 from ..core.interface.operators import OBJECT_MODE
 from ..core.interface.over_frames import OverFrames
 from ..core.interface.rows import Row, Rows, is_not
-from ..core.lazy import numpy as np
 from ..core.measures import scene_time
 from ..core.refusals import Refused
 from ..core.translations import tr
-from . import samples, targets
+from . import keying, samples, targets
 from .operators import LEFT_OUT, OfARig
-from .rig import PREFIX
 
 SIDES = {"near": fitted_keys.BELOW, "far": fitted_keys.ABOVE}
 """On which side of the measured depths the curves of the settings stay."""
@@ -39,14 +37,7 @@ class MOTUS_OT_stereo_measure(OfARig, OverFrames, bpy.types.Operator):
         max=49.0,
         subtype='PERCENTAGE',
     )
-    ahead: bpy.props.IntProperty(
-        name="Look Ahead",
-        description="Least number of samples by which near and far change ahead of their cause",
-        default=12,
-        min=0,
-        max=10000,
-        soft_max=100,
-    )
+    ahead: keying.ahead_keyword("Least number of samples by which near and far change ahead of their cause")
     tolerance: bpy.props.FloatProperty(
         name="Tolerance",
         description="Largest distance of the keyed curves from near and far, in percent of the least depth; more needs fewer keys",
@@ -91,23 +82,12 @@ class MOTUS_OT_stereo_measure(OfARig, OverFrames, bpy.types.Operator):
         actions.make_local(self._camera)
         near = native.module.smooth_ahead(near, self.ahead, "below")
         far = native.module.smooth_ahead(far, self.ahead, "above")
-        times = np.array([scene_time.keys_time(context.scene, frame) for frame in frames])
-        count = sum(
-            self._key(name, times, np.array(values)) for name, values in (("near", near), ("far", list(map(samples.beyond, near, far))))
-        )
-        context.scene.frame_set(context.scene.frame_current, subframe=context.scene.frame_subframe)
+        times = [scene_time.keys_time(context.scene, frame) for frame in frames]
+        count = 0
+        for (name, side), values in zip(SIDES.items(), (near, list(map(samples.beyond, near, far)))):
+            count += keying.write(self._camera, name, times, values, 0.01 * self.tolerance * min(values), side)
+        keying.show(context.scene)
         self.report({'INFO'}, tr("{count} keys for {frames}").format(count=count, frames=spoken(ranges(frames, self.step))))
-
-    def _key(self, name, times, values):
-        """Replace the keys of a setting at these times by few ones for the values; returns their number."""
-        path = PREFIX + name
-        self._camera.keyframe_insert(path, frame=times[0])
-        curve = actions.find(self._camera, path)
-        for point in reversed([point for point in curve.keyframe_points if times[0] <= point.co.x <= times[-1]]):
-            curve.keyframe_points.remove(point)
-        others = len(curve.keyframe_points)
-        fitted_keys.write(curve, times, values, 0.01 * self.tolerance * values.min(), SIDES[name])
-        return len(curve.keyframe_points) - others
 
 
 classes = (MOTUS_OT_stereo_measure,)
