@@ -20,4 +20,6 @@ class DemoStereo(support.SceneTestCase):
             depths.append(-seen.z)
         self.assertGreater(max(depths), 5.0 * min(depths))
         bpy.ops.motus.stereo_check(object=camera.name, frame_start=1, frame_end=scene.frame_end, step=6.0)
-        self.assertEqual(support.addon("stereo.results").of(camera).sentences, ())
+        result = support.addon("stereo.results").of(camera)
+        self.assertEqual(result.sentences, ())
+        self.assertRegex(result.verdict, r"^No problems on a 1\.2 m screen in frames 1-\d+$")

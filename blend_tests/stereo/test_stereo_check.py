@@ -47,6 +47,31 @@ class Check(StereoTestCase):
         self.assertAlmostEqual(result.highest, native().parallax(10.0, 0.02, 35.0, 36.0, 8.0), 6)
         self.assertAlmostEqual(result.shares.sum(), 1.0, 9)
 
+    def test_no_problems_are_said_with_the_frames(self):
+        self.add(interocular=0.02, distance=8.0, screen='MONITOR')
+        self.check(frame_start=1, frame_end=25)
+        result = support.addon("stereo.results").of(self.camera)
+        self.assertEqual(result.verdict, "No problems on a 0.6 m screen in frames 1-25")
+        self.assertEqual(result.frames.tolist(), list(range(1, 26)))
+        self.assertFalse(result.is_faulty.any())
+
+    def test_convergence_and_parallax_of_each_frame(self):
+        obj = self.add(interocular=0.2, distance=8.0, screen='CINEMA')
+        for frame, distance in ((1, 8.0), (5, 3.0)):
+            obj.motus.stereo.distance = distance
+            obj.keyframe_insert("motus.stereo.distance", frame=frame)
+        bpy.context.view_layer.update()
+        self.check(frame_start=1, frame_end=5)
+        result = support.addon("stereo.results").of(self.camera)
+        self.assertEqual(result.verdict, "")
+        np.testing.assert_allclose(result.convergence[[0, 4]], (8.0, 3.0), rtol=1e-6)
+        wanted = [native().parallax(10.0, 0.2, 35.0, 36.0, distance) for distance in result.convergence]
+        np.testing.assert_allclose(result.farthest, wanted, rtol=1e-5)
+        np.testing.assert_allclose(result.nearest, wanted, rtol=1e-5)
+        limit = native().comfortable_parallax(12.0, 15.0)[1]
+        np.testing.assert_array_equal(result.is_faulty, np.array(wanted) > limit)
+        self.assertEqual(set(result.is_faulty.tolist()), {False, True})
+
     def test_eyes_that_are_turned_away_from_corners(self):
         self.add(mode='TOE', interocular=3.0, distance=0.3)
         found = self.check(range='CURRENT')
@@ -64,6 +89,39 @@ class Check(StereoTestCase):
         (left,) = [one for one in found if "window" in one]
         self.assertIn("left edge", left)
         self.assertIn("frames 11-20", left)
+
+    def test_a_floating_window_takes_its_violations_away(self):
+        obj = self.add(interocular=0.065, distance=8.0, screen='PHONE')
+        pillar = square("Pillar", (0.0, 4.0, 0.0), 0.6)
+        edge = 0.5 * 36.0 / 35.0 * 4.0
+        for frame, x in ((1, 0.0), (20, 0.0), (21, -edge), (30, -edge), (31, 0.0)):
+            pillar.location.x = x
+            pillar.keyframe_insert("location", frame=frame)
+        self.assertTrue(any("window" in one for one in self.check(frame_start=1, frame_end=50)))
+        self.assertEqual(bpy.ops.motus.stereo_window(object="Camera", frame_start=1, frame_end=50, ahead=4), {'FINISHED'})
+        self.assertFalse([one for one in self.check(frame_start=1, frame_end=50) if "window" in one])
+        find = support.addon("core.blender.actions").find
+        curve = find(obj, "motus.stereo.window_left")
+        parallax = -100.0 * native().parallax(4.0, 0.065, 35.0, 36.0, 8.0)
+        for frame in range(21, 31):
+            self.assertGreater(curve.evaluate(frame), parallax - 1e-4)
+            self.assertLess(curve.evaluate(frame), parallax + 0.1)
+        self.assertAlmostEqual(curve.evaluate(1), 0.0, 3)
+        self.assertLess(len(curve.keyframe_points), 20)
+        self.assertEqual(len(find(obj, "motus.stereo.window_right").keyframe_points), 1)
+        bpy.ops.motus.stereo_rig_remove(object="Camera")
+        self.assertIsNone(find(obj, "motus.stereo.window_left"))
+
+    def test_a_window_of_one_frame(self):
+        obj = self.add(interocular=0.065, distance=8.0, screen='PHONE')
+        edge = 0.5 * 36.0 / 35.0 * 4.0
+        square("Pillar", (edge, 4.0, 0.0), 0.6)
+        bpy.context.view_layer.update()
+        bpy.ops.motus.stereo_window(object="Camera", range='CURRENT')
+        parallax = -100.0 * native().parallax(4.0, 0.065, 35.0, 36.0, 8.0)
+        self.assertAlmostEqual(obj.motus.stereo.window_right, parallax, 4)
+        self.assertEqual(obj.motus.stereo.window_left, 0.0)
+        self.assertEqual(self.check(range='CURRENT'), ())
 
     def test_toe_in_moves_corners(self):
         self.add(mode='TOE', interocular=0.3, distance=3.0, screen='PHONE')
@@ -148,6 +206,34 @@ class Measure(StereoTestCase):
         self.assertLess(found[18], 7.9)
         for frame, value in enumerate(found, 1):
             self.assertLessEqual(value, (8.0 if frame <= 20 else 3.0) + 1e-4)
+
+    def test_a_shot_is_keyed_by_few_keys_which_keep_to_their_side(self):
+        obj = self.add(convergence='BUDGET')
+        wall, near = square("Wall", (0.0, 30.0, 0.0), 200.0), square("Near", (0.0, 20.0, 0.0), 4.0)
+        for thing, frame, depth in ((near, 1, 20.0), (near, 60, 5.0), (near, 100, 9.0), (wall, 1, 30.0), (wall, 100, 60.0)):
+            thing.location.y = depth
+            thing.keyframe_insert("location", frame=frame)
+        obj.keyframe_insert("motus.stereo.near", frame=200)
+        find = support.addon("core.blender.actions").find
+        seen = {}
+        for tolerance in (0.0, 1.0):
+            bpy.ops.motus.stereo_measure(object="Camera", frame_start=1, frame_end=100, tolerance=tolerance)
+            seen[tolerance] = {name: find(obj, f"motus.stereo.{name}") for name in ("near", "far")}
+            seen[tolerance] = {name: ([key.co.x for key in curve.keyframe_points], curve) for name, curve in seen[tolerance].items()}
+        for name, beyond in (("near", 1), ("far", 0)):
+            frames, curve = seen[1.0][name]
+            self.assertEqual(frames, sorted(frames))
+            self.assertLess(len(frames), 20)
+            self.assertLess(len(frames), len(seen[0.0][name][0]))
+            self.assertEqual(sum(frame > 100.0 for frame in frames), beyond)
+            for frame in range(1, 101):
+                go_to(frame)
+                depth = (near if name == "near" else wall).matrix_world.translation.y
+                with self.subTest(name, frame=frame):
+                    if name == "near":
+                        self.assertLess(curve.evaluate(frame), depth * (1.0 + 1e-5))
+                    else:
+                        self.assertGreater(curve.evaluate(frame), depth * (1.0 - 1e-5))
 
     def test_measuring_in_stretched_time(self):
         """Twice as many frames of the time line, so that near goes ahead by twice as many too, have what plain time has."""

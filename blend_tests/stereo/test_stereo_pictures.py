@@ -1,7 +1,10 @@
 """Rendered pairs: the disparity of known points in the pixels is what the formula says."""
 
+import math
+
 import bpy
 import numpy as np
+from mathutils import Euler, Vector
 
 import support
 from stereo.stereo_cases import LENS, SENSOR, StereoTestCase, camera, native, square
@@ -120,6 +123,36 @@ class Pictures(StereoTestCase):
         self.squares()
         self.add(focus="Square 4.0", interocular=0.2)
         self.assert_disparity(0.2, 4.0)
+
+    def test_panoramas(self):
+        """In pictures of 360 and of 180 degrees, parallel or not, parallax is the angle of the formula, also where the eyes approach at the poles."""
+        degree = math.pi / 180.0
+        places = ((1.5, -40.0, 0.0), (4.0, 10.0, 30.0), (3.0, 50.0, 67.0))  # distance, azimuth, elevation
+        for (distance, azimuth, elevation), color in zip(places, COLORS):
+            turned = Euler((elevation * degree, 0.0, -azimuth * degree)).to_matrix()
+            # Near the pole parallax changes much within a square: a small one has its centre's.
+            size = distance * (0.05 if elevation < 60.0 else 0.025)
+            obj = square(f"Square {distance}", turned @ Vector((0.0, distance, 0.0)), size, color)
+            obj.rotation_euler = turned.to_euler()
+        self.add(interocular=0.3, distance=2.5)
+        render, stereo = bpy.context.scene.render, self.camera.data.stereo
+        for half, width in ((False, 720), (True, 360)):
+            render.resolution_x = width
+            bpy.ops.motus.stereo_output(object="Camera", format='PAIR', use_360=True, use_180=half)
+            self.assertEqual(render.resolution_y, 360)
+            for mode, convergence in (('OFFAXIS', 2.5), ('PARALLEL', math.inf)):
+                stereo.convergence_mode = mode
+                with self.subTest(width=width, mode=mode):
+                    found = self.pair()
+                    disparity, rows = found[:, 1] - found[:, 0], (found[:, 0, 1] / 360.0 - 0.5) * math.pi
+                    np.testing.assert_allclose(rows, [elevation * degree for *_, elevation in places], atol=0.003)
+                    ends = {"merge_from": stereo.pole_merge_angle_from, "merge_to": stereo.pole_merge_angle_to}
+                    wanted = [
+                        native().parallax_around(distance, 0.3, convergence, row, **ends) for (distance, *_), row in zip(places, rows)
+                    ]
+                    np.testing.assert_allclose(disparity[:, 0], np.array(wanted) * 720.0 / (2.0 * math.pi), atol=TOLERANCE)
+                    np.testing.assert_allclose(disparity[:, 1], 0.0, atol=TOLERANCE)
+                    self.assertGreater(np.abs(disparity[:, 0]).max(), 5.0)
 
     @support.needs_drawing
     def test_pictures_of_other_engines(self):

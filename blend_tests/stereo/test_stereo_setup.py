@@ -1,5 +1,7 @@
 """Stereo rigs: what they set, live; what is restored; and what is refused."""
 
+import math
+
 import bpy
 import numpy as np
 
@@ -7,7 +9,7 @@ import support
 from stereo.stereo_cases import LENS, SENSOR, StereoTestCase, camera, eyes, native, square
 from support import go_to
 
-STEREO = "convergence_mode", "pivot", "interocular_distance", "convergence_distance", "use_spherical_stereo"
+STEREO = "convergence_mode", "pivot", "interocular_distance", "convergence_distance", "use_spherical_stereo", "use_pole_merge"
 
 
 def state(obj):
@@ -373,6 +375,13 @@ class Output(StereoTestCase):
         bpy.ops.motus.stereo_output(object="Camera", format='INTERLACE')
         self.assertEqual((both.interlace_type, both.use_interlace_swap), ('ROW_INTERLEAVED', False))
 
+    def test_glasses(self):
+        self.add()
+        both = bpy.context.scene.render.image_settings.stereo_3d_format
+        for kind in ('GREEN_MAGENTA', 'YELLOW_BLUE', 'RED_CYAN'):
+            bpy.ops.motus.stereo_output(object="Camera", format='ANAGLYPH', glasses=kind)
+            self.assertEqual(both.anaglyph_type, kind)
+
     def test_camera_views_stay_plain(self):
         views = support.addon("core.interface.view.viewports").all_spaces()
         self.assertTrue(views)
@@ -383,6 +392,26 @@ class Output(StereoTestCase):
         bpy.ops.motus.stereo_rig_remove(object="Camera")
         self.assertEqual([view.stereo_3d_camera for view in views], ['RIGHT'] + (len(views) - 1) * ['S3D'])
         views[0].stereo_3d_camera = 'S3D'
+
+    def test_panoramas_have_square_pixels_and_are_taken_back(self):
+        obj, render = camera(), bpy.context.scene.render
+        bpy.context.scene.render.engine = 'CYCLES'
+        before, size = state(obj), (render.resolution_x, render.resolution_y)
+        self.add(interocular=0.1, distance=3.0)
+        around = support.addon("stereo.around")
+        for half, height in ((False, size[0] // 2), (True, size[0])):
+            bpy.ops.motus.stereo_output(object="Camera", format='TOPBOTTOM', use_360=True, use_180=half)
+            self.assertEqual((render.resolution_x, render.resolution_y), (size[0], height))
+            self.assertAlmostEqual(around.width(obj.data), math.pi if half else 2.0 * math.pi, 5)
+            self.assertTrue(obj.data.stereo.use_pole_merge)
+            bpy.ops.motus.stereo_output(object="Camera", format='SIDEBYSIDE')  # which leaves what the camera sees
+            self.assertEqual(render.resolution_y, height)
+        bpy.ops.motus.stereo_output(object="Camera", use_360=False)
+        self.assertEqual((render.resolution_x, render.resolution_y), size)
+        bpy.ops.motus.stereo_output(object="Camera", use_360=True)
+        bpy.ops.motus.stereo_rig_remove(object="Camera")
+        self.assertEqual((render.resolution_x, render.resolution_y), size)
+        self.assertEqual(state(obj), before)
 
     def test_panorama_of_360_degrees(self):
         obj = camera()

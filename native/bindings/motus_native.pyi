@@ -11,7 +11,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'wave', 'window_violations']
+__all__: list[str] = ['BSpline', 'Bezier', 'Chain', 'ChainSolution', 'Curve', 'FCurve', 'FollowPlan', 'IkBones', 'IkPlan', 'IkRest', 'LAG_MEMORY', 'Lattice', 'LayerClip', 'LayerStack', 'LookAtPlan', 'LookAtTurns', 'Picker', 'PolyLine', 'PoseBuffer', 'Reason', 'RigGoals', 'RotationTrack', 'SecondOrder', 'Snow', 'SnowCollider', 'SnowCover', 'SnowLayer', 'Spline', 'StrandMotion', 'StrandSurface', 'TailPlan', 'Timing', 'Track', 'TwoBoneSolution', 'Walker', 'WalkerGround', 'are_below', 'bone_to_pose', 'box_around', 'cache_budget', 'cached_bytes', 'clear_caches', 'comfortable_parallax', 'depth_budget', 'depth_range', 'divergence_limit', 'double_pendulum', 'double_pendulum_longest_time', 'double_pendulum_value', 'double_pendulums', 'ease', 'ease_derivative', 'euler_xyz', 'follow', 'frames', 'gusts', 'instruction_set', 'keep_thread_state', 'layer_mask', 'layer_moments', 'layer_moves', 'look_at', 'matrix_products', 'noise1', 'noise2', 'noise3', 'pack_matrices', 'parallax', 'parallax_around', 'pendulum_angle', 'pendulum_period', 'pivot_accelerations', 'pose_to_bone', 'pull', 'pull_forces', 'refine', 'rotations_of', 'roundness', 'screen_color', 'screen_matte', 'screen_report', 'second_order', 'seen_distance', 'set_cache_budget', 'single_pendulum', 'smooth_ahead', 'soft_reach', 'solve_chain', 'solve_depth_budget', 'solve_two_bone', 'step_response', 'steps', 'stereo_points', 'vertical_parallax', 'walker_gait', 'wave', 'window_violations']
 class Curve:
     """
     A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
@@ -1531,6 +1531,16 @@ def parallax(depth: numpy.typing.ArrayLike, interaxial: float, focal_length: flo
     depth: > 0, a number or (m,), along the camera's axis; unit of interaxial (>= 0) and of convergence (> 0, may be math.inf).
     focal_length, sensor_width: > 0, in the same unit; the width of the sensor's part that the image shows.
     mode: "off_axis"; "parallel", whose convergence is infinite; "toe_in", whose parallax holds at the middle of the image.
+    Returns a float or (m,).  Raises ValueError if a number is outside its domain.
+    """
+def parallax_around(distance: numpy.typing.ArrayLike, interaxial: float, convergence: float, elevation: float = 0.0, merge_from: float = 1.5707963267948966, merge_to: float = 1.5707963267948966) -> typing.Any:
+    """
+    Parallax in a stereo panorama: by how much the right eye sees a point further right than the left eye, rad of azimuth,
+    positive behind the sphere of zero parallax. Of Cycles' spherical stereo: each column is seen from another place.
+    
+    distance: from the centre, a number or (m,), at least half of interaxial (>= 0); same unit as convergence (> 0, may be
+    math.inf), the radius of the sphere.  elevation: of the picture's row, rad, -pi / 2 to pi / 2.
+    merge_from, merge_to: elevations, rad, between which the eyes approach each other; 0 <= merge_from <= merge_to <= pi / 2.
     Returns a float or (m,).  Raises ValueError if a number is outside its domain.
     """
 def pendulum_angle(time: typing.SupportsFloat | typing.SupportsIndex, theta: typing.SupportsFloat | typing.SupportsIndex, omega: typing.SupportsFloat | typing.SupportsIndex = 0.0, length: typing.SupportsFloat | typing.SupportsIndex = 1.0, gravity: typing.SupportsFloat | typing.SupportsIndex = 9.81, damping: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> float:

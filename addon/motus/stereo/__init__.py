@@ -1,7 +1,7 @@
 """Stereo camera rig: sets a camera's eye distances by a depth budget, and checks how the result looks to an audience."""
 
 from ..core.declare import System
-from . import checking, measuring, operators, output, overlay, panel, presets, properties, rig, solve, viewing
+from . import checking, combining, floating, measuring, operators, output, overlay, panel, presets, properties, rig, solve, viewing
 
 SYSTEM = System(
     name="stereo",
@@ -16,6 +16,8 @@ SYSTEM = System(
         *measuring.classes,
         *checking.classes,
         *output.classes,
+        *combining.classes,
+        *floating.classes,
         *viewing.classes,
         *presets.classes,
         *panel.classes,
@@ -34,7 +36,9 @@ SYSTEM = System(
         "motus.stereo_measure",
         "motus.stereo_view",
         "motus.stereo_check",
+        "motus.stereo_window",
         "motus.stereo_output",
+        "motus.stereo_combine",
         "motus.stereo_rig_remove",
     ),
 )

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core.blender.frames import Kept, go_to, ranges
+from ..core.blender.frames import Kept, go_to, ranges, spoken
 from ..core.interface.operators import OBJECT_MODE, object_keyword
 from ..core.interface.over_frames import OverFrames
 from ..core.translations import tr
@@ -16,16 +16,26 @@ class _Found:
         self.screen = screen
         self.faults = {}
         """Frames with each kind of fault: {kind: [(frame, worst value on the frame)]}."""
-        self.parallax = []
-        """Parallax of the sampled depths, one array for each frame."""
+        self.frames = []
+        """Frames on which the camera was checked."""
+        self.on_frames = []
+        """results.OnFrame of each frame on which the camera's type let it be judged."""
 
     def add(self, scene, camera, depsgraph, frame):
         """Sample what the camera sees on the present frame, and add its parallax and its faults."""
+        self.frames.append(frame)
         eyes, lens = rig.eyes(scene, camera, depsgraph)
         if eyes is None:
             return
-        seen = judging.judge(eyes, lens, self.screen, rig.width_in_pixels(scene.render), *samples.take(scene, camera, depsgraph))
-        self.parallax.append(seen.parallax)
+        seen = judging.judge(
+            eyes,
+            lens,
+            self.screen,
+            rig.window(camera, depsgraph),
+            rig.width_in_pixels(scene.render),
+            *samples.take(scene, camera, depsgraph),
+        )
+        self.on_frames.append(results.OnFrame(frame, seen.parallax, eyes["convergence"], bool(seen.faults)))
         for kind, value in seen.faults.items():
             self.faults.setdefault(kind, []).append((frame, value))
 
@@ -72,12 +82,16 @@ class MOTUS_OT_stereo_check(OverFrames, bpy.types.Operator):
         for camera, found in self._found.items():
             said = self._said(context.scene, found)
             told += said if len(self._found) == 1 else [f"{camera.name}: {sentence}" for sentence in said]
-            results.keep(camera, said, found.parallax)
+            results.keep(camera, said, "" if said else self._well(found.screen, found.frames), found.on_frames)
         for sentence in told:
             self.report({'WARNING'}, sentence)
         if not told:
-            screen = screens.of(self._camera.motus.stereo)
-            self.report({'INFO'}, tr("All is well on a {width} m screen").format(width=f"{screen['width']:g}"))
+            every = sorted(frame for found in self._found.values() for frame in found.frames)
+            self.report({'INFO'}, self._well(screens.of(self._camera.motus.stereo), every))
+
+    def _well(self, screen, frames):
+        sentence = tr("No problems on a {width} m screen in {frames}")
+        return sentence.format(width=f"{screen['width']:g}", frames=spoken(ranges(frames, self.step)))
 
     def _said(self, scene, found):
         pixels = rig.width_in_pixels(scene.render)

@@ -22,10 +22,11 @@ class Seen(NamedTuple):
     faults: dict
 
 
-def judge(eyes, lens, screen, pixels, x, depths):
+def judge(eyes, lens, screen, window, pixels, x, depths):
     """Judge the sampled depths of a frame; returns a Seen.
 
-    eyes, screen: keyword arguments of the native functions. pixels: width of the image. x, depths: samples from samples.take().
+    eyes, screen: keyword arguments of the native functions. window: parallax of the left and right edge of the floating
+    window, fractions of the image's width. pixels: width of the image. x, depths: samples from samples.take().
     """
     if len(depths) == 0:
         return Seen(np.zeros(0), {'EMPTY': 0.0})
@@ -33,7 +34,9 @@ def judge(eyes, lens, screen, pixels, x, depths):
     parallax = call.parallax(depths, **eyes)
     limit = call.divergence_limit(screen["width"], screen["eye_separation"])
     near, far = call.comfortable_parallax(**screen)
-    left, right = call.window_violations(x, depths, **eyes, tolerance=HIDDEN_PIXELS / pixels)
+    hidden = HIDDEN_PIXELS / pixels
+    edges = call.window_violations(x, depths, **eyes, tolerance=hidden)
+    left, right = (found if found > edge + hidden else 0.0 for found, edge in zip(edges, window))
     vertical = _vertical(float(np.min(depths)), lens, eyes)
     highest, lowest = float(np.max(parallax)), float(np.min(parallax))
     found = {
@@ -42,7 +45,7 @@ def judge(eyes, lens, screen, pixels, x, depths):
         'NEAR': -lowest - near,
         'LEFT': left,
         'RIGHT': right,
-        'VERTICAL': vertical - HIDDEN_PIXELS / pixels,
+        'VERTICAL': vertical - hidden,
     }
     return Seen(parallax, {kind: value for kind, value in found.items() if value > 0.0})
 

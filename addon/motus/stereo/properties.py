@@ -1,5 +1,6 @@
 """Settings of a stereo rig, in Object.motus.stereo of the camera object."""
 
+import math
 from functools import partial
 
 import bpy
@@ -21,6 +22,7 @@ CONVERGENCES = (
 
 
 _number = partial(number, options=ANIMATED)
+_parallax = partial(_number, min=0.0, soft_max=5.0, subtype='PERCENTAGE', precision=2)
 
 
 class StereoKeywords:
@@ -55,26 +57,8 @@ class StereoKeywords:
     far: _number(
         "Far", "Depth of the farthest thing that counts for the budget", 10.0, min=0.0, soft_min=0.01, soft_max=10000.0, subtype='DISTANCE'
     )
-    near_parallax: _number(
-        "Near Parallax",
-        "Largest parallax in front of the screen, in percent of the image's width",
-        1.0,
-        min=0.0,
-        max=100.0,
-        soft_max=5.0,
-        subtype='PERCENTAGE',
-        precision=2,
-    )
-    far_parallax: _number(
-        "Far Parallax",
-        "Largest parallax behind the screen, in percent of the image's width",
-        2.0,
-        min=0.0,
-        max=100.0,
-        soft_max=5.0,
-        subtype='PERCENTAGE',
-        precision=2,
-    )
+    near_parallax: _parallax("Near Parallax", "Largest parallax in front of the screen, in percent of the image's width", 1.0, max=100.0)
+    far_parallax: _parallax("Far Parallax", "Largest parallax behind the screen, in percent of the image's width", 2.0, max=100.0)
     screen: bpy.props.EnumProperty(
         name="Screen",
         description="Screen that the audience looks at; warnings are about this screen",
@@ -107,6 +91,18 @@ class MOTUS_PG_stereo(StereoKeywords, SystemSettings, bpy.types.PropertyGroup):
         max=1.0,
         subtype='FACTOR',
     )
+    window_left: _parallax(
+        "Left Window",
+        "Parallax of the picture's left edge in front of the screen, in percent of the image's width: so much of the left eye is masked",
+        0.0,
+        max=50.0,
+    )
+    window_right: _parallax(
+        "Right Window",
+        "Parallax of the picture's right edge in front of the screen, in percent of the image's width: so much of the right eye is masked",
+        0.0,
+        max=50.0,
+    )
     before_mode: bpy.props.StringProperty(
         name="Mode Before", description="Convergence mode that the camera had without the rig", options=set()
     )
@@ -120,6 +116,16 @@ class MOTUS_PG_stereo(StereoKeywords, SystemSettings, bpy.types.PropertyGroup):
     before_spherical: bpy.props.BoolProperty(
         name="Spherical Before", description="Whether the camera's stereo was spherical before it was made to see all around", options=set()
     )
+    before_merge: bpy.props.BoolProperty(
+        name="Merge Before", description="Whether the eyes met at the poles before the camera was made to see all around", options=set()
+    )
+    before_angles: bpy.props.FloatVectorProperty(
+        name="Angles Before",
+        description="Limits of latitude and longitude that the camera's panorama had before it was made to see all around",
+        size=4,
+        default=(-0.5 * math.pi, 0.5 * math.pi, -math.pi, math.pi),
+        options=set(),
+    )
 
 
 class MOTUS_PG_stereo_scene(bpy.types.PropertyGroup):
@@ -128,4 +134,7 @@ class MOTUS_PG_stereo_scene(bpy.types.PropertyGroup):
     )
     before_views: bpy.props.StringProperty(
         name="Views Before", description="Format of views that the scene had before a rig switched multiview on", options=set()
+    )
+    before_height: bpy.props.IntProperty(
+        name="Height Before", description="Height of pictures that the scene had before a camera was made to see all around", options=set()
     )

@@ -84,6 +84,11 @@ def renders_both_eyes(scene):
     return render.use_multiview and render.views_format == 'STEREO_3D' and all(view.use for view in render.stereo_views)
 
 
+def writes_pair(scene):
+    """Whether the scene writes a file for each eye."""
+    return renders_both_eyes(scene) and scene.render.image_settings.views_format == 'INDIVIDUAL'
+
+
 def one_eye():
     """Return the sentence that reports a scene that does not render both eyes."""
     return tr("The scene does not render a left and a right eye: Stereo Output lets it")
@@ -141,6 +146,14 @@ def eyes(scene, owner, depsgraph):
         "convergence": distance,
         "mode": mode,
     }, seen
+
+
+def window(owner, depsgraph):
+    """Parallax of the left and right edge of a camera's floating window, fractions of the image's width; 0 without a rig."""
+    if not has_rig(owner):
+        return 0.0, 0.0
+    settings = owner.evaluated_get(depsgraph).motus.stereo
+    return 0.01 * settings.window_left, 0.01 * settings.window_right
 
 
 def axis_matrix(matrix):

@@ -25,5 +25,6 @@ SCREEN = Rows(
     title="Screen",
 )
 OBJECT = Rows((Row("focus", when=is_one_of("convergence", 'OBJECT')),))
+WINDOW = Rows(("window_left", "window_right"))
 INFLUENCE = Rows(("influence",))
 ADDING = (EYES, SCREEN)

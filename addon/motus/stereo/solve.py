@@ -4,7 +4,7 @@ import math
 
 from ..core import native
 from ..core.declare import Matrix, OwnMatrix, Problem
-from . import lens, rig
+from . import around, lens, rig
 
 NOT_PERSPECTIVE = Problem("The rig needs a perspective camera: with this one the camera's own values count")
 NO_LENS = Problem("Focal length and sensor must be greater than 0")
@@ -26,7 +26,7 @@ def solve(context, matrix, focus):
     raises an exception.
     """
     settings, camera = context.settings, context.owner.data
-    if camera.type == 'PANO' and camera.stereo.use_spherical_stereo:
+    if around.is_used(camera):
         return _around(context, matrix, focus)
     if camera.type != 'PERSP':
         return NOT_PERSPECTIVE

@@ -23,6 +23,8 @@ SHOWN = (
     "screen_width",
     "screen_distance",
     "eye_separation",
+    "window_left",
+    "window_right",
     "influence",
 )
 
@@ -63,6 +65,26 @@ def test_a_warning_is_read():
     yield from window_support.picture("stereo_warning")
     (sentence,) = support.addon("stereo.results").of(camera).sentences
     assert sentence.startswith("Diverges on a 12 m screen by"), sentence
+
+
+def test_the_graphs_of_a_shot_are_drawn():
+    camera = build(convergence='BUDGET', near=2.0, far=12.0, screen='CINEMA')
+    for frame, parallax in ((1, 0.1), (20, 1.5)):
+        camera.motus.stereo.far_parallax = parallax
+        camera.keyframe_insert("motus.stereo.far_parallax", frame=frame)
+    bpy.ops.motus.stereo_check(object=camera.name, frame_start=1, frame_end=20)
+    result = support.addon("stereo.results").of(camera)
+    assert 0 < result.is_faulty.sum() < 20, result.is_faulty
+    yield from window_support.open_tab("Motus")
+    window_support.draw_all()
+    yield
+    yield from window_support.picture("stereo_graphs")
+    graph = support.addon("core.interface.view.graph")
+    assert {"stereo", "stereo_parallax", "stereo_convergence"} <= set(graph._graphs[0].keys())
+    pixels = np.array(graph._graphs[0]["stereo_parallax"].image_pixels_float).reshape(graph.HEIGHT, graph.WIDTH, 4)
+    is_red = np.abs(pixels[2] - graph.FLAG).max(axis=1) < 0.01
+    assert is_red.any() and not is_red.all()
+    assert is_red[-1] and not is_red[0]
 
 
 def test_the_ruler_shows_what_is_selected():

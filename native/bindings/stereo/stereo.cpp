@@ -12,6 +12,7 @@
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "core/typed.hpp"
+#include "motus/stereo/around.hpp"
 #include "motus/stereo/eyes.hpp"
 #include "motus/stereo/scene_depth.hpp"
 #include "motus/stereo/screen.hpp"
@@ -182,6 +183,29 @@ Largest vertical parallax at a depth, in a corner of the image: a fraction of th
 aspect: the image's width / its height, > 0.  Other arguments as for parallax().  Returns a float.)");
 }
 
+void bind_around(py::module_& m) {
+    m.def(
+        "parallax_around",
+        [](const ArrayLike& given, const Number& interaxial, const Number& convergence,
+           const Number& elevation, const Number& merge_from, const Number& merge_to) {
+            const EyesAround eyes{number(interaxial, "interaxial"), distance(convergence, "convergence"),
+                                  number(merge_from, "merge_from"), number(merge_to, "merge_to")};
+            const double row = number(elevation, "elevation");
+            check(eyes);
+            return map_numbers(Numbers(given, "distance"), point_cost,
+                               [&](double one) { return parallax(eyes, one, row); });
+        },
+        "distance"_a, "interaxial"_a, "convergence"_a, "elevation"_a = 0.0,
+        "merge_from"_a = EyesAround{}.merge_from, "merge_to"_a = EyesAround{}.merge_to, R"(
+Parallax in a stereo panorama: by how much the right eye sees a point further right than the left eye, rad of azimuth,
+positive behind the sphere of zero parallax. Of Cycles' spherical stereo: each column is seen from another place.
+
+distance: from the centre, a number or (m,), at least half of interaxial (>= 0); same unit as convergence (> 0, may be
+math.inf), the radius of the sphere.  elevation: of the picture's row, rad, -pi / 2 to pi / 2.
+merge_from, merge_to: elevations, rad, between which the eyes approach each other; 0 <= merge_from <= merge_to <= pi / 2.
+Returns a float or (m,).  Raises ValueError if a number is outside its domain.)");
+}
+
 void bind_screen(py::module_& m) {
     m.def(
         "seen_distance",
@@ -280,6 +304,7 @@ Returns (m,).)");
 
 void bind_stereo(py::module_& m) {
     bind_eyes(m);
+    bind_around(m);
     bind_screen(m);
     bind_scene(m);
 }

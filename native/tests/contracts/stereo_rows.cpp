@@ -1,4 +1,7 @@
+#include <numbers>
+
 #include "contracts/row.hpp"
+#include "motus/stereo/around.hpp"
 #include "motus/stereo/scene_depth.hpp"
 #include "motus/stereo/screen.hpp"
 
@@ -29,6 +32,11 @@ auto fields(Declared, T& v) {
     return std::tie(v.interaxial, v.focal_length, v.sensor_width, v.convergence);
 }
 
+template <Some<stereo::EyesAround> T>
+auto fields(Declared, T& v) {
+    return std::tie(v.interaxial, v.convergence, v.merge_from, v.merge_to);
+}
+
 namespace {
 
 using namespace stereo;
@@ -39,6 +47,7 @@ using namespace stereo;
 [[nodiscard]] Domain length() {
     return from(1e-30, 1e30);
 }
+constexpr double quarter = 0.5 * std::numbers::pi;  // turn, rad
 [[nodiscard]] Domain share() {
     return from(0.0, 1e30);
 }
@@ -112,6 +121,31 @@ void add_eyes(Table& table) {
         .adds("the limits are not both 0");
 }
 
+void add_around(Table& table) {
+    const auto eyes = [] {
+        return of(
+            EyesAround{0.065, 1.95, 1.0, 1.3}, member("interaxial", &EyesAround::interaxial, share().open()),
+            member("convergence", &EyesAround::convergence, positive().open()),
+            member("merge_from", &EyesAround::merge_from, from(0.0, 1.3).in_words("from 0 to merge_to")),
+            member("merge_to", &EyesAround::merge_to,
+                   from(1.0, quarter).in_words("from merge_from to pi / 2")));
+    };
+    const auto elevation = [] { return arg("elevation", 0.5, from(-quarter, quarter)); };
+    add(
+        table, "stereo::check(eyes)", [](const EyesAround& given) { check(given); }, eyes())
+        .costs("O(1)");
+    add(
+        table, "stereo::interaxial_at(eyes, elevation)",
+        [](const EyesAround& given, double at) { return interaxial_at(given, at); }, eyes(), elevation())
+        .costs("O(1)");
+    add(
+        table, "stereo::parallax(eyes, distance, elevation)",
+        [](const EyesAround& given, double distance, double at) { return parallax(given, distance, at); },
+        eyes(), arg("distance", 3.0, positive().open().in_words("≥ half the interaxial, or infinity")),
+        elevation())
+        .costs("O(1)");
+}
+
 void add_screens(Table& table) {
     const auto parallax = [] { return arg("parallax", 0.01, no_nan().open()); };
     const auto angle = [] { return arg("angle", one_degree, within(0.0, 1.5).open()); };
@@ -183,6 +217,7 @@ void add_depths(Table& table) {
 
 void add_stereo(Table& table) {
     add_eyes(table);
+    add_around(table);
     add_screens(table);
     add_depths(table);
 }

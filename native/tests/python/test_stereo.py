@@ -43,6 +43,17 @@ class StereoTest(unittest.TestCase):
         self.assertEqual(native.depth_budget(0.01, 1.0, **EYES)[1], math.inf)
         self.assertGreater(native.solve_depth_budget(1.0, math.inf, 0.01, 0.02, **LENS)[0], 0.0)
 
+    def test_around(self):
+        self.assertIsInstance(native.parallax_around(3, 0.065, 2.0), float)
+        found = native.parallax_around([1.0, 2.0, math.inf], 0.065, 2.0)
+        ray = 0.0325 * math.cos(math.atan(0.0325 / 2.0))
+        wanted = [2.0 * (math.asin(ray / 2.0) - math.asin(ray / distance)) for distance in (1.0, 2.0, math.inf)]
+        np.testing.assert_allclose(found, wanted, atol=1e-15)
+        self.assertEqual(native.parallax_around(3.0, 0.065, 2.0, elevation=1.5, merge_from=1.0, merge_to=1.3), 0.0)
+        for keywords in ({"elevation": 2.0}, {"merge_from": 1.0, "merge_to": 0.5}):
+            with self.assertRaisesRegex(ValueError, next(reversed(keywords))):
+                native.parallax_around(3.0, 0.065, 2.0, **keywords)
+
     def test_screens(self):
         self.assertAlmostEqual(native.divergence_limit(12.0), 0.0054, 4)
         self.assertEqual(native.seen_distance(0.02, **SCREEN), math.inf)

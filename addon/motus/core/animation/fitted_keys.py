@@ -13,15 +13,18 @@ if TYPE_CHECKING:
 
 TOLERANCE = 1e-6
 """Largest error of a curve at a sample, in metres, radians or units of the property: a tenth of what is promised, since bones of a chain add up."""
+EITHER, BELOW, ABOVE = 0, -1, 1
+"""On which side of the samples a fitted curve stays."""
 _PRECISION = 2.0**-23
 _FIRST_REACH = 8
 
 
-def write(curve: bpy.types.FCurve, times: Array, samples: Array, tolerance: float = TOLERANCE) -> None:
-    """Give an F-curve without keys the few keys whose curve goes through samples. Arguments as keys()."""
-    places, inner = keys(times, samples, tolerance)
+def write(curve: bpy.types.FCurve, times: Array, samples: Array, tolerance: float = TOLERANCE, side: int = EITHER) -> None:
+    """Give an F-curve the few keys whose curve goes through samples; it has no keys from the first time to the last. Arguments as keys()."""
+    places, inner = keys(times, samples, tolerance, side)
     frames, values = times[places], np.asarray(samples, float)[places]
     points = curve.keyframe_points
+    before = len(points)
     points.add(len(places))
     third = np.diff(frames) / 3.0
     left, right = np.stack((frames, values), axis=1), np.stack((frames, values), axis=1)
@@ -32,10 +35,13 @@ def write(curve: bpy.types.FCurve, times: Array, samples: Array, tolerance: floa
         left[0], right[-1] = 2.0 * left[0] - right[0], 2.0 * right[-1] - left[-1]
     else:
         left[0, 0], right[0, 0] = left[0, 0] - 1.0, right[0, 0] + 1.0
-    for point in points:  # foreach_set() does not reach types of handles (3.4)
+    for point in points[before:]:  # foreach_set() does not reach types of handles (3.4)
         point.interpolation, point.handle_left_type, point.handle_right_type = 'BEZIER', 'FREE', 'FREE'
     for name, rows in (("co", np.stack((frames, values), axis=1)), ("handle_left", left), ("handle_right", right)):
-        points.foreach_set(name, rows.astype(np.float32).ravel())
+        every = np.empty(2 * len(points), np.float32)
+        points.foreach_get(name, every)
+        every[2 * before :] = rows.ravel()
+        points.foreach_set(name, every)
     curve.update()
 
 
@@ -50,33 +56,35 @@ def write_steps(curve: bpy.types.FCurve, times: Array, samples: Array) -> None:
     curve.update()
 
 
-def keys(times: Array, values: Array, tolerance: float = TOLERANCE) -> tuple[Array, Array]:
+def keys(times: Array, values: Array, tolerance: float = TOLERANCE, side: int = EITHER) -> tuple[Array, Array]:
     """Find the keys of a curve through samples.
 
-    times: (n,), rising. values: (n,). tolerance: largest error at a sample, beside the rounding of single precision. Returns (keys, inner):
-    keys (m,) are indices of samples through which the curve goes; inner (m - 1, 2) are the two inner Bernstein coefficients of the cubic
-    between two keys, whose outer ones are the samples. A constant curve has one key.
+    times: (n,), rising. values: (n,). tolerance: largest error at a sample, beside the rounding of single precision. side: EITHER,
+    BELOW or ABOVE: where the curve is at every sample. Returns (keys, inner): keys (m,) are indices of samples through which the curve
+    goes; inner (m - 1, 2) are the two inner Bernstein coefficients of the cubic between two keys, whose outer ones are the samples. A
+    constant curve has one key.
     """
     times, values = np.asarray(times, float), np.asarray(values, float)
-    error = max(tolerance, 2.0 * _PRECISION * float(np.abs(values).max()))
-    if np.abs(values - values[0]).max() <= error:
+    rounding = 2.0 * _PRECISION * float(np.abs(values).max())
+    error = max(tolerance, rounding)
+    if np.abs(values - values[0]).max() <= (error if side == EITHER else rounding):
         return np.zeros(1, int), np.empty((0, 2))
     found, inner, reach = [0], [], _FIRST_REACH
     while found[-1] < len(values) - 1:
-        end, coefficients = _longest(times, values, found[-1], reach, error)
+        end, coefficients = _longest(times, values, found[-1], reach, error, side)
         reach = end - found[-1]
         found.append(end)
         inner.append(coefficients)
     return np.array(found), np.array(inner)
 
 
-def _longest(times: Array, values: Array, start: int, reach: int, error: float) -> tuple[int, Array]:
+def _longest(times: Array, values: Array, start: int, reach: int, error: float, side: int) -> tuple[int, Array]:
     """Find the last sample to which one cubic from sample `start` fits: (its index, inner coefficients). reach: samples tried first."""
     end = len(values)
     good, coefficients = start + 1, _straight(values[start], values[start + 1])
     tried = min(start + reach, end - 1)
     while good < tried < end:
-        found = _fitted(times[start : tried + 1], values[start : tried + 1], error)
+        found = _fitted(times[start : tried + 1], values[start : tried + 1], error, side)
         if found is None:
             end = tried
         else:
@@ -86,8 +94,11 @@ def _longest(times: Array, values: Array, start: int, reach: int, error: float) 
     return good, coefficients
 
 
-def _fitted(times: Array, values: Array, error: float) -> Array | None:
-    """Inner coefficients of the cubic through the first and last value that is nearest to all; None if it is too far from one of them."""
+def _fitted(times: Array, values: Array, error: float, side: int) -> Array | None:
+    """Inner coefficients of the cubic through the first and last value that is nearest to all; None if it is too far from one of them.
+
+    side: the cubic is moved to this side of all values, by a parabola that is 0 at its ends.
+    """
     if len(values) == 2:
         return _straight(*values)
     u = (times - times[0]) / (times[-1] - times[0])
@@ -99,7 +110,12 @@ def _fitted(times: Array, values: Array, error: float) -> Array | None:
     else:
         a, b, c, x, y = first @ first, first @ second, second @ second, first @ rest, second @ rest
         bend = np.array((c * x - b * y, a * y - b * x)) / (a * c - b * b)
-    return None if np.abs(rest - first * bend[0] - second * bend[1]).max() > error else straight + bend
+    missed = rest - first * bend[0] - second * bend[1]
+    if side != EITHER:
+        parabola = 3.0 * u * (1.0 - u)
+        by = max(float((side * missed[1:-1] / parabola[1:-1]).max()), 0.0)
+        bend, missed = bend + side * by, missed - side * by * parabola
+    return None if np.abs(missed).max() > error else straight + bend
 
 
 def _straight(first: float, last: float) -> Array:

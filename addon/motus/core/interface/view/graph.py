@@ -16,18 +16,18 @@ ROWS = 2 * TICKS - 1
 BESIDE = 4.0
 """Width of the numbers beside a graph, in heights of a line."""
 _ROUND = 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0
-LINE, AXIS, LEVEL = (0.95, 0.55, 0.20), (0.55, 0.55, 0.55), (0.40, 0.62, 0.90)
+LINE, AXIS, LEVEL, FLAG = (0.95, 0.55, 0.20), (0.55, 0.55, 0.55), (0.40, 0.62, 0.90), (0.85, 0.20, 0.20, 0.35)
 
 _graphs = []
 """List of the preview collection with all graphs; empty until the first graph is drawn."""
 _shown = keeping.OfProcess("hashes of the values of the graphs that icons show", "name of the icon's place in the interface", most=256)
 
 
-def draw(layout, name, values, heights, columns):
+def draw(layout, name, values, heights, columns, marks=(), flags=()):
     """Draw a graph of values (n,) with numbers on its axes.
 
     name: as of icon(). heights: {height: text} of TICKS evenly spaced heights, rising, between which all values lie. columns: three texts,
-    for the left end, the middle and the right end.
+    for the left end, the middle and the right end. marks, flags: as of icon().
     """
     whole = layout.column(align=True)
     row = _centred(whole)
@@ -39,7 +39,7 @@ def draw(layout, name, values, heights, columns):
         line = numbers.row()
         line.alignment = 'RIGHT'
         line.label(text=text, translate=False)
-    row.template_icon(icon(name, values, tuple(heights), pad=HEIGHT / ROWS / 2.0), scale=ROWS)
+    row.template_icon(icon(name, values, tuple(heights), marks, HEIGHT / ROWS / 2.0, flags), scale=ROWS)
     row = _centred(whole)
     corner = row.column()
     corner.ui_units_x = BESIDE
@@ -70,35 +70,39 @@ def ticks(low, high):
     return [(first + number) * step for number in range(TICKS)]
 
 
-def icon(name, values, levels=(0.0,), marks=(), pad=PAD):
+def icon(name, values, levels=(0.0,), marks=(), pad=PAD, flags=()):
     """Icon of a graph of values (n,) from left to right, for UILayout.template_icon.
 
     name: of the place in the interface that shows the graph; each place has one graph at a time. levels: heights of thin horizontal lines.
-    marks: further arrays (n,) of values, drawn behind the first. pad: pixels above and below.
+    marks: further arrays (n,) of values, drawn behind the first. pad: pixels above and below. flags: empty, or (n,) of truth values, red
+    where true.
     """
     if not _graphs:
         _graphs.append(bpy.utils.previews.new())
     previews = _graphs[0]
     preview = previews.get(name) or previews.new(name)
     values = [np.nan_to_num(np.asarray(one, dtype=float)) for one in (values, *marks)]
-    key = hash((tuple(levels), pad, *(one.tobytes() for one in values)))
+    flags = np.asarray(flags, dtype=bool)
+    key = hash((tuple(levels), pad, flags.tobytes(), *(one.tobytes() for one in values)))
     if _shown.get(name) != key:
         preview.image_size = (WIDTH, HEIGHT)
-        preview.image_pixels_float = pixels(values[0], levels, values[1:], pad).ravel().tolist()
+        preview.image_pixels_float = pixels(values[0], levels, values[1:], pad, flags).ravel().tolist()
         _shown.add(name, key)
     return preview.icon_id
 
 
-def pixels(values, levels=(0.0,), marks=(), pad=PAD):
+def pixels(values, levels=(0.0,), marks=(), pad=PAD, flags=()):
     """Draw a graph as pixels: (HEIGHT, WIDTH, 4) floats in [0, 1], the bottom row first.
 
     values: (n,) from left to right. levels: heights of thin horizontal lines. marks: further arrays (n,), drawn behind the first.
-    pad: pixels above and below.
+    pad: pixels above and below. flags: as of icon().
     """
     every = np.concatenate([values, *marks, np.asarray(levels, dtype=float)])
     low, high = every.min(), every.max()
     scale = (HEIGHT - 2 * pad - 1) / max(high - low, 1e-12)
     picture = np.zeros((HEIGHT, WIDTH, 4))
+    if len(flags):
+        picture[:, np.asarray(flags)[np.arange(WIDTH) * len(flags) // WIDTH]] = FLAG
     for level in levels:
         _draw(picture, np.full(WIDTH, pad + (level - low) * scale), AXIS, 0.5)
     for curve, colour, width in (*((mark, LEVEL, 1.0) for mark in marks), (values, LINE, 1.6)):
