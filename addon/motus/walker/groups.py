@@ -72,9 +72,10 @@ def groups(owner):
             }
         )
     }
+    channels = LEANING if owner.motus.walker.use_soles else PLACE
     found = [
         Group(
-            members=tuple(Member(foot.thing, PLACE, 'POSE' if foot.is_bone else 'WORLD') for foot in feet if FEET not in looped),
+            members=tuple(Member(foot.thing, channels, 'POSE' if foot.is_bone else 'WORLD') for foot in feet if FEET not in looped),
             inputs=(Transform(owner),),
             data=data,
         )

@@ -45,6 +45,11 @@ def draw_ground(layout, context):
     rows.GROUND.draw(column, settings)
 
 
+def draw_soles(layout, context):
+    """Draw the settings of how feet lie on the ground and roll over heel and toe."""
+    rows.SOLES.draw(ui.split(layout), _walker(context).motus.walker)
+
+
 def draw_body(layout, context):
     """Draw the settings of how the body rises and leans with the feet."""
     owner = _walker(context)
@@ -114,6 +119,7 @@ PANEL = panels.SystemPanel(
     draw=draw_main,
     parts=(
         panels.Part("ground", "Ground", draw_ground, is_open=True),
+        panels.Part("soles", "Soles", draw_soles),
         panels.Part("body", "Body", draw_body, is_open=True),
         panels.Part("legs", "Legs", draw_legs),
         panels.Part("whole", "More", draw_whole),

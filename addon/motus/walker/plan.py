@@ -36,8 +36,10 @@ MARGIN = 250.0
 """Frames after the scene's last one that are planned too: a foot that is lifted at the end of the scene touches down later."""
 EVERYWHERE = 1e6
 """Length, in metres, that the library is given for a leg of unknown length, so that the leg reaches everywhere."""
-SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down"
+SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down", "ankle", "heel", "toe"
 """Settings that are lengths in the body's space, which the body's scale multiplies; the library has arguments of these names."""
+SOLES = "strike", "push"
+"""Settings that have an effect only if feet turn with the ground."""
 BODY = "body_height", "body_tilt"
 """Settings that have an effect only if the walker has a body part that rises and leans."""
 SETTINGS = {
@@ -106,7 +108,8 @@ class Numbers(NamedTuple):
     """Settings of a walker that the plan is made from, as numbers and tuples, so that they can be compared and hashed.
 
     values: of the settings properties.NUMBERS. rest, hips, lengths, phases: an item for each leg. plane: height of the plane, or None.
-    duty: 0 for the usual one of the gait. A length of 0 is for a leg that reaches everywhere.
+    duty: 0 for the usual one of the gait. A length of 0 is for a leg that reaches everywhere. turns: of the feet, in the body's space;
+    empty if feet do not turn with the ground.
     """
 
     gait: str
@@ -119,6 +122,7 @@ class Numbers(NamedTuple):
     hips: tuple
     lengths: tuple
     phases: tuple
+    turns: tuple
 
     def value(self, name):
         """Value of the setting of this name, one of properties.NUMBERS."""
@@ -130,7 +134,7 @@ class Plan(NamedTuple):
 
     walker: the native Walker. fault: the Problem to show, which does not keep the owner from walking, or None.
     known: (first, last) frame for which the walk is planned, see Poses. stamp: hashable value that changes with all that the plan
-    was made from. has_problems: whether walker.problems lists any footholds that cannot be reached.
+    was made from. has_problems: whether walker.problems lists any footholds that cannot be reached. turns: see Numbers.
     """
 
     walker: Any
@@ -138,6 +142,7 @@ class Plan(NamedTuple):
     known: tuple
     stamp: Any
     has_problems: bool
+    turns: tuple
 
 
 def of(owner, scene, numbers, frame=None):
@@ -166,7 +171,7 @@ def of(owner, scene, numbers, frame=None):
     if isinstance(made, Problem):
         return made
     walker, has_problems = made
-    return Plan(walker, fault or unsure or beyond, poses.known, stamp, has_problems)
+    return Plan(walker, fault or unsure or beyond, poses.known, stamp, has_problems, numbers.turns)
 
 
 def _kept(owner, stamp, make):
@@ -195,10 +200,12 @@ def read(settings):
     lengths = [0.0 if legs.stretches(owner, leg) else leg.length for leg in settings.legs]
     phases = [leg.phase for leg in settings.legs]
     # Without a part that rises and leans, the hips follow the owner alone.
-    stays = () if legs.body(owner) else BODY
+    stays = {*(() if legs.body(owner) else BODY), *(() if settings.use_soles else SOLES)}
+    turns = [tuple(leg.turn) for leg in settings.legs] if settings.use_soles else []
     values = tuple(0.0 if name in stays else getattr(settings, name) for name in NUMBERS)
     found: dict[str, Iterable[float]] = dict(zip(NUMBERS, ((number,) for number in values)))
-    found |= {"length": lengths, "phase": phases, "rest": itertools.chain(*rest), "hip": itertools.chain(*hips)}
+    found |= {"length": lengths, "phase": phases}
+    found |= {"rest": itertools.chain(*rest), "hip": itertools.chain(*hips), "turn": itertools.chain(*turns)}
     for name, numbers in found.items():
         if not all(abs(number) < INFINITE for number in numbers):
             return replace(NOT_FINITE, about=name)
@@ -213,6 +220,7 @@ def read(settings):
         tuple(hips),
         tuple(lengths),
         tuple(phases),
+        tuple(turns),
     )
 
 
@@ -355,6 +363,9 @@ def _made(numbers, poses, placed, bodies):
             damping=numbers.value("damping"),
             height=numbers.value("body_height"),
             tilt=numbers.value("body_tilt"),
+            forward=numbers.forward,
+            strike=numbers.value("strike"),
+            push=numbers.value("push"),
             **given,
         )
     except ValueError as error:
