@@ -55,8 +55,8 @@ def _soles(file):
         x = (index - (len(MOMENTS) - 1) / 2) * APART
         foot = _foot(colors[int(walker.swing(time)[0] > 0.0)])
         foot.matrix_world = Matrix.Translation((x, 0.0, place[2])) @ turn.to_matrix().to_4x4()
-        stage.add_text(f"{100.0 * moment:.0f} %", (x + 0.05, 0.0, 0.21), 0.05)
-    stage.add_camera(scene, (0.05, -6.0, 1.0), (0.05, 0.0, 0.11), width=APART * len(MOMENTS) + 0.05)
+        stage.add_text(f"{100.0 * moment:.0f} %", (x + 0.05, 0.0, 0.32), 0.05)
+    stage.add_camera(scene, (0.05, -6.0, 1.0), (0.05, 0.0, 0.15), width=APART * len(MOMENTS) + 0.05)
     return stage.render(scene, file, (1280, 240), samples=64)
 
 

@@ -14,7 +14,7 @@ from ..core.measures import scene_time
 from ..core.tracks import rotations
 from ..core.tracks.in_world import World
 from ..core.tracks.solved import placed
-from . import leaning, legs, plan, soles
+from . import carrier, leaning, legs, plan, soles
 
 CYCLES = 2.0
 """Number of cycles of all legs, at the slowest cadence, in which all feet come to rest after the body has stopped."""
@@ -46,7 +46,7 @@ class _OverTime:
     def __init__(self, owner, thing, scene):
         self._owner, self._thing, self._scene = owner, thing, scene
         self._influence = Channel(owner, "motus.walker.influence", -1)
-        self._body = plan.body_track(owner, scene)
+        self._body, self._way = plan.body_track(owner, scene), plan.way_track(owner, scene)
 
     @functools.cached_property
     def _plan(self):
@@ -58,7 +58,13 @@ class _OverTime:
     @property
     def reason(self):
         """The Reason for which the motion is not known at frames different from the present one; None if it is known."""
-        return (None if self._body.is_known else self._body.reason) or self._influence.reason
+        return next((track.reason for track in (self._body, *self._carriers) if not track.is_known), None) or self._influence.reason
+
+    @property
+    def _carriers(self):
+        """The Track of the walker's carrier, in a list; [] if it has none."""
+        found = carrier.track_of(self._owner, self._scene)
+        return [] if found is None else [found]
 
     @property
     def _fps(self):
@@ -69,7 +75,7 @@ class _OverTime:
 
     def bounds(self, first, last):
         """Rising frames from `first` to `last` between which the motion is smooth: whole frames, and bends of body and influence."""
-        return union([[first, *whole(first, last), last], self._body.bounds(first, last), self._influence.bounds(first, last)])
+        return union([[first, *whole(first, last), last], self._way.bounds(first, last), self._influence.bounds(first, last)])
 
     @property
     def extent(self):
@@ -78,7 +84,7 @@ class _OverTime:
         The last frame is an estimate of when the feet come to rest, which is later than when the body does. The exact frame would need
         the plan of the walk, which takes longer to compute.
         """
-        moving, settings = self._body.extent, self._owner.motus.walker
+        moving, settings = self._way.extent, self._owner.motus.walker
         if moving is not None:
             rest = CYCLES / max(SLOWEST, settings.cadence) + FADES / max(SLOWEST, settings.frequency)
             moving = moving[0], moving[1] + rest * self._fps

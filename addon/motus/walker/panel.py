@@ -42,6 +42,7 @@ def draw_ground(layout, context):
     column = ui.split(layout)
     column.prop(settings, "ground")
     column.prop(settings, "grounds")
+    column.prop(settings, "carrier")
     rows.GROUND.draw(column, settings)
 
 

@@ -17,7 +17,7 @@ from ..core.evaluated import copies
 from ..core.lazy import numpy as np
 from ..core.measures import axes, scene_time
 from ..core.refusals import INFINITE
-from . import carrying, ground, legs
+from . import carrier, carrying, ground, legs
 from .properties import NUMBERS
 
 UNLIKE = 1e-4
@@ -61,6 +61,7 @@ AXES_NOT_ACROSS = Problem("The forward axis and the up axis must be perpendicula
 TOO_MANY = Problem("The walk has more than 1,000,000 steps: a longer stride, a slower body or a lower cadence has fewer")
 OUT_OF_RANGE = Problem("A setting is outside of what a walk can be planned by")
 UNKNOWN = Problem("The body's motion is not known ahead, and its feet do not step: record it, or key it", blocking=False)
+UNKNOWN_CARRIER = Problem("The carrier's motion is not known ahead, and feet do not step on it: record it, or key it", blocking=False)
 UNKEYED = Problem("The body was moved away from its keys: its feet stand below it until it is keyed here", blocking=False)
 UNRECORDED = Problem("The body is not where it was recorded, and its feet stand below it: record it again, here too", blocking=False)
 BEYOND = Problem("The walk is planned for the frames of the scene: here the feet stand", blocking=False)
@@ -74,6 +75,7 @@ PROBLEMS = (
     TOO_MANY,
     OUT_OF_RANGE,
     UNKNOWN,
+    UNKNOWN_CARRIER,
     UNKEYED,
     UNRECORDED,
     TOO_LONG,
@@ -155,13 +157,13 @@ def of(owner, scene, numbers, frame=None):
         return numbers
     fps = scene_time.fps(scene)
     poses, fault = body(owner, scene, fps)
-    beyond = None
+    beyond, is_standing = None, fault in {UNKNOWN, UNKNOWN_CARRIER}
     if poses is not None and frame is not None:
         if not poses.known[0] <= frame <= poses.known[1]:
             # A body that stands where the first or last sample has it, such as one that has arrived, is planned correctly.
             beyond = BEYOND if _differs(owner, poses.matrices[0 if frame < poses.known[0] else -1]) else None
         elif _may_be_elsewhere(owner, scene, frame) and _is_elsewhere(owner, poses, frame / fps):
-            poses, fault = _standing(owner), UNRECORDED if body_track(owner, scene).reason else UNKEYED
+            poses, fault, is_standing = _standing(owner), UNRECORDED if body_track(owner, scene).reason else UNKEYED, True
     if poses is None:
         return MOTION_NOT_FINITE
     placed, unsure = ground.parts(owner.motus.walker, scene)
@@ -171,7 +173,29 @@ def of(owner, scene, numbers, frame=None):
     if isinstance(made, Problem):
         return made
     walker, has_problems = made
-    return Plan(walker, fault or unsure or beyond, poses.known, stamp, has_problems, numbers.turns)
+    found = Plan(walker, fault or unsure or beyond, poses.known, stamp, has_problems, numbers.turns)
+    return found if carrier.of(owner.motus.walker) is None else _carried(found, owner, scene, is_standing)
+
+
+def _carried(planned, owner, scene, is_standing):
+    """Return a Plan that was made in the space of the owner's carrier, as a Plan in the world.
+
+    is_standing: whether the carrier counts as standing where it is now, since body or carrier are not where they are known to be.
+    """
+    if is_standing:
+        world = _matrix(carrier.of(owner.motus.walker))
+        return planned._replace(
+            walker=carrier.Carried(planned.walker, lambda times: np.broadcast_to(world, (len(times), 4, 4))),
+            stamp=(planned.stamp, world.tobytes()),
+        )
+    track, fps = carrier.track_of(owner, scene), scene_time.fps(scene)
+    return planned._replace(
+        walker=carrier.Carried(planned.walker, lambda times: track.values(times * fps)), stamp=(planned.stamp, track.stamp)
+    )
+
+
+def _matrix(obj):
+    return np.array(obj.matrix_world, float)
 
 
 def _kept(owner, stamp, make):
@@ -229,14 +253,20 @@ def body_track(owner, scene):
     return tracks.world_track(owner, scene)
 
 
+def way_track(owner, scene):
+    """Return the motion of the object that walks in the space that its steps are planned in: the world, or the space of its carrier."""
+    carried_by = carrier.track_of(owner, scene)
+    return body_track(owner, scene) if carried_by is None else carrier.InSpace(body_track(owner, scene), carried_by)
+
+
 def body(owner, scene, fps):
     """Sample the motion of an evaluated owner; returns (Poses, Problem to show or None).
 
     The Poses are None if they are not finite. An owner whose motion is unknown, or that does not move, has a single sample.
     """
-    track = body_track(owner, scene)
+    track = way_track(owner, scene)
     if not track.is_known:
-        return _standing(owner), UNKNOWN
+        return _standing(owner), UNKNOWN if not body_track(owner, scene).is_known else UNKNOWN_CARRIER
     stamp = track.stamp
     # The extent may take longer to find than the stamp: it is kept until the stamp changes.
     extent = tracks.kept_by(stamp, "walker", lambda: track.extent)
@@ -255,7 +285,7 @@ def body(owner, scene, fps):
 def is_moved(owner, scene):
     """Whether the world matrix of an evaluated owner is known to change over time; false if its motion is unknown."""
     poses, fault = body(owner, scene, scene_time.fps(scene))
-    return fault != UNKNOWN and (poses is None or len(poses.seconds) > 1)
+    return fault not in {UNKNOWN, UNKNOWN_CARRIER} and (poses is None or len(poses.seconds) > 1)
 
 
 def _may_be_elsewhere(owner, scene, frame):
@@ -263,7 +293,7 @@ def _may_be_elsewhere(owner, scene, frame):
 
     To move it makes a new evaluated copy. If nothing but keys moves the owner, they set it again on the next other frame.
     """
-    if not body_track(owner, scene).rests_on_keys:
+    if not way_track(owner, scene).rests_on_keys:
         return True
     kept = _KEPT.on(copies.of(owner))
     if "frame" not in kept:
@@ -289,12 +319,18 @@ def _is_elsewhere(owner, poses, seconds):
 def _differs(owner, known):
     """Whether the world matrix of an evaluated owner differs from a known one, (4, 4), by more than UNLIKE."""
     numbers = known.ravel().tolist()
-    apart = [abs(one - other) for one, other in zip(itertools.chain(*owner.matrix_world), numbers)]
+    apart = [abs(one - other) for one, other in zip(_present(owner).ravel().tolist(), numbers)]
     return max(apart) > UNLIKE * max(1.0, *map(abs, numbers))
 
 
+def _present(owner):
+    """Matrix (4, 4) of an evaluated owner now, in the world or in the space of its carrier."""
+    carried_by = carrier.of(owner.motus.walker)
+    return _matrix(owner) if carried_by is None else carrier.in_space(_matrix(carried_by)[None], _matrix(owner)[None])[0]
+
+
 def _standing(owner):
-    samples = _digested(np.zeros(1), np.array(owner.matrix_world, float)[None])
+    samples = _digested(np.zeros(1), _present(owner)[None])
     return samples and Poses(*samples, EVER)  # type: ignore[call-arg]
 
 

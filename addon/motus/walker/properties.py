@@ -174,6 +174,13 @@ class MOTUS_PG_walker(SystemSettings, WalkerKeywords, bpy.types.PropertyGroup):
         override=OVERRIDABLE,
         also=lambda _settings, obj: not ground.is_walking(obj),
     )
+    carrier: to_object(
+        name="Carrier",
+        description="Object that carries body and ground, such as a ship, a lift or a turntable: feet stand on the meshes that hang on it",
+        update=rewire,
+        override=OVERRIDABLE,
+        also=lambda _settings, obj: not ground.is_walking(obj),
+    )
     grounds: bpy.props.PointerProperty(
         type=bpy.types.Collection,
         name="Collection",
