@@ -110,7 +110,16 @@ class Carriers(solved_cases.Solved, cases.WalkerTestCase):
         carrier, _ = ship()
         land = cases.grid("Land", cases.waves)
         spider = cases.spider(ground=land.name, carrier=carrier.name)
-        self.assertIn("left out", self.sentence(spider))
+        self.assertIn("does not go along with the carrier", self.sentence(spider))
+
+    def test_a_carrier_that_is_deleted(self):
+        carrier, deck = ship()
+        spider = cases.spider(ground=deck.name, carrier=carrier.name)
+        bpy.ops.object.select_all(action='DESELECT')
+        carrier.select_set(True)
+        bpy.ops.object.delete()
+        support.go_to(3)
+        self.assertIn("carrier is gone", self.sentence(spider))
 
     def test_a_carrier_whose_motion_is_not_known(self):
         carrier, deck = ship()

@@ -24,6 +24,11 @@ def of(settings):
     return None if carrier is None or deleted.is_deleted(carrier) else carrier
 
 
+def is_gone(settings):
+    """Whether the settings of a walker name a carrier that was deleted."""
+    return pointed(settings, "carrier") is not None and of(settings) is None
+
+
 def track_of(owner, scene):
     """Return the Track of the world matrix of a walker's carrier; None if there is none. owner: object that walks."""
     carrier = of(owner.motus.walker)

@@ -11,7 +11,9 @@ from . import carrier
 GONE = Problem("The ground is gone: choose another one", blocking=False)
 NO_FACES = Problem("The ground has no faces", blocking=False)
 MOVING = Problem("Ground that may move is left out: feet do not stand on it", blocking=False)
-PROBLEMS = GONE, NO_FACES, MOVING
+NOT_CARRIED = Problem("Ground that does not go along with the carrier is left out: feet do not stand on it", blocking=False)
+CARRIER_GONE = Problem("The carrier is gone: choose another one", blocking=False)
+PROBLEMS = GONE, NO_FACES, MOVING, NOT_CARRIED, CARRIER_GONE
 
 DEEPEST = 64
 """Most parents, one above the other, that is_walking() goes through."""
@@ -44,7 +46,10 @@ def parts(settings, scene):
         else:
             found.append(seen.alone(ground))
     placed = _placed(found, settings, scene)
-    fault = fault or (MOVING if len(placed) < len(found) else None)
+    if carrier.is_gone(settings):
+        fault = CARRIER_GONE
+    elif len(placed) < len(found):
+        fault = fault or (MOVING if carrier.of(settings) is None else NOT_CARRIED)
     placed = tuple(filter(None, placed))
     is_named = ground is not None or pointed(settings, "grounds") is not None
     return placed, fault or (NO_FACES if is_named and not placed else None)

@@ -149,6 +149,8 @@ INTERFACE = {
     "Name of an object that carries body and ground, such as a ship": "Nombre de un objeto que lleva el cuerpo y el suelo, como un barco",
     "{object} walks itself, and carries no ground": "{object} camina por su cuenta, y no lleva suelo",
     "The carrier's motion is not known ahead, and feet do not step on it: record it, or key it": "El movimiento del portador no se conoce de antemano, y los pies no pisan sobre él: grábalo, o ponle claves",
+    "Ground that does not go along with the carrier is left out: feet do not stand on it": "Se deja fuera el suelo que no va con el portador: los pies no apoyan en él",
+    "The carrier is gone: choose another one": "El portador ya no está: elige otro",
     "Steps": "Pasos",
     "At Rest From": "En reposo desde",
     "{sentence}, and {count} more footholds": "{sentence}, y {count} apoyos más",
