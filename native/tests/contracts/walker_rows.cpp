@@ -277,7 +277,7 @@ void add_walkers(Table& table) {
     settings.lengths = {1.0, 1.0};
     settings.bodies.assign(4, glm::dmat4(1.0));
     const Soles soles{{0.0, 1.0, 0.0}, 0.1, 0.1, 0.2, 0.3, 0.8};
-    const Domain pitch = from(0.0, 0.5 * std::numbers::pi);
+    const Domain pitch = from(0.0, 0.5 * std::numbers::pi).in_words("0 to π/2");
     add(
         table, "walker::Walker::Walker(way, settings, ground, executor)",
         [](const Way& given, const WalkSettings& by, const Soles& on) {
